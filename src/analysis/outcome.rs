@@ -7,7 +7,7 @@ use crate::contact::{PoseResult, Status, first_least, worst_pose};
 
 /// A pose and the run it belongs to.
 #[derive(Debug, Clone, Copy)]
-pub struct Found<'a> {
+pub struct PoseOfRun<'a> {
     /// The run.
     pub run: &'a ComparedRun,
     /// The pose.
@@ -32,11 +32,11 @@ pub struct Outcome<'a> {
     /// How many are not proven at `a − c`, and at `a + c`.
     pub unproven_ends: [usize; 2],
     /// The worst: the first that is jammed, or else the one with the least backlash; of an unproven pose nobody knows.
-    pub worst: Option<Found<'a>>,
+    pub worst: Option<PoseOfRun<'a>>,
     /// The least backlash; of those that their error bounds cannot tell apart, the first.
-    pub least: Option<Found<'a>>,
+    pub least: Option<PoseOfRun<'a>>,
     /// The greatest, chosen likewise.
-    pub greatest: Option<Found<'a>>,
+    pub greatest: Option<PoseOfRun<'a>>,
     /// Whether every pose has a backlash, and their error bounds cannot tell one from another.
     pub uniform: bool,
     /// Mean of those that have a value.
@@ -80,10 +80,10 @@ impl<'a> Outcome<'a> {
     pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
         let all = || {
             let runs = runs.iter().chain(picked).copied();
-            runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }))
+            runs.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }))
         };
         let count = |holds: &dyn Fn(&PoseResult) -> bool| {
-            let of_kind = |found: &Found| holds(&found.pose.swept);
+            let of_kind = |found: &PoseOfRun| holds(&found.pose.swept);
             all().filter(of_kind).count()
         };
         let is = |status: Status| move |pose: &PoseResult| pose.status() == status;

@@ -89,7 +89,7 @@ impl<'a> Verdict<'a> {
         let unmet: Vec<Unmet> = required
             .iter()
             .flat_map(|(quantity, limits)| {
-                let found = |run: &RunExtremes, is_max| Found {
+                let found = |run: &RunExtremes, is_max| FoundEnd {
                     bracket: found(*quantity, run, is_max),
                     holds: *quantity == Quantity::RadialClearance
                         || extreme(run, is_max).1.is_none_or(RunExtreme::holds),
@@ -224,7 +224,7 @@ impl<'a> Verdict<'a> {
 }
 
 /// What a run has of a quantity at an end.
-pub(super) struct Found {
+pub(super) struct FoundEnd {
     /// As [`Unmet::found`].
     pub bracket: Option<[f64; 2]>,
     /// As [`Unmet::holds`].
@@ -238,7 +238,7 @@ pub(super) fn unmet<R>(
     quantity: Quantity,
     limits: &Limits,
     runs: &[R],
-    found: impl Fn(&R, bool) -> Found,
+    found: impl Fn(&R, bool) -> FoundEnd,
 ) -> Vec<Unmet> {
     let ends = [(limits.min, false), (limits.max, true)];
     let ends = ends
@@ -246,7 +246,7 @@ pub(super) fn unmet<R>(
         .filter_map(|(limit, is_max)| Some((limit?, is_max)));
     ends.filter_map(|(limit, is_max)| {
         let each = runs.iter().map(|run| {
-            let Found {
+            let FoundEnd {
                 bracket,
                 holds,
                 with_play,

@@ -9,7 +9,7 @@ use nalgebra::Point2;
 
 /// What was measured on one gear. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Found {
+pub struct MeasuredOnGear {
     /// Eccentricity `e`, and the tooth it points to.
     pub eccentricity: (f64, f64),
     /// Least and greatest place of any flank off the perfect gear's, along the reference circle, plus = more metal.
@@ -79,14 +79,14 @@ impl<'a> Exaggeration<'a> {
     }
 
     /// What was found on one gear.
-    pub fn found(&self, member: Member) -> Found {
+    pub fn found(&self, member: Member) -> MeasuredOnGear {
         let teeth = 1..=self.assembly.gear(member).gear().basic_data().teeth();
         let places = teeth.flat_map(|tooth| self.flanks_of(member, tooth));
         let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |range, place| {
             (range.0.min(place), range.1.max(place))
         });
         let gear = self.assembly.gear(member);
-        Found {
+        MeasuredOnGear {
             eccentricity: (gear.eccentricity(), gear.high_tooth()),
             flanks: [least, most],
             profile: profile(gear),

@@ -20,22 +20,23 @@ mod scene;
 mod sweep;
 mod swept;
 
-pub(crate) use parry::Shape;
+pub(crate) use parry::PolylineShape;
 
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
-pub use exaggeration::{Exaggeration, Found};
+pub use exaggeration::{Exaggeration, MeasuredOnGear};
 pub use lost_motion::{Contact, LostMotion, Status, ToothPlace, Touch};
 pub use mesh_section::MeshSection;
 pub use outline::{OutlineCertifier, OutlineKernel};
 pub use outline_contact::{
-    NotBorneOut, OutlineContact, OutlineDoubt, OutlineLostMotion, OutlineTouch, Region, Unsettled,
+    NotBorneOut, OutlineContact, OutlineDoubt, OutlineLostMotion, OutlineTouch, Region,
+    SearchExhausted,
 };
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
-pub use scene::{Drawn, LineOfAction, Scene};
+pub use scene::{FreePlacement, LineOfAction, Scene};
 pub use sweep::{BLOCK, CutPair, Method, sweep, sweep_blocks};
 pub use swept::{FirstLeast, PoseResult, Unproven, first_least, worst_pose};

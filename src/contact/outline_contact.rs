@@ -46,7 +46,7 @@ pub type OutlineLostMotion = LostMotion<Region>;
 #[error(
     "the search for the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} on {flank} flanks did not end"
 )]
-pub struct Unsettled {
+pub struct SearchExhausted {
     /// Wheel tooth.
     pub wheel_tooth: u32,
     /// Pinion tooth.
@@ -70,7 +70,7 @@ pub struct NotBorneOut {
 pub enum OutlineDoubt {
     /// The search did not end.
     #[error(transparent)]
-    Search(#[from] Unsettled),
+    Search(#[from] SearchExhausted),
     /// The certificate failed.
     #[error(transparent)]
     Certificate(#[from] NotBorneOut),

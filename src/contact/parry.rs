@@ -12,7 +12,7 @@ use parry2d_f64::shape::Segment;
 use std::ops::Range;
 
 /// A polyline ready to be asked for what is nearest to a point.
-pub struct Shape {
+pub struct PolylineShape {
     segments: Vec<Segment>,
 }
 
@@ -37,13 +37,13 @@ pub struct Closest {
 }
 
 /// Closest approach of two chords, each from one end to the other, in one frame.
-pub fn closest(ours: &[Point2<f64>; 2], theirs: &[Point2<f64>; 2]) -> Closest {
-    let [ours, theirs] = [ours, theirs].map(|[a, b]| Segment::new(vector(a), vector(b)));
+pub fn closest(first: &[Point2<f64>; 2], second: &[Point2<f64>; 2]) -> Closest {
+    let [first, second] = [first, second].map(|[a, b]| Segment::new(vector(a), vector(b)));
     let candidates = [
-        (ours.a, project(&theirs, ours.a)),
-        (ours.b, project(&theirs, ours.b)),
-        (project(&ours, theirs.a), theirs.a),
-        (project(&ours, theirs.b), theirs.b),
+        (first.a, project(&second, first.a)),
+        (first.b, project(&second, first.b)),
+        (project(&first, second.a), second.a),
+        (project(&first, second.b), second.b),
     ];
     let mut best = candidates[0];
     let mut least = (best.0 - best.1).length_squared();
@@ -53,7 +53,7 @@ pub fn closest(ours: &[Point2<f64>; 2], theirs: &[Point2<f64>; 2]) -> Closest {
             (best, least) = (*candidate, squared);
         }
     }
-    let distance = match cross(&ours, &theirs) {
+    let distance = match cross(&first, &second) {
         true => 0.0,
         false => least.sqrt(),
     };
@@ -67,11 +67,11 @@ fn vector(point: &Point2<f64>) -> Vector {
     Vector::new(point.x, point.y)
 }
 
-impl Shape {
+impl PolylineShape {
     /// The open polyline through `points`, at least two.
-    pub fn new(points: &[Point2<f64>]) -> Shape {
+    pub fn new(points: &[Point2<f64>]) -> PolylineShape {
         let chord = |ends: &[Point2<f64>]| Segment::new(vector(&ends[0]), vector(&ends[1]));
-        Shape {
+        PolylineShape {
             segments: points.windows(2).map(chord).collect(),
         }
     }

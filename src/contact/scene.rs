@@ -12,7 +12,7 @@ use nalgebra::{Point2, UnitComplex, center};
 
 /// Where the free gear is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drawn {
+pub enum FreePlacement {
     /// In contact on this flank.
     AtContact(Side),
     /// At the pose's nominal rotation, for want of a lost motion.
@@ -49,7 +49,7 @@ pub struct Scene<'a> {
     assembly: &'a GearPair,
     wheel: Placed<'a>,
     pinion: Placed<'a>,
-    drawn: Drawn,
+    drawn: FreePlacement,
     meetings: Vec<DrawnContact>,
     lost_motion: Option<&'a LostMotion>,
 }
@@ -69,8 +69,8 @@ impl<'a> Scene<'a> {
     pub fn in_section(section: &'a MeshSection) -> Scene<'a> {
         let flank = section.pose().mating().flank;
         let held = match section.held() {
-            Some(rotation) => (Drawn::AtContact(flank), rotation),
-            None => (Drawn::Nominal, section.pose().free_rotation()),
+            Some(rotation) => (FreePlacement::AtContact(flank), rotation),
+            None => (FreePlacement::Nominal, section.pose().free_rotation()),
         };
         Scene::held(section.pair(), section.pose(), section.alone(), held)
     }
@@ -80,8 +80,8 @@ impl<'a> Scene<'a> {
         let on = |side| lost_motion.and_then(|found| contact(found, side));
         let angle = lost_motion.and_then(LostMotion::angle);
         let held = match (angle, on(flank)) {
-            (Some(_), Some(contact)) => (Drawn::AtContact(flank), contact.rotation),
-            _ => (Drawn::Nominal, pose.free_rotation()),
+            (Some(_), Some(contact)) => (FreePlacement::AtContact(flank), contact.rotation),
+            _ => (FreePlacement::Nominal, pose.free_rotation()),
         };
         Scene::held(assembly, pose, lost_motion, held)
     }
@@ -91,7 +91,7 @@ impl<'a> Scene<'a> {
         assembly: &'a GearPair,
         pose: &Pose,
         lost_motion: Option<&'a LostMotion>,
-        (drawn, rotation): (Drawn, f64),
+        (drawn, rotation): (FreePlacement, f64),
     ) -> Scene<'a> {
         let on = |side| lost_motion.and_then(|found| contact(found, side));
         let place = |member| {
@@ -132,7 +132,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Where the free gear is drawn.
-    pub fn drawn(&self) -> Drawn {
+    pub fn drawn(&self) -> FreePlacement {
         self.drawn
     }
 

@@ -99,7 +99,7 @@ impl<'a> Solver<'a> {
     }
 
     /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
-    fn find(&self, pose: &Pose) -> Result<Found, Error> {
+    fn find(&self, pose: &Pose) -> Result<SolvedPose, Error> {
         let exact = self.exact.as_ref().map(|kernel| kernel.lost_motion(pose));
         let seen = exact.as_ref().and_then(|found| found.as_ref().ok());
         let polygon = match &self.sections {
@@ -134,14 +134,14 @@ impl<'a> Solver<'a> {
                 })
             }
         };
-        Ok(Found {
+        Ok(SolvedPose {
             lost_motion: found,
             polygon_difference: None,
         })
     }
 
     /// The exact result, where the polygons' lies within both error bounds of it.
-    fn of_both(&self, exact: LostMotion, polygon: &LostMotion) -> Found {
+    fn of_both(&self, exact: LostMotion, polygon: &LostMotion) -> SolvedPose {
         let values = [self.backlash(&exact), self.backlash(polygon)];
         let bound = |found: &LostMotion| Some(found.error()? * self.pitch_radius());
         let (difference, reason) = match values {
@@ -174,7 +174,7 @@ impl<'a> Solver<'a> {
             exact: values[0],
             polygon: values[1],
         };
-        Found {
+        SolvedPose {
             lost_motion: reason.map_or(Ok(exact), |reason| Err(unproven(reason))),
             polygon_difference: Some(difference),
         }
@@ -208,7 +208,7 @@ impl<'a> Solver<'a> {
 }
 
 /// What a solver found at a pose.
-struct Found {
+struct SolvedPose {
     lost_motion: Result<LostMotion, Unproven>,
     polygon_difference: Option<f64>,
 }

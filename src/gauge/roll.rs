@@ -6,7 +6,7 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::roll_extremes::{RollCurve, RollPose, RollRange, Sample, bracketed};
+use super::roll_extremes::{RollCurve, RollPose, RollRange, RollSample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
 use crate::contact::PairAtDistance;
@@ -123,7 +123,11 @@ pub(super) fn roll(
 ///
 /// A mating stands for a rotation that hardly depends on the distance; it is turned back by what it does, so that poses stand
 /// evenly in rotation.
-fn sample(bench: &PairAtDistance, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
+fn sample(
+    bench: &PairAtDistance,
+    guess: f64,
+    mating: &Mating,
+) -> Result<Option<RollSample>, Error> {
     let assembly = bench.assembly();
     let Some([_, near]) = bench.play_free_distance(guess, mating)? else {
         return Ok(None);
@@ -143,7 +147,7 @@ fn sample(bench: &PairAtDistance, guess: f64, mating: &Mating) -> Result<Option<
     // Play changes by 2 sin α_wt a unit of distance; the kernel's own error shifts the zero by as much the other way.
     let slope = 2.0 * at.operating_pressure_angle().sin();
     let play = found.error().unwrap_or(0.0) * at.gear(Member::Pinion).gear().base_radius();
-    Ok(Some(Sample {
+    Ok(Some(RollSample {
         slope: self::slope(&found, high),
         touched: [found.right, found.left].map(|contact| {
             contact.map(|contact| [contact.wheel, contact.pinion].map(|t| (t.tooth, t.curve)))

@@ -72,7 +72,7 @@ pub(super) struct RollCurve {
 
 /// A pose, and how the curve goes on from it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sample {
+pub(super) struct RollSample {
     pub pose: RollPose,
     /// Amount, mm a radian.
     pub slope: f64,
@@ -114,9 +114,9 @@ impl Piece {
 pub(super) fn bracketed(
     curve: &RollCurve,
     more: &dyn Fn(usize),
-    take: &(dyn Fn(usize, f64) -> Result<Option<Sample>, Error> + Sync),
+    take: &(dyn Fn(usize, f64) -> Result<Option<RollSample>, Error> + Sync),
 ) -> Result<Option<Bracketed>, Error> {
-    let mut samples: BTreeMap<u64, Sample> = BTreeMap::new();
+    let mut samples: BTreeMap<u64, RollSample> = BTreeMap::new();
     let mut wanted: Vec<u64> = (0..curve.steps as u64).map(|step| step * PARTS).collect();
     for round in 0.. {
         let taken = parallel::map(&wanted, |place| {
@@ -147,7 +147,7 @@ pub(super) fn bracketed(
         if round >= HALVINGS && wanted.is_empty() {
             let (even, between): (Vec<_>, Vec<_>) =
                 samples.iter().partition(|(place, _)| *place % PARTS == 0);
-            let poses = |list: Vec<(&u64, &Sample)>| list.iter().map(|(_, s)| s.pose).collect();
+            let poses = |list: Vec<(&u64, &RollSample)>| list.iter().map(|(_, s)| s.pose).collect();
             return Ok(Some(Bracketed {
                 even: poses(even),
                 between: poses(between),
@@ -159,7 +159,7 @@ pub(super) fn bracketed(
     Ok(None)
 }
 
-fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
+fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Piece> {
     let round = curve.steps as u64 * PARTS;
     let first = samples.first_key_value();
     let next = samples
@@ -167,7 +167,7 @@ fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
         .skip(1)
         .map(|(place, sample)| (*place, sample))
         .chain(first.map(|(place, sample)| (place + round, sample)));
-    let piece = |((from, one), (to, other)): ((&u64, &Sample), (u64, &Sample))| {
+    let piece = |((from, one), (to, other)): ((&u64, &RollSample), (u64, &RollSample))| {
         let length = curve.step * (to - from) as f64 / PARTS as f64;
         let (f_0, f_1) = (one.pose.distance, other.pose.distance);
         let climb = (f_1 - f_0).abs();

@@ -38,7 +38,7 @@ const LONGEST: f64 = 0.25;
 pub(super) fn seats(work: &Workpiece, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
     let teeth = 1..=work.as_built.gear().basic_data().teeth();
     let seats = parallel::map(teeth, |tooth| seat(work, tooth, diameter));
-    // In order: of several faults the first is told, whatever the threads.
+    // In order: of several faults the first is reported, whatever the threads.
     seats.into_iter().collect()
 }
 

@@ -4,7 +4,7 @@
 //! [`HalfTooth`]), already turned there by its caller. A coarse polygon tells which
 //! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
 
-use crate::contact::Shape;
+use crate::contact::PolylineShape;
 use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side, involute};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::ops::Range;
@@ -39,13 +39,13 @@ struct Cut {
 
 struct Polygon {
     half: HalfTooth,
-    shape: Shape,
+    shape: PolylineShape,
 }
 
 impl Polygon {
     fn new(half: HalfTooth) -> Polygon {
         Polygon {
-            shape: Shape::new(half.points()),
+            shape: PolylineShape::new(half.points()),
             half,
         }
     }

@@ -97,7 +97,7 @@ mod tests {
     use super::*;
     use crate::gear::{Deviations, Face, Gear, GearDesign};
 
-    /// Teeth of which each is thicker by `t` have flanks off their places by `t/2` each way: pitch is told about the mean of that.
+    /// Teeth of which each is thicker by `t` have flanks off their places by `t/2` each way: pitch is stated about the mean of that.
     #[test]
     fn pitch_is_about_the_mean_of_the_flanks() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();

@@ -34,12 +34,12 @@ impl Matrix {
     }
 
     fn meets(&self, wheel: usize, pinion: usize) -> bool {
-        self.meeting(wheel, pinion)
+        self.pair_fit(wheel, pinion)
             .is_some_and(|meeting| meeting.best.meets)
     }
 
     fn steps(&self, wheel: usize, pinion: usize) -> i64 {
-        let meeting = self.meeting(wheel, pinion);
+        let meeting = self.pair_fit(wheel, pinion);
         meeting.map_or(MOST_STEPS, |meeting| meeting.best.steps())
     }
 
@@ -91,13 +91,13 @@ impl Matrix {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matching::{Fit, Meeting};
+    use crate::matching::{Fit, PairFit};
     use crate::population::{Outcome, OutcomeKind};
     use proptest::prelude::*;
 
     /// A matrix of distances from what is wanted, µm; `None`: beyond what is required.
     fn matrix(wheels: usize, pinions: usize, off_um: &[Option<u32>]) -> Matrix {
-        let cell = |off: &Option<u32>| Meeting {
+        let cell = |off: &Option<u32>| PairFit {
             best: Fit {
                 pinion_tooth: 1,
                 outcome: Outcome {

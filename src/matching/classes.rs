@@ -57,7 +57,7 @@ impl Matrix {
             for &wheel in wheels {
                 for found in pinions
                     .iter()
-                    .filter_map(|pinion| self.meeting(wheel, *pinion))
+                    .filter_map(|pinion| self.pair_fit(wheel, *pinion))
                 {
                     meeting += u64::from(found.meeting);
                     meets += u64::from(found.best.meets);

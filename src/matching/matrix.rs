@@ -61,7 +61,7 @@ pub struct Fit {
 
 /// A wheel and a pinion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting {
+pub struct PairFit {
     /// The phase that is best: one within what is required, if any, the nearest to what is wanted.
     pub best: Fit,
     /// How many assembly phases are within what is required.
@@ -74,7 +74,7 @@ pub struct Matrix {
     pub(super) wheels: usize,
     pub(super) pinions: usize,
     /// Wheel by wheel.
-    pub(super) cells: Vec<Meeting>,
+    pub(super) cells: Vec<PairFit>,
     pub(super) phases: u32,
     /// Mean base tooth thickness of each gear, mm.
     pub(super) thicknesses: [Vec<f64>; 2],
@@ -113,7 +113,7 @@ impl Matrix {
         terms: &Terms,
         places: Range<usize>,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<Meeting>, Error> {
+    ) -> Result<Vec<PairFit>, Error> {
         let phases = phase_count(wheels, pinions)?;
         let count = pinions.len().max(1);
         let gears = places
@@ -122,7 +122,7 @@ impl Matrix {
             if tick().is_break() {
                 return Err(Error::Interrupted);
             }
-            Meeting::new(wheel, pinion, phases, terms)
+            PairFit::new(wheel, pinion, phases, terms)
         });
         cells.into_iter().collect()
     }
@@ -132,7 +132,7 @@ impl Matrix {
     pub fn of_cells(
         thicknesses: [Vec<f64>; 2],
         phases: u32,
-        cells: Vec<Meeting>,
+        cells: Vec<PairFit>,
     ) -> Option<Matrix> {
         let [wheels, pinions] = [0, 1].map(|kind: usize| thicknesses[kind].len());
         (wheels.checked_mul(pinions) == Some(cells.len())).then_some(Matrix {
@@ -163,7 +163,7 @@ impl Matrix {
     }
 
     /// What wheel `wheel` comes to with pinion `pinion`, both from 0; `None` where there is no such gear.
-    pub fn meeting(&self, wheel: usize, pinion: usize) -> Option<&Meeting> {
+    pub fn pair_fit(&self, wheel: usize, pinion: usize) -> Option<&PairFit> {
         let place = (wheel < self.wheels && pinion < self.pinions)
             .then_some(wheel * self.pinions + pinion)?;
         self.cells.get(place)
@@ -194,13 +194,13 @@ pub fn phase_count(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> Result<u32, GearE
     Ok(SweepPlan::phase_count(counts[0], counts[1]))
 }
 
-impl Meeting {
+impl PairFit {
     fn new(
         wheel: &AsBuilt,
         pinion: &AsBuilt,
         phases: u32,
         terms: &Terms,
-    ) -> Result<Meeting, Error> {
+    ) -> Result<PairFit, Error> {
         let pairs = ends(terms).map(|distance| {
             GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)?
                 .with_face(terms.face)
@@ -219,7 +219,7 @@ impl Meeting {
         }
         // Any two numbers of teeth have one phase at least.
         let best = best.unwrap_or(Fit::NONE);
-        Ok(Meeting { best, meeting })
+        Ok(PairFit { best, meeting })
     }
 }
 

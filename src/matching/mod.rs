@@ -34,4 +34,4 @@ mod matrix;
 
 pub use assignment::{Assignment, MOST_EXACT};
 pub use classes::{Expected, MOST_CLASSES};
-pub use matrix::{Fit, Matrix, Meeting, Terms, phase_count};
+pub use matrix::{Fit, Matrix, PairFit, Terms, phase_count};

@@ -121,7 +121,7 @@ impl Measurements {
         };
         let runout = self.runout.check(&self.design.basic_data);
         if let Err(error) = runout.and_then(|()| statements.runout.check(&gears)) {
-            // It is told; the rest is checked without it.
+            // It is reported; the rest is checked without it.
             errors.push(error);
             (statements.runout, statements.readings) = (Runout::default(), None);
         }
@@ -156,7 +156,7 @@ impl Measurements {
         measured: Option<&Pitch>,
     ) -> Result<Option<Pitch>, Vec<MeasurementError>> {
         let without = Deviations::default();
-        // That there is no such gear is told of the thickness itself.
+        // That there is no such gear is reported of the thickness itself.
         let gears = match self.profiles.iter().all(Modification::is_none) {
             true => None,
             false => self.tooth().gears(&without).ok(),

@@ -1,4 +1,4 @@
-//! Single values that lie far from all the others. They are told, and count as they stand.
+//! Single values that lie far from all the others. They are reported, and count as they stand.
 
 use super::finding::{PitchOutlier, ReadingOutlier, TooFar};
 use super::pitch_statement::{PitchKind, PitchStatement};

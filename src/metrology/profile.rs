@@ -202,7 +202,7 @@ impl ThicknessStatement {
         let mut base = self.base_touching(basic_data, known, &touched)?;
         let mut last = f64::INFINITY;
         for _ in 0..MOST_ROUNDS {
-            // That there is no such gear is told of the thickness itself.
+            // That there is no such gear is reported of the thickness itself.
             let Ok(gear) = Gear::new(*design, base) else {
                 return Ok(base);
             };

@@ -73,7 +73,7 @@ pub struct OutlineDifference {
 
 /// A point of A's chords, and the place of B that is nearest.
 #[derive(Clone, Copy)]
-struct Sample {
+struct ComparedPoint {
     point: Point2<f64>,
     near: Near,
 }
@@ -130,7 +130,7 @@ impl OutlineDifference {
             let on = (point.y.atan2(point.x) - direction) * a.face().ascending();
             (on / a.pitch()).round().rem_euclid(f64::from(z)) as u32 % z + 1
         };
-        let deviation = |edge: usize, sample: Sample| Deviation {
+        let deviation = |edge: usize, sample: ComparedPoint| Deviation {
             point: sample.point,
             normal: both.a.normal(edge),
             beyond: sample.near.signed,
@@ -144,7 +144,7 @@ impl OutlineDifference {
             .zip(&along)
             .map(|(at, found)| at.share * found.beyond);
         let mean = shares.sum();
-        let corners: Vec<Sample> = parallel::map(both.a.corners().iter(), |point| {
+        let corners: Vec<ComparedPoint> = parallel::map(both.a.corners().iter(), |point| {
             both.sample(*point, rotation)
         });
         let [greatest, least] = [1.0, -1.0].map(|sign| {
@@ -231,8 +231,8 @@ impl Both {
     }
 
     /// The place of B, turned by `turn`, nearest to a point of A.
-    fn sample(&self, point: Point2<f64>, turn: f64) -> Sample {
-        Sample {
+    fn sample(&self, point: Point2<f64>, turn: f64) -> ComparedPoint {
+        ComparedPoint {
             point,
             near: self.b.nearest(Rotation2::new(-turn) * point),
         }
@@ -271,14 +271,14 @@ impl Both {
     /// The point of A at which B lies farthest beyond it, or with `sign` −1 within it, to within `tolerance` mm, and its edge.
     fn farthest(
         &self,
-        corners: &[Sample],
+        corners: &[ComparedPoint],
         turn: f64,
         sign: f64,
         tolerance: f64,
-    ) -> (usize, Sample) {
-        let value = |sample: &Sample| sign * sample.near.signed;
+    ) -> (usize, ComparedPoint) {
+        let value = |sample: &ComparedPoint| sign * sample.near.signed;
         let mut best = (0, corners[0]);
-        let mut look = |edge: usize, sample: Sample| {
+        let mut look = |edge: usize, sample: ComparedPoint| {
             if value(&sample) > value(&best.1) {
                 best = (edge, sample);
             }
@@ -293,7 +293,7 @@ impl Both {
             look(near.edge, self.sample(near.point, turn));
         }
         let count = corners.len();
-        let mut open: Vec<(usize, [Sample; 2])> = (0..count)
+        let mut open: Vec<(usize, [ComparedPoint; 2])> = (0..count)
             .map(|edge| (edge, [corners[edge], corners[(edge + 1) % count]]))
             .collect();
         let back = Rotation2::new(-turn);

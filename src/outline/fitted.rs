@@ -276,7 +276,7 @@ mod tests {
         }
     }
 
-    /// A base circle of no standard gear is told by itself.
+    /// A base circle of no standard gear is reported by itself.
     #[test]
     fn another_module_is_not_called_standard() {
         let gear = gear(30, 1.937, 20.0, 0.0);

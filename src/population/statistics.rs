@@ -8,7 +8,7 @@ use statrs::function::beta::beta_reg;
 /// Of the intervals of shares.
 pub const CONFIDENCE: f64 = 0.95;
 
-/// Shares of the population below the quantiles that are told: of a normal one its mean ± 3 σ, ± 2 σ, and the mean.
+/// Shares of the population below the quantiles that are reported: of a normal one its mean ± 3 σ, ± 2 σ, and the mean.
 pub const QUANTILES: [f64; 5] = [0.00135, 0.02275, 0.5, 0.97725, 0.99865];
 
 /// A share of a population, as a sample shows it.
@@ -78,7 +78,7 @@ pub struct SpreadStatistics {
     pub greatest: Option<(f64, u64)>,
 }
 
-/// All that is told of a population.
+/// All that is reported of a population.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statistics {
     /// Assemblies drawn.

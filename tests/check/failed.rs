@@ -1,4 +1,4 @@
-//! Which checks fail, found without what is sought only to be told: the same as every check made.
+//! Which checks fail, found without what is sought only to be reported: the same as every check made.
 
 use super::*;
 use gearlash::analysis::diagnosis::{Seen, failed_checks};

@@ -299,7 +299,7 @@ fn a_span_off_the_involute_is_none() {
 #[test]
 fn half_the_teeth_may_be_spanned() {
     for teeth in [50, 82, 100] {
-        // The tips are far beyond the span's contact: it is told as that.
+        // The tips are far beyond the span's contact: it is reported as that.
         let part = perfect(design(teeth, 1.0, 20.0, 0.0), 0.0);
         let settings = Settings {
             span_teeth: Some(teeth / 2),

@@ -299,7 +299,7 @@ fn a_deep_short_relief_ends_at_the_nearest_roll() {
 /// A tooth of 20 that has lost, or a space that has lost, 3 mm of its width on the reference circle: `s_a = 2 r_a (s/2r + inv α − inv α_a)`,
 /// and what is left of it; the form circle's space likewise.
 #[test]
-fn a_tooth_without_tip_and_a_closed_space_are_told_with_their_width() {
+fn a_tooth_without_tip_and_a_closed_space_are_reported_with_their_width() {
     let design = GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap());
     let gear = Gear::nominal(design).unwrap();
     let (base, reference) = (20.0 * 20f64.to_radians().cos(), 20.0);

@@ -39,7 +39,7 @@ impl Parts {
         };
         let (mut tolerance, mut matching) = (Vec::new(), Vec::new());
         for (file, text) in files {
-            // What is of neither is told as what the others are of.
+            // What is of neither is reported as what the others are of.
             match (of_match, is_match(&text)) {
                 (false, false) => {
                     let part = Part::from_json(&file, &text)?;

@@ -149,7 +149,7 @@ impl PitchSheet {
             ));
             return None;
         }
-        // A kind that is wrong is told already; the file is read for its own problems.
+        // A kind that is wrong is reported already; the file is read for its own problems.
         let kind = kind.unwrap_or(PitchKind::Cumulative);
         let wanted = Wanted {
             columns: [Column::Right(kind), Column::Left(kind)],

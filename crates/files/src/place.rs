@@ -68,7 +68,7 @@ impl Place {
         self.remarks.borrow_mut().extend(remark);
     }
 
-    /// What was told since the last time.
+    /// What was reported since the last time.
     pub fn take_remarks(&self) -> Vec<String> {
         self.remarks.take()
     }

@@ -2,14 +2,14 @@
 
 use crate::error::Problem;
 
-/// How many problems of one list are told one by one; of the rest only the number.
+/// How many problems of one list are reported one by one; of the rest only the number.
 /// Tuned: they fit a screen beside other problems.
 const TOLD_OF_A_LIST: usize = 12;
 
 /// Problems in the order in which they were met.
 #[derive(Debug)]
 pub struct Problems {
-    told: Vec<Problem>,
+    listed: Vec<Problem>,
     most: usize,
     untold: usize,
 }
@@ -18,13 +18,13 @@ impl Problems {
     /// None yet, and no limit.
     pub fn new() -> Problems {
         Problems {
-            told: Vec::new(),
+            listed: Vec::new(),
             most: usize::MAX,
             untold: 0,
         }
     }
 
-    /// None yet, for the elements of one list: only the first dozen will be told.
+    /// None yet, for the elements of one list: only the first dozen will be reported.
     pub fn of_list() -> Problems {
         Problems {
             most: TOLD_OF_A_LIST,
@@ -34,8 +34,8 @@ impl Problems {
 
     /// Adds one.
     pub fn add(&mut self, problem: Problem) {
-        if self.told.len() < self.most {
-            self.told.push(problem);
+        if self.listed.len() < self.most {
+            self.listed.push(problem);
         } else {
             self.untold += 1;
         }
@@ -43,10 +43,10 @@ impl Problems {
 
     /// Whether one more will only be counted.
     pub fn is_full(&self) -> bool {
-        self.told.len() >= self.most
+        self.listed.len() >= self.most
     }
 
-    /// Counts one that is not told.
+    /// Counts one that is not reported.
     pub fn count_one(&mut self) {
         self.untold += 1;
     }
@@ -58,9 +58,9 @@ impl Problems {
 
     /// Adds those of the list at `key`.
     pub fn add_list(&mut self, key: &str, list: Problems) {
-        self.told.extend(list.told);
+        self.listed.extend(list.listed);
         if list.untold > 0 {
-            self.told.push(Problem {
+            self.listed.push(Problem {
                 key: key.to_owned(),
                 value: None,
                 reason: format!("{} more problems like the last one", list.untold),
@@ -71,11 +71,11 @@ impl Problems {
 
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.told.is_empty()
+        self.listed.is_empty()
     }
 
-    /// All that are told.
+    /// All that are reported.
     pub fn into_list(self) -> Vec<Problem> {
-        self.told
+        self.listed
     }
 }

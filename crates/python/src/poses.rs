@@ -119,7 +119,7 @@ pub fn revolution<'py>(
 const MOST_POSES: u64 = 100_000_000;
 
 /// What an array keeps of a pose.
-struct Found {
+struct FoundPose {
     j_wt_um: f64,
     error_bound_um: f64,
     status: Status,
@@ -130,13 +130,13 @@ fn um(mm: Option<f64>) -> f64 {
 }
 
 /// The poses, each borne out by polygons.
-fn certified(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<Found>, Error> {
+fn certified(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<FoundPose>, Error> {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let cut = CutPair::for_certificates(wheel, pinion);
     let method = Method::Exact { certify: true };
     let mut all = Vec::with_capacity(matings.len());
     sweep_blocks(assembly, &cut, method, matings, 0.0, tick, &mut |poses| {
-        all.extend(poses.iter().map(|pose| Found {
+        all.extend(poses.iter().map(|pose| FoundPose {
             j_wt_um: um(pose.backlash),
             error_bound_um: um(pose.error_bound),
             status: pose.status(),
@@ -147,7 +147,7 @@ fn certified(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<
 }
 
 /// The same by the exact method alone. Its poses take less than a microsecond each: nothing of them is kept that an array does not.
-fn exact(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<Found>, Error> {
+fn exact(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<FoundPose>, Error> {
     let kernel = ExactKernel::new(assembly);
     let radius = assembly.operating_pitch_radius(assembly.free());
     let one = |mating: &Mating| {
@@ -157,13 +157,13 @@ fn exact(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<Foun
         match kernel.lost_motion(&Pose::new(assembly, *mating)) {
             Ok(found) => {
                 let angle = found.angle();
-                Ok(Found {
+                Ok(FoundPose {
                     j_wt_um: um(angle.map(|angle| angle * radius)),
                     error_bound_um: um(angle.and(found.error()).map(|error| error * radius)),
                     status: found.status(),
                 })
             }
-            Err(error) if error.of_one_pose().is_some() => Ok(Found {
+            Err(error) if error.of_one_pose().is_some() => Ok(FoundPose {
                 j_wt_um: f64::NAN,
                 error_bound_um: f64::NAN,
                 status: Status::Unproven,
@@ -189,7 +189,7 @@ fn found<'py>(
         false => exact(assembly, &matings, tick),
     })?;
     let arrays = PyDict::new(py);
-    let of = |value: fn(&Found) -> f64| -> Vec<f64> { found.iter().map(value).collect() };
+    let of = |value: fn(&FoundPose) -> f64| -> Vec<f64> { found.iter().map(value).collect() };
     let (j_wt, error_bound) = (of(|found| found.j_wt_um), of(|found| found.error_bound_um));
     let statuses: Vec<u8> = found.iter().map(|found| found.status as u8).collect();
     let each = || matings.iter();

@@ -28,7 +28,7 @@ pub struct CheckedPair {
 }
 
 /// Of each check the one that governs, with what it says.
-fn told(pair: &CheckedPair) -> Vec<(&Check, String)> {
+fn described(pair: &CheckedPair) -> Vec<(&Check, String)> {
     let each = governing(&pair.diagnosis).into_iter();
     each.map(|(_, check)| {
         let value = |value: Option<f64>| fixed(value, 4);
@@ -72,7 +72,7 @@ pub fn github(pairs: &[CheckedPair]) -> String {
         for remark in &pair.remarks {
             line("notice", "gearlash check", remark);
         }
-        for (check, words) in told(pair) {
+        for (check, words) in described(pair) {
             match check.verdict {
                 Verdict::Pass => (),
                 Verdict::Warn => line("warning", "gearlash check", &words),
@@ -97,14 +97,14 @@ pub fn markdown(pairs: &[CheckedPair]) -> String {
         let sentence = crate::comparison::markdown_text(&pair.sentence);
         let file = crate::comparison::markdown_text(&pair.file);
         let _ = write!(text, "\n### {mark} {title}\n\n{sentence}\n\n{file}\n\n");
-        for (check, words) in told(pair) {
+        for (check, words) in described(pair) {
             if check.verdict != Verdict::Pass {
                 let words = crate::comparison::markdown_text(&words);
                 let _ = writeln!(text, "- **{}** {words}", check.verdict.name());
             }
         }
-        for (kind, told) in [("warning", &pair.warnings), ("note", &pair.remarks)] {
-            for words in told {
+        for (kind, described) in [("warning", &pair.warnings), ("note", &pair.remarks)] {
+            for words in described {
                 let words = crate::comparison::markdown_text(words);
                 let _ = writeln!(text, "- **{kind}** {words}");
             }
@@ -123,7 +123,7 @@ pub fn junit(pairs: &[CheckedPair]) -> io::Result<String> {
             name: pair.sentence.clone(),
             failure: (!pair.passes).then(|| pair.sentence.clone()),
         };
-        let checks = told(pair).into_iter().map(|(check, words)| Case {
+        let checks = described(pair).into_iter().map(|(check, words)| Case {
             name: match check.gear {
                 Some(gear) => format!("{} ({})", check.title, gear.name()),
                 None => check.title.to_owned(),
@@ -136,7 +136,11 @@ pub fn junit(pairs: &[CheckedPair]) -> io::Result<String> {
             cases: std::iter::once(first).chain(checks).collect(),
             said: [("warning", &pair.warnings), ("note", &pair.remarks)]
                 .into_iter()
-                .flat_map(|(kind, told)| told.iter().map(move |words| format!("{kind}: {words}")))
+                .flat_map(|(kind, described)| {
+                    described
+                        .iter()
+                        .map(move |words| format!("{kind}: {words}"))
+                })
                 .collect(),
         }
     };

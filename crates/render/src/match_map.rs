@@ -85,7 +85,7 @@ fn cells(result: &MatchResult, size: [usize; 2]) -> Group {
 
 fn shade(result: &MatchResult, wheel: usize, pinion: usize) -> usize {
     let phases = result.matrix.phases();
-    let meeting = result.matrix.meeting(wheel, pinion);
+    let meeting = result.matrix.pair_fit(wheel, pinion);
     match meeting.map_or(0, |meeting| meeting.meeting) {
         0 => 0,
         all if all == phases => 3,

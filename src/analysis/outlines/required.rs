@@ -2,7 +2,7 @@
 
 use super::{OutlineRun, OutlineStudy};
 use crate::analysis::requirement::{Quantity, clearance_off_axes};
-use crate::analysis::verdict::{Found, Requirement, Unmet, unmet};
+use crate::analysis::verdict::{FoundEnd, Requirement, Unmet, unmet};
 use crate::pair::Member;
 
 impl OutlineStudy {
@@ -11,7 +11,7 @@ impl OutlineStudy {
     pub fn unmet(&self, runs: &[OutlineRun]) -> Vec<Unmet> {
         let each = self.requirements.iter();
         let each = each.flat_map(|(quantity, limits)| {
-            let found = |run: &OutlineRun, is_max| Found {
+            let found = |run: &OutlineRun, is_max| FoundEnd {
                 bracket: found(*quantity, run, is_max),
                 holds: true,
                 with_play: false,

@@ -31,7 +31,7 @@ pub struct TurnsFrom {
 }
 
 impl TurnsFrom {
-    /// The distance as it is told: rounded up to 1e-4 mm, so that it turns there.
+    /// The distance as it is reported: rounded up to 1e-4 mm, so that it turns there.
     pub fn rounded(&self) -> f64 {
         (self.high * 1e4).ceil() * 1e-4
     }

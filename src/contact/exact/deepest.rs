@@ -6,7 +6,7 @@
 //! `ω = asin(r sin γ/r_w)` from the line of centres, and the fillet's point stands `r cos γ − L − r_w cos ω` from `P` along it. That
 //! the edge's radius about its own centre leads there is one equation for `γ`, common to all teeth.
 
-use super::shape::{C, Shape};
+use super::shape::{C, HalfToothShape};
 
 /// Stretches of a fillet in which a change of sign is looked for: a fillet's equation has one root, or none, but for hanging-over ones.
 const STRETCHES: u32 = 24;
@@ -26,7 +26,7 @@ pub(super) struct DeepestTouch {
 
 /// Where an edge that stands `reach` from its own centre, `distance` away, touches the fillet of `shape`; `mate_base` is its base radius.
 pub(super) fn deepest(
-    shape: &Shape,
+    shape: &HalfToothShape,
     distance: f64,
     mate_base: f64,
     reach: f64,

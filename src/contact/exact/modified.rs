@@ -1,6 +1,6 @@
 //! The quick path of flanks whose profiles deviate.
 //!
-//! [`super::search_free_proof`] holds for any convex flanks whose normals and curvatures it is told: of convex flanks the gap is greatest where
+//! [`super::search_free_proof`] holds for any convex flanks whose normals and curvatures it is given: of convex flanks the gap is greatest where
 //! they have a common normal, or at a tip corner. Every half tooth lies within that of an *outer* gear: the one without profile deviations,
 //! each flank turned out by its greatest deviation; at any radius the gap of two half teeth is at most that of the outer ones. So:
 //!
@@ -26,7 +26,7 @@ use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::placed::Placed;
 use super::search;
-use super::shape::{C, Shape};
+use super::shape::{C, HalfToothShape};
 use super::tightest::{TightestContacts, Touching};
 use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
@@ -333,7 +333,7 @@ impl OuterGears {
         outer: &PosedFlanks,
         level: &Level,
         step: i64,
-        end: fn(&Shape) -> C,
+        end: fn(&HalfToothShape) -> C,
     ) -> [bool; 2] {
         let envelopes = &self.solver.envelopes;
         let (locked_teeth, free_teeth) = (&outer.problem.locked, &outer.problem.free);
@@ -368,10 +368,10 @@ impl OuterGears {
     }
 }
 
-fn tip_corner(shape: &Shape) -> C {
+fn tip_corner(shape: &HalfToothShape) -> C {
     shape.tip_corner()
 }
 
-fn joint(shape: &Shape) -> C {
+fn joint(shape: &HalfToothShape) -> C {
     shape.joint
 }

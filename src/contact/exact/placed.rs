@@ -1,13 +1,13 @@
 //! A half tooth where the pose puts it.
 
-use super::shape::{C, Sample, Shape};
+use super::shape::{C, CurvePoint, HalfToothShape};
 use crate::contact::gap::PlacedCurve;
 use crate::gear::{Osculating, ProfilePart};
 
 /// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placed<'a> {
-    pub shape: &'a Shape,
+    pub shape: &'a HalfToothShape,
     pub centre: C,
     pub direction: C,
     /// Far corner of the tip land, in the half tooth's own frame.
@@ -76,9 +76,9 @@ impl<'a> Placed<'a> {
 
     /// The flank at a roll, as the pose puts it; `None` of one that is no involute.
     #[inline]
-    pub fn flank(&self, xi: f64) -> Option<(Sample, Osculating)> {
+    pub fn flank(&self, xi: f64) -> Option<(CurvePoint, Osculating)> {
         let own = self.shape.curve(ProfilePart::Involute).osculating(xi)?;
-        let sample = Sample {
+        let sample = CurvePoint {
             point: self.centre + self.direction * C::new(own.point.x, own.point.y),
             normal: self.direction * C::new(own.normal.x, own.normal.y),
         };
@@ -86,9 +86,9 @@ impl<'a> Placed<'a> {
     }
 
     #[inline]
-    pub fn at(&self, curve: ProfilePart, t: f64) -> Sample {
+    pub fn at(&self, curve: ProfilePart, t: f64) -> CurvePoint {
         let sample = self.shape.at(curve, t);
-        Sample {
+        CurvePoint {
             point: self.centre + self.direction * sample.point,
             normal: self.direction * sample.normal,
         }
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn a_tip_land_is_as_near_as_its_nearest_point() {
         let gear = Gear::nominal(GearDesign::plain(17, 2.0)).unwrap();
-        let shape = Shape::new(&Profile::new(&gear));
+        let shape = HalfToothShape::new(&Profile::new(&gear));
         let far = shape.tip_corner().conj();
         let half = shape.tip_corner().arg().abs();
         for centre in [C::new(40.0, 0.0), C::new(39.0, 0.7), C::new(0.6, -41.0)] {

@@ -1,7 +1,7 @@
 //! From a pair that touches, in the frame of [`super::flank_problem`], to a [`Contact`] in the picture.
 
 use super::flank_problem::PosedFlanks;
-use super::shape::Shape;
+use super::shape::HalfToothShape;
 use super::tightest::Touching;
 use crate::contact::lost_motion::{Contact, Framed, Touch};
 use crate::gear::ProfilePart;
@@ -43,7 +43,7 @@ pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) ->
 
 /// Curves as results name them: an involute that ends at the tip circle is the tip corner, a fillet
 /// that ends in the involute the involute, one that ends at the root circle the root.
-fn touch(shape: &Shape, tooth: u32, (curve, t): (ProfilePart, f64)) -> Touch {
+fn touch(shape: &HalfToothShape, tooth: u32, (curve, t): (ProfilePart, f64)) -> Touch {
     let radius = shape.radius(curve, t);
     let curve = match curve {
         ProfilePart::Involute if radius > shape.tip_radius - CORNER_MM => ProfilePart::Tip,

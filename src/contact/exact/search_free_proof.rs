@@ -26,7 +26,7 @@
 
 use super::curves::Curves;
 use super::flank_problem::lens_half;
-use super::shape::Shape;
+use super::shape::HalfToothShape;
 use super::teeth::Teeth;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
@@ -59,8 +59,8 @@ impl SearchFreeProof {
 /// The two gears' half teeth, eccentricities, and the centre distance.
 pub(super) struct Setting<'a> {
     /// Without deviations.
-    pub locked: &'a Shape,
-    pub free: &'a Shape,
+    pub locked: &'a HalfToothShape,
+    pub free: &'a HalfToothShape,
     /// With them.
     pub locked_teeth: &'a Teeth,
     pub free_teeth: &'a Teeth,
@@ -256,7 +256,7 @@ enum Reach {
     Root,
 }
 
-fn reached(shape: &Shape, radius: f64) -> Reach {
+fn reached(shape: &HalfToothShape, radius: f64) -> Reach {
     if radius >= shape.form_radius() {
         return Reach::Involute;
     }
@@ -281,7 +281,7 @@ fn reached(shape: &Shape, radius: f64) -> Reach {
 /// The fillet's radius of curvature `S/q = ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ` ([`crate::gear::Fillet`]),
 /// rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
 /// Of a helical gear's it is bounded by stretches, from `gamma` up.
-fn hollow((fillet, gamma): (&Shape, f64), mate: &Teeth, radius: f64) -> bool {
+fn hollow((fillet, gamma): (&HalfToothShape, f64), mate: &Teeth, radius: f64) -> bool {
     let least = mate.least_bend_radius(involute::roll_at(radius, mate.shape.base));
     if fillet.fillet.is_elliptic() {
         return least > (1.0 + 1e-9) * fillet.fillet.greatest_hollow(gamma);

@@ -8,11 +8,11 @@ use crate::gear::{Fillet, Part, PartCurve, Profile, ProfilePart, involute};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-pub(super) use crate::contact::gap::{C, Sample, turn};
+pub(super) use crate::contact::gap::{C, CurvePoint, turn};
 
 /// The right-hand half tooth, its centre line on +x.
 #[derive(Debug, Clone)]
-pub(super) struct Shape {
+pub(super) struct HalfToothShape {
     /// From the tip to the root.
     parts: [Part; 4],
     // What follows, down to the corners, is about involute and fillet of a half tooth that a rack generates.
@@ -45,11 +45,11 @@ pub(super) struct Shape {
     heights: OnceLock<Option<Box<FlankHeights>>>,
 }
 
-impl Shape {
-    pub fn new(profile: &Profile) -> Shape {
+impl HalfToothShape {
+    pub fn new(profile: &Profile) -> HalfToothShape {
         let gear = profile.gear();
         let (basic_data, fillet) = (gear.basic_data(), gear.fillet());
-        let mut shape = Shape {
+        let mut shape = HalfToothShape {
             parts: ProfilePart::ALL.map(|part| profile.part(part).clone()),
             base: gear.base_radius(),
             half_base: gear.half_base_angle(),
@@ -145,9 +145,9 @@ impl Shape {
 
     /// Point and normal of `part` at parameter `t`.
     #[inline]
-    pub fn at(&self, part: ProfilePart, t: f64) -> Sample {
+    pub fn at(&self, part: ProfilePart, t: f64) -> CurvePoint {
         let (point, normal) = self.part(part).curve.at(t);
-        Sample {
+        CurvePoint {
             point: C::new(point.x, point.y),
             normal: C::new(normal.x, normal.y),
         }
@@ -215,7 +215,7 @@ mod tests {
                 ..GearDesign::standard(basic)
             };
             let gear = Gear::nominal(design).unwrap();
-            let shape = Shape::new(&Profile::new(&gear));
+            let shape = HalfToothShape::new(&Profile::new(&gear));
             let amount = |gamma: f64| {
                 let sample = shape.at(ProfilePart::Fillet, gamma);
                 let along = sample.normal * C::new(0.0, 1.0);

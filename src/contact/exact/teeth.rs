@@ -4,7 +4,7 @@
 //! halves only. *Places* count counter-clockwise from tooth 1, in the mirrored
 //! frame too. A place takes 48 bytes.
 
-use super::shape::{C, Shape, turn};
+use super::shape::{C, HalfToothShape, turn};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use std::f64::consts::TAU;
 
@@ -12,9 +12,9 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub(super) struct Teeth {
     /// That of the gear without profile deviations.
-    pub shape: Shape,
+    pub shape: HalfToothShape,
     /// The half teeth where profiles deviate, and which each place has.
-    modified: Option<Box<(Vec<Shape>, Vec<u32>)>>,
+    modified: Option<Box<(Vec<HalfToothShape>, Vec<u32>)>>,
     /// `τ`.
     pub pitch: f64,
     /// Sense in which tooth numbers ascend in this frame.
@@ -48,7 +48,7 @@ impl Teeth {
         let mirror = -side.sense();
         let count = basic_data.teeth();
         let ascending = (mirror * gear.face().ascending()) as i64;
-        let shape = |profile: Profile| Shape::new(&profile);
+        let shape = |profile: Profile| HalfToothShape::new(&profile);
         let number = |place: i64| (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
         let modified = gear.is_modified().then(|| {
             let shapes = (0..gear.shapes(side)).map(|of| shape(gear.shape(side, of)));
@@ -94,7 +94,7 @@ impl Teeth {
 
     /// The half tooth at a place.
     #[inline]
-    pub fn shape_at(&self, place: usize) -> &Shape {
+    pub fn shape_at(&self, place: usize) -> &HalfToothShape {
         match &self.modified {
             None => &self.shape,
             Some(modified) => &modified.0[modified.1[place] as usize],
@@ -103,7 +103,8 @@ impl Teeth {
 
     /// Whether every flank lies on one side of each of its tangents.
     pub fn is_convex(&self) -> bool {
-        let convex = |modified: &(Vec<Shape>, Vec<u32>)| modified.0.iter().all(|s| s.is_convex);
+        let convex =
+            |modified: &(Vec<HalfToothShape>, Vec<u32>)| modified.0.iter().all(|s| s.is_convex);
         self.shape.is_convex && self.modified.as_deref().is_none_or(convex)
     }
 

@@ -247,7 +247,7 @@ fn chord_radii([from, to]: [C; 2], far: [f64; 2]) -> (f64, f64) {
 
 /// Where a locked and a free curve meet.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Meeting {
+pub(in crate::contact) struct CurveContact {
     /// Gap, rad, from the caller's origin.
     pub gap: f64,
     /// Bound on what was left out, rad.
@@ -270,8 +270,8 @@ pub(in crate::contact) fn greatest<'a>(
     origin: C,
     floor: f64,
     nodes_left: &mut usize,
-) -> Result<Option<Meeting>, (usize, usize)> {
-    let mut best: Option<Meeting> = None;
+) -> Result<Option<CurveContact>, (usize, usize)> {
+    let mut best: Option<CurveContact> = None;
     let mut level = floor;
     while let Some((locked, free)) = nodes.pop() {
         if *nodes_left == 0 {
@@ -292,7 +292,7 @@ pub(in crate::contact) fn greatest<'a>(
             let gap = (points[0] * points[1].conj() * origin).arg();
             if gap > level {
                 level = gap;
-                best = Some(Meeting {
+                best = Some(CurveContact {
                     gap,
                     slack,
                     locked: (locked.name, t),

@@ -5,7 +5,7 @@ mod branch;
 mod paths;
 
 pub(super) use boxes::{Boxes, Inside, Rectangle};
-pub(super) use branch::{Arc, MOST_NODES, Meeting, greatest};
+pub(super) use branch::{Arc, CurveContact, MOST_NODES, greatest};
 pub(super) use paths::{Path, PathSearch, PlacedRun};
 
 use crate::gear::PartCurve;
@@ -23,14 +23,14 @@ pub(super) fn turn(angle: f64) -> C {
 
 /// A point of a curve, mm, and the unit normal there, out of the metal.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sample {
+pub(super) struct CurvePoint {
     pub point: C,
     pub normal: C,
 }
 
 /// `σ = ρ dθ/dρ = −Y/X`, `X = Q × n`, `Y = Q · n`.
 #[inline]
-pub(super) fn slope(sample: &Sample) -> f64 {
+pub(super) fn slope(sample: &CurvePoint) -> f64 {
     let z = sample.point.conj() * sample.normal;
     -z.re / z.im
 }
@@ -40,8 +40,8 @@ pub(super) fn slope(sample: &Sample) -> f64 {
 /// to the contact and out of the locked metal. Of two smooth curves the steeper slope counts.
 #[inline]
 pub(super) fn common_normal(
-    p: &Sample,
-    q: &Sample,
+    p: &CurvePoint,
+    q: &CurvePoint,
     corners: [bool; 2],
     opposite: impl FnOnce() -> C,
 ) -> (C, f64) {
@@ -77,9 +77,9 @@ pub(super) struct PlacedCurve<'a> {
 impl PlacedCurve<'_> {
     /// Point and normal at parameter `t`.
     #[inline]
-    pub fn at(&self, t: f64) -> Sample {
+    pub fn at(&self, t: f64) -> CurvePoint {
         let (point, normal) = self.curve.at(t);
-        let mut sample = Sample {
+        let mut sample = CurvePoint {
             point: C::new(point.x, point.y),
             normal: C::new(normal.x, normal.y),
         };
@@ -87,7 +87,7 @@ impl PlacedCurve<'_> {
             sample.point = sample.point.conj();
             sample.normal = sample.normal.conj();
         }
-        Sample {
+        CurvePoint {
             point: self.centre + self.direction * sample.point,
             normal: self.direction * sample.normal,
         }

@@ -4,7 +4,7 @@
 //! the first descent. A pair is dropped where the runs have no radius in common, or the locked one is behind the free one.
 
 use super::boxes::{Boxes, Inside, Rectangle};
-use super::{Arc, C, MOST_NODES, Meeting, greatest, turn};
+use super::{Arc, C, CurveContact, MOST_NODES, greatest, turn};
 
 /// Below this gap, rad, nothing is ruled out by rectangles: the gap of a pair seen within 120° of each other (see [`Rectangle::is_near`]) might be
 /// below −π, and count as one near π.
@@ -110,7 +110,7 @@ impl<'a> PathSearch<'a> {
         &mut self,
         locked: &impl Path<'a>,
         free: &impl Path<'a>,
-    ) -> Result<Option<Meeting>, (usize, usize)> {
+    ) -> Result<Option<CurveContact>, (usize, usize)> {
         let (locked_boxes, free_boxes) = (locked.boxes(), free.boxes());
         let Some(whole) = locked_boxes.whole().zip(free_boxes.whole()) else {
             return Ok(None);
@@ -206,7 +206,11 @@ impl<'a> PathSearch<'a> {
     }
 
     /// Looks at two pieces.
-    fn pieces(&mut self, arc: Arc<'a>, mate: Arc<'a>) -> Result<Option<Meeting>, (usize, usize)> {
+    fn pieces(
+        &mut self,
+        arc: Arc<'a>,
+        mate: Arc<'a>,
+    ) -> Result<Option<CurveContact>, (usize, usize)> {
         if !arc.meets(&mate) || arc.gap_with(&mate, self.origin).1 <= self.level {
             return Ok(None);
         }

@@ -9,10 +9,10 @@ mod halves;
 mod teeth;
 
 use super::exact::lens_half;
-use super::gap::{C, Inside, Meeting, PathSearch, common_normal, rounding, turn};
+use super::gap::{C, CurveContact, Inside, PathSearch, common_normal, rounding, turn};
 use super::lost_motion::Framed;
 use super::outline_contact::{
-    NotBorneOut, OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled,
+    NotBorneOut, OutlineContact, OutlineLostMotion, OutlineTouch, Region, SearchExhausted,
 };
 use crate::gear::Side;
 use crate::outline::OutlinePair;
@@ -70,8 +70,8 @@ impl<'a> OutlineKernel<'a> {
     /// Right- and left-flank contact at `mating`.
     ///
     /// # Errors
-    /// [`Unsettled`], never a pair of curves left out.
-    pub fn lost_motion(&self, mating: &Mating) -> Result<OutlineLostMotion, Unsettled> {
+    /// [`SearchExhausted`], never a pair of curves left out.
+    pub fn lost_motion(&self, mating: &Mating) -> Result<OutlineLostMotion, SearchExhausted> {
         self.lost_motion_at(self.pair, mating)
     }
 
@@ -80,7 +80,10 @@ impl<'a> OutlineKernel<'a> {
     ///
     /// # Errors
     /// As [`OutlineKernel::lost_motion`].
-    pub fn lost_motion_by_search(&self, mating: &Mating) -> Result<OutlineLostMotion, Unsettled> {
+    pub fn lost_motion_by_search(
+        &self,
+        mating: &Mating,
+    ) -> Result<OutlineLostMotion, SearchExhausted> {
         self.found(self.pair, mating, false)
     }
 
@@ -92,7 +95,7 @@ impl<'a> OutlineKernel<'a> {
         &self,
         pair: &OutlinePair,
         mating: &Mating,
-    ) -> Result<OutlineLostMotion, Unsettled> {
+    ) -> Result<OutlineLostMotion, SearchExhausted> {
         self.found(pair, mating, true)
     }
 
@@ -101,7 +104,7 @@ impl<'a> OutlineKernel<'a> {
         pair: &OutlinePair,
         mating: &Mating,
         prunes: bool,
-    ) -> Result<OutlineLostMotion, Unsettled> {
+    ) -> Result<OutlineLostMotion, SearchExhausted> {
         let sides = self.sides.each_ref();
         let [right, left] = sides.map(|side| side.contact(pair, mating, prunes));
         let (right, left) = (right?, left?);
@@ -252,7 +255,7 @@ impl SideKernel<'_> {
         pair: &OutlinePair,
         mating: &Mating,
         prunes: bool,
-    ) -> Result<Option<OutlineContact>, Unsettled> {
+    ) -> Result<Option<OutlineContact>, SearchExhausted> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
         // Gaps count from the nominal rotation.
@@ -264,7 +267,7 @@ impl SideKernel<'_> {
         let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
         let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0);
         let mut search = if prunes { search } else { search.of_all() };
-        let mut best: Option<(Meeting, [u32; 2])> = None;
+        let mut best: Option<(CurveContact, [u32; 2])> = None;
         for teeth in self.facing(pair, mating, rotation) {
             let [locked_tooth, free_tooth] = teeth;
             let locked = LockedHalf::new(&self.locked, locked_tooth, locked_frame);
@@ -278,12 +281,12 @@ impl SideKernel<'_> {
         }))
     }
 
-    fn unsettled(&self, pair: &OutlinePair, [locked, free]: [u32; 2]) -> Unsettled {
+    fn unsettled(&self, pair: &OutlinePair, [locked, free]: [u32; 2]) -> SearchExhausted {
         let (wheel_tooth, pinion_tooth) = match pair.locked() {
             Member::Wheel => (locked, free),
             Member::Pinion => (free, locked),
         };
-        Unsettled {
+        SearchExhausted {
             wheel_tooth,
             pinion_tooth,
             flank: self.side.name(),
@@ -294,7 +297,7 @@ impl SideKernel<'_> {
     fn report(
         &self,
         pair: &OutlinePair,
-        meeting: &Meeting,
+        meeting: &CurveContact,
         [locked, free]: [u32; 2],
         frames: [Frame; 2],
         nominal: f64,

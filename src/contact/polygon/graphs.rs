@@ -82,31 +82,31 @@ impl Gap {
 
 /// How far two stretches are surely apart; `None` that the chords are too steep, or the curves bend too much, to be graphs over
 /// the mean of their chords.
-pub(super) fn gap(ours: &Stretch, theirs: &Stretch) -> Option<Gap> {
+pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     let turn = |stretch: &Stretch| 2.04 * stretch.half_length * stretch.curvature;
     // An arc that turns by no more than half a radian is within 2 % of its chord.
-    let turn = turn(ours).max(turn(theirs));
+    let turn = turn(first).max(turn(second));
     if turn > STEEPEST {
         return None;
     }
     // Unit vectors; chords of facing flanks may run either way.
-    let ours_along = (ours.ends[1] - ours.ends[0]) * (0.5 / ours.half_length);
-    let theirs_along = (theirs.ends[1] - theirs.ends[0]) * (0.5 / theirs.half_length);
-    let reversed = ours_along.dot(&theirs_along) < 0.0;
-    let theirs_along = match reversed {
-        true => -theirs_along,
-        false => theirs_along,
+    let first_along = (first.ends[1] - first.ends[0]) * (0.5 / first.half_length);
+    let second_along = (second.ends[1] - second.ends[0]) * (0.5 / second.half_length);
+    let reversed = first_along.dot(&second_along) < 0.0;
+    let second_along = match reversed {
+        true => -second_along,
+        false => second_along,
     };
     // Both chords stand at half the angle between them to their mean, and `sin 2β ≤ 0.8` means `β ≤ 0.6 sin 2β`.
-    let sine = ours_along.perp(&theirs_along).abs();
+    let sine = first_along.perp(&second_along).abs();
     let steep = 0.6 * sine + turn;
     if sine > 0.8 || steep > STEEPEST {
         return None;
     }
     // As long as cos β, and so is all that is measured by it, a curvature the more: `1/cos β ≤ 1 + 0.6 β²`.
-    let along = 0.5 * (ours_along + theirs_along);
+    let along = 0.5 * (first_along + second_along);
     let bending = 1.0 + 3.2 * steep * steep;
-    let origin = ours.ends[0];
+    let origin = first.ends[0];
     let graph = |stretch: &Stretch, reversed: bool| {
         let [from, to] = match reversed {
             true => [stretch.ends[1], stretch.ends[0]],
@@ -122,7 +122,7 @@ pub(super) fn gap(ours: &Stretch, theirs: &Stretch) -> Option<Gap> {
             bend: stretch.curvature * bending,
         }
     };
-    let (one, other) = (graph(ours, false), graph(theirs, reversed));
+    let (one, other) = (graph(first, false), graph(second, reversed));
     let (from, to) = (one.start.max(other.start), one.end.min(other.end));
     let bend = one.bend + other.bend;
     let run = |graph: &Graph, reversed: bool| match reversed {
@@ -178,14 +178,14 @@ mod tests {
         let up = std::f64::consts::FRAC_PI_2;
         for (half, distance, loss) in [(0.1, 3e-2, 2e-2), (0.01, 1e-5, 2e-6), (0.001, 1e-8, 2e-10)]
         {
-            let ours = arc([0.0, -10.0], 10.0, [up - half, up + 0.9 * half]);
-            let theirs = arc(
+            let first = arc([0.0, -10.0], 10.0, [up - half, up + 0.9 * half]);
+            let second = arc(
                 [0.0, 20.0 + distance],
                 20.0,
                 [-up - 0.45 * half, -up + half],
             );
-            for theirs in [theirs, ([theirs.0[1], theirs.0[0]], theirs.1)] {
-                for [one, other] in [[&ours, &theirs], [&theirs, &ours]] {
+            for second in [second, ([second.0[1], second.0[0]], second.1)] {
+                for [one, other] in [[&first, &second], [&second, &first]] {
                     let gap = gap(&stretch(one), &stretch(other)).unwrap().width;
                     assert!(
                         gap <= distance && gap >= distance - loss,
@@ -202,9 +202,9 @@ mod tests {
         let up = std::f64::consts::FRAC_PI_2;
         for half in [0.1, 0.01, 0.001] {
             for overlap in [0.0, 1e-12, 1e-6] {
-                let ours = arc([0.0, -10.0], 10.0, [up - half, up + half]);
-                let theirs = arc([0.0, 20.0 - overlap], 20.0, [-up - half, -up + half]);
-                let gap = gap(&stretch(&ours), &stretch(&theirs)).unwrap().width;
+                let first = arc([0.0, -10.0], 10.0, [up - half, up + half]);
+                let second = arc([0.0, 20.0 - overlap], 20.0, [-up - half, -up + half]);
+                let gap = gap(&stretch(&first), &stretch(&second)).unwrap().width;
                 assert!(gap <= 1e-14, "{gap}");
             }
         }
@@ -214,9 +214,9 @@ mod tests {
     #[test]
     fn neighbours_are_told_apart_by_their_ends() {
         let up = std::f64::consts::FRAC_PI_2;
-        let ours = arc([0.0, -10.0], 10.0, [up + 0.01, up + 0.03]);
-        let theirs = arc([0.0, 20.0], 20.0, [-up - 0.005, -up + 0.005]);
-        assert!(gap(&stretch(&ours), &stretch(&theirs)).unwrap().width > 0.0);
+        let first = arc([0.0, -10.0], 10.0, [up + 0.01, up + 0.03]);
+        let second = arc([0.0, 20.0], 20.0, [-up - 0.005, -up + 0.005]);
+        assert!(gap(&stretch(&first), &stretch(&second)).unwrap().width > 0.0);
     }
 
     /// An arc whose curvature is known as no more than 1.02 times of what it is, as that of an involute, touches another. Cut where the
@@ -230,30 +230,30 @@ mod tests {
                 [-up + 0.4 * half, -up - 0.5 * half],
             );
             let part = |ends: [f64; 2], part: f64| ends[0] + part * (ends[1] - ends[0]);
-            let ours =
+            let first =
                 |from: f64, to: f64| arc([0.0, -10.0], 10.0, [from, to].map(|p| part(ours_at, p)));
-            let theirs =
+            let second =
                 |from: f64, to: f64| arc([0.0, 20.0], 20.0, [from, to].map(|p| part(theirs_at, p)));
-            let judged = |ours: ([Point2<f64>; 2], f64), theirs: ([Point2<f64>; 2], f64)| {
+            let judged = |first: ([Point2<f64>; 2], f64), second: ([Point2<f64>; 2], f64)| {
                 let bent = |arc| Stretch {
                     curvature: 1.02 * stretch(arc).curvature,
                     ..stretch(arc)
                 };
-                gap(&bent(&ours), &bent(&theirs)).unwrap()
+                gap(&bent(&first), &bent(&second)).unwrap()
             };
-            let whole = judged(ours(0.0, 1.0), theirs(0.0, 1.0));
+            let whole = judged(first(0.0, 1.0), second(0.0, 1.0));
             assert!(whole.width < 0.0);
             let [a, b] = whole.cuts(-whole.width);
             assert!(a[0] > 0.0 && a[1] < 1.0 && a[1] - a[0] < 0.4, "{a:?}");
-            for (ours, theirs) in [
-                (ours(0.0, a[0]), theirs(0.0, b[0])),
-                (ours(0.0, a[0]), theirs(b[0], b[1])),
-                (ours(a[0], a[1]), theirs(0.0, b[0])),
-                (ours(a[0], a[1]), theirs(b[1], 1.0)),
-                (ours(a[1], 1.0), theirs(b[0], b[1])),
-                (ours(a[1], 1.0), theirs(b[1], 1.0)),
+            for (first, second) in [
+                (first(0.0, a[0]), second(0.0, b[0])),
+                (first(0.0, a[0]), second(b[0], b[1])),
+                (first(a[0], a[1]), second(0.0, b[0])),
+                (first(a[0], a[1]), second(b[1], 1.0)),
+                (first(a[1], 1.0), second(b[0], b[1])),
+                (first(a[1], 1.0), second(b[1], 1.0)),
             ] {
-                let width = judged(ours, theirs).width;
+                let width = judged(first, second).width;
                 assert!(width > 0.0, "{half}: {width}");
             }
         }
@@ -261,15 +261,15 @@ mod tests {
 
     #[test]
     fn what_is_no_graph_is_not_judged() {
-        let ours = arc([0.0, 0.0], 1.0, [0.0, 0.3]);
+        let first = arc([0.0, 0.0], 1.0, [0.0, 0.3]);
         let bent = arc([3.0, 0.0], 0.2, [3.0, 3.3]);
         let level = arc([0.0, 3.0], 10.0, [-1.6, -1.55]);
-        assert!(gap(&stretch(&ours), &stretch(&level)).is_none());
+        assert!(gap(&stretch(&first), &stretch(&level)).is_none());
         let bent = stretch(&bent);
         let bent = Stretch {
             curvature: 100.0,
             ..bent
         };
-        assert!(gap(&stretch(&ours), &bent).is_none());
+        assert!(gap(&stretch(&first), &bent).is_none());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::chord::CutGear;
 use super::flank_problem::{CutTeeth, FlankProblem};
-use super::search::{Found, search};
+use super::search::{FoundTouch, search};
 use crate::contact::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
@@ -62,7 +62,7 @@ impl<'a> PolygonKernel<'a> {
             .map(|steps| FlankProblem::new(&self.teeth, pose, side, steps))
             .collect();
         let found = search(&problems, self.finest)?;
-        let tightest = |end: fn(&Found) -> f64| {
+        let tightest = |end: fn(&FoundTouch) -> f64| {
             let openings = found.iter().map(end);
             openings.fold(f64::NEG_INFINITY, f64::max)
         };

@@ -51,7 +51,7 @@ const FINEST_STEPS: usize = 64;
 const EFFORT: usize = 50_000;
 
 /// Where a pair of half teeth touches.
-pub(super) struct Found {
+pub(super) struct FoundTouch {
     /// Which of the problems.
     pub problem: usize,
     /// The curves are clear of each other at every opening down to this one.
@@ -109,13 +109,13 @@ enum Turned {
 ///
 /// # Errors
 /// [`Error::ContactLost`] when the effort is spent.
-pub(super) fn search(problems: &[FlankProblem], finest: f64) -> Result<Vec<Found>, Error> {
+pub(super) fn search(problems: &[FlankProblem], finest: f64) -> Result<Vec<FoundTouch>, Error> {
     let mut waiting = BinaryHeap::new();
     for (index, problem) in problems.iter().enumerate() {
         start(index, problem, &mut waiting);
     }
     let mut clear: Vec<Option<f64>> = vec![None; problems.len()];
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<FoundTouch> = Vec::new();
     // What waits below this is no tighter than a contact already found.
     let mut closed = f64::NEG_INFINITY;
     let mut looked = 0;
@@ -244,7 +244,7 @@ fn bracket(
     clear: f64,
     touching: f64,
     finest: f64,
-) -> Found {
+) -> FoundTouch {
     let free_chord = chords[1].seen_in(&problem.at(touching));
     let closest = closest(&chords[0].ends, &free_chord.ends);
     let place = Place::new(problem, touching, chords, &closest);
@@ -261,7 +261,7 @@ fn bracket(
     };
     let rounding = problem.rounding();
     let depth = place.hollow as f64 * finest + closest.distance + rounding;
-    Found {
+    FoundTouch {
         problem: index,
         // Rounding may hide as much of the way in.
         clear: clear + turned(rounding),

@@ -126,7 +126,7 @@ impl Sought {
 }
 
 impl Place {
-    /// As it is told, on `tooth`.
+    /// As it is reported, on `tooth`.
     pub fn touch(&self, half: &HalfOutline, tooth: u32) -> OutlineTouch {
         let radius = self.at.norm();
         OutlineTouch {

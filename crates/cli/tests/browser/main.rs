@@ -57,8 +57,8 @@ const TESTS: [(&str, Test); 23] = [
         zoom::near_by_the_view_follows_the_contact,
     ),
     (
-        "an_overlap_is_told_where_it_cannot_be_seen",
-        mesh::an_overlap_is_told_where_it_cannot_be_seen,
+        "an_overlap_is_reported_where_it_cannot_be_seen",
+        mesh::an_overlap_is_reported_where_it_cannot_be_seen,
     ),
     (
         "the_cursor_is_where_it_can_be_seen",

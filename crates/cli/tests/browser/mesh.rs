@@ -128,7 +128,7 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
 }
 
 /// An overlap of micrometres is no pixel wide at the opening zoom: words and dots say where it is.
-pub fn an_overlap_is_told_where_it_cannot_be_seen(browser: &Chromium, site: &Site) {
+pub fn an_overlap_is_reported_where_it_cannot_be_seen(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
     for (run, pose) in [(0, 40), (3, 20)] {
         go(&mut tab, run, pose);

@@ -59,7 +59,7 @@ fn the_action_gates_on_pair_files() {
     assert!(told.contains("::notice file=pairs/good one.toml"), "{told}");
     // What was noticed of its file stands there, too.
     assert!(told.contains("wheel.thickness.designation"), "{told}");
-    // What is no file or no command is told where it is looked for: in the log.
+    // What is no file or no command is reported where it is looked for: in the log.
     assert_eq!(code(act(at, "check", "none/*.toml", false, "")), Some(2));
     assert_eq!(code(act(at, "rm", "pairs/*.toml", false, "")), Some(2));
 

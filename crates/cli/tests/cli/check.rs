@@ -136,7 +136,7 @@ fn the_map_is_a_picture_and_a_table() {
 /// K's limits of 0.15 and 0.25 modules: 160.2 − 132 − 27.75 mm is 0.15 of 3 mm, 0.2 mm more 0.2167 of it. A bare m would
 /// read as metres.
 #[test]
-fn radial_clearance_is_told_in_modules_with_the_limit_it_misses() {
+fn radial_clearance_is_reported_in_modules_with_the_limit_it_misses() {
     for (a, note) in [
         (160.1, "0.1167 module, below the limit of 0.15;"),
         (

@@ -45,7 +45,7 @@ mod tolerance_earlier;
 mod tolerance_helical;
 mod tolerance_parts;
 mod tolerance_rows;
-mod tolerance_told;
+mod tolerance_warnings;
 mod units;
 mod verdict;
 

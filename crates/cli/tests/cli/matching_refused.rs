@@ -4,9 +4,9 @@ use super::matching::{MATCH, gear, matched, pair};
 use super::*;
 use std::fs;
 
-/// All that is wrong is told at once, and nothing is written.
+/// All that is wrong is reported at once, and nothing is written.
 #[test]
-fn what_cannot_be_matched_is_told() {
+fn what_cannot_be_matched_is_reported() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     gear(&here.join("w"), "good.toml", 40.0, 0.0);
@@ -54,9 +54,9 @@ fn gears_are_not_matched_at_another_temperature() {
     ));
 }
 
-/// A gear that is not one of the pair's is told with its file and key, and so are the others.
+/// A gear that is not one of the pair's is reported with its file and key, and so are the others.
 #[test]
-fn gears_of_another_pair_are_told() {
+fn gears_of_another_pair_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     gear(&here.join("w"), "1.toml", 40.0, 0.0);
@@ -74,7 +74,7 @@ fn gears_of_another_pair_are_told() {
     );
 }
 
-/// Every file of a folder that is named as a gear file is a gear, or is told.
+/// Every file of a folder that is named as a gear file is a gear, or is reported.
 #[test]
 fn no_gear_file_of_a_folder_is_left_out() {
     let folder = tempfile::tempdir().unwrap();
@@ -109,7 +109,7 @@ fn no_gear_file_of_a_folder_is_left_out() {
 
 /// Of a band of thickness its middle is matched; a band of the pair file, and how its numbers scatter, say nothing of measured gears.
 #[test]
-fn bands_that_are_not_used_are_told_once() {
+fn bands_that_are_not_used_are_reported_once() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     let band = "thickness.allowance_um = { min = -90, max = -50 }\n";
@@ -149,7 +149,7 @@ fn bands_that_are_not_used_are_told_once() {
 
 /// What the gears' own files warn of, as `gauge` tells it, once for all that say the same: single pitches that do not close.
 #[test]
-fn warnings_of_the_gear_files_are_told() {
+fn warnings_of_the_gear_files_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     let values = format!("[9{}]", ", 0".repeat(43));

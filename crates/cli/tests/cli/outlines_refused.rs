@@ -122,7 +122,7 @@ fn a_drawing_elsewhere_is_not_quoted() {
     assert!(said.contains("not shown"), "{said}");
 }
 
-/// A smooth curve says where its points have kinks; of several circles inside each centre is told.
+/// A smooth curve says where its points have kinks; of several circles inside each centre is reported.
 #[test]
 fn kinks_and_bores_have_their_places() {
     let folder = copied();

@@ -103,7 +103,7 @@ fn a_failed_run_overwrites_nothing() {
     assert!(!folder.path().join("new").exists());
 }
 
-/// `-o` that names a folder is told before the work, not after it.
+/// `-o` that names a folder is reported before the work, not after it.
 #[test]
 fn a_folder_where_a_file_is_needed() {
     let folder = empty_folder();

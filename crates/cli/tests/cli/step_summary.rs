@@ -198,7 +198,7 @@ fn a_summary_that_cannot_be_written_names_its_variable() {
 }
 
 #[test]
-fn a_place_that_cannot_be_written_is_told_before_the_work() {
+fn a_place_that_cannot_be_written_is_reported_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
     let outcome = gearlash(
         folder.path(),

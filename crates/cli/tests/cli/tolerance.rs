@@ -190,7 +190,7 @@ fn measured_gears_are_drawn_whole() {
 
 /// All that is wrong with the table at once, each with its key and the way out.
 #[test]
-fn each_wrong_key_is_told() {
+fn each_wrong_key_is_reported() {
     let folder = empty_folder();
     let text = PAIR.split("[tolerance]").next().unwrap().to_owned()
         + r#"

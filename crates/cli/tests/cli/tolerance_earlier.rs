@@ -12,7 +12,7 @@ fn read(folder: &Path, name: &str) -> String {
     std::fs::read_to_string(folder.join(name)).unwrap()
 }
 
-/// Runs, with the exit code that is expected, and says what was told.
+/// Runs, with the exit code that is expected, and says what was reported.
 fn ends(folder: &Path, args: &str, wanted: i32) -> String {
     let (code, _, told) = tolerance(folder, args);
     assert_eq!(code, Some(wanted), "{args}: {told}");

@@ -150,7 +150,7 @@ fn a_helix_angle_that_goes_to_0_gives_the_spur_population() {
     }
 }
 
-/// Two wheels and two pinions: the marked phase as `simulate` finds it; a gear of the other hand, or another face, is told.
+/// Two wheels and two pinions: the marked phase as `simulate` finds it; a gear of the other hand, or another face, is reported.
 #[test]
 fn helical_gears_are_matched_over_their_face() {
     let folder = empty_folder();

@@ -13,7 +13,7 @@ fn with(folder: &Path, edits: &[(&str, &str)]) {
 }
 
 #[test]
-fn a_band_that_nothing_is_drawn_from_is_told() {
+fn a_band_that_nothing_is_drawn_from_is_reported() {
     let folder = empty_folder();
     pair(folder.path());
     let run = || tolerance(folder.path(), "tolerance pair.toml -o o --assemblies 50");
@@ -41,9 +41,9 @@ fn measured(folder: &Path, name: &str, thickness: &str) {
     std::fs::write(folder.join("wheels").join(name), text).unwrap();
 }
 
-/// Links that lead nowhere and two files of one gear are refused; folders, other capitals and bands are told.
+/// Links that lead nowhere and two files of one gear are refused; folders, other capitals and bands are reported.
 #[test]
-fn what_stands_among_measured_gears_is_told() {
+fn what_stands_among_measured_gears_is_reported() {
     let folder = empty_folder();
     let path = folder.path();
     std::fs::create_dir_all(path.join("wheels/old.toml")).unwrap();

@@ -80,7 +80,7 @@ fn pipe(path: &Path) {
 
 /// It waited for ever.
 #[test]
-fn a_pipe_that_nobody_writes_or_reads_is_told() {
+fn a_pipe_that_nobody_writes_or_reads_is_reported() {
     let folder = folder();
     pipe(&folder.path().join("pipe.toml"));
     let begun = Instant::now();

@@ -89,7 +89,7 @@ fn the_working_folder_stays_and_has_a_manifest() {
     }
 }
 
-/// A folder of a result's name: it is told before any file is replaced.
+/// A folder of a result's name: it is reported before any file is replaced.
 #[test]
 fn a_folder_in_the_place_of_a_file_leaves_the_old_set() {
     let folder = folder();

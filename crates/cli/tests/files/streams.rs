@@ -30,7 +30,7 @@ fn full() -> File {
 
 /// They ended with 0 beside a file that was cut or empty.
 #[test]
-fn a_full_standard_output_is_told_and_ends_with_2() {
+fn a_full_standard_output_is_reported_and_ends_with_2() {
     let folder = folder();
     for words in PRINTING {
         let mut command = gearlash(folder.path());

@@ -170,9 +170,9 @@ fn writes_readings_charts_and_a_gear_file() {
     .success();
 }
 
-/// What is wrong is told with key and way out, exit 2, and nothing is written.
+/// What is wrong is reported with key and way out, exit 2, and nothing is written.
 #[test]
-fn bad_input_is_told() {
+fn bad_input_is_reported() {
     let folder = folder();
     let wrong = [
         (GEAR.replace("teeth = 21", "teeth = 2"), "gear.teeth = 2"),

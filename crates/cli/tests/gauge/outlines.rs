@@ -128,7 +128,7 @@ fn a_pair_of_outlines_and_a_gear_file() {
     assert!(!folder.path().join("out").exists(), "nothing is written");
 }
 
-/// What cannot be asked is refused with what can be; what this outline does not allow is told, by tooth tables on standard error.
+/// What cannot be asked is refused with what can be; what this outline does not allow is reported, by tooth tables on standard error.
 #[test]
 fn what_an_outline_cannot_be_asked_is_said() {
     let folder = folder();

@@ -102,7 +102,7 @@ impl Shop {
     }
 
     /// Checks that the table gives what `expected` lists, and that what `import` prints with `options`, pasted, gives the same; what
-    /// was told of the table.
+    /// was reported of the table.
     fn is(&self, keys: &str, expected: &str, options: &[&str], added: &str) -> String {
         let (found, told) = self.check(keys, "").unwrap_or_else(|told| panic!("{told}"));
         let (listed, _) = self.check(expected, "").unwrap();

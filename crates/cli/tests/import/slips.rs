@@ -121,7 +121,7 @@ fn footers_are_no_teeth() {
 
 /// Blocks one below the other are not read, and told so.
 #[test]
-fn stacked_blocks_are_told() {
+fn stacked_blocks_are_reported() {
     let text = "linke Flanke;\nZahn;fp links\n1;1,0\n2;-1,0\nrechte Flanke;\nZahn;fp rechts\n1;2,0\n2;-2,0\n";
     refused(text, &[], "line 6: names columns again, as line 2 does");
 }

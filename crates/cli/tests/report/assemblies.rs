@@ -51,7 +51,7 @@ fn a_pair_that_assembles_as_stated_assembles() {
 
 /// A left flank that the pair file names may be one of another assembly: the page says so.
 #[test]
-fn poses_of_another_assembly_are_told() {
+fn poses_of_another_assembly_are_reported() {
     let document = Html::parse_document(&page(&twenty("mating = [[1, 1], [5, 5]]")));
     let notes = words(&document, "#result .note");
     let told = "Of the poses that the pair file asks for, 2 belong to another phase: the teeth that it names meet at those flanks \

@@ -134,7 +134,7 @@ fn pitch_that_follows_from_thickness_is_called_so() {
 
 /// Readings are counted, not listed; a cross-check is left to its note.
 #[test]
-fn readings_are_told_by_their_number_and_range() {
+fn readings_are_reported_by_their_number_and_range() {
     let rig = include_str!("../../../../fixtures/karba_44x44.toml");
     let stated = "span = { teeth = 6, min_mm = 50.548, max_mm = 50.561 }";
     let some = "span = { teeth = 6, mm = [50.551, 50.561, 50.555], first_tooth = [1, 15, 30] }\n\

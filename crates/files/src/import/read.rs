@@ -207,7 +207,7 @@ impl From<'_> {
             coverage,
         };
         let sheet = Sheet::of(self.content, self.file, self.choice, &wanted, problems)?;
-        // As many teeth as the file says, or as there are: one that is missing is told.
+        // As many teeth as the file says, or as there are: one that is missing is reported.
         let last = sheet.rows.last().map(|row| row.tooth);
         wanted.teeth = sheet.header.teeth().or(last);
         match coverage {

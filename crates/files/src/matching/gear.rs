@@ -24,7 +24,7 @@ pub struct NamedGear {
 }
 
 /// A gear that was read.
-pub struct Found {
+pub struct ReadGear {
     /// The gear.
     pub gear: NamedGear,
     /// The files it was read from.
@@ -38,7 +38,7 @@ pub struct Found {
 }
 
 /// The gear of a gear file, or the `member` of a pair file, which must be one of the gears of `pair`; it faces as that does.
-pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputError> {
+pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputError> {
     let file = crate::read_gears(path)?;
     let wrong = |problem| InputError::of(path, vec![problem]);
     let named = |name: &str| name == "gear" || name == member.name();
@@ -83,7 +83,7 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
         gear.map_err(|reason| wrong(Problem::of_file(reason.to_string(), "correct the file")))?;
     let is_band = entry.materials.len() > 1;
     let name = path.file_stem().map(in_utf8);
-    Ok(Found {
+    Ok(ReadGear {
         gear: NamedGear {
             name: name.unwrap_or_default(),
             gear: placed(gear.facing(face), pair, member),

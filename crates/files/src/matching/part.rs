@@ -6,7 +6,7 @@ use crate::shards::{MOST_SHARDS, RunPart, in_order, is_share, share};
 use crate::tolerance::{Limit, is_length, limits};
 use gearlash::error::Error;
 use gearlash::gear::AsBuilt;
-use gearlash::matching::{Fit, Matrix, Meeting, phase_count};
+use gearlash::matching::{Fit, Matrix, PairFit, phase_count};
 use gearlash::population::{Outcome, OutcomeKind};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -48,7 +48,7 @@ pub struct MatchPart {
     /// Of what.
     pub(super) about: MatchAbout,
     /// What is done of it.
-    cells: Vec<Meeting>,
+    cells: Vec<PairFit>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -175,8 +175,8 @@ impl MatchPart {
             return Err(invalid(wrong.to_owned()));
         }
         let about = record.about;
-        let cells = record.cells.iter().map(|cell| cell.meeting(&about));
-        let cells: Option<Vec<Meeting>> = cells.collect();
+        let cells = record.cells.iter().map(|cell| cell.pair_fit(&about));
+        let cells: Option<Vec<PairFit>> = cells.collect();
         Ok(MatchPart {
             cells: cells.ok_or_else(|| invalid("it has a pair that no gears make".to_owned()))?,
             gearlash: record.gearlash,
@@ -272,7 +272,7 @@ impl Record {
 }
 
 impl Cell {
-    fn of(meeting: &Meeting) -> Cell {
+    fn of(meeting: &PairFit) -> Cell {
         let Fit {
             pinion_tooth,
             outcome,
@@ -291,7 +291,7 @@ impl Cell {
     }
 
     /// `None` of what no pair comes to.
-    fn meeting(&self, about: &MatchAbout) -> Option<Meeting> {
+    fn pair_fit(&self, about: &MatchAbout) -> Option<PairFit> {
         let Cell(tooth, kind, least, greatest, is_proven, meets, meeting) = self;
         let outcome = Outcome {
             kind: kind_of(kind)?,
@@ -305,7 +305,7 @@ impl Cell {
             && *meets == (*meeting > 0)
             && (!meets || (*is_proven && least.is_some() && greatest.is_some()))
             && lengths.all(|mm| is_length(*mm));
-        is_one.then(|| Meeting {
+        is_one.then(|| PairFit {
             best: Fit::of(*tooth, outcome, *meets, about.wanted_mm),
             meeting: *meeting,
         })

@@ -57,7 +57,7 @@ impl MatchResult {
             Some(MatchedPair {
                 wheel: names[0].get(wheel)?.clone(),
                 pinion: names[1].get(pinion)?.clone(),
-                fit: matrix.meeting(wheel, pinion)?.best,
+                fit: matrix.pair_fit(wheel, pinion)?.best,
             })
         });
         let pairs = pairs.collect();
@@ -196,7 +196,7 @@ impl MatchResult {
         let um = |mm: Option<f64>| mm.map_or(String::new(), |mm| shortest(1e3 * mm));
         for (wheel, wheel_name) in self.names[0].iter().enumerate() {
             for (pinion, pinion_name) in self.names[1].iter().enumerate() {
-                let Some(meeting) = self.matrix.meeting(wheel, pinion) else {
+                let Some(meeting) = self.matrix.pair_fit(wheel, pinion) else {
                     continue;
                 };
                 let outcome = meeting.best.outcome;

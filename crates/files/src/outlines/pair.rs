@@ -244,8 +244,8 @@ fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>
     let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
     let given = given.iter().filter(|(key, _)| file.has(key));
     let refused = given.map(|(key, why)| {
-        let way_out = "limit j_wt_um, lost_motion_arcmin or radial_clearance_mm";
-        problems.add(file.problem(key, *why, way_out));
+        let help = "limit j_wt_um, lost_motion_arcmin or radial_clearance_mm";
+        problems.add(file.problem(key, *why, help));
     });
     match refused.count() {
         0 => Some(require),

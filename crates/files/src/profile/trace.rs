@@ -190,7 +190,7 @@ fn of_lists(table: &Table, gear: &Measured, problems: &mut Problems) -> Option<V
                 points.push((length, um));
                 fault
             }
-            // The gear's own problem is told.
+            // The gear's own problem is reported.
             Err(fault) => Some(fault?),
         };
         if let Some((reason, help)) = fault {
@@ -204,7 +204,7 @@ fn of_lists(table: &Table, gear: &Measured, problems: &mut Problems) -> Option<V
 /// A reason and the way out.
 type Fault = (String, String);
 
-/// Roll length of what a trace says of where it was; `Err(None)` where the gear is not known, which is told.
+/// Roll length of what a trace says of where it was; `Err(None)` where the gear is not known, which is reported.
 fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fault>> {
     if by == Column::RollLength {
         return Ok(at_mm);

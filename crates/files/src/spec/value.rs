@@ -74,7 +74,7 @@ pub struct TableFileSpec {
 }
 
 impl TableFileSpec {
-    /// The table `file`, whose sheet and decimal sign need not be told.
+    /// The table `file`, whose sheet and decimal sign need not be stated.
     pub fn new(file: String) -> TableFileSpec {
         TableFileSpec {
             file,

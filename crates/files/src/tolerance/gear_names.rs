@@ -1,4 +1,4 @@
-//! The files that names of measured gears stand for: what stands among them and is none is told, never passed over.
+//! The files that names of measured gears stand for: what stands among them and is none is reported, never passed over.
 
 use glob::{MatchOptions, Pattern, PatternError};
 use std::collections::BTreeMap;

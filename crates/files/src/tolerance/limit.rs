@@ -1,4 +1,4 @@
-//! What is required beside `j_wt`, in the units that are told.
+//! What is required beside `j_wt`, in the units that are reported.
 
 use crate::numbers::{rounded, shortest};
 use crate::verdict::unit_of;

@@ -1,4 +1,4 @@
-//! Populations of pair files: what `[tolerance]` makes of a pair, parts of a run, and what is told of it.
+//! Populations of pair files: what `[tolerance]` makes of a pair, parts of a run, and what is reported of it.
 
 mod bands;
 mod consistent;

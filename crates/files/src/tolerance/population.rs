@@ -45,7 +45,7 @@ pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
             outlines::refused(path, place, entries, problems);
             return None;
         }
-        // Its unknown keys are told by the tables.
+        // Its unknown keys are reported by the tables.
         let file = Table::new("", place, entries, KEYS, &mut Problems::new());
         let pair = PairTables::read(path, place, entries, problems).study(problems)?;
         understood(pair, &file, problems)

@@ -6,7 +6,7 @@ use proptest::test_runner::TestRunner;
 use std::f64::consts::TAU;
 
 #[test]
-fn a_left_flank_that_is_turned_round_is_told() {
+fn a_left_flank_that_is_turned_round_is_reported() {
     let [right, left] = Dice(TestRunner::deterministic()).real(44, 0.5);
     let turned = negative(&left);
     assert_eq!(pair(&pitch("numbers", &right, &left)).warnings, [""; 0]);
@@ -108,7 +108,7 @@ fn thickness_that_is_said_twice() {
 /// What the one line says, by hand: R − L is 6, −2, −2, −2 µm, … of four teeth, 8 µm of variation, the list 0, 3, 0, 1: about its
 /// mean −1, 2, −1, 0, farthest from the pitch at tooth 1, by 7 µm.
 #[test]
-fn thickness_beside_pitch_is_told_in_micrometres() {
+fn thickness_beside_pitch_is_reported_in_micrometres() {
     let keys = pitch("numbers", &[3.0, -1.0, -1.0, -1.0], &[-3.0, 1.0, 1.0, 1.0]);
     let study = pair(&format!(
         "{keys}thickness = {{ allowance_um = 0, per_tooth_um = [0.0, 3.0, 0.0, 1.0] }}"
@@ -127,7 +127,7 @@ fn thickness_beside_pitch_is_told_in_micrometres() {
 
 /// Issue: own-axis data that hold the very eccentricity that is stated beside them count it twice.
 #[test]
-fn own_axis_pitch_that_holds_the_runout_is_told() {
+fn own_axis_pitch_that_holds_the_runout_is_reported() {
     let mut dice = Dice(TestRunner::deterministic());
     let to = 32.0 * TAU / 44.0;
     let noise = || [vec![0.0; 44], vec![0.0; 44]];

@@ -55,7 +55,7 @@ fn statements_that_disagree() {
 }
 
 /// 6.263830 mm beside 6.266028 … 6.279028 mm: 2.198 µm outside, 8.698 µm from the middle. The number that is compared with the
-/// tolerance is told, and that it agrees is no warning.
+/// tolerance is reported, and that it agrees is no warning.
 #[test]
 fn a_value_outside_the_band_but_within_the_tolerance() {
     let study = pair(

@@ -5,7 +5,7 @@ use super::*;
 /// The reviewers' list from the nominal thickness, −52 … −47 µm, beside the same −50 µm said once more; a list about the mean, one
 /// value for all, and one beside nothing or beside spans all round (whose mean it does not move) are what they are meant to be.
 #[test]
-fn a_mean_of_the_list_that_adds_to_the_stated_one_is_told() {
+fn a_mean_of_the_list_that_adds_to_the_stated_one_is_reported() {
     let list = [-52, -48, -49, -53, -50, -47, -51, -50, -49, -51];
     let about = list.map(|um| um + 50);
     let spans: Vec<f64> = list

@@ -120,7 +120,7 @@ impl Made {
         (0..self.z as usize).map(read).collect()
     }
 
-    /// The pair of this gear with these readings, µm; with its pitch, if it is told.
+    /// The pair of this gear with these readings, µm; with its pitch, if it is given.
     fn study(&self, readings: &[f64], keys: &str, with_pitch: bool) -> PairFile {
         let folder = TempDir::new().unwrap();
         let rows: String = (1..)
@@ -176,7 +176,7 @@ fn the_gears_own_thickness_harmonic_is_no_eccentricity() {
         );
         assert!(made.off(&study) < 1e-11, "{z}: {} mm", made.off(&study));
         assert!(told(&study, "contradict").is_none(), "{:?}", study.warnings);
-        // Without the pitch they look like another eccentricity, and that is told.
+        // Without the pitch they look like another eccentricity, and that is reported.
         let blind = made.study(&made.by_ball(ball), "at = \"space\"", false);
         assert!(made.off(&blind) > 0.002, "{z}: {} mm", made.off(&blind));
         assert!(
@@ -189,9 +189,9 @@ fn the_gears_own_thickness_harmonic_is_no_eccentricity() {
     }
 }
 
-/// Without the ball's diameter the error keeps within what is told of it.
+/// Without the ball's diameter the error keeps within what is reported of it.
 #[test]
-fn a_ball_that_is_not_given_costs_what_is_told() {
+fn a_ball_that_is_not_given_costs_what_is_reported() {
     let made = Made::random(44, &mut TestRunner::deterministic());
     for ball in [4.6, 5.25, 6.5] {
         let study = made.study(&made.by_ball(ball), "at = \"space\"", true);
@@ -217,7 +217,7 @@ fn a_fork_rides_on_the_tooth() {
 
 /// The readings of an even gear beside uneven flanks, and those of another gear.
 #[test]
-fn readings_that_do_not_show_the_flanks_are_told() {
+fn readings_that_do_not_show_the_flanks_are_reported() {
     let mut runner = TestRunner::deterministic();
     let made = Made::random(44, &mut runner);
     let even = Made {

@@ -192,7 +192,7 @@ const RATES: [(usize, f64, f64); 6] = [
 
 /// The whole way: the reviewers' file, told with what either sign makes of it.
 #[test]
-fn the_file_with_a_left_flank_turned_round_about_the_datum_axis_is_told() {
+fn the_file_with_a_left_flank_turned_round_about_the_datum_axis_is_reported() {
     let mut dice = Dice(TestRunner::deterministic());
     let own = [dice.list(44, 1.7), dice.list(44, 1.7)];
     let [right, left] = about_datum(own, 20.0, 32.0 * TAU / 44.0);

@@ -59,7 +59,7 @@ fn pitch_of_no_stated_kind() {
 }
 
 #[test]
-fn of_many_bad_values_the_first_dozen_is_told() {
+fn of_many_bad_values_the_first_dozen_is_reported() {
     let key = "wheel.thickness.per_tooth_um";
     let mut expected: Vec<Expected> = (0..12)
         .map(|_| problem(key, "NaN", &["not finite"], "tooth"))

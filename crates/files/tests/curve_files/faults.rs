@@ -235,7 +235,7 @@ fn a_value_file_is_one_without_values() {
     }
 }
 
-/// A file that cannot be read is told once.
+/// A file that cannot be read is reported once.
 #[test]
 fn no_file() {
     let keys = "thickness.per_tooth_um = { file = \"nothing.mka\" }";

@@ -104,7 +104,7 @@ fn a_value_file() {
     }
 }
 
-/// The header says how many teeth there are: the last one that is missing is told, as any other.
+/// The header says how many teeth there are: the last one that is missing is reported, as any other.
 #[test]
 fn a_tooth_that_is_missing() {
     let text = Made::new(17).text();

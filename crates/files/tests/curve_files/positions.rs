@@ -59,7 +59,7 @@ fn beside_a_runout_nothing_once_a_turn_is_left() {
     }
 }
 
-/// Mean base thickness and remarks, or what is told.
+/// Mean base thickness and remarks, or what is reported.
 fn thickness(made: &Made) -> Result<(f64, String), String> {
     let text = made.text();
     match super::read_with(text.as_bytes(), &super::pair(made.teeth, THICKNESS)) {

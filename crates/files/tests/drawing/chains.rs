@@ -36,7 +36,7 @@ fn lines_in_any_order_make_the_loop() {
     }
 }
 
-/// A gap of 0.4 µm is closed by a line of that length, half of which is the bound; one of 4 µm is told, and join_mm closes it.
+/// A gap of 0.4 µm is closed by a line of that length, half of which is the bound; one of 4 µm is reported, and join_mm closes it.
 #[test]
 fn small_gaps_are_closed_and_told() {
     let gapped = |gap: f64| {
@@ -76,9 +76,9 @@ fn a_short_line_is_kept() {
     assert_eq!((one.segments.len(), one.bound_mm), (4, 0.0));
 }
 
-/// Two triangles that touch in a point, and a line drawn twice: the point is told.
+/// Two triangles that touch in a point, and a line drawn twice: the point is reported.
 #[test]
-fn branches_are_told_with_their_point() {
+fn branches_are_reported_with_their_point() {
     let mut touching = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
     touching.extend(lines(&[[0.0, 0.0], [-5.0, 0.0], [0.0, -5.0]]));
     let error = drawn("dxf", &dxf(&touching), &in_mm()).unwrap_err();

@@ -209,7 +209,7 @@ fn entities_must_be_whole() {
 }
 
 #[test]
-fn layers_and_ids_that_are_not_there_are_told_with_those_that_are() {
+fn layers_and_ids_that_are_not_there_are_reported_with_those_that_are() {
     let options = Options {
         select: Some("Gear".to_owned()),
         ..in_mm()
@@ -272,7 +272,7 @@ fn lists_are_read_strictly() {
 }
 
 #[test]
-fn what_is_cut_off_or_too_large_is_told() {
+fn what_is_cut_off_or_too_large_is_reported() {
     let whole = dxf(&[line([0.0, 0.0], [1.0, 0.0])]);
     let cut = &whole[..whole.len() - 8];
     let error = drawn("dxf", cut, &in_mm()).unwrap_err().to_string();

@@ -183,7 +183,7 @@ fn runout_of_any_direction_and_uncertainties_are_read() {
 }
 
 #[test]
-fn what_is_no_helical_pair_is_told() {
+fn what_is_no_helical_pair_is_reported() {
     for (from, to, expected) in [
         (
             "hand = \"left\"\n",

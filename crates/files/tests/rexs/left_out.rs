@@ -119,7 +119,7 @@ fn a_stage_that_lacks_or_contradicts_something_is_left_out_with_the_reason() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_place() {
+fn what_is_wrong_is_reported_with_its_place() {
     let good = fixture("gearbox.rexs");
     for (from, to, told) in [
         (
@@ -200,7 +200,7 @@ fn what_is_wrong_is_told_with_its_place() {
 }
 
 #[test]
-fn what_is_wrong_with_json_is_told_with_its_place() {
+fn what_is_wrong_with_json_is_reported_with_its_place() {
     let good = fixture("gearbox.rexsj");
     let line = |what: &str| 1 + good[..good.find(what).unwrap()].matches('\n').count();
     let attribute = good[..good.find("\"floating_point\": 78.0").unwrap()]

@@ -27,7 +27,7 @@ fn told(stage: i32, from: &str, to: &str) -> Result<(), String> {
 }
 
 #[test]
-fn a_pair_file_of_another_pair_is_told_with_both_values() {
+fn a_pair_file_of_another_pair_is_reported_with_both_values() {
     // DIN 3967, d = 68 mm: 25c is −85/−125 µm. ISO 286: 78 js7 is ±15 µm.
     for (stage, from, to, expected) in [
         (
@@ -67,7 +67,7 @@ fn a_pair_file_of_another_pair_is_told_with_both_values() {
 }
 
 #[test]
-fn another_pressure_angle_is_told() {
+fn another_pressure_angle_is_reported() {
     let found = is_of(20, |text| {
         text.replace("pressure_angle_deg = 20.0", "pressure_angle_deg = 19.0")
     })

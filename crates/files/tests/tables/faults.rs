@@ -132,9 +132,9 @@ fn keys() {
     insta::assert_snapshot!(cases.map(told).join("\n"));
 }
 
-/// The rest is told in one line: 44 problems of one kind are one mistake.
+/// The rest is reported in one line: 44 problems of one kind are one mistake.
 #[test]
-fn many_problems_of_a_table_are_told_in_short() {
+fn many_problems_of_a_table_are_reported_in_short() {
     let rows: Vec<String> = (1..=44).map(|tooth| format!("{tooth},x,0")).collect();
     let table = format!("tooth,left,right\n{}", rows.join("\n"));
     let keys = "pitch = { kind = \"single\", file = \"p.csv\" }";

@@ -171,7 +171,7 @@ fn faults_have_their_line() {
 
 /// Every character of a table changed, one at a time: a problem of that file with its place, or the points that stand there.
 #[test]
-fn garbled_traces_are_told_or_understood() {
+fn garbled_traces_are_reported_or_understood() {
     let good = csv(",");
     let keys = "profile = { trace = { file = \"t.csv\" } }";
     let (mut told, mut read) = (0, 0);

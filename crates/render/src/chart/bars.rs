@@ -1,7 +1,7 @@
 //! Bars, one place a tooth.
 
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::panel::{Entry, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 
@@ -148,7 +148,7 @@ pub(super) fn legend(series: &[BarSeries]) -> Vec<Entry> {
     let entry = |bars: &BarSeries| Entry {
         name: bars.name.to_owned(),
         look: bars.look,
-        sample: Sample::Bar,
+        sample: Swatch::Bar,
     };
     series.iter().map(entry).collect()
 }

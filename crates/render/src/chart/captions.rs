@@ -1,7 +1,7 @@
 //! Captions, axes and legends that several charts share.
 
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Sample};
+use super::panel::{Entry, Mark, Panel, Swatch};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::contact::Status;
@@ -81,7 +81,7 @@ pub(super) fn interference(panel: &mut Panel, busy: f64) {
 }
 
 /// The legend's entry of a line or band.
-pub(super) fn entry(name: &str, look: Look, sample: Sample) -> Entry {
+pub(super) fn entry(name: &str, look: Look, sample: Swatch) -> Entry {
     Entry {
         name: name.to_owned(),
         look,

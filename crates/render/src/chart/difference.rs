@@ -3,7 +3,7 @@
 use super::captions::{course_axis, course_caption, empty, entry, unproven_note, unproven_of};
 use super::materials::{ends, thin, width};
 use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Sample, range};
+use super::panel::{Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine, CoursePoint};
@@ -43,8 +43,8 @@ pub fn difference(
     let both = || models.into_iter().flat_map(all);
     let zero = both().next().map(|_| 0.0);
     if let Some(y) = range(both().chain(zero), [0.1; 2], 1e-3) {
-        legend.push(entry("minus model 1, Michalec", Look::Left, Sample::Line));
-        legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
+        legend.push(entry("minus model 1, Michalec", Look::Left, Swatch::Line));
+        legend.push(entry("minus model 2, involute", Look::Plain, Swatch::Line));
         let mut marks = of(models[1], Look::Plain);
         marks.extend(of(models[0], Look::Left));
         // At the lines of the model that tells the materials apart, if one does.
@@ -66,12 +66,12 @@ pub fn difference(
         legend.push(entry(
             "minus model 3, line of action",
             Look::Right,
-            Sample::Line,
+            Swatch::Line,
         ));
         legend.push(entry(
             "error bound of the simulation",
             Look::Limit,
-            Sample::Band(BOUND),
+            Swatch::Band(BOUND),
         ));
         panels.push(lower);
     }

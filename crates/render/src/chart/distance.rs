@@ -2,7 +2,7 @@
 
 use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
 use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Sample, backlash_range, range};
+use super::panel::{Mark, Panel, Point, Swatch, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use crate::pose_name::pose_name;
@@ -69,7 +69,7 @@ pub fn distance_in(
             "with bearing clearance (a ± {} mm)",
             trimmed(curve.clearance, 3, 6)
         );
-        legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
+        legend.push(entry(&name, Look::Limit, Swatch::LineInBand(FILLS[0])));
     }
     if any(&simulated) {
         marks.extend(band(&simulated, Look::Plain, FILLS[1]));
@@ -77,11 +77,11 @@ pub fn distance_in(
             true => "simulated, most to least material",
             false => "simulated",
         };
-        legend.push(entry(name, Look::Plain, Sample::LineInBand(FILLS[1])));
+        legend.push(entry(name, Look::Plain, Swatch::LineInBand(FILLS[1])));
     }
     if any(&analytic) {
         marks.extend(outline(&analytic, Look::Third));
-        legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
+        legend.push(entry("by formula (model 2)", Look::Third, Swatch::Line));
     }
     let ranges: Vec<[Point; 2]> = swept.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
@@ -98,14 +98,14 @@ pub fn distance_in(
     }
     if !ranges.is_empty() {
         let name = "least and greatest of all poses, every tooth";
-        legend.push(entry(name, Look::Plain, Sample::Dot));
+        legend.push(entry(name, Look::Plain, Swatch::Dot));
     }
     for (name, points, look) in [
         ("measured, right flanks", &right, Look::Right),
         ("measured, left flanks", &left, Look::Left),
     ] {
         if !points.is_empty() {
-            legend.push(entry(name, look, Sample::Dot));
+            legend.push(entry(name, look, Swatch::Dot));
             marks.push(Mark::Dots {
                 points: points.clone(),
                 look,

@@ -1,7 +1,7 @@
 //! The field of action of helical gears: contact lines over the common face, and what each section would allow alone.
 
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Point, Sample, range};
+use super::panel::{Entry, Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis, TextStyle};
 use crate::pose_name::pose_name;
@@ -23,7 +23,7 @@ const ASIDE: f64 = 6.0;
 /// How wide a plot is, about, and its labels' type: what room there is for them.
 const FIELD_WIDTH: f64 = 704.0;
 const LABEL: TextStyle = TextStyle::new(12.0);
-/// A line shorter than this, mm along the face, is told as its point.
+/// A line shorter than this, mm along the face, is reported as its point.
 const SHORT: f64 = 0.01;
 /// Stretches that are named in words.
 const NAMED: usize = 2;
@@ -51,23 +51,23 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         sample,
     };
     let mut entries = vec![
-        entry("contact lines of right flanks", Look::Right, Sample::Line),
+        entry("contact lines of right flanks", Look::Right, Swatch::Line),
         entry(
             "of left flanks (bold: the pair that binds)",
             Look::Left,
-            Sample::Line,
+            Swatch::Line,
         ),
-        entry("end of the path of contact", Look::Limit, Sample::Line),
+        entry("end of the path of contact", Look::Limit, Swatch::Line),
     ];
     let point = |side: &FieldSide| binding_line(side).is_none();
     if field.sides.iter().any(point) {
-        entries.push(entry("where it binds", Look::Plain, Sample::Dot));
+        entries.push(entry("where it binds", Look::Plain, Swatch::Dot));
     }
     if field.sides.iter().any(|side| !side.fillets.is_empty()) {
         entries.push(entry(
             "fillet, root or undercut edge touched first",
             Look::Third,
-            Sample::Band(SHADE),
+            Swatch::Band(SHADE),
         ));
     }
     let details = format!(

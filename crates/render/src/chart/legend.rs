@@ -1,7 +1,7 @@
 //! The legend: entries in rows.
 
 use super::marks::bar;
-use super::panel::{Entry, Sample};
+use super::panel::{Entry, Swatch};
 use crate::kit::{Frame, TextStyle, line, number};
 use svg::node::Node;
 use svg::node::element::Group;
@@ -42,18 +42,18 @@ fn draw_entry(entry: &Entry, [x, y]: [f64; 2], group: &mut Group) {
         top: y - 6.0,
         bottom: y + 6.0,
     };
-    if let Sample::Band(opacity) | Sample::LineInBand(opacity) = entry.sample {
+    if let Swatch::Band(opacity) | Swatch::LineInBand(opacity) = entry.sample {
         let band = frame.rectangle().set("fill", look.colour());
         group.append(band.set("fill-opacity", number(opacity)));
     }
     match entry.sample {
-        Sample::Line | Sample::LineInBand(_) => {
+        Swatch::Line | Swatch::LineInBand(_) => {
             let sample = line(&[[x, y], [x + SAMPLE, y]], look.colour(), 1.6);
             group.append(look.dashed(sample));
         }
-        Sample::Bar => group.append(bar(&frame, look)),
-        Sample::Dot => group.append(look.mark([x + 0.5 * SAMPLE, y])),
-        Sample::Band(_) => {}
+        Swatch::Bar => group.append(bar(&frame, look)),
+        Swatch::Dot => group.append(look.mark([x + 0.5 * SAMPLE, y])),
+        Swatch::Band(_) => {}
     }
     group.append(NAMES.text(&entry.name, [x + SAMPLE + 6.0, y + NAMES.below_middle()]));
 }

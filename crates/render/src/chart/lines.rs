@@ -1,7 +1,7 @@
 //! Several series as lines or single values.
 
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::panel::{Entry, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 
@@ -74,7 +74,7 @@ pub fn lines(
         .map(|line| Entry {
             name: line.name.to_owned(),
             look: line.look,
-            sample: if line.dots { Sample::Dot } else { Sample::Line },
+            sample: if line.dots { Swatch::Dot } else { Swatch::Line },
         })
         .collect();
     let panel = Panel {

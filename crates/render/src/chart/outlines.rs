@@ -2,7 +2,7 @@
 
 use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
 use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Sample, backlash_range};
+use super::panel::{Mark, Panel, Point, Swatch, backlash_range};
 use super::revolution::label;
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
@@ -65,7 +65,7 @@ pub fn outlines(
     };
     let mut legend = Vec::new();
     for (run, look) in runs.iter().zip([Look::Right, Look::Left]) {
-        legend.push(entry(run.material.words(), look, Sample::Line));
+        legend.push(entry(run.material.words(), look, Swatch::Line));
         let points: Vec<Point> = run
             .poses
             .iter()

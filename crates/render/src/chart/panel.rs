@@ -55,7 +55,7 @@ pub(super) struct Panel {
 
 /// What the legend shows beside a name.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Sample {
+pub(super) enum Swatch {
     Line,
     Band(f64),
     LineInBand(f64),
@@ -68,7 +68,7 @@ pub(super) enum Sample {
 pub(super) struct Entry {
     pub name: String,
     pub look: Look,
-    pub sample: Sample,
+    pub sample: Swatch,
 }
 
 /// An axis range for backlash, with room for a label at both ends, at least `um` wide: a micrometre, so that rounding is no

@@ -1,7 +1,7 @@
 //! A population: histogram with limits, how its share came out, what contributes to its spread.
 
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::panel::{Entry, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::population::{BIN_TENTHS_NM, Contributions, Spread, TENTHS_NM_PER_MM};
@@ -101,7 +101,7 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     let entries = spreads.map(|(name, _, look)| Entry {
         name: name.to_owned(),
         look,
-        sample: Sample::Bar,
+        sample: Swatch::Bar,
     });
     let panel = Panel {
         title: String::new(),
@@ -158,7 +158,7 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
     let entries = [Entry {
         name: "share so far, and its interval of 95 % (Clopper and Pearson)".to_owned(),
         look: Look::Right,
-        sample: Sample::LineInBand(0.2),
+        sample: Swatch::LineInBand(0.2),
     }];
     let panel = Panel {
         title: String::new(),
@@ -233,7 +233,7 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
     let entries = entries.map(|(name, look)| Entry {
         name: name.to_owned(),
         look,
-        sample: Sample::Bar,
+        sample: Swatch::Bar,
     });
     let panel = Panel {
         title: String::new(),

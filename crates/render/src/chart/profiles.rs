@@ -1,7 +1,7 @@
 //! Profile deviation over the roll length, as an inspection sheet shows it: a panel a flank, the evaluation range shaded.
 
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Point, Sample, range};
+use super::panel::{Entry, Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 use gearlash::gauge::{FlankProfiles, ProfileReading, ProfileReadings};
@@ -37,13 +37,13 @@ pub fn profiles(
     };
     let several = read.flanks.iter().any(|flank| flank.shapes.len() > 1);
     let mut entries = vec![
-        entry("right flanks", Look::Right, Sample::Line),
-        entry("left flanks", Look::Left, Sample::Line),
-        entry("mean line", Look::Plain, Sample::Line),
-        entry("evaluation range", Look::Limit, Sample::Band(SHADE)),
+        entry("right flanks", Look::Right, Swatch::Line),
+        entry("left flanks", Look::Left, Swatch::Line),
+        entry("mean line", Look::Plain, Swatch::Line),
+        entry("evaluation range", Look::Limit, Swatch::Band(SHADE)),
     ];
     if several {
-        entries.insert(2, entry("other teeth", Look::Limit, Sample::Line));
+        entries.insert(2, entry("other teeth", Look::Limit, Swatch::Line));
     }
     let panels: Vec<Panel> = Flank::BOTH
         .into_iter()
@@ -57,7 +57,7 @@ pub fn profiles(
 /// How dark the evaluation range is.
 const SHADE: f64 = 0.16;
 
-fn entry(name: &str, look: Look, sample: Sample) -> Entry {
+fn entry(name: &str, look: Look, sample: Swatch) -> Entry {
     Entry {
         name: name.to_owned(),
         look,

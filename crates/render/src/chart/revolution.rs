@@ -5,7 +5,7 @@ use super::captions::{
     unproven_of, without_value,
 };
 use super::paint::Look;
-use super::panel::{Mark, Panel, Point, Sample, backlash_range};
+use super::panel::{Mark, Panel, Point, Swatch, backlash_range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Anchor;
 use gearlash::analysis::curves::{Course, CourseLine, Extreme};
@@ -80,7 +80,7 @@ pub fn revolution_in(
         let name = format!("{} flank at the pitch point", flank.name());
         let (most, least) = (of(Material::Most), of(Material::Least));
         if let (Some(most), Some(least)) = (most, least) {
-            let mut sample = Sample::Line;
+            let mut sample = Swatch::Line;
             if fill {
                 panel.marks.push(Mark::Band {
                     low: points(most),
@@ -88,7 +88,7 @@ pub fn revolution_in(
                     look,
                     opacity: FILL,
                 });
-                sample = Sample::LineInBand(FILL);
+                sample = Swatch::LineInBand(FILL);
             }
             let name = format!("{name}: most material (below) to least (above)");
             legend.push(entry(&name, look, sample));
@@ -97,7 +97,7 @@ pub fn revolution_in(
                 Material::AsMeasured => name,
                 material => format!("{name}, {} material", material.name()),
             };
-            legend.push(entry(&name, look, Sample::Line));
+            legend.push(entry(&name, look, Swatch::Line));
         }
         let lines = course.lines.iter().filter(|line| line.flank == flank);
         panel.marks.extend(lines.map(|line| Mark::Line {

@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::phrases::few;
-use gearlash::analysis::outcome::Found;
+use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::analysis::phases::phase;
 use gearlash::pair::{Member, SweepPlan};
 use maud::{Markup, html};
@@ -112,7 +112,7 @@ fn phases(page: &Page) -> Markup {
 }
 
 /// Whether backlash is the same at every pose of the centre distance and material of `found`.
-pub(super) fn same_everywhere(page: &Page, found: Found) -> bool {
+pub(super) fn same_everywhere(page: &Page, found: PoseOfRun) -> bool {
     let run = &found.run.run;
     let mut distances = page.distances.iter();
     let here = distances.find(|at| at.center_distance == run.assembly.center_distance());

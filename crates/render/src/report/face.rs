@@ -4,7 +4,7 @@ use super::page::Page;
 use super::phrases::{band, symbol};
 use crate::chart::{self, Heading, PictureError};
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
-use gearlash::analysis::outcome::Found;
+use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
 use gearlash_files::numbers::{NONE, trimmed, um};
@@ -174,7 +174,7 @@ const DEFINITIONS: [Definition; 4] = [
 ];
 
 fn definitions(page: &Page) -> Markup {
-    let of = |found: Option<Found>| {
+    let of = |found: Option<PoseOfRun>| {
         let found = found?;
         let pair = found.run.run.assembly.clone();
         let backlash = pair.backlash(found.pose.swept.backlash?);

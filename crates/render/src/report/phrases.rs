@@ -1,7 +1,7 @@
 //! Phrases and symbols that sections share: how bands, symbols and the user's words get into the page.
 
 use crate::pose_name::pose_name;
-use gearlash::analysis::outcome::Found;
+use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::Contact;
 pub(super) use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um};
@@ -56,7 +56,7 @@ fn teeth(contact: &Option<Contact>) -> String {
 }
 
 /// The teeth that touch: right flanks, left flanks; wheel and pinion tooth each.
-pub(super) fn touching(found: Option<Found>) -> [String; 2] {
+pub(super) fn touching(found: Option<PoseOfRun>) -> [String; 2] {
     match found.and_then(|found| found.pose.swept.proven()) {
         None => [NONE.to_owned(), NONE.to_owned()],
         Some(lost_motion) => [teeth(&lost_motion.right), teeth(&lost_motion.left)],
@@ -71,7 +71,7 @@ pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
 }
 
 /// A pose in words: mating, flank, fraction.
-pub(super) fn pose(found: Found) -> String {
+pub(super) fn pose(found: PoseOfRun) -> String {
     let phase = found.run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
     pose_name(found.pose.swept.pose.mating()) + &phase

@@ -4,7 +4,7 @@ use super::figures::not_on_paper;
 use super::page::Page;
 use super::phrases::pose;
 use crate::snapshot::{Snapshot, snapshot_in_page};
-use gearlash::analysis::outcome::Found;
+use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::{MeshSection, Status};
 use gearlash_files::numbers::{stated_distance, trimmed, um};
 use maud::{Markup, PreEscaped, html};
@@ -54,22 +54,22 @@ fn nothing_drawn(page: &Page) -> &'static str {
 }
 
 /// Whether the pose is jammed.
-fn jams(found: &Found) -> bool {
+fn jams(found: &PoseOfRun) -> bool {
     found.pose.swept.status() == Status::Jammed
 }
 
 /// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
-fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
+fn most_lost<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
     let loss = page.report.analysis.diagnosis.contact.loss.as_ref()?;
     let worst = &loss.worst;
-    let is_worst = |found: &Found| {
+    let is_worst = |found: &PoseOfRun| {
         let run = &found.run.run;
         run.material == worst.material
             && run.assembly.center_distance() == worst.assembly.center_distance()
             && found.pose.swept.pose == worst.pose
     };
     let runs = page.report.analysis.runs.iter();
-    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
+    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }));
     let found = all.find(is_worst)?;
     let drawn = [page.whole.least, page.whole.greatest];
     let known = drawn.iter().flatten().any(is_worst);
@@ -78,11 +78,11 @@ fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
 }
 
 /// The least poses of the other centre distances, where they are few.
-fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
-    let distance = |found: Found| found.run.run.assembly.center_distance();
+fn others<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
+    let distance = |found: PoseOfRun| found.run.run.assembly.center_distance();
     let drawn = page.whole.least.map(distance);
     let least = page.distances.iter().filter_map(|at| at.all.least);
-    let others: Vec<Found> = least
+    let others: Vec<PoseOfRun> = least
         .filter(|found| Some(distance(*found)) != drawn)
         .collect();
     match others.len() {
@@ -91,7 +91,7 @@ fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
     }
 }
 
-fn figure(page: &Page, id: &str, what: &str, found: Found) -> Markup {
+fn figure(page: &Page, id: &str, what: &str, found: PoseOfRun) -> Markup {
     let run = &found.run.run;
     let swept = &found.pose.swept;
     let section = match MeshSection::binding(&run.assembly, swept) {

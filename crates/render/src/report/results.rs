@@ -4,7 +4,7 @@ use super::figures::{charted, over_distance, revolutions};
 use super::page::Page;
 use crate::chart::PictureError;
 use crate::viewer;
-use gearlash::analysis::outcome::{Found, Outcome};
+use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::tally::{RunTally, tally};
 use gearlash_files::numbers::{stated_distance, um};
@@ -116,7 +116,7 @@ fn phases(page: &Page) -> Markup {
 }
 
 fn counts(of: &Outcome) -> Markup {
-    let backlash = |found: Option<Found>| um(found.and_then(|f| f.pose.swept.backlash), 2);
+    let backlash = |found: Option<PoseOfRun>| um(found.and_then(|f| f.pose.swept.backlash), 2);
     html! {
         td.n { (of.poses) }
         td.n { (backlash(of.least)) }

@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::phrases::{plain, pose};
-use gearlash::analysis::outcome::Found;
+use gearlash::analysis::outcome::PoseOfRun;
 use gearlash_files::numbers::stated_distance;
 use gearlash_files::results::doubts;
 use maud::{Markup, html};
@@ -34,8 +34,8 @@ pub(super) fn count(page: &Page) -> Option<String> {
 /// Each of them with its reason and its doubtful values; nothing where all are proven.
 pub(super) fn section(page: &Page) -> Markup {
     let runs = page.all.iter().copied();
-    let unproven: Vec<Found> = runs
-        .flat_map(|run| run.unproven().map(move |pose| Found { run, pose }))
+    let unproven: Vec<PoseOfRun> = runs
+        .flat_map(|run| run.unproven().map(move |pose| PoseOfRun { run, pose }))
         .collect();
     html! {
         @if let Some(count) = count(page) {

@@ -8,7 +8,7 @@ use super::{cycle, unproven};
 use crate::text::check::governing;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
-use gearlash::analysis::outcome::{Found, Outcome};
+use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash_files::numbers::{stated_distance, um};
 use gearlash_files::verdict::sentence;
 use maud::{Markup, html};
@@ -130,7 +130,7 @@ fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
     [least.reduce(f64::min), greatest.reduce(f64::max)]
 }
 
-fn extreme_cells(page: &Page, found: Option<Found>) -> Markup {
+fn extreme_cells(page: &Page, found: Option<PoseOfRun>) -> Markup {
     let [right, left] = touching(found);
     let same = found.is_some_and(|found| same_everywhere(page, found));
     html! {

@@ -3,7 +3,7 @@
 use super::subject::Snapshot;
 use crate::kit::TextStyle;
 use crate::pose_name::pose_name;
-use gearlash::contact::{Drawn, PoseResult, Scene, Status};
+use gearlash::contact::{FreePlacement, PoseResult, Scene, Status};
 use gearlash::gear::Side;
 use gearlash_files::numbers::{bound_um, trimmed, um};
 use svg::node::element::Group;
@@ -112,7 +112,7 @@ fn over_face(view: &Snapshot) -> String {
 fn drawn(scene: &Scene) -> String {
     let free = scene.assembly().free().name();
     match scene.drawn() {
-        Drawn::AtContact(side) => format!(
+        FreePlacement::AtContact(side) => format!(
             "drawn with the {free} turned {} to {}-flank contact",
             match side {
                 Side::Right => "clockwise",
@@ -120,7 +120,7 @@ fn drawn(scene: &Scene) -> String {
             },
             side.name()
         ),
-        Drawn::Nominal => format!("drawn with the {free} at its nominal rotation"),
+        FreePlacement::Nominal => format!("drawn with the {free} at its nominal rotation"),
     }
 }
 

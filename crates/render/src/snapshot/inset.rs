@@ -9,7 +9,7 @@ use crate::kit::{
     self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
 };
 use gearlash::contact::{
-    Contact, ContactClass, ContactKind, Drawn, DrawnContact, Scene, Status, Touch,
+    Contact, ContactClass, ContactKind, DrawnContact, FreePlacement, Scene, Status, Touch,
 };
 use gearlash::gear::{ProfilePart, Side};
 use gearlash::pair::{GearPair, Member};
@@ -118,14 +118,16 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
             };
             let first = match scene.drawn() {
                 _ if contact.turn == 0.0 => format!("{name} flanks touch"),
-                Drawn::AtContact(_) if gap > 0.0 => {
+                FreePlacement::AtContact(_) if gap > 0.0 => {
                     format!("{name} flanks: gap {symbol} = {length} µm{here}")
                 }
-                Drawn::AtContact(_) => {
+                FreePlacement::AtContact(_) => {
                     format!("{name} flanks: overlap, {symbol} = {length} µm{here}")
                 }
-                Drawn::Nominal if gap >= 0.0 => format!("{name} flanks, short of their contact"),
-                Drawn::Nominal => format!("{name} flanks, past their contact"),
+                FreePlacement::Nominal if gap >= 0.0 => {
+                    format!("{name} flanks, short of their contact")
+                }
+                FreePlacement::Nominal => format!("{name} flanks, past their contact"),
             };
             let edge = edge(scene.assembly(), side, &contact.contact);
             let touch = |member: Member, touch: &Touch| {

@@ -66,12 +66,12 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
             )
         })
     };
-    type Sample<'a> = Box<dyn Fn(f64, f64) -> Group + 'a>;
+    type Swatch<'a> = Box<dyn Fn(f64, f64) -> Group + 'a>;
     let contact = match shown.outlines {
         true => "contact, normal out of the wheel",
         false => "contact, normal out of the locked gear",
     };
-    let mut samples: Vec<(&str, Sample)> = vec![
+    let mut samples: Vec<(&str, Swatch)> = vec![
         (
             contact,
             Box::new(|x, y| {

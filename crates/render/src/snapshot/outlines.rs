@@ -205,7 +205,7 @@ fn main_view(pair: &OutlinePair) -> View {
 }
 
 /// The gears of one view: the drawing, both metals as drawn, wheel first, and the lines over them.
-struct Drawn {
+struct DrawnGears {
     group: Group,
     metal: [Vec<Spot>; 2],
     over: Vec<Vec<Spot>>,
@@ -218,7 +218,7 @@ fn gears(
     view: &View,
     (id, ids): (&str, &Ids),
     rotation: f64,
-) -> Drawn {
+) -> DrawnGears {
     let frame = view.frame();
     let wide = frame.grown(MARGIN);
     let mut definitions = Definitions::new().add(
@@ -275,7 +275,7 @@ fn gears(
         group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));
         over.push(centres.to_vec());
     }
-    Drawn { group, metal, over }
+    DrawnGears { group, metal, over }
 }
 
 /// The contact point, and its normal out of the wheel.

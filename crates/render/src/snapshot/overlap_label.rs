@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::kit::{self, Frame, HATCH, Occupied, Spot, TextStyle, clip, line};
-use gearlash::contact::{Drawn, DrawnContact, Scene};
+use gearlash::contact::{DrawnContact, FreePlacement, Scene};
 use gearlash_files::numbers::{significant, um};
 use svg::node::element::Group;
 
@@ -14,7 +14,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut O
         return Group::new();
     };
     let mut rows = Vec::new();
-    if let Drawn::AtContact(_) = scene.drawn() {
+    if let FreePlacement::AtContact(_) = scene.drawn() {
         rows.push(format!("depth {} µm", um(-contact.along_normal, 2)));
     }
     rows.push(format!("area {} mm²", significant(overlap.area)));

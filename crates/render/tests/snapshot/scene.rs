@@ -1,7 +1,7 @@
 //! The scene in mm: outlines, contacts and lines where the closed form says they are.
 
 use crate::closed_form::{j_bn, lost_motion, pair, pose};
-use gearlash::contact::{Drawn, Scene};
+use gearlash::contact::{FreePlacement, Scene};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Placed, Side,
 };
@@ -32,7 +32,7 @@ fn the_points_of_a_contact_lie_on_both_outlines() {
             let at = pose(&assembly, [7, 30], flank, fraction);
             let lost = lost_motion(&assembly, &at);
             let scene = Scene::new(&assembly, &at, &lost);
-            assert_eq!(scene.drawn(), Drawn::AtContact(flank));
+            assert_eq!(scene.drawn(), FreePlacement::AtContact(flank));
             for meeting in scene.meetings() {
                 let outline = |member| {
                     scene

@@ -6,8 +6,8 @@
 //! the pair that the polygons are of.
 
 mod checks;
+mod outputs;
 mod poses;
-mod told;
 
 use gearlash::analysis::compare::{ComparedRun, compare};
 use gearlash::analysis::simulate::Run;

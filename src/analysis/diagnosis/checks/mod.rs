@@ -155,7 +155,7 @@ pub fn diagnose(
     })
 }
 
-/// Ids of the checks that fail, as [`Diagnosis::failed`] has them, without what is sought only to be told: where it is clear without a search
+/// Ids of the checks that fail, as [`Diagnosis::failed`] has them, without what is sought only to be reported: where it is clear without a search
 /// that a limit is kept, or that it is not, none is made.
 ///
 /// `seen` is what the poses of each run of `study` have shown, in the order of [`Study::runs`]; `cycle` are its extremes.

@@ -11,7 +11,7 @@
 //! acceleration `d + (1 + i)² ρ` at most, a locked one, at `C`, with `(1 + 2i) d − (1 + i)² C`.
 
 use super::super::line::Line;
-use super::super::shape::{C, Shape, turn};
+use super::super::shape::{C, HalfToothShape, turn};
 use crate::gear::ProfilePart;
 use std::f64::consts::PI;
 
@@ -64,7 +64,7 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    fn new(shape: &Shape) -> Outline {
+    fn new(shape: &HalfToothShape) -> Outline {
         let corner = shape.corners()[0].1;
         Outline {
             base: shape.base,
@@ -78,7 +78,12 @@ impl Outline {
 impl Dip {
     /// The corner of the gear `tip` names, down to `deepest`, the least `γ` of the mate's fillet that it reaches; `least` is the least
     /// distance of the outlines' centres. `None` where the corner stays above the form circle.
-    pub fn new(tip: Tip, [locked, free]: [&Shape; 2], deepest: f64, least: f64) -> Option<Dip> {
+    pub fn new(
+        tip: Tip,
+        [locked, free]: [&HalfToothShape; 2],
+        deepest: f64,
+        least: f64,
+    ) -> Option<Dip> {
         let (mate, corner) = match tip {
             Tip::Locked => (free, locked.corners()[0].1),
             Tip::Free => (locked, free.corners()[0].1),

@@ -13,7 +13,7 @@
 
 use super::super::deepest::deepest;
 use super::super::line::Line;
-use super::super::shape::{C, Shape};
+use super::super::shape::{C, HalfToothShape};
 use super::super::teeth::reduced;
 use super::course::Posed;
 use super::dip::{Dip, Tip};
@@ -153,8 +153,8 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
 /// Of undisturbed teeth `distance` apart, where they touch so: the angle of the locked half tooth, how much farther the free gear turns, and the
 /// normal's lean. `None` where they do at several places.
 fn touch(
-    (locked, free): (&Shape, &Shape),
-    (fillet, tip): (&Shape, &Shape),
+    (locked, free): (&HalfToothShape, &HalfToothShape),
+    (fillet, tip): (&HalfToothShape, &HalfToothShape),
     whose: Tip,
     distance: f64,
 ) -> Option<Option<(f64, f64, f64)>> {

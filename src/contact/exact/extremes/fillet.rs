@@ -12,7 +12,7 @@
 //! `μ'' = −(s_xx + 2 s_xμ μ' + s_μμ μ'²)/s_μ`.
 
 use super::super::flank_problem::PosedFlanks;
-use super::super::shape::{C, Shape, turn};
+use super::super::shape::{C, HalfToothShape, turn};
 use super::dip::Tip;
 use crate::gear::ProfilePart;
 
@@ -68,7 +68,7 @@ impl<'a> OnFillet<'a> {
         OnFillet { posed, step, tip }
     }
 
-    fn mate(&self) -> &'a Shape {
+    fn mate(&self) -> &'a HalfToothShape {
         match self.tip {
             Tip::Locked => &self.posed.problem.free.shape,
             Tip::Free => &self.posed.problem.locked.shape,
@@ -201,7 +201,7 @@ fn reach(ends: [OnFillet; 2], border: Border, near: [f64; 2]) -> Option<[Reached
 
 /// The parameters between which the corner is all through; `None` above the form circle.
 fn radii(
-    mate: &Shape,
+    mate: &HalfToothShape,
     found: [Reached; 2],
     angle: f64,
     (deepest, end): (f64, f64),
@@ -227,7 +227,7 @@ fn radii(
 }
 
 /// The chord between two parameters of a fillet, the metal behind it.
-fn chord(mate: &Shape, (low, high): (f64, f64)) -> Border {
+fn chord(mate: &HalfToothShape, (low, high): (f64, f64)) -> Border {
     let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
     let along = inner.point - outer.point;
     if along.norm() < 1e-9 * mate.base {
@@ -246,7 +246,7 @@ fn chord(mate: &Shape, (low, high): (f64, f64)) -> Border {
 }
 
 /// The tangent at a parameter.
-fn tangent(mate: &Shape, gamma: f64) -> Border {
+fn tangent(mate: &HalfToothShape, gamma: f64) -> Border {
     let sample = mate.at(ProfilePart::Fillet, gamma);
     Border {
         point: sample.point,
@@ -353,7 +353,7 @@ mod tests {
     #[test]
     fn a_chord_has_its_ends_on_it_and_the_fillet_behind() {
         let gear = Gear::nominal(GearDesign::plain(18, 2.0)).unwrap();
-        let shape = Shape::new(&Profile::new(&gear));
+        let shape = HalfToothShape::new(&Profile::new(&gear));
         for (low, high) in [(0.0, 0.4), (0.3, 0.9), (0.2, shape.fillet_end)] {
             let border = chord(&shape, (low, high));
             assert!((border.normal.norm() - 1.0).abs() < 1e-14);

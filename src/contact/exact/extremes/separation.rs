@@ -24,7 +24,7 @@
 
 use super::super::flank_problem::PosedFlanks;
 use super::super::path::Pair;
-use super::super::shape::{C, Shape, turn};
+use super::super::shape::{C, HalfToothShape, turn};
 
 /// Steps of Newton's method (it takes 3 to 6).
 const STEPS: usize = 24;
@@ -45,7 +45,7 @@ struct Arc {
 }
 
 impl Arc {
-    fn new(shape: &Shape, prolonged: bool) -> Arc {
+    fn new(shape: &HalfToothShape, prolonged: bool) -> Arc {
         let (form, tip) = match prolonged {
             true => (f64::NEG_INFINITY, f64::INFINITY),
             false => (lowest_roll(shape), shape.tip_roll),
@@ -83,7 +83,7 @@ impl Arc {
 
 /// The roll down to which there is metal at least as far out as the involute: a fillet that is not undercut leaves the involute, prolonged
 /// down to the base circle, inside.
-pub(super) fn lowest_roll(shape: &Shape) -> f64 {
+pub(super) fn lowest_roll(shape: &HalfToothShape) -> f64 {
     match shape.corners().len() {
         1 => shape.form_roll.min(0.0),
         _ => shape.form_roll,

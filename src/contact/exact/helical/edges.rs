@@ -13,7 +13,7 @@ use super::turning::{DOUBT, Edge, Turning, crossing_places};
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::line::Line;
-use crate::contact::exact::shape::{C, Shape};
+use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
 use crate::pair::GearPair;
 use std::f64::consts::PI;
@@ -38,9 +38,13 @@ impl Edges {
     pub fn new(assembly: &GearPair, problem: &FlankProblem, short: bool) -> Option<Edges> {
         let off = problem.locked_off.norm() + problem.free_off.norm();
         let nearest = assembly.center_distance() - off;
-        let reached = |fillet: &Shape, tip: &Shape| nearest - tip.tip_radius < fillet.form_radius();
+        let reached = |fillet: &HalfToothShape, tip: &HalfToothShape| {
+            nearest - tip.tip_radius < fillet.form_radius()
+        };
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
-        let jams = |root: &Shape, tip: &Shape| nearest - tip.tip_radius < root.root_radius;
+        let jams = |root: &HalfToothShape, tip: &HalfToothShape| {
+            nearest - tip.tip_radius < root.root_radius
+        };
         let edges = Edges {
             on_locked: reached(locked, free),
             on_free: reached(free, locked),
@@ -153,8 +157,8 @@ fn tight_places([locked, free]: &[Turning; 2], [ahead, behind]: [f64; 2], places
 /// A tip and its mate's fillet, where they touch tightest along the face, beside the same teeth on the line of action: neither depends on where
 /// along the face a section stands.
 struct FilletRoom<'a> {
-    fillet: &'a Shape,
-    tip: &'a Shape,
+    fillet: &'a HalfToothShape,
+    tip: &'a HalfToothShape,
     /// Rad of the free gear a rad of the gear whose tip it is.
     per_free: f64,
 }
@@ -208,7 +212,7 @@ impl FilletRoom<'_> {
 
 /// Where the locked tooth stands, seen from the line of the centres, rad, when a pair touches in the middle of its path of contact; `None`
 /// without a path.
-fn middle_of_path(locked: &Shape, free: &Shape, distance: f64) -> Option<f64> {
+fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64) -> Option<f64> {
     let line = Line::new(C::from(distance), locked.base + free.base)?;
     let mate = |roll: f64| (line.length - free.base * roll) / locked.base;
     let from = locked.form_roll.max(mate(free.tip_roll));
@@ -231,7 +235,7 @@ fn tips_on_roots(
     let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
     let of_locked = |step: i64| posed.locked(step);
     let of_free = |step: i64| posed.free(step);
-    let centre = |shape: &Shape| Edge::corner(C::from(shape.tip_radius));
+    let centre = |shape: &HalfToothShape| Edge::corner(C::from(shape.tip_radius));
     let tips = [
         [
             Edge::corner(locked.tip_corner()),

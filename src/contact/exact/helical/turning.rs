@@ -2,7 +2,7 @@
 
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
-use crate::contact::exact::shape::{C, Shape};
+use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
 use crate::pair::{GearPair, Member};
 use std::f64::consts::PI;
@@ -116,7 +116,7 @@ impl<'a> Edge<'a> {
     }
 
     /// Where the tip land ends that the half tooth of a step begins with.
-    pub fn far(shape: &Shape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
+    pub fn far(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.tip_radius,
             beyond: Box::new(move |step| half(step).far.arg()),
@@ -124,7 +124,7 @@ impl<'a> Edge<'a> {
     }
 
     /// Where the root land ends: the next half tooth's begins there, which faces others.
-    pub fn root_end(shape: &Shape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
+    pub fn root_end(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.root_radius,
             beyond: Box::new(move |step| -half(step).root_end),

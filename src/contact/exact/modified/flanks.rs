@@ -8,7 +8,7 @@ use super::OnLine;
 use crate::contact::exact::candidate::{CandidateContact, slope};
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
-use crate::contact::exact::shape::Sample;
+use crate::contact::exact::shape::CurvePoint;
 use crate::gear::{Osculating, ProfilePart};
 
 /// A step this small, of a length, leaves its square: nothing.
@@ -100,7 +100,7 @@ struct Turning {
 }
 
 impl Turning {
-    fn new(sample: &Sample, own: &Osculating) -> Turning {
+    fn new(sample: &CurvePoint, own: &Osculating) -> Turning {
         // P · i n and P · n.
         let z = sample.point.conj() * sample.normal;
         Turning {

@@ -19,7 +19,7 @@ const SPLINE_FIT: i32 = 4;
 const IN_SPACE: i32 = 8 | 16 | 64;
 
 /// Segments, and how far they may lie from what is drawn.
-type Drawn = (Vec<PathSegment>, f64);
+type BoundedSegments = (Vec<PathSegment>, f64);
 
 /// Adds the entities of `text`, of which `kept` says where each stands; their unit is `scale` mm.
 pub fn read(
@@ -81,7 +81,7 @@ impl Space<'_> {
     }
 
     /// Its segments.
-    fn segments(&mut self, entity: &Entity) -> Result<Drawn, DrawingError> {
+    fn segments(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
         match &entity.specific {
             EntityType::Line(line) => {
                 let ends = [self.point(&line.p1)?, self.point(&line.p2)?];
@@ -143,7 +143,7 @@ impl Space<'_> {
         radius: f64,
         start: f64,
         sweep: f64,
-    ) -> Result<Drawn, DrawingError> {
+    ) -> Result<BoundedSegments, DrawingError> {
         let centre = self.point(centre)?;
         if !(radius > 0.0) {
             return Err(DrawingError::Number {
@@ -161,14 +161,14 @@ impl Space<'_> {
         ))
     }
 
-    fn light(&mut self, line: &LwPolyline, z: f64) -> Result<Drawn, DrawingError> {
+    fn light(&mut self, line: &LwPolyline, z: f64) -> Result<BoundedSegments, DrawingError> {
         self.seen_from(&line.extrusion_direction)?;
         let vertices = line.vertices.iter();
         let vertices = vertices.map(|vertex| (Point::new(vertex.x, vertex.y, z), vertex.bulge));
         self.through(vertices, line.flags & CLOSED != 0)
     }
 
-    fn old(&mut self, line: &Polyline) -> Result<Drawn, DrawingError> {
+    fn old(&mut self, line: &Polyline) -> Result<BoundedSegments, DrawingError> {
         self.seen_from(&line.normal)?;
         if line.flags & IN_SPACE != 0 {
             return Err(self.refused("a 3-D POLYLINE or mesh"));
@@ -186,7 +186,7 @@ impl Space<'_> {
         &mut self,
         vertices: impl Iterator<Item = (Point, f64)>,
         closed: bool,
-    ) -> Result<Drawn, DrawingError> {
+    ) -> Result<BoundedSegments, DrawingError> {
         let hand = if self.mirrored { -1.0 } else { 1.0 };
         let vertices: Vec<(Point2<f64>, f64)> = vertices
             .map(|(point, bulge)| Ok((self.point(&point)?, hand * bulge)))
@@ -201,7 +201,7 @@ impl Space<'_> {
         Ok((segments, bounds.into_iter().fold(0.0, f64::max)))
     }
 
-    fn spline(&mut self, spline: &Spline) -> Result<Drawn, DrawingError> {
+    fn spline(&mut self, spline: &Spline) -> Result<BoundedSegments, DrawingError> {
         if spline.control_points.is_empty() && !spline.fit_points.is_empty() {
             return Err(self.refused("a SPLINE with fit points only"));
         }

@@ -226,6 +226,34 @@ mod tests {
         assert!(lesser.iter().all(|count| *count > 10), "{lesser:?}");
     }
 
+    /// It bounds a probability: of unrelated flanks no more than a share `p` has less than `p`; flanks that go against each other have hardly any,
+    /// those that go together 1.
+    #[test]
+    fn unrelated_flanks_are_as_seldom_opposed_as_it_says() {
+        const DRAWN: u64 = 400;
+        let found = |share: f64| -> Vec<f64> {
+            let pitches = (0..DRAWN).map(|seed| random_pitch(24, seed, share, seed % 2 == 0));
+            pitches.map(|pitch| pitch.opposition()).collect()
+        };
+        let unrelated = found(0.0);
+        for p in [0.02, 0.1, 0.3] {
+            let below = unrelated.iter().filter(|&&found| found <= p).count() as f64;
+            // Four standard deviations of a binomial count above what is expected at the most.
+            let most = p * DRAWN as f64;
+            assert!(
+                below <= most + 4.0 * most.sqrt(),
+                "{below} of {DRAWN} below {p}"
+            );
+        }
+        let opposed = found(0.95);
+        assert!(
+            opposed.iter().all(|&found| found > 0.0 && found < 1e-3),
+            "{opposed:?}"
+        );
+        let alike = random_pitch(24, 1, 0.0, false).flank(Flank::Right).to_vec();
+        assert_eq!(Pitch::from_cumulative(&alike, &alike).opposition(), 1.0);
+    }
+
     /// A wave once round that an eccentricity leaves on a flank of `z` teeth whose half tooth is `π/2z` on the reference circle, and of its like.
     fn once_round(curve: &[f64], side: Flank) -> Complex<f64> {
         let z = curve.len() as f64;

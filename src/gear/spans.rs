@@ -167,3 +167,19 @@ fn cycle(z: u32, k: u32) -> u32 {
 fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::cycle;
+
+    /// Steps of `k − 1` teeth come back after as many as the least common multiple has of them.
+    #[test]
+    fn a_cycle_of_spans_ends_where_its_steps_meet_the_first_tooth() {
+        for z in 3..60u32 {
+            for k in 2..=z {
+                let first_again = (1..=z).find(|steps| steps * (k - 1) % z == 0);
+                assert_eq!(Some(cycle(z, k)), first_again, "{k} of {z}");
+            }
+        }
+    }
+}

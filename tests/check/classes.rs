@@ -1,6 +1,7 @@
 //! The class of each contact.
 
 use super::*;
+use gearlash::analysis::diagnosis::ContactCount;
 
 fn kind_of(contact: &ReferenceContact) -> ContactKind {
     let curves = [contact.wheel_curve.as_str(), contact.pinion_curve.as_str()];
@@ -156,4 +157,23 @@ fn losses_are_those_of_all_poses() {
     };
     assert_eq!(name, "least_j_wt_um");
     assert!((value - 1e3 * least).abs() < 1e-9, "{value}, {least} mm");
+}
+
+/// Poses of a class, of several, and of all, counted by hand.
+#[test]
+fn poses_of_classes_are_added_up() {
+    let involute = PoseClass::Contact(ContactKind::Involute);
+    let classes = [
+        (involute, 5),
+        (PoseClass::Jammed, 3),
+        (PoseClass::NoContact, 2),
+    ];
+    let count = ContactCount {
+        classes: classes.into(),
+        ..ContactCount::default()
+    };
+    assert_eq!(count.of_class(|class| class == PoseClass::Jammed), 3);
+    assert_eq!(count.of_class(|class| class != involute), 5);
+    assert_eq!(count.of_class(|class| class == PoseClass::Unproven), 0);
+    assert_eq!(count.poses(), 10);
 }

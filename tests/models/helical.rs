@@ -1,10 +1,11 @@
 //! Helical gears in closed form: other programs' numbers, and what follows from them.
 
 use super::helical_dimensions::{PUBLISHED, Published};
-use gearlash::analytic::InvolutePair;
+use gearlash::analytic::{InvolutePair, limits};
 use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand, involute, thickness,
+    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand, MeasuringBody, involute,
+    thickness,
 };
 use gearlash::pair::{GearPair, Member};
 use std::f64::consts::PI;
@@ -51,6 +52,20 @@ fn over_balls_and_over_pins() {
             assert!((found - allowance).abs() < 1e-9, "{teeth}: {found}");
             let back = thickness::base_from_pins(&data, ball, over + found).unwrap();
             assert!((back - base).abs() < 1e-11);
+            for (body, over) in [
+                (MeasuringBody::Ball, over + found),
+                (MeasuringBody::Pin, {
+                    thickness::over_helical_pins(&data, ball, base)
+                }),
+            ] {
+                let is = thickness::over_from_base(&data, body, ball, base);
+                assert!((is - over).abs() < 1e-9, "{teeth} {body:?}: {is} {over}");
+                let back = thickness::base_from_over(&data, body, ball, over).unwrap();
+                assert!(
+                    (back - base).abs() < 1e-9,
+                    "{teeth} {body:?}: {back} {base}"
+                );
+            }
             let back = thickness::base_from_helical_pins(
                 &data,
                 ball,
@@ -91,6 +106,52 @@ fn spans_lie_in_the_normal_section() {
             );
             assert!((thickness::base_from_span(data, k, span) - base).abs() < 1e-12 * span);
         }
+    }
+}
+
+/// ISO 21771, in other symbols than the code's: `ε_β = b sin β/(π m_n)`; `s_an = s_at cos β_a`, `tan β_a = tan β d_a/d`,
+/// `s_at = d_a ((π/2 + 2 x tan α_n)/z + inv α_t − inv α_at)`.
+#[test]
+fn overlap_and_tip_lands_are_of_the_helix() {
+    let alpha = 20f64.to_radians();
+    for (z, module, beta_deg, shift) in [(27, 4.5, 21.0, 0.3), (24, 14.0, 35.0, -0.1)] {
+        let gear = Gear::nominal(design(z, module, beta_deg, shift, RACK)).unwrap();
+        let (beta, teeth) = (f64::to_radians(beta_deg), f64::from(z));
+        let alpha_t = (alpha.tan() / beta.cos()).atan();
+        let d = teeth * module / beta.cos();
+        let tip = d + 2.0 * module * (1.0 + shift);
+        let alpha_at = (d * alpha_t.cos() / tip).acos();
+        let angle = (0.5 * PI + 2.0 * shift * alpha.tan()) / teeth + involute::inv(alpha_t)
+            - involute::inv(alpha_at);
+        let beta_a = (beta.tan() * tip / d).atan();
+        assert!((limits::tip_helix_cos(&gear) - beta_a.cos()).abs() < 1e-14);
+        let expected = tip * angle * beta_a.cos();
+        assert!((limits::tip_thickness(&gear) - expected).abs() < 1e-12 * tip);
+
+        let mate = GearDesign {
+            basic_data: gear.basic_data().with_helix(beta, Hand::Left).unwrap(),
+            ..*gear.design()
+        };
+        let built = |gear| AsBuilt::perfect(gear, Face::Front);
+        let pair = GearPair::new(built(gear), built(Gear::nominal(mate).unwrap()), tip).unwrap();
+        let width = 31.0;
+        let pair = pair.with_face([-7.0, width - 7.0]).unwrap();
+        let expected = width * beta.sin() / (PI * module);
+        assert!((limits::overlap_ratio(&pair) - expected).abs() < 1e-12 * expected);
+    }
+}
+
+/// The least shift without undercut is the one from which on the generated tooth shows none.
+#[test]
+fn undercut_of_helical_gears_begins_at_its_shift() {
+    for (z, beta_deg) in [(9, 10.0), (7, 30.0), (12, 45.0)] {
+        let at = |shift| design(z, 3.0, beta_deg, shift, RACK);
+        let least = limits::least_shift_without_undercut(&at(0.0).basic_data, &at(0.0).rack);
+        let is_undercut = |shift| Gear::nominal(at(shift)).unwrap().is_undercut();
+        assert!(
+            is_undercut(least - 1e-6) && !is_undercut(least + 1e-6),
+            "{z}: {least}"
+        );
     }
 }
 

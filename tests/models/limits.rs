@@ -1,7 +1,10 @@
 //! Limits of a pair against the study's pairs and hand calculation. Published cases: published.rs.
 
 use gearlash::analytic::{InvolutePair, limits};
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, thickness};
+use gearlash::error::GearError;
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand, involute, thickness,
+};
 use gearlash::pair::{GearPair, Member};
 
 fn design(teeth: u32) -> GearDesign {
@@ -123,4 +126,80 @@ fn no_zero_backlash_distance_for_very_thin_teeth() {
         GearPair::with_locked(gear(Face::Front), gear(Face::Back), 130.0, Member::Wheel).unwrap();
     assert_eq!(limits::zero_backlash_distance(&assembly), None);
     assert_eq!(limits::radial_backlash(&assembly), None);
+}
+
+/// A pin that would touch beyond either end of the involute is refused with the diameter it would touch at. Source: pins made to touch there,
+/// of spur and of helical gears.
+#[test]
+fn pins_off_the_involute_are_refused_where_they_would_touch() {
+    for helix_deg in [0.0f64, 30.0] {
+        let spur = design(44);
+        let data = spur.basic_data;
+        let basic_data = match helix_deg {
+            0.0 => data,
+            _ => data.with_helix(helix_deg.to_radians(), Hand::Left).unwrap(),
+        };
+        let gear = Gear::nominal(GearDesign { basic_data, ..spur }).unwrap();
+        let touching = |roll| {
+            let pin = thickness::pin_touching(&basic_data, roll, gear.base_thickness());
+            (
+                thickness::check_pins(&gear, pin),
+                2.0 * involute::radius_at(roll, gear.base_radius()),
+            )
+        };
+        for roll in [gear.form_roll() - 0.01, gear.tip_roll() + 0.01] {
+            let (
+                Err(GearError::PinOffInvolute {
+                    contact_diameter_mm,
+                    ..
+                }),
+                diameter,
+            ) = touching(roll)
+            else {
+                panic!("a pin off the involute of {helix_deg}°");
+            };
+            assert!(
+                (contact_diameter_mm - diameter).abs() < 1e-9,
+                "{contact_diameter_mm} {diameter}"
+            );
+        }
+        let middle = 0.5 * (gear.form_roll() + gear.tip_roll());
+        assert!(touching(middle).0.is_ok(), "{helix_deg}°");
+    }
+}
+
+/// Over an even number of teeth the dimension over pins is from top to top, and two pins less from bottom to bottom.
+#[test]
+fn pins_below_the_tip_and_in_the_root_are_refused_by_their_dimension() {
+    let gear = |addendum, dedendum| {
+        let rack = BasicRack::new(addendum, dedendum, 0.0).unwrap();
+        Gear::nominal(GearDesign { rack, ..design(44) }).unwrap()
+    };
+    let over =
+        |gear: &Gear, pin| thickness::pins_from_base(gear.basic_data(), pin, gear.base_thickness());
+    let at = |gear: &Gear, share: f64| {
+        let roll = gear.form_roll() + share * (gear.tip_roll() - gear.form_roll());
+        thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness())
+    };
+    let high = gear(1.0, 1.25);
+    let pin = at(&high, 0.05);
+    let Err(GearError::PinBelowTip {
+        pin_top_diameter_mm,
+        ..
+    }) = thickness::check_pins(&high, pin)
+    else {
+        panic!("a pin below the tip");
+    };
+    assert!((pin_top_diameter_mm - over(&high, pin)).abs() < 1e-9);
+    let low = gear(0.1, 1.0);
+    let pin = at(&low, 0.05);
+    let Err(GearError::PinInRoot {
+        pin_bottom_diameter_mm,
+        ..
+    }) = thickness::check_pins(&low, pin)
+    else {
+        panic!("a pin in the root");
+    };
+    assert!((pin_bottom_diameter_mm - (over(&low, pin) - 2.0 * pin)).abs() < 1e-9);
+    assert!(pin_bottom_diameter_mm < 2.0 * low.root_radius());
 }

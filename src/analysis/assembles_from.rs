@@ -3,7 +3,7 @@
 //! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed: a secant leads to it, or a tangent where one end has no value. What interferes at a
 //! distance is looked for first where it was tightest at those before; only what is free there is looked over the whole cycle.
 
-use crate::contact::{Doubt, ExactKernel, Status};
+use crate::contact::{Doubt, Effort, ExactKernel, Status};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Member};
 
@@ -34,10 +34,10 @@ impl AssemblesFrom {
     /// None of a pair that has a kernel at each distance.
     pub(super) fn new(
         assembly: &GearPair,
-        first: Mating,
-        matings: u64,
+        over: (Mating, u64),
         least: Option<f64>,
         width: f64,
+        effort: &Effort,
     ) -> Result<Option<AssemblesFrom>, Error> {
         let gear = |member| assembly.gear(member);
         let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
@@ -73,7 +73,7 @@ impl AssemblesFrom {
             let (value, looked) = match interference(&kernel, &pair, &tight)? {
                 Some(there) => (there, None),
                 None => {
-                    let there = kernel.least(&pair, first, matings, width)?;
+                    let there = kernel.least(&pair, over, width, effort)?;
                     let least = there.least;
                     tight.extend(there.lost.or(least.map(|least| least.mating)));
                     // Of what is not proven, what was found.

@@ -48,6 +48,32 @@ impl OverFace {
         }
     }
 
+    /// How far beyond its nominal rotation the free gear stops at least, rad, by the right and by the left side, of what another section has
+    /// to be asked for: what lets it farther on the right than both sides do, or on the left, is neither tighter nor does it overlap.
+    pub fn known(&self) -> [f64; 2] {
+        match (self.right, self.left) {
+            (Some((right, _)), Some((left, _))) => [right.min(left), right.max(left)],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
+    }
+
+    /// Whether contacts that another section has beyond `known` might overlap with those that were `found` there, at the pose `here` of it.
+    pub fn may_overlap(here: &Pose, found: &LostMotion, [right, left]: [f64; 2]) -> bool {
+        let nominal = here.free_rotation();
+        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
+        let beyond =
+            |contact: Option<Contact>| contact.map(|contact| turns(contact.rotation - nominal));
+        let (one, other) = (beyond(found.right), beyond(found.left));
+        // Of a contact that is known for certain nothing is left open.
+        let open = [
+            one.is_none_or(|one| one <= right),
+            other.is_none_or(|other| other >= left),
+        ];
+        let one = one.map_or(right, |one| one.max(right));
+        let other = other.map_or(left, |other| other.min(left));
+        open.contains(&true) && one > other
+    }
+
     /// How far beyond its nominal rotation the free gear stops, rad.
     pub fn beyond(&self, side: Side) -> Option<f64> {
         match side {

@@ -318,6 +318,7 @@ mod tests {
     use super::super::super::ExactKernel;
     use super::super::course::Course;
     use super::*;
+    use crate::contact::Effort;
     use crate::gear::{AsBuilt, Face, Gear, GearDesign, Side};
     use crate::pair::{GearPair, Mating, Member};
 
@@ -375,7 +376,8 @@ mod tests {
                 flank: Side::Right,
                 fraction: 0.0,
             };
-            let course = Course::new(&kernel, &pair, first, 1);
+            let effort = Effort::endless();
+            let course = Course::new(&kernel, &pair, (first, 1), &effort);
             for dip in &course.sides[0].dips {
                 let distances = (78.05, 78.15);
                 let lines = Lines::new(distances, dip.locked.base + dip.free.base).unwrap();

@@ -26,13 +26,19 @@ mod side_table;
 mod table;
 
 use super::ExactKernel;
+use crate::contact::effort::Effort;
 use crate::contact::lost_motion::Status;
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating};
 use course::Course;
+use sample::Until;
 use search::{Search, Which};
 use table::Table;
+
+/// Of the effort that is left a search of one cycle takes one part in so many at most: what follows it, at other centre distances, has the rest
+/// (tuned: what was a second takes half).
+const PARTS_OF_EFFORT: u64 = 2;
 
 /// Extremes of one assembly over its mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,22 +109,64 @@ impl ExactKernel {
         matings: u64,
         width: f64,
     ) -> Result<Extremes, Error> {
-        self.sought(&Course::new(self, assembly, first, matings), width, true)
+        self.extremes_within(
+            assembly,
+            (first, matings),
+            width,
+            &Effort::of_extremes(assembly),
+        )
     }
 
-    /// As [`ExactKernel::extremes`], but for the greatest, and no further than to the first pose that is jammed.
+    /// The same with what `effort` allows, and no more than one part of that in [`PARTS_OF_EFFORT`].
+    ///
+    /// # Errors
+    /// As [`ExactKernel::extremes`].
+    pub(crate) fn extremes_within(
+        &self,
+        assembly: &GearPair,
+        over: (Mating, u64),
+        width: f64,
+        effort: &Effort,
+    ) -> Result<Extremes, Error> {
+        self.taken(assembly, over, effort, |course| {
+            self.sought(course, width, &[Which::Greatest, Which::Least])
+        })
+    }
+
+    /// As [`ExactKernel::extremes_within`] but for the least, and no further than to the first pose that is out of mesh.
+    ///
+    /// # Errors
+    /// As [`ExactKernel::extremes`].
+    pub(crate) fn greatest(
+        &self,
+        assembly: &GearPair,
+        over: (Mating, u64),
+        width: f64,
+        effort: &Effort,
+    ) -> Result<Extremes, Error> {
+        let found = self.taken(assembly, over, effort, |course| {
+            self.sought(course, width, &[Which::Greatest])
+        })?;
+        Ok(Extremes {
+            least: None,
+            ..found
+        })
+    }
+
+    /// As [`ExactKernel::extremes_within`], but for the greatest, and no further than to the first pose that is jammed.
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].
     pub(crate) fn least(
         &self,
         assembly: &GearPair,
-        first: Mating,
-        matings: u64,
+        over: (Mating, u64),
         width: f64,
+        effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let course = Course::new(self, assembly, first, matings);
-        let found = self.sought(&course, width, false)?;
+        let found = self.taken(assembly, over, effort, |course| {
+            self.sought(course, width, &[Which::Least])
+        })?;
         Ok(Extremes {
             greatest: None,
             ..found
@@ -141,15 +189,35 @@ impl ExactKernel {
             flank: Side::Right,
             fraction: 0.0,
         };
-        let course = Course::new(self, assembly, first, 1);
+        let effort = Effort::endless();
+        let course = Course::new(self, assembly, (first, 1), &effort);
         self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }
 
-    fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
+    /// What `search` finds of a course with its part of `effort`.
+    fn taken(
+        &self,
+        assembly: &GearPair,
+        over: (Mating, u64),
+        effort: &Effort,
+        search: impl Fn(&Course) -> Result<Extremes, Error>,
+    ) -> Result<Extremes, Error> {
+        let own = effort.part(PARTS_OF_EFFORT);
+        let found = search(&Course::new(self, assembly, over, &own));
+        effort.spend(own.used());
+        found
+    }
+
+    fn sought(&self, course: &Course, width: f64, of: &[Which]) -> Result<Extremes, Error> {
+        let until = match of {
+            [Which::Least] => Until::Jammed,
+            [Which::Greatest] => Until::Unmeshed,
+            _ => Until::End,
+        };
         let mut found = Found::default();
         if course.assembly.is_modified() {
-            sample::sample(course, &mut found, !greatest_too)?;
-            let bounds = enclosed::bounds(course, width, greatest_too)?;
+            sample::sample(course, &mut found, until)?;
+            let bounds = enclosed::bounds(course, width, of)?;
             return Ok(found.extremes(course, bounds));
         }
         // Without a solver flanks are no involutes, or base circles may overlap.
@@ -159,7 +227,7 @@ impl ExactKernel {
             || self.section.solver.is_none()
             || helical.is_some_and(|helical| !helical.has_line_contact())
         {
-            sample::sample(course, &mut found, !greatest_too)?;
+            sample::sample(course, &mut found, until)?;
             return Ok(found.extremes(course, [UNKNOWN; 2]));
         }
         let table = Table::new(course);
@@ -169,12 +237,17 @@ impl ExactKernel {
             table: &table,
             width,
             which,
-            samples: greatest_too,
+            // A third each to both searches and to what is sampled if they do not close.
+            spare: match which {
+                Which::Greatest => course.effort.left() / 3 * 2,
+                Which::Least => course.effort.left() / 3,
+            },
+            until,
         };
         let stays = self.stays_on_involutes(course);
-        let wanted = [(Which::Greatest, greatest_too), (Which::Least, stays)];
-        let wanted = wanted.into_iter().filter(|(_, wanted)| *wanted);
-        let searches: Vec<Search> = wanted.map(|(which, _)| search(which)).collect();
+        let wanted = of.iter().copied();
+        let wanted = wanted.filter(|which| stays || *which == Which::Greatest);
+        let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
         let ranked = search::rank(&searches, &mut found)?;
         for (search, ranked) in searches.iter().zip(ranked) {
@@ -184,8 +257,8 @@ impl ExactKernel {
                 Which::Greatest => greatest = proof,
             }
         }
-        if !stays {
-            sample::sample(course, &mut found, !greatest_too)?;
+        if !stays && of.contains(&Which::Least) {
+            sample::sample(course, &mut found, until)?;
         }
         Ok(found.extremes(course, [least, greatest]))
     }
@@ -228,7 +301,9 @@ struct Seen {
 impl Found {
     /// Looks at a pose.
     fn look(&mut self, course: &Course, mating: Mating) -> Result<(), Error> {
-        let Some(found) = course.kernel.lost_motion_at(course.assembly, mating)? else {
+        let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
+        course.effort.spend(effort);
+        let Some(found) = found? else {
             self.lost = true;
             return Ok(());
         };

@@ -206,6 +206,7 @@ impl Distances {
 mod tests {
     use super::super::side_table::steps;
     use super::*;
+    use crate::contact::Effort;
     use crate::contact::ExactKernel;
     use crate::gear::{
         AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart, Side,
@@ -233,7 +234,8 @@ mod tests {
             flank: Side::Right,
             fraction: 0.0,
         };
-        let course = Course::new(&kernel, &pair, first, 1);
+        let effort = Effort::endless();
+        let course = Course::new(&kernel, &pair, (first, 1), &effort);
         let table = Table::new(&course);
         let posed = course.posed(0);
         let mut lopsided = 0;

@@ -28,7 +28,7 @@ pub struct AssemblesFrom {
 
 impl AssemblesFrom {
     /// That of `assembly`, whose least `j_wt` over `matings` pitches from `first` on is `least`, mm, or `None` where a pose is jammed;
-    /// looked for between its own centre distance and tips that pass each other; its least at others as near as `width`, mm.
+    /// looked for between its own centre distance and tips that pass each other, with what `effort` allows; its least at others as near as `width`, mm.
     ///
     /// # Errors
     /// None of a pair that has a kernel at each distance.
@@ -55,6 +55,9 @@ impl AssemblesFrom {
         let mut last = None;
         let mut tight: Vec<Mating> = Vec::new();
         for _ in 0..STEPS {
+            if effort.is_nearly_spent() {
+                break;
+            }
             // A little beyond where it leads, towards the end that is farther away, so that both come near.
             let nudge = 0.4 * DISTANCE_WIDTH.copysign(below + above);
             let at = match (below.is_finite(), above.is_finite()) {
@@ -105,7 +108,9 @@ impl AssemblesFrom {
         Ok(found.map(|least| AssemblesFrom {
             low,
             high,
-            doubt: least.doubt,
+            doubt: least
+                .doubt
+                .or((high - low > DISTANCE_WIDTH).then_some(Doubt::Effort)),
             mating: least.mating,
         }))
     }

@@ -54,7 +54,7 @@ impl Planned {
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
-                meshes_to: meshes_to(far, farthest, all.off, &greatest)?,
+                meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
                 found: all.found,
                 poses: all.poses,
             });
@@ -71,7 +71,7 @@ impl Planned {
                 matings: matings.chain(binds).collect(),
             }],
             assembles_from,
-            meshes_to: meshes_to(assembly, &found, 0.0, &greatest)?,
+            meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
             found,
         })
     }
@@ -157,12 +157,12 @@ fn meshes_to(
     pair: &GearPair,
     found: &Extremes,
     nearer: f64,
-    search: &Search<'_>,
+    (search, effort): (&Search<'_>, &Effort),
 ) -> Result<Option<MeshesTo>, Error> {
     if found.status != Status::NoContact {
         return Ok(None);
     }
-    let to = MeshesTo::new(pair, found, search)?;
+    let to = MeshesTo::new(pair, found, search, effort)?;
     Ok(to.map(|to| MeshesTo {
         low: to.low - nearer,
         high: to.high - nearer,

@@ -60,6 +60,11 @@ impl Effort {
         self.most - self.left()
     }
 
+    /// Whether so little is left that another search would find nothing more: a hundredth.
+    pub fn is_nearly_spent(&self) -> bool {
+        self.left() <= self.most / 100
+    }
+
     pub fn is_spent(&self) -> bool {
         self.left() == 0
     }

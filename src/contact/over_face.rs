@@ -10,7 +10,8 @@ use std::f64::consts::{PI, TAU};
 pub(super) struct OverFace {
     right: Option<(f64, Contact)>,
     left: Option<(f64, Contact)>,
-    solid: bool,
+    /// Whether a section is jammed.
+    pub solid: bool,
     /// Whether nothing was turned at all.
     jammed: bool,
 }
@@ -49,9 +50,11 @@ impl OverFace {
     }
 
     /// How far beyond its nominal rotation the free gear stops at least, rad, by the right and by the left side, of what another section has
-    /// to be asked for: what lets it farther on the right than both sides do, or on the left, is neither tighter nor does it overlap.
-    pub fn known(&self) -> [f64; 2] {
+    /// to be asked for: what lets it farther is not tighter. Where a section `may_jam` by itself, and none does yet, what lets it farther than
+    /// both sides do: that does not overlap either.
+    pub fn known(&self, may_jam: bool) -> [f64; 2] {
         match (self.right, self.left) {
+            (Some((right, _)), Some((left, _))) if self.solid || !may_jam => [right, left],
             (Some((right, _)), Some((left, _))) => [right.min(left), right.max(left)],
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         }

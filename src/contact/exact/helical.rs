@@ -120,13 +120,17 @@ impl Helical {
     ) -> Result<LostMotion, Error> {
         let mut over = OverFace::default();
         let nominal = pose.free_rotation();
+        let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
+        let may_jam = on_roots || self.plane.bodies.is_some();
         let look = |b: f64, section: &Section, over: &mut OverFace| -> Result<(), Error> {
             let here = pose.in_section(&self.assembly, b);
-            let known = over.known();
+            let known = over.known(may_jam);
             let mut found = None;
             if effort.used() > UNHURRIED && known[0].is_finite() {
                 let tighter = method(section, &here, Wanted { effort, known })?;
-                found = Some(tighter).filter(|found| !OverFace::may_overlap(&here, found, known));
+                let is_enough = !may_jam || over.solid;
+                let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
+                found = Some(tighter).filter(|found| is_enough || clear(found));
             }
             let found = match found {
                 Some(found) => found,

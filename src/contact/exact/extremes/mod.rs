@@ -36,9 +36,9 @@ use sample::Until;
 use search::{Search, Which};
 use table::Table;
 
-/// Of the effort that is left a search of one cycle takes one part in so many at most: what follows it, at other centre distances, has the rest
-/// (tuned: what was a second takes half).
-const PARTS_OF_EFFORT: u64 = 2;
+/// Of the effort that is left a search of one cycle takes one part in so many at most, one for an end of it alone at one of some ten other centre
+/// distances as well (tuned).
+const PARTS_OF_EFFORT: [u64; 2] = [2, 8];
 
 /// Extremes of one assembly over its mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,7 +117,7 @@ impl ExactKernel {
         )
     }
 
-    /// The same with what `effort` allows, and no more than one part of that in [`PARTS_OF_EFFORT`].
+    /// The same with what `effort` allows, and no more than a part of that ([`PARTS_OF_EFFORT`]).
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].
@@ -128,9 +128,13 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        self.taken(assembly, over, effort, |course| {
-            self.sought(course, width, &[Which::Greatest, Which::Least])
-        })
+        self.taken(
+            assembly,
+            over,
+            &effort.part(PARTS_OF_EFFORT[0]),
+            effort,
+            |course| self.sought(course, width, &[Which::Greatest, Which::Least]),
+        )
     }
 
     /// As [`ExactKernel::extremes_within`] but for the least, and no further than to the first pose that is out of mesh.
@@ -144,7 +148,8 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let found = self.taken(assembly, over, effort, |course| {
+        let own = effort.part(PARTS_OF_EFFORT[1]);
+        let found = self.taken(assembly, over, &own, effort, |course| {
             self.sought(course, width, &[Which::Greatest])
         })?;
         Ok(Extremes {
@@ -164,7 +169,8 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let found = self.taken(assembly, over, effort, |course| {
+        let own = effort.part(PARTS_OF_EFFORT[1]);
+        let found = self.taken(assembly, over, &own, effort, |course| {
             self.sought(course, width, &[Which::Least])
         })?;
         Ok(Extremes {
@@ -194,16 +200,16 @@ impl ExactKernel {
         self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }
 
-    /// What `search` finds of a course with its part of `effort`.
+    /// What `search` finds of a course with `own`, its part of `effort`.
     fn taken(
         &self,
         assembly: &GearPair,
         over: (Mating, u64),
+        own: &Effort,
         effort: &Effort,
         search: impl Fn(&Course) -> Result<Extremes, Error>,
     ) -> Result<Extremes, Error> {
-        let own = effort.part(PARTS_OF_EFFORT);
-        let found = search(&Course::new(self, assembly, over, &own));
+        let found = search(&Course::new(self, assembly, over, own));
         effort.spend(own.used());
         found
     }

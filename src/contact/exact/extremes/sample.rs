@@ -17,7 +17,7 @@ const ROUNDS: u32 = 5;
 /// Poses looked at beforehand, to know what one takes (tuned: a thousandth of all).
 const TRIED: u64 = 8;
 
-/// Poses looked at in any case, however much one takes: a helical one is below 0.1 s.
+/// Poses that are looked at while there is any effort left, however much one takes: a helical one is below 0.1 s.
 const FEWEST: u64 = 16;
 
 /// When there is no need to look any further.
@@ -60,7 +60,7 @@ pub(super) fn sample(course: &Course, found: &mut Found, until: Until) -> Result
         for part in 0..per_pitch {
             let fraction = (part as f64 + 0.5) / per_pitch as f64;
             found.look(course, course.mating(index, fraction))?;
-            if until.is_reached(found) {
+            if until.is_reached(found) || course.effort.is_spent() {
                 return Ok(());
             }
         }
@@ -68,12 +68,12 @@ pub(super) fn sample(course: &Course, found: &mut Found, until: Until) -> Result
     }
     let mut width = 0.5 / per_pitch as f64;
     for _ in 0..ROUNDS {
-        if course.effort.is_spent() {
-            break;
-        }
         let best = [found.least, found.greatest];
         for seen in best.into_iter().flatten() {
             for part in -4..=4 {
+                if course.effort.is_spent() {
+                    return Ok(());
+                }
                 let mating = seen.mating;
                 let beyond = f64::from(part) * 0.25 * width;
                 let near: Mating = mating.onward(course.assembly, beyond);
@@ -91,6 +91,9 @@ fn affordable(course: &Course) -> Result<u64, Error> {
     let mut tried = Found::default();
     let before = course.effort.left();
     for k in 0..TRIED {
+        if course.effort.is_spent() {
+            break;
+        }
         let place = (k as f64 + 0.5) / TRIED as f64 * course.matings as f64;
         tried.look(course, course.mating(place as u64, place.fract()))?;
     }

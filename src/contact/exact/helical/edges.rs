@@ -28,7 +28,7 @@ pub(super) struct Edges {
     on_locked: bool,
     on_free: bool,
     /// Whether tips may come to the mate's root, which may jam the pair.
-    jams: bool,
+    pub jams: bool,
     /// Whether a pair of involutes may touch on the line of action between two sections only, or nowhere on it.
     short: bool,
 }

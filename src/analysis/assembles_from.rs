@@ -3,7 +3,7 @@
 //! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed: a secant leads to it, or a tangent where one end has no value. What interferes at a
 //! distance is looked for first where it was tightest at those before; only what is free there is looked over the whole cycle.
 
-use crate::contact::{Doubt, ExactKernel, Status};
+use crate::contact::{Doubt, Effort, ExactKernel, Status};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Member};
 
@@ -28,16 +28,16 @@ pub struct AssemblesFrom {
 
 impl AssemblesFrom {
     /// That of `assembly`, whose least `j_wt` over `matings` pitches from `first` on is `least`, mm, or `None` where a pose is jammed;
-    /// looked for between its own centre distance and tips that pass each other; its least at others as near as `width`, mm.
+    /// looked for between its own centre distance and tips that pass each other, with what `effort` allows; its least at others as near as `width`, mm.
     ///
     /// # Errors
     /// None of a pair that has a kernel at each distance.
     pub(super) fn new(
         assembly: &GearPair,
-        first: Mating,
-        matings: u64,
+        over: (Mating, u64),
         least: Option<f64>,
         width: f64,
+        effort: &Effort,
     ) -> Result<Option<AssemblesFrom>, Error> {
         let gear = |member| assembly.gear(member);
         let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
@@ -55,6 +55,9 @@ impl AssemblesFrom {
         let mut last = None;
         let mut tight: Vec<Mating> = Vec::new();
         for _ in 0..STEPS {
+            if effort.is_nearly_spent() {
+                break;
+            }
             // A little beyond where it leads, towards the end that is farther away, so that both come near.
             let nudge = 0.4 * DISTANCE_WIDTH.copysign(below + above);
             let at = match (below.is_finite(), above.is_finite()) {
@@ -73,7 +76,7 @@ impl AssemblesFrom {
             let (value, looked) = match interference(&kernel, &pair, &tight)? {
                 Some(there) => (there, None),
                 None => {
-                    let there = kernel.least(&pair, first, matings, width)?;
+                    let there = kernel.least(&pair, over, width, effort)?;
                     let least = there.least;
                     tight.extend(there.lost.or(least.map(|least| least.mating)));
                     // Of what is not proven, what was found.
@@ -105,7 +108,9 @@ impl AssemblesFrom {
         Ok(found.map(|least| AssemblesFrom {
             low,
             high,
-            doubt: least.doubt,
+            doubt: least
+                .doubt
+                .or((high - low > DISTANCE_WIDTH).then_some(Doubt::Effort)),
             mating: least.mating,
         }))
     }

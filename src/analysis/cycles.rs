@@ -5,7 +5,7 @@ use super::directions::{self, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
 use super::phases::phase;
 use super::study::{RunPlan, Study};
-use crate::contact::{ExactKernel, Extreme, Extremes, Status};
+use crate::contact::{Effort, ExactKernel, Extreme, Extremes, Status};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
@@ -43,13 +43,18 @@ pub(super) struct SearchedEnd {
 impl Planned {
     pub fn search(&self) -> Result<Searched, Error> {
         let assembly = &self.run.assembly;
-        let of = |pair: &GearPair| self.cycle(pair);
+        let effort = &Effort::of_extremes(assembly);
+        let of = |pair: &GearPair| self.cycle(pair, effort);
+        let greatest = |pair: &GearPair| {
+            let over = (self.first, self.distinct);
+            ExactKernel::new(pair).greatest(pair, over, WIDTH, effort)
+        };
         if is_open(assembly) {
             let all = directions::extremes(assembly, &of, WIDTH)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
-                assembles_from: self.assembles_from(near, nearest, all.off)?,
-                meshes_to: meshes_to(far, farthest, all.off, &of)?,
+                assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
+                meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
                 found: all.found,
                 poses: all.poses,
             });
@@ -57,7 +62,7 @@ impl Planned {
         let found = of(assembly)?;
         let extremes = [found.least, found.greatest].into_iter().flatten();
         let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
-        let assembles_from = self.assembles_from(assembly, &found, 0.0)?;
+        let assembles_from = self.assembles_from(assembly, &found, 0.0, effort)?;
         // Beside them what binds where the pair begins to assemble, for checks that seek distances.
         let binds = assembles_from.map(|from| from.mating);
         Ok(Searched {
@@ -66,7 +71,7 @@ impl Planned {
                 matings: matings.chain(binds).collect(),
             }],
             assembles_from,
-            meshes_to: meshes_to(assembly, &found, 0.0, &of)?,
+            meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
             found,
         })
     }
@@ -83,20 +88,21 @@ impl Planned {
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
         let assembly = assembly.at(assembly.center_distance() + farther)?;
+        let effort = &Effort::of_extremes(&assembly);
         let of = |found: &Extremes| match is_least {
             true => found.least,
             false => found.greatest,
         };
         let (found, pose) = match is_open(&assembly) {
             true => {
-                let all = directions::extremes(&assembly, &|pair| self.cycle(pair), WIDTH)?;
+                let all = directions::extremes(&assembly, &|pair| self.cycle(pair, effort), WIDTH)?;
                 // The least comes first.
                 let before = !is_least && all.found.least.is_some();
                 let pose = all.poses.into_iter().nth(usize::from(before));
                 (all.found, pose)
             }
             false => {
-                let found = self.cycle(&assembly)?;
+                let found = self.cycle(&assembly, effort)?;
                 let pose = of(&found).map(|extreme| Directed {
                     assembly: assembly.clone(),
                     matings: vec![extreme.mating],
@@ -114,8 +120,9 @@ impl Planned {
     }
 
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
-    fn cycle(&self, pair: &GearPair) -> Result<Extremes, Error> {
-        ExactKernel::new(pair).extremes(pair, self.first, self.distinct, WIDTH)
+    fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
+        let over = (self.first, self.distinct);
+        ExactKernel::new(pair).extremes_within(pair, over, WIDTH, effort)
     }
 
     /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
@@ -124,12 +131,19 @@ impl Planned {
         pair: &GearPair,
         found: &Extremes,
         farther: f64,
+        effort: &Effort,
     ) -> Result<Option<AssemblesFrom>, Error> {
         let least = found.least.map(|least| least.low);
         if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
             return Ok(None);
         }
-        let from = AssemblesFrom::new(pair, self.first, self.distinct, least, 0.1 * WIDTH)?;
+        let from = AssemblesFrom::new(
+            pair,
+            (self.first, self.distinct),
+            least,
+            0.1 * WIDTH,
+            effort,
+        )?;
         Ok(from.map(|from| AssemblesFrom {
             low: from.low + farther,
             high: from.high + farther,
@@ -143,12 +157,12 @@ fn meshes_to(
     pair: &GearPair,
     found: &Extremes,
     nearer: f64,
-    search: &Search<'_>,
+    (search, effort): (&Search<'_>, &Effort),
 ) -> Result<Option<MeshesTo>, Error> {
     if found.status != Status::NoContact {
         return Ok(None);
     }
-    let to = MeshesTo::new(pair, found, search)?;
+    let to = MeshesTo::new(pair, found, search, effort)?;
     Ok(to.map(|to| MeshesTo {
         low: to.low - nearer,
         high: to.high - nearer,
@@ -204,7 +218,10 @@ pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<
         fraction: 0.0,
     };
     let distinct = distinct(assembly);
-    let search = |pair: &GearPair| ExactKernel::new(pair).extremes(pair, first, distinct, width);
+    let effort = &Effort::of_extremes(assembly);
+    let search = |pair: &GearPair| {
+        ExactKernel::new(pair).extremes_within(pair, (first, distinct), width, effort)
+    };
     match is_open(assembly) {
         true => Ok(directions::extremes(assembly, &search, width)?.found),
         false => search(assembly),

@@ -2,7 +2,7 @@
 
 use super::directions::Search;
 use crate::analytic::InvolutePair;
-use crate::contact::{Doubt, ExactKernel, Extremes, Status};
+use crate::contact::{Doubt, Effort, ExactKernel, Extremes, Status};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 
@@ -24,7 +24,8 @@ pub struct MeshesTo {
 }
 
 impl MeshesTo {
-    /// That of `assembly`, out of mesh at a pose of which `found` tells; `search` looks over the whole cycle of another distance. `None` where
+    /// That of `assembly`, out of mesh at a pose of which `found` tells; `search` looks for the greatest over the whole cycle of another distance, with what `effort`
+    /// allows. `None` where
     /// the pair is not in mesh at its distance without backlash either.
     ///
     /// # Errors
@@ -33,6 +34,7 @@ impl MeshesTo {
         assembly: &GearPair,
         found: &Extremes,
         search: &Search<'_>,
+        effort: &Effort,
     ) -> Result<Option<MeshesTo>, Error> {
         let (Some(nearest), Some(lost)) =
             (InvolutePair::of(assembly).center_distance(0.0), found.lost)
@@ -45,6 +47,10 @@ impl MeshesTo {
         for _ in 0..STEPS {
             if !(low < high) {
                 return Ok(None);
+            }
+            if effort.is_nearly_spent() {
+                doubt = doubt.or(Some(Doubt::Effort));
+                break;
             }
             let pair = assembly.at(at)?;
             if passes(&pair, &apart)? {

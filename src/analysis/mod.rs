@@ -136,6 +136,9 @@ impl<'a> Plan<'a> {
     }
 }
 
+/// The stage in which each step is a search of a whole mesh cycle: they take unlike times.
+pub const MESH_CYCLE: &str = "(mesh cycle)";
+
 /// How far an analysis has come, for whoever watches it.
 pub struct Progress<'a> {
     /// Told what is being done now.
@@ -202,7 +205,7 @@ impl<'a> Analysis<'a> {
             failed_checks: Vec::new(),
         };
         if plan.extremes {
-            (progress.stage)("(mesh cycle)");
+            (progress.stage)(MESH_CYCLE);
             analysis.extremes = extremes::extremes(study, method, tick)?;
         }
         if plan.curves {

@@ -4,6 +4,7 @@ mod body;
 mod by_sections;
 mod class;
 mod drawn_contact;
+mod effort;
 mod exact;
 mod exaggeration;
 mod gap;
@@ -20,6 +21,7 @@ mod scene;
 mod sweep;
 mod swept;
 
+pub(crate) use effort::Effort;
 pub(crate) use parry::PolylineShape;
 
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};

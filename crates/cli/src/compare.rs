@@ -122,7 +122,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             &mut |_| Ok::<(), Error>(()),
         )?;
         let method = args.method.method();
-        let found = extremes(&study, method, &|| progress.tick())?;
+        let found = progress.searching(|| extremes(&study, method, &|| progress.tick()))?;
         let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
         let failed = failed_checks(&study, &seen, &found, &|| ControlFlow::Continue(()))?;
         pairs.push(ComparedPair {

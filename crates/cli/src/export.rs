@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn backlash(study: &Study) -> Result<RexsBacklash, Error> {
     let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
-    let found = extremes(study, method, &|| progress.tick())?;
+    let found = progress.searching(|| extremes(study, method, &|| progress.tick()))?;
     let failed = verdict::failed_checks(study, &found, &progress)?;
     drop(progress);
     let verdict = sentence(&Verdict::of_study(study, &found.each, failed));

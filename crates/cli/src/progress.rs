@@ -43,8 +43,7 @@ impl Progress {
             return Progress::none();
         }
         let bar = ProgressBar::new(steps);
-        let template = format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left {{wide_msg}}");
-        Progress::shown(bar, &template)
+        Progress::shown(bar, &with_estimate(named))
     }
 
     /// A sign of life for work whose length is not known beforehand, with what is being done.
@@ -70,6 +69,26 @@ impl Progress {
         self.bar.set_message(doing.to_owned());
     }
 
+    /// Does `work` whose steps take unlike times, as searches of a mesh cycle do: no time is promised meanwhile.
+    pub fn searching<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.promises(false);
+        let found = work();
+        self.promises(true);
+        found
+    }
+
+    /// Whether the time that is left is said.
+    fn promises(&self, estimates: bool) {
+        let template = match estimates {
+            true => with_estimate("steps"),
+            false => "{bar:40} {pos}/{len} steps {wide_msg}".to_owned(),
+        };
+        if let Ok(style) = ProgressStyle::with_template(&template) {
+            self.bar.set_style(style);
+            self.bar.reset_eta();
+        }
+    }
+
     /// So many steps more have turned out to be needed.
     pub fn more(&self, steps: usize) {
         self.bar.inc_length(steps as u64);
@@ -82,10 +101,19 @@ impl Progress {
     }
 }
 
+/// How far steps have come, and how long the rest takes if it goes on like that.
+fn with_estimate(named: &str) -> String {
+    format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left {{wide_msg}}")
+}
+
 /// Does the work of `plan` under a bar of its length.
 pub(super) fn run_under_bar<'a>(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
     let bar = Progress::of(plan.steps()?, "steps");
-    let (mut stage, tick) = (|doing: &str| bar.now(doing), || bar.tick());
+    let mut stage = |doing: &str| {
+        bar.promises(doing != analysis::MESH_CYCLE);
+        bar.now(doing);
+    };
+    let tick = || bar.tick();
     let mut progress = analysis::Progress {
         stage: &mut stage,
         tick: &tick,

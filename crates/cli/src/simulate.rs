@@ -81,7 +81,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         false => Progress::of(study.pose_count() + run_count(study)?, "steps"),
     };
     let (method, tick) = (args.method.method(), || progress.tick());
-    let found = extremes(study, method, &tick)?;
+    let found = progress.searching(|| extremes(study, method, &tick))?;
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
     let mut measured = MeasuredTally::new(study);

@@ -22,7 +22,7 @@ pub(super) fn find(
     let study = narrowed(asked, study, distance, material)?;
     let progress = Progress::of(run_count(&study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
-    let found = extremes(&study, method, &|| progress.tick())?;
+    let found = progress.searching(|| extremes(&study, method, &|| progress.tick()))?;
     let failed = verdict::failed_checks(&study, &found, &progress)?;
     drop(progress);
     let verdict = Verdict::of_study(&study, &found.each, failed);

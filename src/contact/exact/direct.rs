@@ -11,7 +11,7 @@ use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::line::TangentVariation;
 use super::placed::Placed;
-use super::search;
+use super::search::{self, Asked};
 use super::search_free_proof::{SearchFreeProof, Setting};
 use super::shape::{C, turn};
 use super::tightest::{TightestContacts, Touching};
@@ -69,13 +69,14 @@ impl Envelopes {
 pub(super) fn touching(
     posed: &PosedFlanks,
     solver: Option<&DirectSolver>,
+    asked: Asked,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let Some(solver) = solver else {
-        return search::touching(posed);
+        return search::touching(posed, asked);
     };
     let mut tightest_contacts = TightestContacts::new(posed.problem);
     if !posed.on_line(&solver.variation, &mut tightest_contacts) {
-        return search::touching(posed);
+        return search::touching(posed, asked);
     }
     let proof = &solver.proof;
     if proof.tangents {
@@ -99,7 +100,7 @@ pub(super) fn touching(
         }
         curves
     };
-    search::over(posed, tightest_contacts, curves, MOST_NODES)
+    search::over(posed, tightest_contacts, curves, asked, MOST_NODES)
 }
 
 impl DirectSolver {

@@ -21,8 +21,9 @@ mod edges;
 mod turning;
 
 use super::flank_problem::FlankProblem;
-use super::section::Section;
+use super::section::{Section, Wanted};
 use super::teeth::Teeth;
+use crate::contact::Effort;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::OverFace;
 use crate::error::Error;
@@ -33,6 +34,9 @@ use edges::Edges;
 /// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
 /// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
 const SHORTEST: f64 = 0.125;
+
+/// Nodes of a pose after which a section is asked for no more than what is tighter than those before (tuned: ordinary pairs take a tenth).
+const UNHURRIED: u64 = 20_000;
 
 /// Times the places of [`edges`] are looked for: each leaves the square of what the last one left.
 const MOST_ROUNDS: usize = 4;
@@ -107,17 +111,31 @@ impl Helical {
         shortest_path(&self.assembly) > 0.0
     }
 
-    /// Both contacts of `pose`, as `method` finds them in each section.
+    /// Both contacts of `pose`, as `method` finds them in each section, with what `effort` allows for all of them.
     pub fn over(
         &self,
         pose: &Pose,
-        method: impl Fn(&Section, &Pose) -> Result<LostMotion, Error>,
+        effort: &Effort,
+        method: impl Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>,
     ) -> Result<LostMotion, Error> {
         let mut over = OverFace::default();
         let nominal = pose.free_rotation();
+        let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
+        let may_jam = on_roots || self.plane.bodies.is_some();
         let look = |b: f64, section: &Section, over: &mut OverFace| -> Result<(), Error> {
             let here = pose.in_section(&self.assembly, b);
-            let found = method(section, &here)?;
+            let known = over.known(may_jam);
+            let mut found = None;
+            if effort.used() > UNHURRIED && known[0].is_finite() {
+                let tighter = method(section, &here, Wanted { effort, known })?;
+                let is_enough = !may_jam || over.solid;
+                let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
+                found = Some(tighter).filter(|found| is_enough || clear(found));
+            }
+            let found = match found {
+                Some(found) => found,
+                None => method(section, &here, Wanted::all(effort))?,
+            };
             over.take(b, &here, found);
             Ok(())
         };
@@ -137,7 +155,7 @@ impl Helical {
                         break;
                     };
                     let rotation = -side.sense() * (nominal + beyond);
-                    for b in edges.places(&self.assembly, &posed, rotation) {
+                    for b in edges.places(&self.assembly, &posed, rotation, effort) {
                         look(b, &self.plane.turned(&self.assembly.section(b)), &mut over)?;
                     }
                     last = beyond;

@@ -49,11 +49,12 @@ mod tightest;
 pub use extremes::{Doubt, Extreme, Extremes};
 pub(super) use flank_problem::lens_half;
 
+use super::effort::Effort;
 use super::lost_motion::LostMotion;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
 use helical::Helical;
-use section::Section;
+use section::{Section, Wanted};
 
 /// Lost motion of one assembly on its exact curves.
 ///
@@ -91,11 +92,22 @@ impl ExactKernel {
     /// The result depends on the pose alone, to the last bit.
     ///
     /// # Errors
-    /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
+    /// [`Error::ContactLost`] when a pair of flanks cannot be resolved within the effort of a pose; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        self.lost_motion_within(pose, &Effort::of_pose())
+    }
+
+    /// The same with what `effort` allows, which is of this pose alone.
+    fn lost_motion_within(&self, pose: &Pose, effort: &Effort) -> Result<LostMotion, Error> {
         match &self.helical {
-            None => self.section.lost_motion(pose),
-            Some(helical) => helical.over(pose, Section::lost_motion),
+            // Each side ends by itself.
+            None => {
+                let own = Effort::endless();
+                let found = self.section.lost_motion(pose, Wanted::all(&own));
+                effort.spend(own.used());
+                found
+            }
+            Some(helical) => helical.over(pose, effort, Section::lost_motion),
         }
     }
 
@@ -108,10 +120,22 @@ impl ExactKernel {
         assembly: &GearPair,
         mating: Mating,
     ) -> Result<Option<LostMotion>, Error> {
-        match self.lost_motion(&Pose::new(assembly, mating)) {
+        self.lost_motion_counted(assembly, mating).0
+    }
+
+    /// The same, and what it took.
+    fn lost_motion_counted(
+        &self,
+        assembly: &GearPair,
+        mating: Mating,
+    ) -> (Result<Option<LostMotion>, Error>, u64) {
+        let effort = Effort::of_pose();
+        let found = self.lost_motion_within(&Pose::new(assembly, mating), &effort);
+        let found = match found {
             Err(error) if error.of_one_pose().is_some() => Ok(None),
             found => found.map(Some),
-        }
+        };
+        (found, effort.used())
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
@@ -120,9 +144,13 @@ impl ExactKernel {
     /// # Errors
     /// As [`ExactKernel::lost_motion`].
     pub fn lost_motion_by_search(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        let effort = Effort::endless();
         match &self.helical {
-            None => self.section.lost_motion_by_search(pose),
-            Some(helical) => helical.over(pose, Section::lost_motion_by_search),
+            None => {
+                let wanted = Wanted::all(&effort);
+                self.section.lost_motion_by_search(pose, wanted)
+            }
+            Some(helical) => helical.over(pose, &effort, Section::lost_motion_by_search),
         }
     }
 

@@ -25,9 +25,10 @@ use super::direct::{DirectSolver, Envelopes, Level};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::placed::Placed;
-use super::search;
+use super::search::{self, Asked};
 use super::shape::{C, HalfToothShape};
 use super::tightest::{TightestContacts, Touching};
+use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
@@ -143,6 +144,7 @@ impl OuterGears {
     pub fn touching(
         &self,
         posed: &PosedFlanks,
+        asked: Asked,
     ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
         let outer = posed.of(match posed.problem.side {
             Side::Right => &self.right,
@@ -150,16 +152,16 @@ impl OuterGears {
         });
         let undeviating = || {
             self.is_cut_back
-                .then(|| self.undeviating(posed, &outer))
+                .then(|| self.undeviating(posed, &outer, asked.effort))
                 .flatten()
         };
-        match undeviating().or_else(|| self.quick(posed, &outer)) {
+        match undeviating().or_else(|| self.quick(posed, &outer, asked.effort)) {
             Some(touching) => Ok(Some(touching)),
-            None => search::touching(posed),
+            None => search::touching(posed, asked),
         }
     }
 
-    fn quick(&self, posed: &PosedFlanks, outer: &PosedFlanks) -> Option<Touching> {
+    fn quick(&self, posed: &PosedFlanks, outer: &PosedFlanks, effort: &Effort) -> Option<Touching> {
         // Gaps count from the free tooth's own direction, which differs by its offset.
         let beyond = outer.free_offset - posed.free_offset;
         let mut pairs = [None; MOST_PAIRS];
@@ -180,7 +182,7 @@ impl OuterGears {
                 Some(candidate) => Some(candidate),
                 None => {
                     let (floor, guess) = (tightest.level(), pair.gap - beyond);
-                    posed.flanks_anyhow(pair.step, floor, guess)?
+                    posed.flanks_anyhow(pair.step, floor, guess, effort)?
                 }
             };
             if let Some(candidate) = found {
@@ -191,7 +193,7 @@ impl OuterGears {
             return None;
         }
         let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
-        self.on_tips(posed, outer, &mut tightest, settled)?;
+        self.on_tips((posed, outer), &mut tightest, settled, effort)?;
         tightest.choose()
     }
 
@@ -223,15 +225,15 @@ impl OuterGears {
     /// where one is left open.
     fn on_tips(
         &self,
-        posed: &PosedFlanks,
-        outer: &PosedFlanks,
+        (posed, outer): (&PosedFlanks, &PosedFlanks),
         tightest: &mut TightestContacts,
         settled: impl Fn(i64) -> bool,
+        effort: &Effort,
     ) -> Option<()> {
         let beyond = outer.free_offset - posed.free_offset;
         let level = Level::at(outer, tightest.greatest() + beyond);
         let open = self.solver.proof.open;
-        let mut nodes_left = MOST_NODES;
+        let mut nodes_left = effort.left().min(MOST_NODES as u64) as usize;
         for step in outer.steps() {
             let tips = self.clear(outer, &level, step, tip_corner);
             let stands_in = |end| self.clear(outer, &level, step, end) != [true; 2];
@@ -239,7 +241,9 @@ impl OuterGears {
                 let (locked, free) = (posed.locked(step), posed.free(step));
                 let floor = tightest.level();
                 let (curves, origin) = (without_lands(open), posed.origin);
+                let before = nodes_left;
                 let found = search_pair(&locked, &free, origin, floor, curves, &mut nodes_left);
+                effort.spend((before - nodes_left) as u64);
                 let lands = land_on_land(&locked, &free, origin, open);
                 for candidate in found.ok()?.into_iter().chain(lands) {
                     if tightest.admits(candidate.gap) {
@@ -353,12 +357,21 @@ impl OuterGears {
     }
 
     /// The contact of the outer gears, where their flanks touch at places from which nothing deviates.
-    fn undeviating(&self, posed: &PosedFlanks, outer: &PosedFlanks) -> Option<Touching> {
+    fn undeviating(
+        &self,
+        posed: &PosedFlanks,
+        outer: &PosedFlanks,
+        effort: &Effort,
+    ) -> Option<Touching> {
         // Gaps of both count from one place.
         if outer.free_offset != posed.free_offset {
             return None;
         }
-        let touching = super::direct::touching(outer, Some(&self.solver)).ok()??;
+        let asked = Asked {
+            effort,
+            floor: f64::NEG_INFINITY,
+        };
+        let touching = super::direct::touching(outer, Some(&self.solver), asked).ok()??;
         let (locked, free) = (posed.locked(touching.step), posed.free(touching.step));
         let candidate = touching.candidate;
         let same = |half: &Placed, (part, roll): (ProfilePart, f64)| {

@@ -94,6 +94,19 @@ impl<'a> PathSearch<'a> {
         }
     }
 
+    /// The same with no more nodes than `most`.
+    pub fn within(self, most: u64) -> PathSearch<'a> {
+        PathSearch {
+            nodes_left: most.min(MOST_NODES as u64) as usize,
+            ..self
+        }
+    }
+
+    /// So many nodes it has taken of [`MOST_NODES`], or what it had less.
+    pub fn nodes(&self) -> u64 {
+        (MOST_NODES - self.nodes_left) as u64
+    }
+
     /// The same with nothing ruled out by rectangles.
     pub fn of_all(self) -> PathSearch<'a> {
         PathSearch {

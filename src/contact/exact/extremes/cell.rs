@@ -69,6 +69,7 @@ impl Cell {
                 side: &course.sides[k],
                 ends: [self.from, self.to].map(|at| posed[k].on(at)),
                 faces: ends.iter().map(|end| end[k]).collect(),
+                effort: course.effort,
             };
             let mut rooms = Vec::with_capacity(8);
             for step in table.steps(k, self.mating, self.part) {

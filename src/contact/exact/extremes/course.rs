@@ -5,6 +5,7 @@ use super::super::flank_problem::{FlankProblem, PosedFlanks};
 use super::super::section::Section;
 use super::super::teeth::reduced;
 use super::dip::{Dip, Tip};
+use crate::contact::Effort;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
 
@@ -19,6 +20,8 @@ pub(super) struct Course<'a> {
     pub first: Mating,
     pub matings: u64,
     pub sides: [SideCourse<'a>; 2],
+    /// What may be done for its extremes.
+    pub effort: &'a Effort,
 }
 
 /// One side of it, in the frame of [`super::super::flank_problem`].
@@ -39,8 +42,8 @@ impl<'a> Course<'a> {
     pub fn new(
         kernel: &'a ExactKernel,
         assembly: &'a GearPair,
-        first: Mating,
-        matings: u64,
+        (first, matings): (Mating, u64),
+        effort: &'a Effort,
     ) -> Course<'a> {
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let off = gears.map(|gear| gear.eccentricity());
@@ -85,6 +88,7 @@ impl<'a> Course<'a> {
                 ..first
             },
             matings,
+            effort,
             sides: [side(&kernel.section.right), side(&kernel.section.left)],
         }
     }

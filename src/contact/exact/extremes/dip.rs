@@ -238,6 +238,7 @@ mod tests {
     use super::super::clearance::Lines;
     use super::super::course::Course;
     use super::*;
+    use crate::contact::Effort;
     use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Mating, Member};
 
@@ -290,7 +291,8 @@ mod tests {
             let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
             let kernel = ExactKernel::new(&pair);
             let first = Mating::FIRST;
-            let course = Course::new(&kernel, &pair, first, 1);
+            let effort = Effort::endless();
+            let course = Course::new(&kernel, &pair, (first, 1), &effort);
             for dip in &course.sides[0].dips {
                 let distances = (78.05, 78.15);
                 let lines = Lines::new(distances, dip.locked.base + dip.free.base).unwrap();

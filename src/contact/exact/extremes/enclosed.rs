@@ -5,12 +5,13 @@
 
 use super::course::Course;
 use super::extreme::{Doubt, Extreme, Proof, UNKNOWN};
+use super::search::Which;
 use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::{GearPair, Member};
 
 /// What bounds the least from below and the greatest from above.
-pub(super) fn bounds(course: &Course, width: f64, greatest_too: bool) -> Result<[Proof; 2], Error> {
+pub(super) fn bounds(course: &Course, width: f64, of: &[Which]) -> Result<[Proof; 2], Error> {
     let assembly = course.assembly;
     let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
     let Some((wheels, pinions)) = enclosing(Member::Wheel).zip(enclosing(Member::Pinion)) else {
@@ -20,12 +21,15 @@ pub(super) fn bounds(course: &Course, width: f64, greatest_too: bool) -> Result<
     let extremes = |which: usize| {
         let (wheel, pinion) = (wheels.0[which].clone(), pinions.0[which].clone());
         let pair = GearPair::with_locked(wheel, pinion, distance, locked)?;
-        ExactKernel::new(&pair).extremes(&pair, course.first, course.matings, width)
+        let over = (course.first, course.matings);
+        ExactKernel::new(&pair).extremes_within(&pair, over, width, course.effort)
     };
     let per_radian = course.per_radian();
-    let least = extremes(0)?.least;
-    let least = proof(least, |least| least.low / per_radian);
-    let greatest = match greatest_too {
+    let least = match of.contains(&Which::Least) {
+        true => proof(extremes(0)?.least, |least| least.low / per_radian),
+        false => UNKNOWN,
+    };
+    let greatest = match of.contains(&Which::Greatest) {
         true => proof(extremes(1)?.greatest, |most| most.high / per_radian),
         false => UNKNOWN,
     };

@@ -90,7 +90,9 @@ pub(super) struct Seen {
 impl PosesSeen {
     /// Looks at a pose.
     pub fn look(&mut self, course: &Course, mating: Mating) -> Result<(), Error> {
-        let Some(found) = course.kernel.lost_motion_at(course.assembly, mating)? else {
+        let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
+        course.effort.spend(effort);
+        let Some(found) = found? else {
             self.lost = true;
             return Ok(());
         };

@@ -273,6 +273,7 @@ mod tests {
     use super::super::super::ExactKernel;
     use super::super::course::Course;
     use super::*;
+    use crate::contact::Effort;
     use crate::gear::{AsBuilt, Face, Gear, GearDesign, Profile};
     use crate::pair::{GearPair, Mating, Member};
 
@@ -296,7 +297,8 @@ mod tests {
             let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
             let kernel = ExactKernel::new(&pair);
             let first = Mating::FIRST;
-            let course = Course::new(&kernel, &pair, first, 1);
+            let effort = Effort::endless();
+            let course = Course::new(&kernel, &pair, (first, 1), &effort);
             let side = &course.sides[0];
             for (index, fraction) in [(0, 0.0), (4, 0.3), (9, 0.7)] {
                 let posed = course.posed(index)[0].on(fraction).flanks;

@@ -28,13 +28,19 @@ mod side_table;
 mod table;
 
 use super::ExactKernel;
+use crate::contact::effort::Effort;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 use course::Course;
 pub use extreme::{Doubt, Extreme, Extremes};
 use extreme::{PosesSeen, UNKNOWN};
+use sample::Until;
 use search::{Search, Which};
 use table::Table;
+
+/// Of the effort that is left a search of one cycle takes one part in so many at most, one for an end of it alone at one of some ten other centre
+/// distances as well (tuned).
+const PARTS_OF_EFFORT: [u64; 2] = [2, 8];
 
 impl ExactKernel {
     /// The extremes of `assembly`, which is this kernel's, over `matings` pitches from `first` on, each bracket no wider than `width` mm
@@ -49,22 +55,70 @@ impl ExactKernel {
         matings: u64,
         width: f64,
     ) -> Result<Extremes, Error> {
-        self.sought(&Course::new(self, assembly, first, matings), width, true)
+        self.extremes_within(
+            assembly,
+            (first, matings),
+            width,
+            &Effort::of_extremes(assembly),
+        )
     }
 
-    /// As [`ExactKernel::extremes`], but for the greatest, and no further than to the first pose that is jammed.
+    /// The same with what `effort` allows, and no more than a part of that ([`PARTS_OF_EFFORT`]).
+    ///
+    /// # Errors
+    /// As [`ExactKernel::extremes`].
+    pub(crate) fn extremes_within(
+        &self,
+        assembly: &GearPair,
+        over: (Mating, u64),
+        width: f64,
+        effort: &Effort,
+    ) -> Result<Extremes, Error> {
+        self.taken(
+            assembly,
+            over,
+            &effort.part(PARTS_OF_EFFORT[0]),
+            effort,
+            |course| self.sought(course, width, &[Which::Greatest, Which::Least]),
+        )
+    }
+
+    /// As [`ExactKernel::extremes_within`] but for the least, and no further than to the first pose that is out of mesh.
+    ///
+    /// # Errors
+    /// As [`ExactKernel::extremes`].
+    pub(crate) fn greatest(
+        &self,
+        assembly: &GearPair,
+        over: (Mating, u64),
+        width: f64,
+        effort: &Effort,
+    ) -> Result<Extremes, Error> {
+        let own = effort.part(PARTS_OF_EFFORT[1]);
+        let found = self.taken(assembly, over, &own, effort, |course| {
+            self.sought(course, width, &[Which::Greatest])
+        })?;
+        Ok(Extremes {
+            least: None,
+            ..found
+        })
+    }
+
+    /// As [`ExactKernel::extremes_within`], but for the greatest, and no further than to the first pose that is jammed.
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].
     pub(crate) fn least(
         &self,
         assembly: &GearPair,
-        first: Mating,
-        matings: u64,
+        over: (Mating, u64),
         width: f64,
+        effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let course = Course::new(self, assembly, first, matings);
-        let found = self.sought(&course, width, false)?;
+        let own = effort.part(PARTS_OF_EFFORT[1]);
+        let found = self.taken(assembly, over, &own, effort, |course| {
+            self.sought(course, width, &[Which::Least])
+        })?;
         Ok(Extremes {
             greatest: None,
             ..found
@@ -82,15 +136,35 @@ impl ExactKernel {
             return false;
         }
         let first = Mating::FIRST;
-        let course = Course::new(self, assembly, first, 1);
+        let effort = Effort::endless();
+        let course = Course::new(self, assembly, (first, 1), &effort);
         self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }
 
-    fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
+    /// What `search` finds of a course with `own`, its part of `effort`.
+    fn taken(
+        &self,
+        assembly: &GearPair,
+        over: (Mating, u64),
+        own: &Effort,
+        effort: &Effort,
+        search: impl Fn(&Course) -> Result<Extremes, Error>,
+    ) -> Result<Extremes, Error> {
+        let found = search(&Course::new(self, assembly, over, own));
+        effort.spend(own.used());
+        found
+    }
+
+    fn sought(&self, course: &Course, width: f64, of: &[Which]) -> Result<Extremes, Error> {
+        let until = match of {
+            [Which::Least] => Until::Jammed,
+            [Which::Greatest] => Until::Unmeshed,
+            _ => Until::End,
+        };
         let mut found = PosesSeen::default();
         if course.assembly.is_modified() {
-            sample::sample(course, &mut found, !greatest_too)?;
-            let bounds = enclosed::bounds(course, width, greatest_too)?;
+            sample::sample(course, &mut found, until)?;
+            let bounds = enclosed::bounds(course, width, of)?;
             return Ok(found.extremes(course, bounds));
         }
         // Without a solver flanks are no involutes, or base circles may overlap.
@@ -100,7 +174,7 @@ impl ExactKernel {
             || self.section.solver.is_none()
             || helical.is_some_and(|helical| !helical.has_line_contact())
         {
-            sample::sample(course, &mut found, !greatest_too)?;
+            sample::sample(course, &mut found, until)?;
             return Ok(found.extremes(course, [UNKNOWN; 2]));
         }
         let table = Table::new(course);
@@ -110,12 +184,17 @@ impl ExactKernel {
             table: &table,
             width,
             which,
-            samples: greatest_too,
+            // A third each to both searches and to what is sampled if they do not close.
+            spare: match which {
+                Which::Greatest => course.effort.left() / 3 * 2,
+                Which::Least => course.effort.left() / 3,
+            },
+            until,
         };
         let stays = self.stays_on_involutes(course);
-        let wanted = [(Which::Greatest, greatest_too), (Which::Least, stays)];
-        let wanted = wanted.into_iter().filter(|(_, wanted)| *wanted);
-        let searches: Vec<Search> = wanted.map(|(which, _)| search(which)).collect();
+        let wanted = of.iter().copied();
+        let wanted = wanted.filter(|which| stays || *which == Which::Greatest);
+        let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
         let ranked = search::rank(&searches, &mut found)?;
         for (search, ranked) in searches.iter().zip(ranked) {
@@ -125,8 +204,8 @@ impl ExactKernel {
                 Which::Greatest => greatest = proof,
             }
         }
-        if !stays {
-            sample::sample(course, &mut found, !greatest_too)?;
+        if !stays && of.contains(&Which::Least) {
+            sample::sample(course, &mut found, until)?;
         }
         Ok(found.extremes(course, [least, greatest]))
     }

@@ -14,20 +14,53 @@ const PER_PITCH: u64 = 32;
 /// Times the neighbourhood of the best poses is cut into a quarter: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;
 
-/// Looks through the cycle, and closer round the least and the greatest; `until_jam`: no further than to a jammed pose.
-pub(super) fn sample(course: &Course, found: &mut PosesSeen, until_jam: bool) -> Result<(), Error> {
+/// Poses looked at beforehand, to know what one takes (tuned: a thousandth of all).
+const TRIED: u64 = 8;
+
+/// Poses that are looked at while there is any effort left, however much one takes: a helical one is below 0.1 s.
+const FEWEST: u64 = 16;
+
+/// When there is no need to look any further.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Until {
+    Jammed,
+    Unmeshed,
+    End,
+}
+
+impl Until {
+    fn is_reached(self, found: &PosesSeen) -> bool {
+        match self {
+            Until::Jammed => found.jammed.is_some(),
+            Until::Unmeshed => found.unmeshed.is_some(),
+            Until::End => false,
+        }
+    }
+}
+
+/// Looks through the cycle, and closer round the least and the greatest: at as many poses as the effort allows, all through the cycle.
+pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Result<(), Error> {
     if std::mem::replace(&mut found.sampled, true) {
         return Ok(());
     }
     let most = MOST[usize::from(!course.kernel.is_direct())];
-    let per_pitch = (most / course.matings.max(1)).clamp(1, PER_PITCH);
-    let stride = (course.matings / most).max(1);
+    let affordable = affordable(course)?;
+    let (per_pitch, stride) = match most.min(course.matings * PER_PITCH) <= affordable {
+        true => (
+            (most / course.matings.max(1)).clamp(1, PER_PITCH),
+            (course.matings / most).max(1),
+        ),
+        false => (
+            (affordable / course.matings.max(1)).clamp(1, PER_PITCH),
+            course.matings.div_ceil(affordable),
+        ),
+    };
     let mut index = 0;
     while index < course.matings {
         for part in 0..per_pitch {
             let fraction = (part as f64 + 0.5) / per_pitch as f64;
             found.look(course, course.mating(index, fraction))?;
-            if until_jam && found.jammed.is_some() {
+            if until.is_reached(found) || course.effort.is_spent() {
                 return Ok(());
             }
         }
@@ -38,6 +71,9 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until_jam: bool) ->
         let best = [found.least, found.greatest];
         for seen in best.into_iter().flatten() {
             for part in -4..=4 {
+                if course.effort.is_spent() {
+                    return Ok(());
+                }
                 let mating = seen.mating;
                 let beyond = f64::from(part) * 0.25 * width;
                 let near: Mating = mating.onward(course.assembly, beyond);
@@ -49,10 +85,28 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until_jam: bool) ->
     Ok(())
 }
 
+/// How many poses may be sampled with the effort that is left, of which half is for what comes near the best: by what some of them take, all
+/// through the cycle.
+fn affordable(course: &Course) -> Result<u64, Error> {
+    let mut tried = PosesSeen::default();
+    let before = course.effort.left();
+    for k in 0..TRIED {
+        if course.effort.is_spent() {
+            break;
+        }
+        let place = (k as f64 + 0.5) / TRIED as f64 * course.matings as f64;
+        tried.look(course, course.mating(place as u64, place.fract()))?;
+    }
+    let left = course.effort.left();
+    let each = ((before - left) / TRIED).max(1);
+    Ok((left / 2 / each).max(FEWEST))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::super::ExactKernel;
     use super::*;
+    use crate::contact::Effort;
     use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Pose};
 
@@ -67,9 +121,10 @@ mod tests {
         let pair = GearPair::new(wheel, pinion, 40.4).unwrap();
         let kernel = ExactKernel::new(&pair);
         let first = Mating::FIRST;
-        let course = Course::new(&kernel, &pair, first, 20);
+        let effort = Effort::endless();
+        let course = Course::new(&kernel, &pair, (first, 20), &effort);
         let mut found = PosesSeen::default();
-        sample(&course, &mut found, false).unwrap();
+        sample(&course, &mut found, Until::End).unwrap();
         let poses = (0..320).map(|k| {
             let mating = first.onward(&pair, f64::from(k) / 16.0);
             let lost = kernel.lost_motion(&Pose::new(&pair, mating)).unwrap();

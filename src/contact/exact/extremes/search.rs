@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::course::{Course, PARTS};
 use super::extreme::{Doubt, PosesSeen, Proof};
-use super::sample;
+use super::sample::{self, Until};
 use super::table::{Bounds, Table};
 use crate::error::Error;
 use std::collections::BinaryHeap;
@@ -151,8 +151,10 @@ pub(super) struct Search<'a> {
     /// Of the bracket, rad.
     pub width: f64,
     pub which: Which,
-    /// Whether poses are sampled where the effort was too great.
-    pub samples: bool,
+    /// Effort that is left to what comes after this search.
+    pub spare: u64,
+    /// How far poses are sampled where the effort was too great.
+    pub until: Until,
 }
 
 /// A cell in the order in which cells are looked into.
@@ -248,6 +250,9 @@ impl Search<'_> {
         let Ranked { open, mut bound } = ranked;
         let mut open = BinaryHeap::from(open);
         for _ in 0..MOST_CELLS {
+            if self.course.effort.left() < self.spare {
+                break;
+            }
             let Some(next) = open.pop() else {
                 return Ok((self.value(bound), None));
             };
@@ -279,8 +284,8 @@ impl Search<'_> {
             }
         }
         // What holds is what the most promising stretch may come to.
-        if self.samples {
-            sample::sample(self.course, found, false)?;
+        if self.until != Until::Jammed {
+            sample::sample(self.course, found, self.until)?;
         }
         let top = open.peek().map_or(bound, |top| bound.max(top.key));
         let doubt = match top.is_finite() {

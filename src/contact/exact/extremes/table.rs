@@ -206,6 +206,7 @@ impl Distances {
 mod tests {
     use super::super::side_table::steps;
     use super::*;
+    use crate::contact::Effort;
     use crate::contact::ExactKernel;
     use crate::gear::{
         AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart,
@@ -228,7 +229,8 @@ mod tests {
         let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
         let kernel = ExactKernel::new(&pair);
         let first = Mating::FIRST;
-        let course = Course::new(&kernel, &pair, first, 1);
+        let effort = Effort::endless();
+        let course = Course::new(&kernel, &pair, (first, 1), &effort);
         let table = Table::new(&course);
         let posed = course.posed(0);
         let mut lopsided = 0;

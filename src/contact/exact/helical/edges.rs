@@ -10,6 +10,7 @@
 //! These are places to look at: a section's own method finds what touches there.
 
 use super::turning::{DOUBT, Edge, Turning, crossing_places};
+use crate::contact::Effort;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::line::Line;
@@ -27,7 +28,7 @@ pub(super) struct Edges {
     on_locked: bool,
     on_free: bool,
     /// Whether tips may come to the mate's root, which may jam the pair.
-    jams: bool,
+    pub jams: bool,
     /// Whether a pair of involutes may touch on the line of action between two sections only, or nowhere on it.
     short: bool,
 }
@@ -85,7 +86,13 @@ impl Edges {
     }
 
     /// Places on the face, mm, at a pose of the measuring plane with the free gear at `rotation`, rad, in the frame of `posed`.
-    pub fn places(&self, assembly: &GearPair, posed: &PosedFlanks, rotation: f64) -> Vec<f64> {
+    pub fn places(
+        &self,
+        assembly: &GearPair,
+        posed: &PosedFlanks,
+        rotation: f64,
+        effort: &Effort,
+    ) -> Vec<f64> {
         let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
         let (c_l, c_f) = (posed.centre, posed.free_centre_at(rotation));
         let mut places = Vec::new();
@@ -129,12 +136,18 @@ impl Edges {
                 // Both tips cross where a pair is tightest only without a path of contact.
                 if k > 0 || l > 0 || self.short {
                     let edges = [&Edge::corner(one), &Edge::corner(other)];
-                    crossing_places(posed, &turnings, edges, rotation, &mut places);
+                    let places = (&mut places, effort);
+                    crossing_places(posed, &turnings, edges, rotation, places);
                 }
             }
         }
         if self.jams {
-            tips_on_roots(assembly, posed, &turnings, rotation, &mut places);
+            tips_on_roots(
+                (assembly, posed),
+                &turnings,
+                rotation,
+                (&mut places, effort),
+            );
         }
         places
     }
@@ -226,11 +239,10 @@ fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64)
 /// it stands alike over all of the face where both lands are on the line of centres, from an end of one to an end of one. Beyond, an end of the tip
 /// land touches, the farther from that line the later, until the root land ends.
 fn tips_on_roots(
-    assembly: &GearPair,
-    posed: &PosedFlanks,
+    (assembly, posed): (&GearPair, &PosedFlanks),
     turnings: &[Turning; 2],
     rotation: f64,
-    places: &mut Vec<f64>,
+    (places, effort): (&mut Vec<f64>, &Effort),
 ) {
     let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
     let of_locked = |step: i64| posed.locked(step);
@@ -256,7 +268,7 @@ fn tips_on_roots(
         let root = &roots[1 - which];
         for tip in &tips[..2] {
             let edges = if which == 0 { [tip, root] } else { [root, tip] };
-            crossing_places(posed, turnings, edges, rotation, places);
+            crossing_places(posed, turnings, edges, rotation, (places, effort));
         }
         let touching = tangent_rotations(posed, tips[0].radius + root.radius);
         for rotation in std::iter::once(rotation).chain(touching.into_iter().flatten()) {

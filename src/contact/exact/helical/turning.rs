@@ -1,5 +1,6 @@
 //! Where along the face edges of the teeth stand, and where two of them cross.
 
+use crate::contact::Effort;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::{C, HalfToothShape};
@@ -142,7 +143,7 @@ pub(super) fn crossing_places(
     [locked, free]: &[Turning; 2],
     edges: [&Edge; 2],
     rotation: f64,
-    places: &mut Vec<f64>,
+    (places, effort): (&mut Vec<f64>, &Effort),
 ) {
     let [from, to] = locked.face;
     let meets = |rotation: f64| {
@@ -163,6 +164,7 @@ pub(super) fn crossing_places(
             let mate = free.step_near(behind - beyond[1](0), b);
             let mut turned = 0.0;
             for _ in 0..MOST_TURNS {
+                effort.spend(1);
                 let Some([ahead, behind]) = meets(rotation + turned).map(|points| points[index])
                 else {
                     b = f64::NAN;

@@ -1,11 +1,15 @@
 //! Flanks in pieces at a pose.
 
+use crate::contact::Effort;
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_pieces::FlankPieces;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
 use crate::contact::gap::{Arc, Boxes, Path, PathSearch, PlacedRun};
 use crate::gear::ProfilePart;
+
+/// What bounds of heights cost, in nodes (tuned: some 10 µs, whatever they come to).
+const BY_HEIGHTS: u64 = 32;
 
 /// A flank where a pose has it.
 struct FlankPath<'a> {
@@ -48,9 +52,11 @@ impl PosedFlanks<'_> {
         step: i64,
         floor: f64,
         guess: f64,
+        effort: &Effort,
     ) -> Option<Option<CandidateContact>> {
+        effort.spend(BY_HEIGHTS);
         let by_heights = self.flanks_by_heights(step, floor, guess);
-        by_heights.or_else(|| self.flanks_in_pieces(step, floor, guess))
+        by_heights.or_else(|| self.flanks_in_pieces(step, floor, guess, effort))
     }
 
     /// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces, looked for first near `guess`;
@@ -60,11 +66,13 @@ impl PosedFlanks<'_> {
         step: i64,
         floor: f64,
         guess: f64,
+        effort: &Effort,
     ) -> Option<Option<CandidateContact>> {
         let (locked, free) = (self.locked(step), self.free(step));
         let size = 2.0 * self.problem.distance;
-        let mut search = PathSearch::new(self.origin, size, floor, guess);
+        let mut search = PathSearch::new(self.origin, size, floor, guess).within(effort.left());
         let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
+        effort.spend(search.nodes());
         let part = ProfilePart::Involute;
         Some(found.ok()?.map(|found| {
             let on = ((part, found.locked.1), (part, found.free.1));

@@ -18,6 +18,16 @@ pub struct Mating {
 }
 
 impl Mating {
+    /// These teeth with their `flank` at the operating pitch point.
+    pub fn at(wheel_tooth: u32, pinion_tooth: u32, flank: Side) -> Mating {
+        Mating {
+            wheel_tooth,
+            pinion_tooth,
+            flank,
+            fraction: 0.0,
+        }
+    }
+
     /// The mating's tooth on one gear.
     pub fn tooth(&self, member: Member) -> u32 {
         match member {

@@ -4,6 +4,7 @@ mod analytic;
 #[path = "../common/mod.rs"]
 mod common;
 mod deviating;
+mod examples;
 mod helical;
 mod karba;
 mod limits;

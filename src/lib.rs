@@ -1,6 +1,6 @@
 //! Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
 //!
-//! gearlash builds the real tooth outlines of two spur gears (involutes, generated fillets, undercut, every tooth where it was
+//! gearlash builds the real tooth outlines of two cylindrical gears, spur or helical (involutes, generated fillets, undercut, every tooth where it was
 //! *measured* to be), locks one gear and turns the other to right-flank and to left-flank contact. The angle between is the lost
 //! motion, signed: negative means that the pair cannot be assembled. Lengths are mm and angles rad; a name that ends in `_um`,
 //! `_mm` or `_deg` says otherwise.
@@ -157,8 +157,43 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Pair files are read by `gearlash-files`, pictures drawn by `gearlash-render`; `ARCHITECTURE.md` says what lies where.
-//! Features: `rayon` (poses on all cores) and `serde` (results serialise), both on by default.
+//! # A picture
+//!
+//! `gearlash-render` draws what was found; `gearlash-files` reads pair files and writes results.
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+//! # use gearlash::pair::{GearPair, Mating};
+//! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
+//! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
+//! # let pair = GearPair::new(wheel, pinion, 40.1)?;
+//! # let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! use gearlash::analysis::study::Material;
+//! use gearlash_render::{Snapshot, snapshot};
+//!
+//! let found = pair.lost_motion(mating)?;
+//! let svg = snapshot(&Snapshot {
+//!     title: "20/20",
+//!     assembly: &pair,
+//!     pose: &found.pose,
+//!     material: Material::AsMeasured,
+//!     found: found.found.as_ref(),
+//!     section: None,
+//! });
+//! assert!(svg.contains("<svg"));
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
+//!
+//! # Many pairs
+//!
+//! [`population`] draws assemblies whose numbers scatter, and says what share of them misses a requirement. `matching` (with the
+//! feature of that name) says which measured wheel goes with which pinion. [`outline`] takes gears that are only drawn. Each begins with an
+//! example.
+//!
+//! # Features
+//!
+//! `rayon` (poses on all cores) and `serde` (results serialise) are on by default; `matching` (selective assembly) is not.
+//! `ARCHITECTURE.md` says what lies where.
 
 pub mod analysis;
 pub mod analytic;

@@ -1,5 +1,5 @@
 //! A short campaign of exact against polygon method, and of exact method against brute force (the long ones:
-//! `examples/campaign.rs`).
+//! `tests/tools/campaign.rs`).
 
 #[path = "common/campaign/mod.rs"]
 mod campaign;

@@ -1,5 +1,8 @@
 //! The walls inside the packages that Cargo cannot hold (ARCHITECTURE.md): what a room may not name, and no import circle.
 
+#[path = "common/skip.rs"]
+mod skip;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -252,4 +255,52 @@ fn no_files_import_each_other() {
             "{package}: each comes back to itself by its imports"
         );
     }
+}
+
+/// Crates below the library, itself among them, with these options; `None` where cargo cannot tell without a network.
+fn crates(options: &[&str]) -> Option<Vec<String>> {
+    let mut cargo = std::process::Command::new(env!("CARGO"));
+    cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
+    cargo.args([
+        "tree",
+        "--locked",
+        "--offline",
+        "-p",
+        "gearlash",
+        "-e",
+        "normal",
+    ]);
+    let output = cargo
+        .args(["--prefix", "none"])
+        .args(options)
+        .output()
+        .unwrap();
+    if !output.status.success() {
+        skip::skip(&String::from_utf8_lossy(&output.stderr));
+        return None;
+    }
+    let text = String::from_utf8(output.stdout).unwrap();
+    let names = text.lines().filter(|line| !line.ends_with(" (*)"));
+    let mut names: Vec<String> = names.map(str::to_owned).collect();
+    names.sort();
+    names.dedup();
+    Some(names)
+}
+
+/// README states both numbers.
+#[test]
+fn the_library_stands_on_few_crates() {
+    let (Some(all), Some(least)) = (crates(&[]), crates(&["--no-default-features"])) else {
+        return;
+    };
+    assert!(all.len() < 50, "{}: {all:?}", all.len());
+    let named = |name: &str| least.iter().any(|one| one.split(' ').next() == Some(name));
+    assert!(
+        named("nalgebra") && !named("rayon") && !named("serde"),
+        "{least:?}"
+    );
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let stated = format!("{} crates, or {} without", all.len(), least.len());
+    let readme = fs::read_to_string(readme).unwrap().replace('\n', " ");
+    assert!(readme.contains(&stated), "{stated}");
 }

@@ -2,13 +2,15 @@
 #![no_main]
 
 use arbitrary::Arbitrary;
-use gearlash::pair::GearPair;
+use gearlash::contact::{CutPair, Method, sweep};
+use gearlash::pair::{GearPair, Member};
 use gearlash::analysis::study::Study;
 use gearlash_fuzz::folder::Folder;
 use gearlash_fuzz::pose::agree;
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::f64::consts::PI;
 use std::fmt::Write;
+use std::ops::ControlFlow;
 
 /// A place in a range; 0, which fuzzers are fond of, is its ordinary one.
 #[derive(Arbitrary, Clone, Copy, Debug)]
@@ -46,6 +48,10 @@ struct Gear {
     right: [i8; 7],
     left: [i8; 7],
     tooth: u16,
+    slope: Part,
+    crowning: Part,
+    /// Of the right flanks alone.
+    right_slope: Part,
 }
 
 #[derive(Arbitrary, Debug)]
@@ -66,6 +72,9 @@ struct Random {
     angle: Part,
     gears: [Gear; 2],
     distance: Distance,
+    /// 0: spur gears.
+    helix: Part,
+    face: Part,
     pinion_locked: bool,
     fraction: i16,
 }
@@ -91,13 +100,13 @@ impl Gear {
         ]
     }
 
-    fn write(&self, name: &str, module: f64, angle: f64, text: &mut String) -> std::fmt::Result {
+    fn write(&self, name: &str, module: f64, angle: f64, winds: &str, text: &mut String) -> std::fmt::Result {
         let teeth = self.teeth();
         let um = module * 1e3;
         let face = if self.back { "back" } else { "front" };
         writeln!(text, "[{name}]\nteeth = {teeth}\nmodule_mm = {module:?}")?;
         writeln!(text, "pressure_angle_deg = {:?}", angle.to_degrees())?;
-        writeln!(text, "profile_shift = {:?}", self.shift())?;
+        writeln!(text, "profile_shift = {:?}\n{winds}", self.shift())?;
         writeln!(text, "reference_face = \"{face}\"")?;
         let [addendum, dedendum, round] = self.rack(angle);
         if let Some(tip) = self.tip {
@@ -140,6 +149,15 @@ impl Gear {
             writeln!(text, "right_um = {:?}", round_the_gear(&self.right, most))?;
             writeln!(text, "left_um = {:?}", round_the_gear(&self.left, most))?;
         }
+        let [slope, crowning, right] = [self.slope, self.crowning, self.right_slope]
+            .map(|part| part.either_way(0.02) * um);
+        if [slope, crowning, right] != [0.0; 3] {
+            writeln!(text, "[{name}.profile]\ncrowning_um = {crowning:?}")?;
+            match right == 0.0 {
+                true => writeln!(text, "slope_um = {slope:?}")?,
+                false => writeln!(text, "right.slope_um = {right:?}\nleft.slope_um = {slope:?}")?,
+            }
+        }
         Ok(())
     }
 
@@ -166,6 +184,24 @@ impl Gear {
 }
 
 impl Random {
+    fn helix_deg(&self) -> f64 {
+        self.helix.either_way(35.0)
+    }
+
+    /// What the pair file says of the helix: nothing of spur gears.
+    fn winds(&self, name: &str, module: f64) -> String {
+        let helix = self.helix_deg();
+        let hand = if (helix < 0.0) == (name == "wheel") { "left" } else { "right" };
+        match helix == 0.0 {
+            true => String::new(),
+            false => format!(
+                "helix_angle_deg = {:?}\nhand = \"{hand}\"\nface_width_mm = {:?}",
+                helix.abs(),
+                self.face.within(0.5, 8.0, 20.0) * module
+            ),
+        }
+    }
+
     fn pair_file(&self) -> String {
         let module = 10f64.powf(self.module.within(-2.0, 0.0, 3.0));
         let angle = self.angle.within(5.0, 20.0, 45.0).to_radians();
@@ -173,13 +209,15 @@ impl Random {
         let mut text = String::new();
         for (gear, name) in [(wheel, "wheel"), (pinion, "pinion")] {
             // Writing to a String cannot fail.
-            let _ = gear.write(name, module, angle, &mut text);
+            let _ = gear.write(name, module, angle, &self.winds(name, module), &mut text);
         }
         let [[tip, root], [mates_tip, mates_root]] =
             [wheel, pinion].map(|gear| gear.tip_and_root(angle));
         let reference = wheel.radius() + pinion.radius();
-        let distance = module
-            * match &self.distance {
+        // Reference circles of helical gears are wider; their tips and roots stand as far beyond.
+        let wider = module * reference * (1.0 / self.helix_deg().to_radians().cos() - 1.0);
+        let distance = wider
+            + module * match &self.distance {
                 Distance::Any(part) => {
                     let base = reference * angle.cos();
                     let apart = tip + mates_tip + 0.5;
@@ -207,6 +245,27 @@ impl Random {
     }
 }
 
+/// Both methods and the certificate over the face of a helical pair, at its first pose.
+fn over_the_face(study: &Study) -> Result<(), String> {
+    let Some(plan) = study.runs().ok().and_then(|runs| runs.into_iter().next()) else {
+        return Ok(());
+    };
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| plan.assembly.gear(member));
+    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
+    for method in [Method::Both, Method::Exact { certify: true }] {
+        let go_on = || ControlFlow::Continue(());
+        let poses = sweep(&plan.assembly, &cut, method, &plan.matings[..1], 0.0, &go_on);
+        let poses = poses.map_err(|error| error.to_string())?;
+        for unproven in poses.iter().flat_map(|pose| pose.unproven()) {
+            // A contact that was lost, or effort that was spent, says so itself.
+            if unproven.reason.contains("differ by") || unproven.reason.contains("touches") {
+                return Err(format!("{method:?}: {unproven:?}"));
+            }
+        }
+    }
+    Ok(())
+}
+
 fn assembly(study: &Study) -> GearPair {
     let (_, wheel, pinion) = &study.materials[0];
     let distance = study.center_distances[0];
@@ -219,6 +278,12 @@ fuzz_target!(|random: Random| -> Corpus {
     let Some(study) = Folder::new(&text, &[]).read() else {
         return Corpus::Reject;
     };
+    if random.helix_deg() != 0.0 {
+        if let Err(what) = over_the_face(&study) {
+            panic!("{what}\n\n{text}");
+        }
+        return Corpus::Keep;
+    }
     let assembly = assembly(&study);
     let plan = study.sweep.as_ref().expect("[sweep] is stated");
     for mating in plan.matings(&assembly) {

@@ -2,7 +2,9 @@
 //!
 //! Tooth numbers of 17 and 100 meet in 1700 pairs, of which one wheel revolution brings 17. Whether the pair assembles, all of them have
 //! to say, and every rotation between two poses: [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes) proves what bounds them. What it found is simulated as every
-//! other pose is, certificate and formulas beside it.
+//! other pose is, certificate and formulas beside it. Which cycles there are, and both ends of the bearing clearance, is `cycles`; what follows
+//! is [`super::verdict`]. The checks that it names come from what poses have shown (`diagnosis::Seen`), so that they need not be kept;
+//! `failed_checks` makes those that cannot be known to be kept, `diagnose` all.
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};

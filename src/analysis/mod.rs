@@ -31,7 +31,7 @@ use self::measured::{MeasuredMating, measured_matings};
 use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
-use crate::contact::Method;
+use crate::contact::{Method, MethodAgreement};
 use crate::error::Error;
 use std::ops::ControlFlow;
 
@@ -270,13 +270,12 @@ impl<'a> Analysis<'a> {
         Verdict::of_study(self.study, &self.extremes.each, self.failed_checks.clone())
     }
 
-    /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.
-    pub fn polygon_difference(&self) -> Option<f64> {
+    /// How far both methods agree, where both were asked for.
+    pub fn agreement(&self) -> MethodAgreement {
         let poses = self.all().flat_map(|run| &run.poses);
-        let of_poses = poses.filter_map(|pose| pose.swept.polygon_difference);
+        let of_poses = MethodAgreement::of(poses.map(|pose| &pose.swept));
         let curves = self.over_distance.iter();
-        let of_curves = curves.filter_map(|curve| curve.polygon_difference);
-        of_poses.chain(of_curves).map(f64::abs).reduce(f64::max)
+        curves.fold(of_poses, |all, curve| all.and(curve.agreement))
     }
 
     /// How many poses are not proven, or not at an end of the bearing clearance.

@@ -9,7 +9,7 @@ use crate::analysis::compare::{
 use crate::analysis::diagnosis::Seen;
 use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Study};
-use crate::contact::{BLOCK, FirstLeast, Method, Status};
+use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
 use crate::error::Error;
 use crate::pair::GearPair;
 use crate::parallel;
@@ -49,8 +49,8 @@ pub struct RunTally {
     pub first_unproven: Vec<ComparedPose>,
     /// All poses, where the study has up to [`MOST_LISTED`].
     pub listed: Vec<ComparedPose>,
-    /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.
-    pub polygon_difference: Option<f64>,
+    /// How far both methods agree, where both were asked for.
+    pub agreement: MethodAgreement,
     /// What touched, where, and what it cost.
     pub seen: Seen,
     verdicts: [usize; Verdict::ALL.len()],
@@ -78,7 +78,7 @@ impl RunTally {
             unproven: 0,
             first_unproven: Vec::new(),
             listed: Vec::new(),
-            polygon_difference: None,
+            agreement: MethodAgreement::default(),
             verdicts: [0; Verdict::ALL.len()],
             valued: 0,
             summary: SummaryTally::default(),
@@ -111,10 +111,7 @@ impl RunTally {
         if keep.listed {
             self.listed.push(pose.clone());
         }
-        if let Some(difference) = swept.polygon_difference.map(f64::abs) {
-            let largest = self.polygon_difference;
-            self.polygon_difference = Some(largest.map_or(difference, |l| l.max(difference)));
-        }
+        self.agreement.add(swept);
         self.seen.add(pose);
         self.summary.add(pose);
         if let (Some(backlash), Some(bound)) = (swept.backlash, swept.error_bound) {

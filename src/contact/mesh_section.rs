@@ -1,4 +1,6 @@
-//! One transverse section of helical gears, as they stand in contact over their common face.
+//! One transverse section of helical gears, as they stand in contact over their common face: what pictures of helical pairs draw.
+//!
+//! Where over the face teeth touch is [`Field`](crate::analysis::curves::Field), what the width costs [`crate::analysis::face_width`].
 
 use super::lost_motion::LostMotion;
 use super::swept::PoseResult;

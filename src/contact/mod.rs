@@ -1,5 +1,6 @@
 //! What two gears do: contact of their outlines, lost motion, sweeps of poses.
 
+mod agreement;
 mod body;
 mod by_sections;
 mod class;
@@ -24,6 +25,7 @@ mod swept;
 pub(crate) use effort::Effort;
 pub(crate) use parry::PolylineShape;
 
+pub use agreement::MethodAgreement;
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
@@ -40,5 +42,5 @@ pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{FreePlacement, LineOfAction, Scene};
-pub use sweep::{BLOCK, CutPair, Method, sweep, sweep_blocks};
-pub use swept::{FirstLeast, PoseResult, Unproven, first_least, worst_pose};
+pub use sweep::{BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks};
+pub use swept::{FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose};

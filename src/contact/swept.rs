@@ -20,9 +20,18 @@ pub struct PoseResult {
     /// `j_wt`, mm, at `a − c` and at `a + c`, `c` the sum of both bearing clearances, or why it is not proven there;
     /// `None` without clearance.
     pub with_clearance: Option<[Result<Option<f64>, Unproven>; 2]>,
-    /// With [`super::Method::Both`]: `j_wt` on polygons minus the exact one, mm; infinite when only one method has a
-    /// value, or they end differently; `None` where one of them lost its contact.
-    pub polygon_difference: Option<f64>,
+    /// With [`super::Method::Both`]: how the polygon method lies off the exact one; `None` where neither found contacts.
+    pub polygon_difference: Option<PolygonDifference>,
+}
+
+/// How the polygon method lies off the exact one at a pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum PolygonDifference {
+    /// `j_wt` on polygons minus the exact one, mm; 0 where both are jammed, or both out of mesh.
+    Value(f64),
+    /// Only one of them has contacts, or they end differently.
+    OneAlone,
 }
 
 /// Why a pose is not proven, and the values that nothing vouches for. They are never more than something to look into.

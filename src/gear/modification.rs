@@ -2,6 +2,10 @@
 //!
 //! Deviations are mm along the involute's normal, plus = more material. Slope and crowning are a straight line and a parabola of the roll
 //! over the evaluation range, and go on beyond it; a trace is held constant beyond its ends.
+//!
+//! The deviation is a curve of the roll (`roll_curve`) on a flank of its own (`part::modified`); [`AsBuilt::profile`](super::AsBuilt::profile) is
+//! the half tooth of one tooth. The exact method has a quick path for such flanks (`contact::exact::modified`; flanks as measured by bounds of
+//! their heights, `modified::heights`) beside its search, and bounds their extremes by gears that enclose them (`contact::exact::extremes::enclosed`).
 
 use super::{Gear, RollCurve, involute};
 use crate::error::GearError;

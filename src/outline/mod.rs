@@ -4,6 +4,10 @@
 //! finding: [`OutlineGear::fitted_involute`]). What is left is what turning one gear
 //! against the other needs: half teeth, their numbers and an axis ([`crate::contact::OutlineKernel`]).
 //!
+//! A gear by its data becomes an outline by `OutlineGear::from`, so that either may stand in a pair; how far two outlines of one gear lie apart
+//! is `difference`, spans and pins on one are [`crate::gauge`]'s. Files become [`OutlineGear`]s in `gearlash-files` (`drawing`, `outlines`),
+//! studies of them are [`crate::analysis::outlines`].
+//!
 //! ```
 //! use gearlash::contact::OutlineKernel;
 //! use gearlash::gear::Face;

@@ -26,6 +26,16 @@ impl Mating {
         fraction: 0.0,
     };
 
+    /// These teeth with their `flank` at the operating pitch point.
+    pub fn at(wheel_tooth: u32, pinion_tooth: u32, flank: Side) -> Mating {
+        Mating {
+            wheel_tooth,
+            pinion_tooth,
+            flank,
+            fraction: 0.0,
+        }
+    }
+
     /// The mating's tooth on one gear.
     pub fn tooth(&self, member: Member) -> u32 {
         match member {

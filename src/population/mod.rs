@@ -5,6 +5,10 @@
 //! numbers of the assemblies are cut and put together again, the sums are the same. [`Statistics`] are read off it. Beside it stand
 //! the worst case and the root sum of squares ([`limit_cases`]), and what each scatter contributes ([`contribution_sums`]).
 //!
+//! An assembly is a function of seed and number alone (`stream`). Its extremes are compared with what is required ([`Requirement`], by the
+//! quantities of [`crate::analysis::requirement`]). `gearlash-files` (`tolerance`) reads a population, does a part block by block, keeps parts,
+//! checks and merges them, and writes the result of the whole.
+//!
 //! Nothing here knows a file: a measured gear is an [`AsBuilt`](crate::gear::AsBuilt) as any other.
 //!
 //! ```

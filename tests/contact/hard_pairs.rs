@@ -2,7 +2,7 @@
 //! others: each test names who (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
 
 use gearlash::analysis::simulate::simulate;
-use gearlash::contact::{Certifier, CutPair, Method, PoseResult, Status};
+use gearlash::contact::{Certifier, CutPair, Method, MethodAgreement, PoseResult, Status};
 use gearlash::pair::{Member, Pose};
 use gearlash_files as input;
 use std::ops::ControlFlow;
@@ -40,6 +40,9 @@ fn is(name: &str, want: &[(usize, f64, f64)]) {
             assert!((one - other).abs() <= bounds, "{name}, pose {place}");
         }
     }
+    // One rule: what is within both bounds is no disagreement, however large.
+    let agreement = MethodAgreement::of(&both);
+    assert!(agreement.agrees() && agreement.compared == both.len());
     for &(place, want_um, within_um) in want {
         for found in [&exact, &polygon, &both] {
             let j_wt_um = found[place].backlash.unwrap() * 1e3;
@@ -239,6 +242,9 @@ fn tips_that_just_meet_5_18() {
     assert!((runs[0].assembly.center_distance() - wheel - pinion).abs() < 2e-13);
     let right = &runs[0].poses[0];
     assert!(right.is_unproven(), "{right:?}");
+    let agreement = MethodAgreement::of(&runs[0].poses);
+    assert_eq!((agreement.one_alone, agreement.compared), (1, 1));
+    assert!(!agreement.agrees() && agreement.largest == 0.0);
     let left = &runs[0].poses[1];
     assert_eq!(left.status(), Status::NoContact, "{left:?}");
 }

@@ -4,6 +4,7 @@ mod analytic;
 #[path = "../common/mod.rs"]
 mod common;
 mod deviating;
+mod examples;
 mod helical;
 #[path = "../common/helical_dimensions.rs"]
 mod helical_dimensions;

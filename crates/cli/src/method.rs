@@ -4,10 +4,7 @@ use super::console::tell;
 use clap::ValueEnum;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::tally::RunTally;
-use gearlash::contact::Method;
-
-/// Largest difference between the two methods that passes, mm: 1e-6 µm, a picometre.
-const AGREEMENT: f64 = 1e-9;
+use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
 
 #[derive(clap::Args, Default)]
 pub(super) struct MethodArgs {
@@ -25,7 +22,7 @@ enum Name {
     Exact,
     /// On polygons refined around each contact: an independent method, slower
     Polygon,
-    /// Both: prints the largest difference, exit 1 above 1e-6 µm
+    /// Both: prints the largest difference; exit 1 where a pose has one above 1e-6 µm and both error bounds
     Both,
 }
 
@@ -60,14 +57,14 @@ impl MethodArgs {
 /// Says on standard error how far both methods lie apart, where both were asked for, and how many poses are not proven;
 /// whether both pass.
 pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a RunTally> + Clone) -> bool {
-    let differences = runs.clone().into_iter().map(|run| run.polygon_difference);
-    let agree = agreement_within(differences.flatten().reduce(f64::max));
+    let each = runs.clone().into_iter().map(|run| run.agreement);
+    let agree = agreement_of(each.fold(MethodAgreement::default(), MethodAgreement::and));
     agree & all_proven(runs.into_iter().map(|run| run.unproven).sum())
 }
 
 /// The same of all that was analysed.
 pub(super) fn agreed(analysis: &Analysis) -> bool {
-    agreement_within(analysis.polygon_difference()) & all_proven(analysis.unproven())
+    agreement_of(analysis.agreement()) & all_proven(analysis.unproven())
 }
 
 /// Says on standard error how many poses are not proven, if any; whether all are.
@@ -82,18 +79,41 @@ pub(super) fn all_proven(unproven: usize) -> bool {
     false
 }
 
-/// Says on standard error how far both methods lie apart, `largest` mm; whether that passes. `None` where one method alone was asked for.
-pub(super) fn agreement_within(largest: Option<f64>) -> bool {
-    let Some(largest) = largest else {
-        return true;
+/// Says on standard error how far both methods lie apart; whether that passes. Nothing where one method alone was asked for.
+pub(super) fn agreement_of(found: MethodAgreement) -> bool {
+    if !found.is_empty() {
+        tell(&in_words(found));
+    }
+    found.agrees()
+}
+
+fn in_words(found: MethodAgreement) -> String {
+    let verdict = if found.agrees() { "agree" } else { "DISAGREE" };
+    let poses = |count: usize| match count {
+        1 => "1 pose".to_owned(),
+        _ => format!("{count} poses"),
     };
-    let passes = largest <= AGREEMENT;
-    let verdict = if passes { "agree" } else { "DISAGREE" };
-    tell(&format!(
-        "exact and polygon method {verdict}: largest difference {:.2e} µm of j_wt (allowed 1e-6)",
-        largest * 1e3
-    ));
-    passes
+    let mut parts = Vec::new();
+    if found.one_alone > 0 {
+        parts.push(format!(
+            "at {} only one method has a contact",
+            poses(found.one_alone)
+        ));
+    }
+    if found.beyond > 0 {
+        parts.push(format!(
+            "at {} they differ by more than is allowed",
+            poses(found.beyond)
+        ));
+    }
+    if found.compared > 0 {
+        parts.push(format!(
+            "largest difference {:.2e} µm of j_wt (allowed at a pose: {:.0e} or the sum of both error bounds)",
+            found.largest * 1e3,
+            METHODS_AGREE_WITHIN * 1e3
+        ));
+    }
+    format!("exact and polygon method {verdict}: {}", parts.join("; "))
 }
 
 #[cfg(test)]

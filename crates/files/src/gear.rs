@@ -209,6 +209,7 @@ impl GearPart {
             helix_angle_deg: None,
             hand: None,
             face_mm: None,
+            face_width_mm: None,
             profile_shift: design.profile_shift,
             grade: grade?,
             reference_face: face.into(),

@@ -73,6 +73,7 @@ pub mod spec;
 mod stated;
 mod statements;
 mod sweep;
+mod synonyms;
 mod table;
 mod temperature;
 mod thickness;

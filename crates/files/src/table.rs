@@ -9,6 +9,7 @@ use super::nearest::{is_slip, nearest};
 use super::node::Node;
 use super::place::Place;
 use super::problems::Problems;
+use super::synonyms::synonym;
 use super::unmodelled;
 use crate::error::Problem;
 use std::ops::RangeInclusive;
@@ -55,8 +56,13 @@ impl<'a> Table<'a> {
                     table.mistyped.push(nearest);
                     format!("did you mean `{nearest}`? If not, remove it")
                 }
-                Some((nearest, _)) => format!("remove it (the nearest known is `{nearest}`)"),
-                None => "remove it".to_owned(),
+                _ => match synonym(name, known) {
+                    Some(key) => {
+                        table.mistyped.push(key);
+                        format!("did you mean `{key}`? If not, remove it")
+                    }
+                    None => "remove it".to_owned(),
+                },
             };
             unknown.add(Problem {
                 key: table.path_of(&printable(name)),

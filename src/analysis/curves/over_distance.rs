@@ -5,7 +5,7 @@ use crate::analysis::compare::compare;
 use crate::analysis::measured::{Bands, bands};
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{MeasuredRow, RunPlan, Study};
-use crate::contact::{Method, Status};
+use crate::contact::{Method, MethodAgreement, Status};
 use crate::error::{Error, GearError};
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
@@ -35,8 +35,8 @@ pub struct OverDistance {
     pub points: Vec<DistancePoint>,
     /// The measured rows of the teeth, in the order of their file.
     pub measured: Vec<MeasuredRow>,
-    /// With [`Method::Both`]: the largest difference between the two methods, mm.
-    pub polygon_difference: Option<f64>,
+    /// With [`Method::Both`]: how far the two methods agree.
+    pub agreement: MethodAgreement,
     /// How many of its poses are not proven, or not at an end of the bearing clearance: the bands have gaps there.
     pub unproven: usize,
 }
@@ -106,12 +106,12 @@ pub fn over_distance(
         gap: gap(a),
     };
     let found = runs.iter().flat_map(|run| &run.poses);
-    let differences = found.filter_map(|pose| pose.swept.polygon_difference);
+    let agreement = MethodAgreement::of(found.map(|pose| &pose.swept));
     Ok(OverDistance {
         followed,
         matings,
         clearance: study.bearing_clearance,
-        polygon_difference: differences.map(f64::abs).reduce(f64::max),
+        agreement,
         unproven: runs.iter().map(|run| run.unproven().count()).sum(),
         two_materials: study.materials.len() > 1,
         points: distances.iter().map(point).collect(),

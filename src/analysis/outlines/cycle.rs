@@ -64,7 +64,7 @@ impl OutlinePose {
         OutlinePose::new(&OutlineKernel::new(pair), pair, mating, 0.0)
     }
 
-    /// The same, borne out by polygons where `certifier` is given: what they do not bear out is not proven.
+    /// The same, checked by polygons where `certifier` is given: a pose they refuse is not proven.
     #[must_use]
     pub(super) fn certified(self, certifier: Option<&OutlineCertifier>) -> OutlinePose {
         let seen = certifier.zip(self.found.as_ref().ok());

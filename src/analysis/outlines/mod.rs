@@ -1,7 +1,7 @@
 //! Pairs of which one gear at least is an outline: lost motion through the whole mesh cycle, where it binds, where it turns freely.
 //!
 //! Nothing bounds the lost motion of any curves between two poses, so extremes are those of sampled poses and of more round the best, and
-//! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]), and borne out by polygons ([`crate::contact::OutlineCertifier`]).
+//! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]), and checked by polygons ([`crate::contact::OutlineCertifier`]).
 
 mod cycle;
 mod map;

@@ -15,6 +15,9 @@
 //! so away from it the gap has a slope of one sign, down to the face's end. Therefore sections no farther apart than the shortest such
 //! stretch, both ends of the face among them, hold the tightest of all pairs of involutes exactly, however many or few they are.
 //!
+//! A section alone is [`GearPair::section`](crate::pair::GearPair::section) and [`Pose::in_section`](crate::pair::Pose::in_section); `over_face` takes
+//! the tightest of those that nothing can slip between. Polygons and certificate see one section at a time (`by_sections`).
+//!
 //! Where an edge comes to a fillet, or paths of contact are next to none, more is to be seen between ([`edges`]).
 
 mod edges;

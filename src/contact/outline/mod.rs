@@ -2,6 +2,9 @@
 //!
 //! The frame is that of the exact method ([`super::ExactKernel`]): the free gear's axis at the origin, the locked one's at `(a, 0)`, the left
 //! side mirrored; of a side the contact is the greatest gap of its facing half teeth. A half tooth's whole tip counts on both sides.
+//! Both methods search pairs of curves in `gap`, where rectangles round runs of pieces rule out most; polygons of their own check each pose
+//! (`certificate`).
+//!
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
 mod certificate;

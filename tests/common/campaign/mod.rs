@@ -1,6 +1,6 @@
 //! Random poses for both methods, from a seed: the campaign of exact against polygon, each exact result certified.
 //!
-//! Used by `examples/campaign.rs` and tests. A pair is drawn as numbers of a pair file (`gear`, `draw`), so
+//! Used by `tests/tools/campaign.rs` and tests. A pair is drawn as numbers of a pair file (`gear`, `draw`), so
 //! that any pose can be printed and run again (`pair_file`). What is drawn goes far beyond what a shop makes, and leans
 //! towards the awkward: undercut teeth, tips turned down or raised, hand-over on tip corners, eccentric axes, tips deep in
 //! roots, tips that hardly reach.

@@ -4,7 +4,7 @@ use super::super::console::tell;
 use super::super::distances::Distances;
 use super::super::drawing::{End, Gear, material};
 use super::super::maps::{self, DrawnMap};
-use super::super::method::{agreed, agreement_within, all_proven};
+use super::super::method::{agreed, agreement_of, all_proven};
 use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
 use super::{Args, Kind};
@@ -130,7 +130,7 @@ impl DrawnChart {
             )?
             .svg,
             file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
-            agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
+            agrees: agreement_of(curve.agreement) & all_proven(unproven),
         })
     }
 

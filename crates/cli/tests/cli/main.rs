@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod difference;
 mod docs;
+mod hard;
 mod helical;
 mod hostile;
 mod large;

@@ -167,7 +167,7 @@ fn polygons_bear_out_every_pose() {
     assert_eq!(plain["verdict"]["certified"], false);
     let borne_out = |result: &Value| {
         let sentence = result["verdict"]["sentence"].as_str().unwrap();
-        sentence.contains("proven and borne out by polygons")
+        sentence.contains("proven and checked by polygons")
     };
     assert!(borne_out(&certified) && !borne_out(&plain));
     assert_eq!(certified["runs"], plain["runs"]);

@@ -86,7 +86,10 @@ fn both_methods_agree_to_a_picometre() {
             .args(["--method", "both"])
             .assert()
             .code(0)
-            .stderr(predicate::str::contains("exact and polygon method agree"));
+            .stderr(predicate::str::contains("exact and polygon method agree"))
+            .stderr(predicate::str::contains(
+                "(allowed at a pose: 1e-6 or the sum of both error bounds)",
+            ));
     }
 }
 

@@ -341,11 +341,11 @@ fn a_cross_check_of_the_same_kind() {
 /// No fixture, no example and no file of `init` is suspected of anything new.
 #[test]
 fn good_pairs_are_not_suspected() {
-    let readme = fs::read_to_string(
-        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("README.md"),
+    let page = fs::read_to_string(
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs/pair-file.md"),
     )
     .unwrap();
-    let example = readme
+    let example = page
         .split("```toml\n")
         .skip(1)
         .find(|block| block.contains("[assembly]"))

@@ -57,7 +57,7 @@ fn scope(runs: &[OutlineRun]) -> String {
     let poses = runs.iter().map(|run| run.poses.len()).sum::<usize>();
     let proven = match unproven(runs) {
         0 if run.certified => {
-            "each pose is proven and borne out by polygons, and nothing between poses".to_owned()
+            "each pose is proven and checked by polygons, and nothing between poses".to_owned()
         }
         0 => "each pose is proven, and nothing between poses".to_owned(),
         open => {

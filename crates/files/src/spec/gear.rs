@@ -9,9 +9,8 @@ use crate::limits::{
     ROOT_RADIUS, TEETH, TIP_DIAMETER,
 };
 use gearlash::gear::{BasicRack, Face, GRADES, Hand};
-use schemars::{JsonSchema, Schema, json_schema};
+use schemars::{JsonSchema, Schema};
 use serde::Serialize;
-use serde_json::Value;
 
 /// A gear: its drawing, and what was measured on it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -36,6 +35,11 @@ pub struct GearSpec {
     /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub face_mm: Option<[f64; 2]>,
+    /// Face width, mm, centred on the measuring plane: in place of face_mm.
+    // What is read is echoed as face_mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&FACE_WIDTH))]
+    pub face_width_mm: Option<f64>,
     /// Profile shift coefficient x.
     #[schemars(default, transform = within(&PROFILE_SHIFT))]
     pub profile_shift: f64,
@@ -92,13 +96,8 @@ impl GearSpec {
     }
 }
 
-/// `face_width_mm` is `face_mm` centred on the measuring plane.
+/// The width in one of both ways.
 fn face_width(schema: &mut Schema) {
-    if let Some(Value::Object(properties)) = schema.get_mut("properties") {
-        let mut width = json_schema!({ "type": "number", "description": "Face width, mm, centred on the measuring plane: in place of face_mm." });
-        within(&FACE_WIDTH)(&mut width);
-        properties.insert("face_width_mm".to_owned(), width.into());
-    }
     at_most_one(schema, &[&["face_mm"], &["face_width_mm"]]);
 }
 

@@ -1,6 +1,6 @@
 //! What the play of the bearings does to a verdict: the axes pressed together by it, and pulled apart.
 
-use super::coverage::proof;
+use super::coverage::{End, proof};
 use super::{amount, each};
 use crate::numbers::stated_distance;
 use gearlash::analysis::extremes::{BearingEnd, BearingPlay, RunExtreme, RunExtremes, WIDTH};
@@ -30,11 +30,18 @@ pub(super) fn bearings(verdict: &Verdict) -> Option<String> {
         let value = value(verdict, run, extreme, |play| &play.apart);
         parts.push(format!("greatest {value} with them apart"));
     }
-    let ends = played().flat_map(|play| [&play.pressed, &play.apart]);
-    let extremes: Vec<&RunExtreme> = ends.filter_map(|end| end.extreme.as_ref()).collect();
-    let proof = match extremes.is_empty() {
+    let pressed: Vec<&RunExtreme> = played()
+        .filter_map(|play| play.pressed.extreme.as_ref())
+        .collect();
+    let apart: Vec<&RunExtreme> = played()
+        .filter_map(|play| play.apart.extreme.as_ref())
+        .collect();
+    let proof = match pressed.is_empty() && apart.is_empty() {
         true => String::new(),
-        false => format!(", {}", proof(&extremes)),
+        false => format!(
+            ", {}",
+            proof(&[End::of(true, pressed), End::of(false, apart)])
+        ),
     };
     Some(format!(
         "With the bearing clearance (a ± {clearance} mm): {}{proof}.",

@@ -2,7 +2,7 @@
 
 use super::{DECIMALS, each};
 use crate::numbers::um;
-use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
+use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Doubt;
 
@@ -14,45 +14,74 @@ pub(super) fn coverage(verdict: &Verdict) -> String {
         0 => format!("all {matings} matings"),
         phases => format!("all {matings} matings of each of {phases} assembly phases"),
     };
-    let runs = verdict.runs.iter();
-    let extremes = runs.flat_map(|run| run.least.iter().chain(&run.greatest));
-    let extremes: Vec<&RunExtreme> = extremes.collect();
+    let runs = || verdict.runs.iter();
+    let least = runs().filter_map(|run| run.least.as_ref()).collect();
+    let greatest = runs().filter_map(|run| run.greatest.as_ref()).collect();
+    let ends = [End::of(true, least), End::of(false, greatest)];
     let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
         true => "every rotation and every direction of the runout",
         false => "every rotation",
     };
     // What is sampled is not over every rotation.
-    let doubts = doubts(&extremes);
-    let over = match doubts.is_empty() || widest(&extremes, &doubts).is_some() {
+    let over = match ends.iter().all(End::holds) {
         true => format!("{of} and {rotation}"),
         false => of,
     };
-    format!("Over {over}, {}.", proof(&extremes))
+    format!("Over {over}, {}.", proof(&ends))
 }
 
-/// That `extremes` are proven, or how far, or why not.
-pub(super) fn proof(extremes: &[&RunExtreme]) -> String {
-    let doubts = doubts(extremes);
-    match (&doubts[..], widest(extremes, &doubts)) {
-        ([], _) => "proven".to_owned(),
-        ([only], Some(width)) => format!("proven to {} µm: {only}", um(width, DECIMALS)),
-        (doubts, _) => format!("not proven: {}", doubts.join("; ")),
+/// The least of some runs, or the greatest.
+pub(super) struct End<'a> {
+    is_least: bool,
+    extremes: Vec<&'a RunExtreme>,
+}
+
+impl<'a> End<'a> {
+    pub fn of(is_least: bool, extremes: Vec<&'a RunExtreme>) -> End<'a> {
+        End { is_least, extremes }
+    }
+
+    fn name(&self) -> &'static str {
+        match self.is_least {
+            true => "the least",
+            false => "the greatest",
+        }
+    }
+
+    fn doubts(&self) -> Vec<String> {
+        each(self.extremes.iter().filter_map(|extreme| doubt(extreme)))
+    }
+
+    /// Whether no pose lies beyond what is said of it, proven to a narrow bracket or not.
+    fn holds(&self) -> bool {
+        self.extremes.iter().all(|extreme| extreme.holds())
+    }
+
+    /// Between which it lies, mm, where that is known and says something.
+    fn bracket(&self) -> Option<[f64; 2]> {
+        let of_all = |end: fn(&RunExtreme) -> f64| {
+            let ends = self.extremes.iter().map(|extreme| end(extreme));
+            ends.reduce(if self.is_least { f64::min } else { f64::max })
+        };
+        let [low, high] = [of_all(|of| of.low)?, of_all(|of| of.high)?];
+        (self.holds() && high - low > WIDTH).then_some([low, high])
     }
 }
 
-fn doubts(extremes: &[&RunExtreme]) -> Vec<String> {
-    each(extremes.iter().filter_map(|extreme| doubt(extreme)))
-}
-
-/// The width of the widest bracket, where all hold and only one doubt is left.
-fn widest(extremes: &[&RunExtreme], doubts: &[String]) -> Option<f64> {
-    let wide = extremes
-        .iter()
-        .filter(|extreme| extreme.doubt.is_some() && extreme.holds());
-    let widest = wide
-        .map(|extreme| extreme.high - extreme.low)
-        .reduce(f64::max);
-    widest.filter(|_| doubts.len() == 1)
+/// That both `ends` are proven, or which is not, why, and between what it lies.
+pub(super) fn proof(ends: &[End; 2]) -> String {
+    let open: Vec<&End> = ends.iter().filter(|end| !end.doubts().is_empty()).collect();
+    let which = match open[..] {
+        [] => return "proven".to_owned(),
+        [only] => format!("{} is not proven", only.name()),
+        _ => "least and greatest are not proven".to_owned(),
+    };
+    let mut parts = each(open.iter().flat_map(|end| end.doubts()));
+    parts.extend(open.iter().filter_map(|end| {
+        let [low, high] = end.bracket()?.map(|end| um(end, DECIMALS));
+        Some(format!("{} lies between {low} and {high} µm", end.name()))
+    }));
+    format!("{which}: {}", parts.join("; "))
 }
 
 /// Why an extreme is only the one found; `None` where it is proven.
@@ -69,11 +98,9 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::OffInvolute => {
             "fillets or roots may be touched, so only sampled poses were looked at"
         }
-        Doubt::Effort => "too many stretches of the cycle come too near to each other",
-        Doubt::Unbounded => "too many stretches of the cycle have no bound",
-        Doubt::SecondOrder => {
-            "what a runout of any direction does is bounded to the second order of the lost motion"
-        }
+        Doubt::Effort => "the search stopped, as too many stretches of the cycle come near to it",
+        Doubt::Unbounded => "the search stopped, as too many stretches of the cycle have no bound",
+        Doubt::SecondOrder => "a runout of any direction is bounded to the second order alone",
         Doubt::Profile => {
             "profile deviations are bounded by the greatest and the least of each flank alone"
         }

@@ -32,6 +32,25 @@ fn unknown_with_the_nearest_known_one() {
     );
 }
 
+/// `foo` is near nothing: it got "the nearest known is `hand`". What a formula calls a key is that key.
+#[test]
+fn a_key_that_is_near_none_gets_no_suggestion_and_a_symbol_gets_its_key() {
+    let unknown = |key, help| problem(key, "", &["unknown key"], help);
+    expect(
+        &put(
+            &wheel("foo = 1\nx = 0.2\nalpha = 20"),
+            "teeth = 20",
+            "z = 20",
+        ),
+        &[
+            unknown("wheel.alpha", "mean `pressure_angle_deg`"),
+            unknown("wheel.foo", "remove it"),
+            unknown("wheel.x", "mean `profile_shift`"),
+            unknown("wheel.z", "mean `teeth`"),
+        ],
+    );
+}
+
 #[test]
 fn a_mistyped_key_is_not_missing_too() {
     expect(

@@ -6,6 +6,7 @@ mod mutations;
 mod poses;
 mod published;
 mod thickness;
+mod verdict;
 
 use gearlash::analysis::study::Material;
 use gearlash::pair::Member;
@@ -204,11 +205,11 @@ fn every_other_key_is_taken_over() {
     assert!(study.study.allow_off_line_contact);
 }
 
-/// The pair file that README shows, and with every key that it shows commented out but the contradicting ones.
+/// The pair file that docs/pair-file.md shows, and with every key that it shows commented out but the contradicting ones.
 #[test]
-fn the_pair_file_of_the_readme_is_one() {
-    let readme = fs::read_to_string("../../README.md").unwrap();
-    let text = readme
+fn the_pair_file_of_the_docs_is_one() {
+    let page = fs::read_to_string("../../docs/pair-file.md").unwrap();
+    let text = page
         .split("```toml")
         .skip(1)
         .find(|block| block.contains("[assembly]"))

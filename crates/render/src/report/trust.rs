@@ -6,7 +6,7 @@ use super::phrases::j_wt;
 use super::unproven;
 use gearlash::analysis::extremes::WIDTH;
 use gearlash::analysis::outcome::{MODELS, deviation};
-use gearlash::contact::Method;
+use gearlash::contact::{Method, MethodAgreement};
 use gearlash_files::numbers::{bound_um, difference_um, shortest};
 use maud::{Markup, html};
 
@@ -76,17 +76,17 @@ fn certificate(page: &Page) -> Markup {
             "Each rotation was found twice, on the exact tooth curves and on polygons. "
         }
     };
-    let largest = page
+    let proven = page
         .all
         .iter()
         .flat_map(|run| &run.poses)
-        .filter_map(|pose| pose.swept.proven().and(pose.swept.polygon_difference))
-        .map(f64::abs)
-        .reduce(f64::max);
+        .map(|pose| &pose.swept)
+        .filter(|swept| swept.proven().is_some());
+    let agreement = MethodAgreement::of(proven);
     html! {
         (how)
         @if page.whole.unproven > 0 { "What follows is of the proven poses alone. " }
-        @if let Some(largest) = largest { "Both lie within " (bound_um(largest)) " µm. " }
+        @if agreement.compared > 0 { "Both lie within " (bound_um(agreement.largest)) " µm. " }
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound_um(error)) " µm."
         }

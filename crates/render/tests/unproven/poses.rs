@@ -1,7 +1,9 @@
 //! Which poses are not proven, why, and what is kept of them.
 
 use super::{CERTIFIED, Case, REVOLUTION, unproven};
-use gearlash::contact::{Method, PoseResult, Status, sweep, worst_pose};
+use gearlash::contact::{
+    Method, MethodAgreement, PolygonDifference, PoseResult, Status, sweep, worst_pose,
+};
 use gearlash::error::Error;
 use std::ops::ControlFlow;
 
@@ -46,7 +48,9 @@ fn two_methods_that_differ_beyond_both_bounds_leave_both_values_in_doubt() {
     let [own, other] = case.exact();
     for ((pose, own), other) in case.swept(Method::Both).iter().zip(&own).zip(&other) {
         let [exact, polygon] = [own, other].map(|pose| pose.backlash.unwrap());
-        let difference = pose.polygon_difference.unwrap();
+        let Some(PolygonDifference::Value(difference)) = pose.polygon_difference else {
+            panic!("{pose:?}");
+        };
         assert!((difference - (polygon - exact)).abs() < 1e-9);
         match differ(own, other) {
             true => {
@@ -62,6 +66,13 @@ fn two_methods_that_differ_beyond_both_bounds_leave_both_values_in_doubt() {
             false => assert_eq!((pose.proven(), pose.backlash), (own.proven(), own.backlash)),
         }
     }
+    // The sum of what each pose is judged by: those beyond are the unproven ones.
+    let poses = case.swept(Method::Both);
+    let agreement = MethodAgreement::of(&poses);
+    let doubtful = poses.iter().filter(|pose| pose.found.is_err()).count();
+    assert_eq!((agreement.beyond, agreement.one_alone), (doubtful, 0));
+    assert_eq!(agreement.compared, poses.len());
+    assert!(agreement.largest.is_finite() && !agreement.agrees());
 }
 
 /// Teeth that hardly reach each other: 43.5 mm of 44 mm at which the tips pass. With tips of 0.5 mm less on both polygons
@@ -88,7 +99,7 @@ fn a_value_of_one_method_alone_is_in_doubt() {
             doubt.reason,
             "the exact method finds clear, the polygon method no contact"
         );
-        assert_eq!(pose.polygon_difference, Some(f64::INFINITY));
+        assert_eq!(pose.polygon_difference, Some(PolygonDifference::OneAlone));
     }
 }
 

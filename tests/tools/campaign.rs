@@ -7,9 +7,9 @@
 //! counted and named. The
 //! first such poses are printed as pair files. `--brute` asks brute force instead of the polygon method.
 
-#[path = "../tests/common/campaign/mod.rs"]
+#[path = "../common/campaign/mod.rs"]
 mod campaign;
-#[path = "../tests/common/clearance/mod.rs"]
+#[path = "../common/clearance/mod.rs"]
 mod clearance;
 
 use campaign::{Depth, Drawn, LONGEST, Tally, run};

@@ -1,0 +1,77 @@
+//! Names that formulas, drawings and other programs have for keys.
+
+/// A key, and what it is also called, in small letters and without underscores.
+const CALLED: [(&str, &[&str]); 14] = [
+    (
+        "teeth",
+        &[
+            "z",
+            "z1",
+            "z2",
+            "n",
+            "numberofteeth",
+            "numteeth",
+            "zaehnezahl",
+        ],
+    ),
+    ("module_mm", &["m", "mn", "module", "modul", "normalmodule"]),
+    (
+        "pressure_angle_deg",
+        &["alpha", "alphan", "alphadeg", "pressureangle", "angle"],
+    ),
+    (
+        "profile_shift",
+        &[
+            "x",
+            "x1",
+            "x2",
+            "shift",
+            "addendummodification",
+            "profileshiftcoefficient",
+        ],
+    ),
+    (
+        "helix_angle_deg",
+        &["beta", "betadeg", "helixangle", "helix"],
+    ),
+    ("face_width_mm", &["b", "width", "widthmm", "facewidth"]),
+    ("tip_diameter_mm", &["da", "tipdiameter", "outsidediameter"]),
+    (
+        "center_distance_mm",
+        &["a", "centerdistance", "centredistance", "axisdistance"],
+    ),
+    ("addendum", &["ha", "hap"]),
+    ("dedendum", &["hf", "hfp"]),
+    (
+        "root_radius",
+        &["rho", "rhof", "rhofp", "fillet", "filletradius"],
+    ),
+    ("total_um", &["fr", "um"]),
+    ("over_pins", &["overballs", "mdk", "mdr", "pins"]),
+    ("mm", &["w", "wk"]),
+];
+
+/// The key of `known` that is also called `name`.
+pub fn synonym(name: &str, known: &[&'static str]) -> Option<&'static str> {
+    const LONGEST: usize = 64;
+    let name = (name.len() <= LONGEST).then(|| name.to_lowercase().replace(['_', '-', '*'], ""))?;
+    let (key, _) = CALLED
+        .iter()
+        .find(|(key, names)| known.contains(key) && names.contains(&name.as_str()))?;
+    Some(key)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::synonym;
+
+    #[test]
+    fn a_symbol_is_a_key_only_where_that_is_one() {
+        let gear = ["hand", "teeth", "profile_shift", "pressure_angle_deg"];
+        assert_eq!(synonym("z", &gear), Some("teeth"));
+        assert_eq!(synonym("x", &gear), Some("profile_shift"));
+        assert_eq!(synonym("alpha_n", &gear), Some("pressure_angle_deg"));
+        assert_eq!(synonym("foo", &gear), None);
+        assert_eq!(synonym("z", &["locked"]), None);
+    }
+}

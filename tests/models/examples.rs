@@ -1,0 +1,103 @@
+//! What the programs in `examples/` print.
+
+// The frame of each program is not run here.
+#[allow(dead_code)]
+#[path = "../../examples/drawing_pair.rs"]
+mod drawing_pair;
+#[allow(dead_code)]
+#[path = "../../examples/gauge.rs"]
+mod gauge;
+#[allow(dead_code)]
+#[path = "../../examples/measured_pair.rs"]
+mod measured_pair;
+
+use std::f64::consts::PI;
+use std::fs;
+
+fn inv(angle: f64) -> f64 {
+    angle.tan() - angle
+}
+
+/// The numbers before `µm`, a line each.
+fn um(table: &str) -> Vec<f64> {
+    let numbers = table.lines().map(|line| {
+        let (before, _) = line.split_once(" µm").unwrap();
+        before.split_whitespace().last().unwrap().parse().unwrap()
+    });
+    numbers.collect()
+}
+
+/// ISO 21771: `j_bt = 2 a cos α_w (inv α_w − inv α) − Δs` on the base circles, `j_wt = j_bt/cos α_w`.
+#[test]
+fn a_pair_as_drawn_has_the_play_of_the_formula() {
+    let table = drawing_pair::table().unwrap();
+    let alpha = 20f64.to_radians();
+    let r_b = (51.0 + 23.0) * alpha.cos();
+    for (a, found) in [74.3, 74.35, 74.4, 74.45].into_iter().zip(um(&table)) {
+        let alpha_w = (r_b / a).acos();
+        // Thicker by the shift of the pinion, thinner by both allowances.
+        let thicker = 4.0 * 0.2 * alpha.tan() - 0.11;
+        let j_bt = 2.0 * r_b * (inv(alpha_w) - inv(alpha)) - thicker * alpha.cos();
+        let j_wt = 1e3 * j_bt / alpha_w.cos();
+        assert!((found - j_wt).abs() < 2e-3, "{a}: {j_wt}\n{table}");
+    }
+    assert_eq!(table.lines().count(), 4);
+}
+
+/// Between centred gears of the stated spans: `W = m cos α ((k − ½) π + z inv α) + Δs_b`; eccentricities move the axes by up to their sum.
+#[test]
+fn a_pair_from_spans_and_runout_has_its_play() {
+    let table = measured_pair::table().unwrap();
+    let alpha = 20f64.to_radians();
+    let nominal = 3.0 * alpha.cos() * (5.5 * PI + 44.0 * inv(alpha));
+    let thinner = 2.0 * nominal - 50.55 - 50.56;
+    let j_wt = |a: f64| {
+        let alpha_w = (132.0 * alpha.cos() / a).acos();
+        let j_bt = 2.0 * 132.0 * alpha.cos() * (inv(alpha_w) - inv(alpha)) + thinner;
+        1e3 * j_bt / alpha_w.cos()
+    };
+    let found = um(&table);
+    assert_eq!(found.len(), 4);
+    for found in &found {
+        assert!(
+            *found > j_wt(132.15 - 0.026) && *found < j_wt(132.15 + 0.026),
+            "{table}"
+        );
+    }
+    // Over half a turn each the mean is that of the centred gears, but for the second order.
+    let mean = found.iter().sum::<f64>() / 4.0;
+    assert!(
+        (mean - j_wt(132.15)).abs() < 0.5,
+        "{} {table}",
+        j_wt(132.15)
+    );
+}
+
+/// `W_3 = m cos α (2.5 π + z inv α)`; a ball reads twice the eccentricity.
+#[test]
+fn the_gauge_reads_what_the_formulas_say() {
+    let alpha = 20f64.to_radians();
+    let span = 2.0 * alpha.cos() * (2.5 * PI + 20.0 * inv(alpha));
+    let readings = gauge::readings().unwrap();
+    let want = format!("span over 3 teeth  {span:8.4} mm\n");
+    assert!(readings.starts_with(&want), "{want}{readings}");
+    assert!(
+        (um(&readings.replace(&want, ""))[0] - 10.0).abs() < 0.2,
+        "{readings}"
+    );
+}
+
+/// A program to copy from is short.
+#[test]
+fn each_is_under_forty_lines() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
+    for folder in [folder.to_owned(), format!("{folder}/python")] {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_file() {
+                let lines = fs::read_to_string(&path).unwrap().lines().count();
+                assert!(lines < 40, "{path:?}: {lines} lines");
+            }
+        }
+    }
+}

@@ -33,7 +33,7 @@ impl Effort {
     pub fn of_extremes(assembly: &GearPair) -> Effort {
         Effort::new(match assembly.is_helical() {
             false => 6_000_000,
-            true => 15_000_000,
+            true => 9_000_000,
         })
     }
 

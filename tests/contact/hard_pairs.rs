@@ -1,8 +1,9 @@
 //! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. What is right there was found by
 //! others: each test names who (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
 
+use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::simulate::simulate;
-use gearlash::contact::{Certifier, CutPair, Method, MethodAgreement, PoseResult, Status};
+use gearlash::contact::{Certifier, CutPair, Doubt, Method, MethodAgreement, PoseResult, Status};
 use gearlash::pair::{Member, Pose};
 use gearlash_files as input;
 use std::ops::ControlFlow;
@@ -247,4 +248,54 @@ fn tips_that_just_meet_5_18() {
     assert!(!agreement.agrees() && agreement.largest == 0.0);
     let left = &runs[0].poses[1];
     assert_eq!(left.status(), Status::NoContact, "{left:?}");
+}
+
+/// The extremes as `simulate` and `check` ask for them.
+fn cycles(path: &str) -> Vec<RunExtremes> {
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+    let study = input::read(&fixtures.join(path)).unwrap().study;
+    let method = Method::Exact { certify: true };
+    extremes(&study, method, &|| ControlFlow::Continue(()))
+        .unwrap()
+        .each
+}
+
+/// Their extremes took 4 to 25 s. They end by their effort, of which nothing depends on the machine: what is not proven by then says so, and its
+/// bracket holds what was found.
+#[test]
+fn extremes_of_hard_pairs_end_by_their_effort() {
+    for (name, status) in [
+        ("reference/hard/grazing_bound_a.toml", Status::NoContact),
+        ("reference/hard/grazing_bound_b.toml", Status::NoContact),
+        (
+            "reference/hard/tip_corner_missed_84_16.toml",
+            Status::Interference,
+        ),
+        ("reference/hard/far_land_5_14.toml", Status::Jammed),
+        ("grazing/lands_pass_clear.toml", Status::NoContact),
+    ] {
+        for run in cycles(name) {
+            assert_eq!(run.status, status, "{name}");
+            assert!(!run.is_proven(), "{name}");
+            for extreme in run.least.iter().chain(&run.greatest) {
+                let cut_short = [Doubt::Effort, Doubt::Unbounded, Doubt::OffInvolute];
+                let doubt = extreme.doubt;
+                assert!(
+                    doubt.is_none_or(|doubt| cut_short.contains(&doubt)),
+                    "{name}: {doubt:?}"
+                );
+                assert!(
+                    (extreme.low..=extreme.high).contains(&extreme.found()),
+                    "{name}"
+                );
+            }
+            let ends = [
+                run.meshes_to.map(|to| [to.low, to.high]),
+                run.assembles_from.map(|from| [from.low, from.high]),
+            ];
+            for [low, high] in ends.into_iter().flatten() {
+                assert!(low < high && high - low < 0.01, "{name}: {low} … {high}");
+            }
+        }
+    }
 }

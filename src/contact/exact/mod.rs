@@ -44,6 +44,8 @@ mod section;
 mod shape;
 mod tangent;
 mod teeth;
+#[cfg(test)]
+mod tests;
 mod tightest;
 
 pub use extremes::{Doubt, Extreme, Extremes};

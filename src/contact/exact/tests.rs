@@ -1,0 +1,161 @@
+//! What hard pairs may take: poses and extremes end by their effort, counted, and say so.
+
+use super::{Doubt, ExactKernel};
+use crate::contact::effort::Effort;
+use crate::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, Side,
+};
+use crate::pair::{GearPair, Mating, Member};
+
+/// Draws of a multiplicative sequence: the same on any machine.
+struct Draws(u64);
+
+impl Draws {
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = next.wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// What a helical pair of module 2 has.
+struct Wild {
+    teeth: [u32; 2],
+    beta_deg: f64,
+    face: f64,
+    runout: f64,
+    pitch: f64,
+    /// Beyond the sum of the reference radii.
+    farther: f64,
+}
+
+impl Wild {
+    fn pair(&self, draws: &mut Draws) -> Option<GearPair> {
+        let mut gear = |teeth: u32, hand, face| {
+            let basic_data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).ok()?;
+            let design = GearDesign {
+                basic_data: basic_data
+                    .with_helix(self.beta_deg.to_radians(), hand)
+                    .ok()?,
+                profile_shift: 0.3,
+                rack: BasicRack::ISO_53_A,
+                tip_diameter: None,
+            };
+            let mut curve = || -> Vec<f64> {
+                let each = 0..teeth;
+                each.map(|_| draws.within(-self.pitch, self.pitch))
+                    .collect()
+            };
+            let deviations = Deviations {
+                pitch: Some(Pitch::from_cumulative(&curve(), &curve())),
+                eccentricity: 0.5 * self.runout,
+                high_tooth: 2.0,
+                ..Deviations::default()
+            };
+            AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
+        };
+        let wheel = gear(self.teeth[0], Hand::Right, Face::Front)?;
+        let pinion = gear(self.teeth[1], Hand::Left, Face::Back)?;
+        let gears = [&wheel, &pinion].map(|gear| gear.gear().basic_data().reference_radius());
+        let distance = gears[0] + gears[1] + self.farther;
+        let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).ok()?;
+        pair.with_face([0.0, self.face]).ok()
+    }
+}
+
+fn mating(wheel_tooth: u32, pinion_tooth: u32, fraction: f64) -> Mating {
+    Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank: Side::Right,
+        fraction,
+    }
+}
+
+/// Pairs of 7/31 and 40/61 teeth, β 45°, whose poses and extremes had no end (killed after 40 s and 280 s): the bracket is what is known by then.
+#[test]
+fn extremes_of_wild_helical_pairs_end_by_their_effort() {
+    let cases = [
+        ([7, 31], 200.0, 0.06, 0.015, 0.2),
+        ([7, 31], 20.0, 1.5, 0.3, 0.2),
+        ([40, 61], 200.0, 1.5, 0.3, 3.4),
+    ];
+    for (teeth, face, runout, pitch, farther) in cases {
+        let wild = Wild {
+            teeth,
+            beta_deg: 45.0,
+            face,
+            runout,
+            pitch,
+            farther,
+        };
+        let pair = wild.pair(&mut Draws(7)).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        let matings = u64::from(teeth[0] * teeth[1]);
+        let effort = Effort::of_extremes(&pair);
+        let over = (mating(1, 1, 0.0), matings);
+        let found = kernel.extremes_within(&pair, over, 1e-6, &effort).unwrap();
+        assert!(
+            2 * effort.left() >= effort.used(),
+            "{teeth:?}: {}",
+            effort.used()
+        );
+        for extreme in [found.least, found.greatest].into_iter().flatten() {
+            assert!(extreme.doubt != Some(Doubt::Unbounded) || extreme.low <= extreme.high);
+            assert!(extreme.low <= extreme.high, "{teeth:?}: {extreme:?}");
+        }
+        // What is cut short is no less the same.
+        let again = kernel.extremes(&pair, over.0, matings, 1e-6).unwrap();
+        assert_eq!(found, again);
+    }
+}
+
+/// Helical poses far beyond any shop: 3 to 400 teeth, β to 50°, faces to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one. None takes more
+/// than a pose may, and of those that come to it a contact is lost.
+#[test]
+fn wild_helical_poses_end_by_their_effort() {
+    let mut draws = Draws(11);
+    let (mut poses, mut lost, mut most, mut slowest) = (0, 0, 0, (0.0, String::new()));
+    for _ in 0..60 {
+        let few = draws.within(0.0, 1.0) < 0.5;
+        let mut teeth = || match few {
+            true => draws.within(3.0, 20.0) as u32,
+            false => draws.within(3.0, 400.0) as u32,
+        };
+        let teeth = [teeth(), teeth()];
+        let beta_deg = draws.within(1.0, 50.0);
+
+        let wild = Wild {
+            teeth,
+            beta_deg,
+            face: draws.within(5.0, 200.0),
+            runout: draws.within(0.0, 1.5),
+            pitch: draws.within(0.0, 0.6),
+            farther: draws.within(-0.5, 2.5),
+        };
+        let Some(pair) = wild.pair(&mut draws) else {
+            continue;
+        };
+        let kernel = ExactKernel::new(&pair);
+        for k in 0..2 {
+            let at = mating(1 + k, 1, draws.within(0.0, 1.0));
+            let before = std::time::Instant::now();
+            let (found, used) = kernel.lost_motion_counted(&pair, at);
+            let took = before.elapsed().as_secs_f64();
+            let found = found.unwrap();
+            let allowed = Effort::of_pose().left();
+            assert!(used <= allowed && (found.is_some() || used == allowed));
+            poses += 1;
+            lost += u32::from(found.is_none());
+            most = most.max(used);
+            if took > slowest.0 {
+                slowest = (
+                    took,
+                    format!("{teeth:?} β {beta_deg} face {}: {used}", wild.face),
+                );
+            }
+        }
+    }
+    println!("{poses} poses, {lost} lost, most {most} units; slowest {slowest:?}");
+    assert!(poses >= 40 && lost < poses / 4, "{lost} of {poses}");
+}

@@ -304,3 +304,17 @@ fn the_library_stands_on_few_crates() {
     let readme = fs::read_to_string(readme).unwrap().replace('\n', " ");
     assert!(readme.contains(&stated), "{stated}");
 }
+
+/// The schema of a key is its field: its type, its doc comment, its limits.
+#[test]
+fn no_json_schema_is_written_by_hand() {
+    let mut files = Vec::new();
+    sources(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/files/src"),
+        &mut files,
+    );
+    for file in files {
+        let by_hand = fs::read_to_string(&file).unwrap().contains("json_schema!");
+        assert!(!by_hand, "{file:?}");
+    }
+}

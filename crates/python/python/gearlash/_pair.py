@@ -128,7 +128,7 @@ class Pair:
         center_distance_mm: float | None = None,
         material: str | None = None,
     ) -> Pose:
-        """Lost motion where these teeth mate: the exact method, borne out by polygons. For many poses: :meth:`lost_motions`."""
+        """Lost motion where these teeth mate: the exact method, checked by polygons. For many poses: :meth:`lost_motions`."""
         teeth = (wheel_tooth, pinion_tooth)
         found = _core.lost_motion(
             self._core, teeth, is_left(flank), fraction, center_distance_mm, material

@@ -137,13 +137,14 @@ impl Planned {
         if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
             return Ok(None);
         }
-        let from = AssemblesFrom::new(
-            pair,
-            (self.first, self.distinct),
-            least,
-            0.1 * WIDTH,
-            effort,
-        )?;
+        // Of spur pairs each distance ends by its number of cells: with a share of the effort, what can be proven would not be.
+        let endless = Effort::endless();
+        let effort = match pair.is_helical() {
+            true => effort,
+            false => &endless,
+        };
+        let over = (self.first, self.distinct);
+        let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;
         Ok(from.map(|from| AssemblesFrom {
             low: from.low + farther,
             high: from.high + farther,

@@ -28,8 +28,8 @@ impl Effort {
         Effort::new(2 * MOST_NODES as u64)
     }
 
-    /// Of the extremes of a pair over one mesh cycle, with the distances from which it assembles and up to which it is in mesh (tuned: 2 s of
-    /// spur pairs, 5 s of helical ones).
+    /// Of the extremes of a pair over one mesh cycle, with the distance up to which it is in mesh, and of helical pairs that from which it
+    /// assembles (tuned: 2 s of spur pairs, 5 s of helical ones).
     pub fn of_extremes(assembly: &GearPair) -> Effort {
         Effort::new(match assembly.is_helical() {
             false => 6_000_000,

@@ -111,7 +111,7 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
 }
 
 /// Helical poses far beyond any shop: 3 to 400 teeth, β to 50°, faces to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one. None takes more
-/// than a pose may, and of those that come to it a contact is lost.
+/// than a pose may, and none is lost before one side of a section has taken its own share, half of that.
 #[test]
 fn wild_helical_poses_end_by_their_effort() {
     let mut draws = Draws(11);
@@ -144,7 +144,7 @@ fn wild_helical_poses_end_by_their_effort() {
             let took = before.elapsed().as_secs_f64();
             let found = found.unwrap();
             let allowed = Effort::of_pose().left();
-            assert!(used <= allowed && (found.is_some() || used == allowed));
+            assert!(used <= allowed && (found.is_some() || 2 * used >= allowed));
             poses += 1;
             lost += u32::from(found.is_none());
             most = most.max(used);

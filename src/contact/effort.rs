@@ -29,7 +29,7 @@ impl Effort {
     }
 
     /// Of the extremes of a pair over one mesh cycle, with the distance up to which it is in mesh, and of helical pairs that from which it
-    /// assembles (tuned: 2 s of spur pairs, 5 s of helical ones).
+    /// assembles (tuned: some 2 s of spur pairs, 5 to 10 s of helical ones).
     pub fn of_extremes(assembly: &GearPair) -> Effort {
         Effort::new(match assembly.is_helical() {
             false => 6_000_000,

@@ -2,15 +2,17 @@
 //!
 //! Model 3 (line of action) is exact where involutes touch inside both gears' tip and form circles, so
 //! there it must agree; of flanks whose profiles deviate it takes the deviation at its own contact point, and may lie above by the square of
-//! what that tilts their normals. Where a tip corner or a fillet touches instead, a real
+//! what that tilts their normals. Where a tip corner, an undercut edge or a fillet touches instead, a real
 //! pair has less backlash than the formula says: the formula is wrong about this
 //! pair, and that is a finding of its own.
 
 use crate::analysis::simulate::Run;
 use crate::analysis::study::Study;
 use crate::analytic::{Analytic, evaluate};
-use crate::contact::{Contact, LostMotion, PoseResult, Status, first_least};
-use crate::gear::ProfilePart;
+use crate::contact::{
+    Contact, ContactClass, ContactKind, LostMotion, PoseResult, Status, first_least,
+};
+use crate::gear::Side;
 use crate::pair::GearPair;
 
 /// What the comparison says of one pose.
@@ -22,7 +24,7 @@ pub enum Verdict {
     Agrees,
     /// Neither has a value: jammed or out of mesh, and the formula finds no contact either.
     Nothing,
-    /// The simulation lies below because a tip, a fillet or a root touches off the line of action, or flanks whose profiles deviate: a tilted
+    /// The simulation lies below because a tip, an undercut edge, a fillet or a root touches off the line of action, or flanks whose profiles deviate: a tilted
     /// normal moves their contact along them.
     OffLine,
     /// The simulation lies below though involutes touch.
@@ -283,7 +285,7 @@ fn judge(assembly: &GearPair, swept: &PoseResult, formula: Option<f64>, toleranc
                 Verdict::Agrees
             } else if difference > 0.0 {
                 Verdict::Above
-            } else if touches_off_line(found) || assembly.is_modified() {
+            } else if touches_off_line(assembly, found) || assembly.is_modified() {
                 Verdict::OffLine
             } else {
                 Verdict::Below
@@ -297,14 +299,18 @@ fn judge(assembly: &GearPair, swept: &PoseResult, formula: Option<f64>, toleranc
     }
 }
 
-/// Whether a tip, fillet or root takes part in either contact.
-pub fn touches_off_line(lost_motion: &LostMotion) -> bool {
-    let off = |contact: &Contact| {
-        contact.wheel.curve != ProfilePart::Involute
-            || contact.pinion.curve != ProfilePart::Involute
+/// Whether a tip, an undercut edge, a fillet or a root takes part in either contact of `assembly`.
+pub fn touches_off_line(assembly: &GearPair, lost_motion: &LostMotion) -> bool {
+    let off = |(side, contact): (Side, &Option<Contact>)| {
+        let class = contact
+            .as_ref()
+            .map(|contact| ContactClass::of(assembly, side, contact));
+        class.is_some_and(|class| class.kind != ContactKind::Involute)
     };
-    [&lost_motion.right, &lost_motion.left]
-        .into_iter()
-        .flatten()
-        .any(off)
+    [
+        (Side::Right, &lost_motion.right),
+        (Side::Left, &lost_motion.left),
+    ]
+    .into_iter()
+    .any(off)
 }

@@ -215,15 +215,19 @@ pub struct Agreement {
     pub neither: usize,
     /// Those that are not proven, and not compared.
     pub unproven: usize,
-    /// Poses that have a backlash and in which a tip corner, a fillet or a root takes part in a contact.
+    /// Poses that have a backlash and in which a tip corner, an undercut edge, a fillet or a root takes part in a contact.
     pub touch_off_line: usize,
 }
 
 impl Agreement {
     /// Of `runs`.
-    pub fn of(runs: &[&ComparedRun]) -> Agreement {
+    pub fn of<'a>(runs: &[&'a ComparedRun]) -> Agreement {
         let mut count = Agreement::default();
-        for pose in runs.iter().flat_map(|run| &run.poses) {
+        let with_pair = |run: &&'a ComparedRun| {
+            let assembly = &run.run.assembly;
+            run.poses.iter().map(move |pose| (assembly, pose))
+        };
+        for (assembly, pose) in runs.iter().flat_map(with_pair) {
             let simulated = pose.swept.backlash.is_some();
             count.poses += 1;
             count.both += usize::from(pose.has_both());
@@ -239,7 +243,8 @@ impl Agreement {
                 (false, false, _) => &mut count.neither,
             } += 1;
             let found = pose.swept.proven();
-            let off_line = simulated && found.is_some_and(touches_off_line);
+            let off_line =
+                simulated && found.is_some_and(|found| touches_off_line(assembly, found));
             count.touch_off_line += usize::from(off_line);
         }
         count

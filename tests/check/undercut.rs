@@ -1,6 +1,7 @@
 //! Where the involute begins, beside the formulas of the basic rack.
 
 use super::*;
+use gearlash::analysis::compare::Verdict as Compared;
 
 /// The measured length from the base circle's tangent point to the form point is, without undercut, the one the rack
 /// generates: `r sin α − (h_f − ρ (1 − sin α) − x) m/sin α` (with undercut the margin is negative and the trochoid cuts higher).
@@ -37,4 +38,47 @@ fn the_margin_to_undercut_is_the_racks() {
             assert_eq!(undercut.verdict, Verdict::Warn);
         }
     }
+}
+
+/// Where the edge that undercut leaves touches at the form circle, in front of the line of action, a pair has less backlash than model 3 says: a finding
+/// of the check `off_line_contact` and of the comparison alike.
+#[test]
+fn an_undercut_edge_below_the_formula_is_off_the_line() {
+    let gear = |name: &str| {
+        format!(
+            "[{name}]\nteeth = 10\nmodule_mm = 2\npressure_angle_deg = 20\nthickness.allowance_um = -40\n"
+        )
+    };
+    // Every other tooth of the wheel stands 20 µm on: it touches where its neighbour's involutes would.
+    let steps = "[0, 20, 0, 20, 0, 20, 0, 20, 0, 20]";
+    let pitch =
+        format!("[wheel.pitch]\nkind = \"cumulative\"\nright_um = {steps}\nleft_um = {steps}\n");
+    let rest = "[assembly]\ncenter_distance_mm = 20.15\n[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 12\n";
+    let (_folder, file) = written(&(gear("wheel") + &pitch + &gear("pinion") + rest));
+    let study = input::read(&file).unwrap().study;
+    let runs = simulate(&study, Method::Exact { certify: false }, &|| {
+        ControlFlow::Continue(())
+    });
+    let runs = compare(runs.unwrap(), study.tolerance_um);
+    let form = study.materials[0].1.gear().form_radius();
+    let mut at_edge = 0;
+    for pose in runs.iter().flat_map(|run| &run.poses) {
+        let lower = pose.swept.backlash.zip(pose.line_of_action);
+        let Some((backlash, formula)) = lower.filter(|(found, formula)| formula - found > 1e-3)
+        else {
+            continue;
+        };
+        // By hand, from the radii: one of the contacts is at a form circle.
+        let found = pose.swept.proven().unwrap();
+        let touched = [found.right.unwrap(), found.left.unwrap()];
+        let at_form = |radius: f64| (radius - form).abs() < 1e-7;
+        if touched
+            .iter()
+            .any(|at| at_form(at.wheel.radius) || at_form(at.pinion.radius))
+        {
+            at_edge += 1;
+            assert_eq!(pose.verdict, Compared::OffLine, "{backlash} {formula}");
+        }
+    }
+    assert!(at_edge > 5, "{at_edge}");
 }

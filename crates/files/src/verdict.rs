@@ -173,7 +173,20 @@ fn requirement(verdict: &Verdict) -> Option<String> {
 /// That `unmet` is not kept.
 pub(crate) fn not_met(unmet: &[Unmet]) -> String {
     let each = unmet.iter().map(limit).collect::<Vec<_>>();
-    format!("does not meet its requirement ({})", each.join("; "))
+    let says = match unmet.iter().all(keeps_what_was_found) {
+        true => "is not proven to meet",
+        false => "does not meet",
+    };
+    format!("{says} its requirement ({})", each.join("; "))
+}
+
+/// Whether what was found lies within the limit, and no more than that is known.
+fn keeps_what_was_found(unmet: &Unmet) -> bool {
+    let is_within = |[low, high]: [f64; 2]| match unmet.is_max {
+        true => high <= unmet.limit,
+        false => low >= unmet.limit,
+    };
+    !unmet.holds && unmet.found.is_some_and(is_within)
 }
 
 /// Name and unit of a quantity, how many of the unit one mm (rad) is, and decimals.

@@ -198,7 +198,7 @@ fn check_and_verdict_have_one_zero_backlash_distance() {
     }
 }
 
-/// Undercut, so that poses are sampled: what is required is kept by all of them, and that is no proof.
+/// Undercut, so that poses are sampled: what is required is kept by all of them at 9.53 mm, and that is no proof; at 9.45 mm they interfere.
 #[test]
 fn what_is_not_proven_is_not_met() {
     let folder = tempfile::tempdir().unwrap();
@@ -207,13 +207,20 @@ fn what_is_not_proven_is_not_met() {
         format!("[{name}]\nteeth = {teeth}\nmodule_mm = 1\npressure_angle_deg = 20\n")
     };
     let pair = gear("wheel", 9) + &gear("pinion", 10);
-    let rest = "[assembly]\ncenter_distance_mm = 9.45\n[require]\nj_wt_um = { min = 0 }\n";
-    std::fs::write(&file, pair + rest).unwrap();
-    let output = gearlash(folder.path()).arg("simulate").arg(&file).output();
-    let output = output.unwrap();
-    assert_eq!(output.status.code(), Some(1));
-    let told = text(&output.stdout).replace('\n', " ");
-    assert!(told.contains("which is not proven"), "{told}");
+    for (a, words) in [
+        ("9.45", "does not meet its requirement"),
+        ("9.53", "is not proven to meet its requirement"),
+    ] {
+        let rest =
+            format!("[assembly]\ncenter_distance_mm = {a}\n[require]\nj_wt_um = {{ min = 0 }}\n");
+        std::fs::write(&file, pair.clone() + &rest).unwrap();
+        let output = gearlash(folder.path()).arg("simulate").arg(&file).output();
+        let output = output.unwrap();
+        assert_eq!(output.status.code(), Some(1));
+        let told = text(&output.stdout).replace('\n', " ");
+        assert!(told.contains("which is not proven"), "{told}");
+        assert!(told.contains(words), "{words}: {told}");
+    }
 }
 
 /// So far apart that tips pass: up to where the pair is in mesh.

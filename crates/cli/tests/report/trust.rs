@@ -87,3 +87,38 @@ fn a_formula_that_is_wrong_about_the_pair_is_called_so() {
     assert_eq!(touch, wrong + slight);
     assert!(wrong > 0);
 }
+
+/// Ten teeth on ten, undercut: edges of the involutes touch, which the formula knows nothing of. The page said that no reason was found, and
+/// that the pair assembles, of which its verdict said that it is not proven.
+#[test]
+fn an_undercut_edge_is_a_reason_and_sampled_poses_are_no_proof() {
+    let gear = |name: &str| {
+        format!(
+            "[{name}]\nteeth = 10\nmodule_mm = 2\npressure_angle_deg = 20\nthickness.allowance_um = -40\n\
+             runout = {{ total_um = 22, high_tooth = 3 }}\n"
+        )
+    };
+    let steps = "[0, 20, 0, 20, 0, 20, 0, 20, 0, 20]";
+    let pitch =
+        format!("[wheel.pitch]\nkind = \"cumulative\"\nright_um = {steps}\nleft_um = {steps}\n");
+    let rest = "[assembly]\ncenter_distance_mm = 20.15\n";
+    let page = page(&(gear("wheel") + &pitch + &gear("pinion") + rest));
+    let trust = trust(&page);
+    assert!(!trust.contains("no reason was found"), "{trust}");
+    assert!(
+        trust.contains("Yes, the simulation, for the gears as measured."),
+        "{trust}"
+    );
+    assert!(
+        trust.contains("a tip corner, an undercut edge, a fillet or a root"),
+        "{trust}"
+    );
+    let document = Html::parse_document(&page);
+    let result = text(&select(&document, "#result")[0]);
+    assert!(result.contains("Not proven to assemble"), "{result}");
+    let table = text(&select(&document, "#result table")[0]);
+    assert!(
+        table.contains("not proven") && !table.contains("yes"),
+        "{table}"
+    );
+}

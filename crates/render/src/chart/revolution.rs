@@ -132,14 +132,24 @@ pub fn revolution_in(
         _ => {}
     }
     let ends = [
-        (beyond[0], "least", 14.0, &course.least),
-        (beyond[1], "greatest", 13.0, &course.greatest),
+        (beyond[0], "least", 1.0, &course.least),
+        (beyond[1], "greatest", -1.0, &course.greatest),
     ];
-    for (um, word, shift, attained) in ends {
+    let plot = sheet::place(&panel, 0.0);
+    for (um, word, away, attained) in ends {
         let Some(um) = um else {
             continue;
         };
         let y = of_um(um);
+        let height = |y: f64| plot.spot((panel.x.range[0], y))[1];
+        let attained_at = attained
+            .as_ref()
+            .map(|extreme| height(of_um(extreme.backlash_um)));
+        let edge = if away > 0.0 { plot.bottom } else { plot.top };
+        // On the far side of the line where there is room and what the course attains has its words within reach of it no more.
+        let is_far = (edge - height(y)).abs() >= 20.0
+            && attained_at.is_none_or(|attained| (height(y) - attained).abs() >= 16.0);
+        let shift = away * if is_far { 14.0 } else { -14.0 };
         // Away from the words at what the course attains.
         let [first, last] = panel.x.range;
         let is_left = attained

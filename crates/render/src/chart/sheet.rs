@@ -3,7 +3,7 @@
 use super::legend::{self, ROW};
 use super::marks;
 use super::panel::{Entry, Mark, Panel};
-use crate::kit::{Frame, NUMBERS, Plot, TextStyle, axes, grid};
+use crate::kit::{FONTS, Frame, NUMBERS, Plot, TextStyle, axes, grid};
 use gearlash_files::characters::plain;
 use svg::node::Node;
 use svg::node::element::{Group, SVG, Title};
@@ -105,7 +105,7 @@ pub(super) fn draw(
 }
 
 /// Where the plot of a panel stands whose upper edge is `from`.
-fn place(panel: &Panel, from: f64) -> Plot {
+pub(super) fn place(panel: &Panel, from: f64) -> Plot {
     let below = match panel.x.name.is_empty() {
         true => X_AXIS[1],
         false => X_AXIS[0],
@@ -145,14 +145,17 @@ fn draw_panel(panel: &Panel, plot: &Plot, group: &mut Group) -> bool {
     group.append(axes(plot, both, most));
     if !panel.title.is_empty() {
         let above = [plot.left, plot.top - 6.0];
-        let style = TextStyle::new(13.0).fitted(&panel.title, SIDES[1] - LEFT, 9.0);
-        group.append(style.text(&panel.title, above));
+        group.append(title_style(panel).text(&panel.title, above));
     }
     let mut solid = false;
     for mark in &panel.marks {
         solid |= marks::draw(mark, plot, group);
     }
     solid
+}
+
+fn title_style(panel: &Panel) -> TextStyle {
+    TextStyle::new(13.0).fitted(&panel.title, SIDES[1] - LEFT, 9.0)
 }
 
 /// The texts in a plot, with a halo: readable across a line, and across a cursor that a script puts below them.
@@ -165,7 +168,13 @@ fn label(panel: &Panel, plot: &Plot, solid: bool, labels: &mut Group) {
     if solid {
         let words = "shaded: min–max envelope of swings too narrow to draw";
         let style = TextStyle::new(11.0).end();
-        add(style, words, [plot.right, plot.top - 4.0]);
+        let title = title_style(panel).width(&panel.title);
+        // Beside the title where both have room, else below it.
+        let down = match title + style.width(words) <= plot.right - plot.left {
+            true => -4.0,
+            false => 13.0,
+        };
+        add(style, words, [plot.right, plot.top + down]);
     }
     for mark in &panel.marks {
         if let Mark::Text {
@@ -196,7 +205,7 @@ fn element(heading: &Heading, height: f64, plot: &Plot) -> SVG {
         .set("role", "img")
         .set("aria-labelledby", format!("{prefix}-title"))
         .set("viewBox", format!("0 0 {WIDTH} {height}"))
-        .set("font-family", "sans-serif");
+        .set("font-family", FONTS);
     let Frame {
         left,
         right,

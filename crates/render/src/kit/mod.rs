@@ -1,8 +1,9 @@
 //! What every picture is drawn with: sheet, lines, texts, marks, axes and the room that labels take.
 //!
 //! Snapshots, maps and charts share it. It draws on the `svg` crate and uses nothing that a plain SVG reader lacks: no
-//! script, no style sheet, no `paint-order`; a text with a halo is two elements.
+//! script, no style sheet, no `paint-order`; a text with a halo is two elements, and [`area`] says what clips may do.
 
+mod area;
 pub mod clip;
 mod frame;
 mod marks;
@@ -13,10 +14,13 @@ pub mod scale;
 mod sheet;
 mod text;
 
+pub use area::{area, define_area, inner_outline, within_area};
 pub use frame::{Frame, Spot, number};
 pub use marks::{around, arrow, cross, diamond, dot, hatch, square};
 pub use occupied::{CLEAR, Occupied};
 pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL};
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};
-pub use sheet::{Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon, white_sheet};
+pub use sheet::{
+    FONTS, Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon, white_sheet,
+};
 pub use text::{Anchor, TextStyle, room};

@@ -213,7 +213,12 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
         group.append(style.text(&x.name, [middle_x, bottom + 37.0]));
     }
     if !y.name.is_empty() {
-        let foot = left - 56.0;
+        let numbers = ticks
+            .at
+            .iter()
+            .map(|value| NUMBERS.width(&y.number(&ticks, *value)));
+        // Left of the widest number, as far as a sheet's edge lies from its plots.
+        let foot = left - numbers.fold(44.0, f64::max).min(56.0) - 12.0;
         let style = NAMES.middle().fitted(&y.name, bottom - top + 40.0, 9.0);
         let mut name = style.text(&y.name, [foot, middle_y]);
         let turn = format!("rotate(-90 {} {})", number(foot), number(middle_y));

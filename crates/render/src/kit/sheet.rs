@@ -1,5 +1,6 @@
 //! The sheet, and how lines get onto it.
 
+use super::area::XLINK;
 use super::frame::{Spot, number};
 use svg::node::element::{Path, Rectangle, SVG};
 
@@ -10,13 +11,18 @@ pub const HEIGHT: f64 = 840.0;
 /// Units in a millimetre of paper.
 pub const UNITS_PER_MM: f64 = 4.0;
 
+/// The reader's own sans-serif face first. resvg takes Arial for it, and shows no text at all where there is none: those after it are
+/// on most machines, and none is wider than what texts are reckoned with.
+pub const FONTS: &str = "sans-serif, DejaVu Sans, Liberation Sans, Noto Sans";
+
 /// An empty white A4 sheet, true to size in print.
 pub fn blank_sheet() -> SVG {
     SVG::new()
+        .set("xmlns:xlink", XLINK)
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
         .set("height", format!("{}mm", HEIGHT / UNITS_PER_MM))
-        .set("font-family", "sans-serif")
+        .set("font-family", FONTS)
         .add(
             Rectangle::new()
                 .set("width", "100%")
@@ -32,7 +38,7 @@ pub fn white_sheet(width: f64, height: f64) -> SVG {
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("width", paper(width))
         .set("height", paper(height))
-        .set("font-family", "sans-serif")
+        .set("font-family", FONTS)
         .add(
             Rectangle::new()
                 .set("width", number(width))
@@ -63,11 +69,6 @@ impl Ids {
     /// A reference to it, for a fill or a clip.
     pub fn url(&self, name: &str) -> String {
         format!("url(#{})", self.of(name))
-    }
-
-    /// A reference to it, for a `<use>`.
-    pub fn href(&self, name: &str) -> String {
-        format!("#{}", self.of(name))
     }
 }
 

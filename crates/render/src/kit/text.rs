@@ -25,7 +25,11 @@ pub struct TextStyle {
 }
 
 /// Symbols as they stand in text; they are set italic with a subscript.
-const SYMBOLS: [&str; 7] = ["j_wt", "j_bn", "j_bt", "f_p", "f_u", "F_p", "F_r"];
+const SYMBOLS: [&str; 10] = [
+    "j_wt", "j_bn", "j_bt", "f_p", "f_u", "F_p", "F_r", "F_i", "f_i", "M_dK",
+];
+/// The start of a span's symbol; the number of teeth spanned follows.
+const SPAN: &str = "W_";
 
 impl TextStyle {
     /// Dark text of `size` that starts at its place.
@@ -103,12 +107,20 @@ impl TextStyle {
     }
 
     /// A `<text>` at `at`, on its baseline, symbols set as such. Characters that XML cannot hold become spaces.
+    ///
+    /// With symbols it starts where its middle or end is to be less its width: LibreOffice anchors each tspan by itself.
     pub fn text(self, content: &str, at: Spot) -> Element {
         let content = plain(content);
         if next_symbol(&content).is_none() {
             return self.verbatim(&content, at);
         }
-        let mut element = self.element(at);
+        let before = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5,
+            Anchor::End => 1.0,
+        };
+        let start = [at[0] - before * self.width(&content), at[1]];
+        let mut element = self.anchored(Anchor::Start).element(start);
         element.append(Blob::new(self.with_symbols(&content)));
         element
     }
@@ -125,6 +137,11 @@ impl TextStyle {
         let (drop, small) = (number(self.size * 0.22), number(self.size * 0.72));
         let (mut rest, mut set) = (content, String::new());
         while let Some((before, letter, subscript, after)) = next_symbol(rest) {
+            // LibreOffice drops a space before a tspan, of whatever width; not one that keeps a line together.
+            let before = &match before.strip_suffix(' ') {
+                Some(before) => format!("{before}\u{a0}"),
+                None => before.to_owned(),
+            };
             set += &self.after_symbol(before, !set.is_empty());
             let rise = match set.is_empty() || !before.is_empty() {
                 true => String::new(),
@@ -183,7 +200,13 @@ impl TextStyle {
 
 /// The text before the first symbol, its letter and subscript, and the text after it.
 fn next_symbol(text: &str) -> Option<(&str, &str, &str, &str)> {
-    let found = SYMBOLS.iter().filter_map(|symbol| {
+    let span = text.find(SPAN).map(|at| {
+        let digits = text[at + SPAN.len()..].chars();
+        let digits = digits.take_while(char::is_ascii_digit).count();
+        &text[at..at + SPAN.len() + digits]
+    });
+    let span = span.filter(|span| span.len() > SPAN.len());
+    let found = SYMBOLS.into_iter().chain(span).filter_map(|symbol| {
         let at = text.find(symbol)?;
         let (before, after) = (&text[..at], &text[at + symbol.len()..]);
         let part = |c: char| c.is_alphanumeric() || c == '_';
@@ -266,6 +289,43 @@ mod tests {
             ("1 µm, my_f_p_file", -2.2),
         ];
         assert_eq!(told, expected);
+    }
+
+    /// Titles of gauge charts named `M_dK`, `W_23` and `F_i''` as a file does.
+    #[test]
+    fn symbols_of_the_gauge_have_their_subscripts() {
+        for (content, letter, subscript) in [
+            ("M_dK − mean, µm", "M", "dK"),
+            ("span W_23, mean 9 mm", "W", "23"),
+            ("roll test · F_i'' 88 µm", "F", "i"),
+        ] {
+            let drawn = TextStyle::new(10.0).text(content, [0.0; 2]).to_string();
+            let read = roxmltree::Document::parse(&drawn).unwrap();
+            let mut spans = read.descendants().filter(|node| node.has_tag_name("tspan"));
+            let mut next = || spans.next().and_then(|node| node.text());
+            assert_eq!(
+                [next(), next()],
+                [Some(letter), Some(subscript)],
+                "{content}"
+            );
+        }
+        assert!(next_symbol("my W_ and W_a").is_none());
+    }
+
+    /// LibreOffice 7.4 took the space before a symbol away, and put each tspan of an anchored text at the text's own place.
+    #[test]
+    fn a_text_with_symbols_starts_where_it_stands_and_keeps_its_space() {
+        for (anchor, least, most) in [(Anchor::Middle, -60.0, -40.0), (Anchor::End, -120.0, -80.0)]
+        {
+            // 16 letters of DejaVu Sans at 10 units: about 0.6 em each.
+            let style = TextStyle::new(10.0).anchored(anchor);
+            let drawn = style.text("backlash j_wt, µm", [0.0; 2]).to_string();
+            assert!(!drawn.contains("text-anchor"), "{drawn}");
+            let read = roxmltree::Document::parse(&drawn).unwrap();
+            let x: f64 = read.root_element().attribute("x").unwrap().parse().unwrap();
+            assert!((least..most).contains(&x), "{x}");
+            assert!(drawn.contains("backlash\u{a0}<tspan"), "{drawn}");
+        }
     }
 
     /// With `paint-order` some readers showed white blots in place of labels.

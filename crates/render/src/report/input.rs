@@ -2,7 +2,7 @@
 
 use super::figures::inspections;
 use super::page::Page;
-use super::phrases::{plain, symbol};
+use super::phrases::{plain, sentence, symbol};
 use super::stated::{high_tooth, pitch, profile, runout, thickness};
 use super::{grades, notes};
 use crate::chart::PictureError;
@@ -194,7 +194,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                 }
             }
             (assembly(page))
-            @for warning in page.report.pair.warnings.iter().chain(&page.report.pair.remarks) { p.warning { strong { "Note: " } (plain(warning)) "." } }
+            @for warning in page.report.pair.warnings.iter().chain(&page.report.pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
             (notes::list(page))
             (grades::table(page))
             (inspections(page)?)

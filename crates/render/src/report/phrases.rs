@@ -15,6 +15,14 @@ pub(super) fn band(ends: [Option<f64>; 2], decimals: usize) -> String {
     }
 }
 
+/// `words` with its full stop, or as a question.
+pub(super) fn sentence(words: &str) -> String {
+    match words.ends_with('?') {
+        true => words.to_owned(),
+        false => format!("{words}."),
+    }
+}
+
 /// `j_wt` as a symbol.
 pub(super) fn j_wt() -> Markup {
     symbol("j", "wt")
@@ -75,4 +83,16 @@ pub(super) fn pose(found: PoseOfRun) -> String {
     let phase = found.run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
     pose_name(found.pose.swept.pose.mating()) + &phase
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sentence;
+
+    /// A note on a centre distance ended in `the file?.`
+    #[test]
+    fn a_question_has_no_full_stop() {
+        assert_eq!(sentence("forgotten in the file?"), "forgotten in the file?");
+        assert_eq!(sentence("it is 0.2 mm off"), "it is 0.2 mm off.");
+    }
 }

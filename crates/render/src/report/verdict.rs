@@ -106,7 +106,7 @@ fn table(page: &Page) -> Markup {
                     @for at in &page.distances {
                         tr {
                             th.n scope="row" { (stated_distance(at.center_distance)) }
-                            (fits(&at.all))
+                            (fits(&at.all, is_settled(page, at.center_distance)))
                             (extreme_cells(page, at.all.least))
                             td.n { (um(at.all.mean, 2)) }
                             (extreme_cells(page, at.all.greatest))
@@ -139,13 +139,24 @@ fn extreme_cells(page: &Page, found: Option<PoseOfRun>) -> Markup {
     }
 }
 
-/// Whether a pair assembles, in a word or two.
-fn fits(all: &Outcome) -> Markup {
+/// Whether every run of the mesh cycle at a centre distance proves that it assembles, or that it does not.
+fn is_settled(page: &Page, center_distance: f64) -> bool {
+    let verdict = page.report.analysis.verdict();
+    let mut here = verdict
+        .runs
+        .iter()
+        .filter(|run| run.assembly.center_distance() == center_distance);
+    here.all(|run| run.assembles().is_some())
+}
+
+/// Whether a pair assembles, in a word or two, of its poses and of whether the mesh cycle is settled.
+fn fits(all: &Outcome, settled: bool) -> Markup {
     let (verdict, word) = match all {
         all if all.jammed > 0 => (Verdict::Fail, "no: jammed"),
         all if all.interfering > 0 => (Verdict::Fail, "no: interference"),
         all if all.apart > 0 => (Verdict::Fail, "out of mesh"),
         all if all.unproven > 0 => (Verdict::Unproven, "unproven"),
+        _ if !settled => (Verdict::Unproven, "not proven"),
         all if all.touching > 0 => (Verdict::Warn, "without backlash"),
         _ => (Verdict::Pass, "yes"),
     };

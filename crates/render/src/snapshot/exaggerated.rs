@@ -5,14 +5,14 @@ use super::main_view;
 use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::{MARGIN, View};
 use crate::kit::{
-    Frame, INK, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, blank_sheet, clip, line,
-    number, path_data,
+    Frame, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, area, blank_sheet,
+    clip, define_area, inner_outline, line, number, path_data,
 };
 use gearlash::contact::Exaggeration;
 use gearlash::gear::Placed;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, um};
-use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
+use svg::node::element::{ClipPath, Definitions, Group, Path};
 
 /// Perfect teeth.
 const GHOST_DASH: &str = "5 3";
@@ -71,6 +71,7 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
             .set("id", "mesh-frame")
             .add(main.frame().rectangle()),
     );
+    let ids = Ids::default();
     let mut metal = Group::new();
     let mut ghosts = Group::new();
     for (member, fill) in MEMBERS.into_iter().zip([WHEEL, PINION]) {
@@ -79,25 +80,11 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
         occupied.line(&polygon);
         occupied.line(&ghost);
         let name = member.name();
-        let shape = Path::new()
-            .set("id", name)
-            .set("d", path_data(&polygon, true));
-        definitions = definitions.add(shape).add(
-            ClipPath::new()
-                .set("id", format!("{name}-clip"))
-                .add(Use::new().set("href", format!("#{name}"))),
-        );
-        let shape = || Use::new().set("href", format!("#{name}"));
+        definitions = define_area(definitions, &ids, name, &polygon);
+        let filled = area(&ids, name).set("fill", fill);
         metal = metal
-            .add(shape().set("fill", fill).set("fill-opacity", "0.8"))
-            .add(
-                shape()
-                    .set("fill", "none")
-                    .set("stroke", INK)
-                    .set("stroke-width", "2.40")
-                    .set("stroke-linejoin", "round")
-                    .set("clip-path", format!("url(#{name}-clip)")),
-            );
+            .add(filled.set("fill-opacity", "0.8"))
+            .add(inner_outline(&ids, name, INK, "2.40"));
         ghosts = ghosts.add(ghost_line(&ghost, 1.2));
     }
     Group::new()

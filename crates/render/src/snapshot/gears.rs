@@ -3,13 +3,13 @@
 use super::contact_bands;
 use super::view::{MARGIN, View};
 use crate::kit::{
-    ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, clip, line,
-    path_data,
+    ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, area, clip,
+    define_area, inner_outline, line, path_data, within_area,
 };
 use gearlash::contact::{DrawnContact, Scene};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
-use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
+use svg::node::element::{ClipPath, Definitions, Group, Path};
 
 /// What the gears of one view give: the drawing, and the polygons as drawn, wheel first.
 pub struct Gears {
@@ -55,17 +55,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     );
     for (polygon, name) in metal.iter().zip(&names) {
         occupied.line(polygon);
-        definitions = definitions
-            .add(
-                Path::new()
-                    .set("id", ids.of(name))
-                    .set("d", path_data(polygon, true)),
-            )
-            .add(
-                ClipPath::new()
-                    .set("id", ids.of(&format!("{name}-clip")))
-                    .add(Use::new().set("href", ids.href(name))),
-            );
+        definitions = define_area(definitions, ids, name, polygon);
     }
     let mut group = Group::new()
         .set("clip-path", ids.url(&format!("{id}-frame")))
@@ -84,24 +74,15 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
             );
         }
     }
-    let metal_of = |name: &str| Use::new().set("href", ids.href(name));
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
-        group = group.add(metal_of(name).set("fill", fill));
+        group = group.add(area(ids, name).set("fill", fill));
     }
     let shown = |contact: &&DrawnContact| look.sides.contains(&contact.side);
-    let outlines = names.each_ref().map(|name| {
-        metal_of(name)
-            .set("fill", "none")
-            .set("stroke", INK)
-            .set("stroke-width", "2.40")
-            .set("stroke-linejoin", "round")
-            .set("clip-path", ids.url(&format!("{name}-clip")))
-    });
-    let overlap = [OVERLAP.to_owned(), ids.url("hatch")].map(|fill| {
-        metal_of(&names[1])
-            .set("fill", fill)
-            .set("clip-path", ids.url(&format!("{}-clip", names[0])))
-    });
+    let outlines = names
+        .each_ref()
+        .map(|name| inner_outline(ids, name, INK, "2.40"));
+    let overlap = [OVERLAP.to_owned(), ids.url("hatch")]
+        .map(|fill| within_area(ids, &names[0]).add(area(ids, &names[1]).set("fill", fill)));
     let met = scene.meetings().iter().filter(shown);
     let bands = met.fold(Group::new(), |bands, contact| {
         bands.add(contact_bands::bands(

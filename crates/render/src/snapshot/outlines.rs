@@ -8,7 +8,7 @@ use super::tooth_numbers::{self, Numbered};
 use super::view::{MARGIN, View};
 use crate::kit::{
     Frame, GREY, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH,
-    around, arrow, blank_sheet, clip, dot, hatch, line, path_data, scale,
+    area, around, arrow, blank_sheet, clip, define_area, dot, hatch, line, scale, within_area,
 };
 use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::analysis::study::Material;
@@ -19,7 +19,7 @@ use gearlash::pair::Member;
 use gearlash_files::numbers::{bound_um, trimmed, um};
 use gearlash_files::outlines::region_words;
 use nalgebra::Point2;
-use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
+use svg::node::element::{ClipPath, Definitions, Group, SVG};
 
 /// Operating pitches shown above and below the line of centres.
 const PITCHES: f64 = 1.5;
@@ -235,29 +235,17 @@ fn gears(
     });
     for (member, metal) in members.into_iter().zip(&metal) {
         let name = format!("{id}-{}", member.name());
-        definitions = definitions
-            .add(
-                Path::new()
-                    .set("id", ids.of(&name))
-                    .set("d", path_data(metal, true)),
-            )
-            .add(
-                ClipPath::new()
-                    .set("id", ids.of(&format!("{name}-clip")))
-                    .add(Use::new().set("href", ids.href(&name))),
-            );
+        definitions = define_area(definitions, ids, &name, metal);
     }
     let mut group = Group::new()
         .set("clip-path", ids.url(&format!("{id}-frame")))
         .add(definitions);
-    let part =
-        |member: Member| Use::new().set("href", ids.href(&format!("{id}-{}", member.name())));
+    let part = |member: Member| area(ids, &format!("{id}-{}", member.name()));
     for (member, fill) in members.into_iter().zip([WHEEL, PINION]) {
         group = group.add(part(member).set("fill", fill));
     }
     let both = |fill: &str| {
-        let clipped = Group::new().set("clip-path", ids.url(&format!("{id}-wheel-clip")));
-        clipped.add(part(Member::Pinion).set("fill", fill))
+        within_area(ids, &format!("{id}-wheel")).add(part(Member::Pinion).set("fill", fill))
     };
     let mut over = Vec::new();
     group = group.add(both(OVERLAP)).add(both(&ids.url("hatch")));

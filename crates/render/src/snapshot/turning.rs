@@ -1,11 +1,14 @@
 //! Both gears' metal in one view, turning about their axes, and where they overlap.
 
 use super::view::{MARGIN, View};
-use crate::kit::{INK, OVERLAP, Occupied, PINION, Spot, WHEEL, clip, number, path_data};
+use crate::kit::{
+    INK, Ids, OVERLAP, Occupied, PINION, Spot, WHEEL, area, clip, define_area, inner_outline,
+    number, path_data,
+};
 use gearlash::contact::{PoseResult, Scene};
 use gearlash::pair::Member;
 use std::f64::consts::TAU;
-use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path, Use};
+use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path};
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
@@ -22,6 +25,7 @@ pub fn metal(
             .set("id", "mesh-frame")
             .add(view.frame().rectangle()),
     );
+    let ids = Ids::default();
     let mut turned = Vec::new();
     for member in MEMBERS {
         let placed = first.placed(member);
@@ -47,37 +51,21 @@ pub fn metal(
         occupied.line(&polygon);
         let motion = || rotation(&turns, times, axis);
         let name = member.name();
-        let shape = || Use::new().set("href", format!("#{name}"));
-        definitions = definitions
-            .add(
-                Path::new()
-                    .set("id", name)
-                    .set("d", path_data(&polygon, true)),
-            )
-            .add(
-                ClipPath::new()
-                    .set("id", format!("{name}-clip"))
-                    .add(shape()),
-            )
-            .add(
-                ClipPath::new()
-                    .set("id", format!("{name}-turning"))
-                    .add(shape().add(motion())),
-            );
+        let turning = Path::new().set("d", path_data(&polygon, true));
+        definitions = define_area(definitions, &ids, name, &polygon).add(
+            ClipPath::new()
+                .set("id", format!("{name}-turning"))
+                .add(turning.add(motion())),
+        );
         let fill = if member == Member::Wheel {
             WHEEL
         } else {
             PINION
         };
-        let gear = Group::new().add(motion()).add(shape().set("fill", fill));
-        let outline = Group::new().add(motion()).add(
-            shape()
-                .set("fill", "none")
-                .set("stroke", INK)
-                .set("stroke-width", "2.40")
-                .set("stroke-linejoin", "round")
-                .set("clip-path", format!("url(#{name}-clip)")),
-        );
+        let filled = area(&ids, name).set("fill", fill);
+        let gear = Group::new().add(motion()).add(filled);
+        let outline = inner_outline(&ids, name, INK, "2.40");
+        let outline = Group::new().add(motion()).add(outline);
         turned.push((gear, outline));
     }
     let mut group = Group::new()
@@ -97,7 +85,7 @@ fn overlap(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let axis = view.spot(scenes[0].placed(pinion).axis());
     let turns = turns(scenes, pinion);
     let layers = [OVERLAP, "url(#hatch)"].map(|fill| {
-        let shape = Use::new().set("href", format!("#{}", pinion.name()));
+        let shape = area(&Ids::default(), pinion.name());
         Group::new()
             .add(rotation(&turns, times, axis))
             .add(shape.set("fill", fill))

@@ -36,7 +36,7 @@ pub fn text(compared: &ComparedOutlines, tolerance_um: Option<f64>, screen: &Scr
     let found = &compared.difference;
     let mut places = Table::new([
         Column::new("").left(),
-        Column::new("um"),
+        Column::new("µm"),
         Column::new("tooth of A"),
         Column::new("x mm"),
         Column::new("y mm"),
@@ -61,7 +61,7 @@ pub fn text(compared: &ComparedOutlines, tolerance_um: Option<f64>, screen: &Scr
         Column::new("root diameter mm"),
         Column::new("tip diameter mm"),
         Column::new("centre mm").left(),
-        Column::new("within um"),
+        Column::new("within µm"),
     ]);
     for (k, name) in ["A", "B"].into_iter().enumerate() {
         let (gear, centre) = (&compared.gears[k], compared.centres[k]);

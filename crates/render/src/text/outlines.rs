@@ -51,7 +51,7 @@ fn binding(run: &OutlineRun, unit: BacklashUnit, screen: &Screen) -> String {
     let mut rows = Table::new(vec![
         Column::new("wheel tooth"),
         Column::new(match unit {
-            BacklashUnit::Um => "j_wt um".to_owned(),
+            BacklashUnit::Um => "j_wt µm".to_owned(),
             BacklashUnit::Arcmin { at, .. } => format!("{} arcmin", at.name()),
         }),
         Column::new("right flanks").left(),
@@ -61,7 +61,7 @@ fn binding(run: &OutlineRun, unit: BacklashUnit, screen: &Screen) -> String {
         let [right, left] = pose.contacts().map(|contact| {
             contact.map_or("jammed".to_owned(), |contact| {
                 format!(
-                    "{}.{} {}",
+                    "{}·{} {}",
                     contact.wheel.tooth,
                     contact.pinion.tooth,
                     region_words(&contact)

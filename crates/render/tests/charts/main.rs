@@ -10,6 +10,7 @@ mod inspection;
 mod one_assembly;
 mod parts;
 mod places;
+mod texts;
 #[path = "../../../../tests/common/two_thick_teeth.rs"]
 mod two_thick_teeth;
 

@@ -84,8 +84,9 @@ fn every_course_starts_where_the_still_picture_has_it() {
         check_labels(solved.name, &svg);
         assert_eq!(svg, draw(solved));
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
-        // Self-contained: the only address is the name space.
-        assert_eq!(svg.matches("http").count(), 1);
+        // Self-contained: the only addresses are the name spaces.
+        assert_eq!(svg.matches("http").count(), 2);
+        assert_eq!(svg.matches("=\"http://www.w3.org/").count(), 2);
         let document = Document::parse(&svg).unwrap();
         for node in document
             .descendants()

@@ -6,6 +6,7 @@ mod closed_form;
 mod design;
 mod exaggerated;
 mod picture;
+mod readers;
 mod scene;
 mod solved;
 
@@ -105,8 +106,9 @@ fn jammed() -> (GearPair, Pose, LostMotion) {
     (assembly, at, lost)
 }
 
-/// Every text is on the sheet, off every other text, and clear of the lines and frames round it.
+/// Plain readers understand it, and every text is on the sheet, off every other text, and clear of the lines and frames round it.
 fn check_labels(name: &str, svg: &str) {
+    readers::check(name, svg);
     let picture = read(svg);
     let sheet = [0.0, 0.0, 1188.0, 840.0];
     for (i, (text, room)) in picture.texts.iter().enumerate() {

@@ -43,7 +43,7 @@ pub fn read(svg: &str) -> Picture {
                 number(&node, "r"),
                 node.attribute("fill") != Some("white"),
             )),
-            "path" if !node.ancestors().any(|above| above.has_tag_name("pattern")) => {
+            "path" if !node.ancestors().any(is_no_drawing) => {
                 let data = node.attribute("d").unwrap().trim_start_matches('M');
                 let points: Vec<[f64; 2]> = data
                     .trim_end_matches('Z')
@@ -66,6 +66,11 @@ pub fn read(svg: &str) -> Picture {
         }
     }
     picture
+}
+
+/// What is a filling or a limit.
+fn is_no_drawing(node: Node) -> bool {
+    node.has_tag_name("pattern") || node.has_tag_name("clipPath")
 }
 
 /// A text and its room: 0.62 em a character, 0.36 em a thin one, about what sans-serif faces take; a capital's height.

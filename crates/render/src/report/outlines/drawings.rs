@@ -1,6 +1,6 @@
 //! What was read of each drawing, and how the gears are put together.
 
-use super::super::phrases::{plain, symbol};
+use super::super::phrases::{plain, sentence, symbol};
 use super::super::stated::{high_tooth, runout, thickness};
 use super::OutlineReport;
 use gearlash::outline::OutlineGear;
@@ -34,7 +34,7 @@ pub(super) fn section(report: &OutlineReport) -> Markup {
                 p { (if found.is_empty() { "No" } else { "No other" }) " outline looks like an involute." }
             }
             (assembly(report))
-            @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (plain(warning)) "." } }
+            @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
         }
     }
 }

@@ -31,7 +31,7 @@ fn both_methods_and_the_certificate_agree_on_random_poses() {
 /// Source: clearance of dense points of either gear in the other's own frame, nothing of either method.
 #[test]
 fn the_exact_method_holds_against_brute_force() {
-    let complaints: Vec<(u64, Vec<String>)> = (0..300u64)
+    let complaints: Vec<(u64, Vec<String>)> = (0..80u64)
         .into_par_iter()
         .filter_map(|index| {
             let drawn = Drawn::new(None, SEED, index);
@@ -48,7 +48,7 @@ fn the_exact_method_holds_against_brute_force() {
 #[test]
 fn brute_force_refuses_wrong_rotations() {
     let mut refused = 0;
-    for index in 0..40 {
+    for index in 0..12 {
         let drawn = Drawn::new(None, SEED, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let found = ExactKernel::new(&drawn.assembly)
@@ -75,7 +75,7 @@ fn brute_force_refuses_wrong_rotations() {
             refused += 1;
         }
     }
-    assert!(refused > 60, "{refused}");
+    assert!(refused > 15, "{refused}");
 }
 
 /// The pair file printed for a pose is that pose, to the last bit.

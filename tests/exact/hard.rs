@@ -48,7 +48,7 @@ fn pair(wheel: AsBuilt, pinion: AsBuilt, distance: f64) -> GearPair {
     GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
-/// Sixteen poses over a pitch from the mating (1, 1), each checked against brute force.
+/// Sixteen poses over a pitch from the mating (1, 1), each third checked against brute force.
 fn over_a_pitch(assembly: &GearPair) -> Vec<LostMotion> {
     let kernel = ExactKernel::new(assembly);
     let mut tally = Tally::default();
@@ -60,7 +60,9 @@ fn over_a_pitch(assembly: &GearPair) -> Vec<LostMotion> {
                 flank: if k % 2 == 0 { Side::Right } else { Side::Left },
                 fraction: f64::from(k) / 16.0,
             };
-            compare(assembly, mating, &mut tally, 0);
+            if k % 3 == 0 {
+                compare(assembly, mating, &mut tally, 0);
+            }
             kernel.lost_motion(&Pose::new(assembly, mating)).unwrap()
         })
         .collect()

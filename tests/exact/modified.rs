@@ -179,18 +179,18 @@ fn the_quick_path_finds_what_the_search_finds() {
     );
 }
 
-/// 300 pairs with slope, crowning, relief and traces: exact against polygon, certificate and brute force.
+/// 150 pairs with slope, crowning, relief and traces: exact against polygon, certificate and, each sixteenth, brute force.
 #[test]
 fn random_profiles_by_every_method() {
-    let met: Vec<Status> = (0..400u64)
+    let met: Vec<Status> = (0..200u64)
         .into_par_iter()
-        .filter_map(|seed| compare(seed, seed % 8 == 0))
+        .filter_map(|seed| compare(seed, seed % 16 == 0))
         .collect();
     let count = |status| met.iter().filter(|met| **met == status).count();
     let found = [Status::Clear, Status::Interference, Status::Jammed].map(count);
     println!("{} pairs, {found:?}", met.len());
     assert!(
-        met.len() >= 300 && found.iter().all(|&count| count > 5),
+        met.len() >= 150 && found.iter().all(|&count| count > 2),
         "{found:?}"
     );
 }

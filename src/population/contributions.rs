@@ -298,17 +298,18 @@ pub fn contribution_sums(
             Err(_) => Ok([None; 2]),
         }
     };
-    let chunks = parallel::map(in_chunks(&numbers, CHUNK), |chunk| {
-        if tick().is_break() {
-            return Err(SampleError::Error(Error::Interrupted));
-        }
-        let mut sums = ContributionSums::new(factors.len());
-        for number in chunk {
-            let row = row(factors, |run| both(number, run))?;
-            count(&mut sums, number, &row)?;
-        }
-        Ok(sums)
-    });
+    let chunks = parallel::map(
+        in_chunks(&numbers, CHUNK),
+        |chunk| -> Result<_, SampleError> {
+            Error::if_stopped(tick())?;
+            let mut sums = ContributionSums::new(factors.len());
+            for number in chunk {
+                let row = row(factors, |run| both(number, run))?;
+                count(&mut sums, number, &row)?;
+            }
+            Ok(sums)
+        },
+    );
     let mut sums = ContributionSums::new(factors.len());
     for chunk in chunks {
         sums.add(&chunk?)?;

@@ -40,8 +40,8 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     let (id, ids) = (look.id, look.ids);
     let frame = view.frame();
     let wide = frame.grown(MARGIN);
-    let names = [Member::Wheel, Member::Pinion].map(|member| format!("{id}-{}", member.name()));
-    let metal = [Member::Wheel, Member::Pinion].map(|member| {
+    let names = Member::BOTH.map(|member| format!("{id}-{}", member.name()));
+    let metal = Member::BOTH.map(|member| {
         let outline = scene
             .placed(member)
             .outline_near(view.middle(), view.reach(), view.chord());
@@ -135,7 +135,7 @@ pub fn lines_over(
     occupied: &mut Occupied,
 ) -> Group {
     let wide = view.frame().grown(MARGIN);
-    for member in [Member::Wheel, Member::Pinion] {
+    for member in Member::BOTH {
         let placed = scene.placed(member);
         let pitch = scene.assembly().operating_pitch_radius(member);
         let base = placed.as_built().gear().base_radius();
@@ -149,8 +149,7 @@ pub fn lines_over(
             }
         }
     }
-    let axes =
-        [Member::Wheel, Member::Pinion].map(|member| view.spot(scene.assembly().axis(member)));
+    let axes = Member::BOTH.map(|member| view.spot(scene.assembly().axis(member)));
     if let Some(centres) = clip::segment(axes[0], axes[1], &wide) {
         occupied.line(&centres);
         group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));

@@ -161,7 +161,7 @@ fn numbers(
             mating: pose.mating.tooth(member),
         }
     };
-    let gears = [Member::Wheel, Member::Pinion].map(numbered);
+    let gears = Member::BOTH.map(numbered);
     let ([wheel, pinion], _) = tooth_numbers::draw(&gears, view, occupied);
     Group::new().add(wheel).add(pinion)
 }
@@ -226,7 +226,7 @@ fn gears(
             .set("id", ids.of(&format!("{id}-frame")))
             .add(frame.rectangle()),
     );
-    let members = [Member::Wheel, Member::Pinion];
+    let members = Member::BOTH;
     let metal = members.map(|member| {
         let turned = turned(pair, pose, member, rotation);
         let points = pair.outline(member, turned, view.chord());

@@ -7,8 +7,6 @@ use gearlash::pair::Member;
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path, Use};
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
-
 /// Both gears, each turned about its axis.
 pub fn metal(
     first: &Scene,
@@ -23,7 +21,7 @@ pub fn metal(
             .add(view.frame().rectangle()),
     );
     let mut turned = Vec::new();
-    for member in MEMBERS {
+    for member in Member::BOTH {
         let placed = first.placed(member);
         let turns = turns(scenes, member);
         let axis = view.spot(placed.axis());

@@ -10,7 +10,7 @@ use super::method::MethodArgs;
 use super::studies;
 use super::target::Target;
 use super::unit::UnitArgs;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use drawn::DrawnChart;
 use gearlash_files::{AnyPair, PairFile};
@@ -87,14 +87,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = match given {
         Some(target) => target,
-        None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file), &sources)?,
+        None => Target::prepare_own(&stem, drawn.file, &sources)?,
     };
     target.write(&drawn.svg)?;
-    Ok(if drawn.agrees {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::from(1)
-    })
+    Ok(exit_code(drawn.agrees))
 }
 
 /// Options that say nothing about the kind asked for are mistakes.

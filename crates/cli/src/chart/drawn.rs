@@ -1,7 +1,6 @@
 //! What each kind of chart is drawn from.
 
 use super::super::console::tell;
-use super::super::distances::Distances;
 use super::super::drawing::{End, Gear, material};
 use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
@@ -41,21 +40,7 @@ impl DrawnChart {
             let wanted = material(end, &study)?;
             study.materials.retain(|(material, ..)| *material == wanted);
         }
-        let distance = match &args.center_distance {
-            Some(Distances(given)) if given.len() == 1 => given.clone(),
-            Some(_) => {
-                return Err(Error::Usage(
-                    "--center-distance: a chart is drawn at one centre distance".to_owned(),
-                ));
-            }
-            None => study.center_distances.iter().take(1).copied().collect(),
-        };
-        if args.center_distance.is_none() && study.center_distances.len() > 1 {
-            tell(&format!(
-                "note: at the least of {} centre distances; choose with --center-distance",
-                study.center_distances.len()
-            ));
-        }
+        let distance = distance(args, &study.center_distances)?;
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
@@ -164,6 +149,31 @@ impl DrawnChart {
             file: MAP.to_owned(),
             agrees: agreed(&analysis),
         })
+    }
+}
+
+/// The centre distance at which a chart is drawn: what was asked for, else the first of `stated`, if there is one.
+pub(super) fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
+    if let Some(given) = asked_distance(args)? {
+        return Ok(vec![given]);
+    }
+    if stated.len() > 1 && args.kind != Kind::Map {
+        tell(&format!(
+            "note: at the least of {} centre distances; choose with --center-distance",
+            stated.len()
+        ));
+    }
+    Ok(stated.iter().take(1).copied().collect())
+}
+
+/// The centre distance that was asked for.
+pub(super) fn asked_distance(args: &Args) -> Result<Option<f64>, Error> {
+    match args.center_distance.as_ref().map(|given| &given.0[..]) {
+        None => Ok(None),
+        Some([only]) => Ok(Some(*only)),
+        Some(_) => Err(Error::Usage(
+            "--center-distance: a chart is drawn at one centre distance".to_owned(),
+        )),
     }
 }
 

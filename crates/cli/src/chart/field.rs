@@ -1,11 +1,10 @@
 //! `gearlash chart --kind field`: the field of action of helical gears.
 
-use super::super::distances::Distances;
 use super::super::drawing::material;
 use super::super::method::all_proven;
 use super::super::worst;
 use super::Args;
-use super::drawn::DrawnChart;
+use super::drawn::{DrawnChart, asked_distance};
 use crate::error::Error;
 use gearlash::analysis::curves::Field;
 use gearlash::analysis::study::Study;
@@ -20,14 +19,7 @@ pub(super) fn drawn(args: &Args, study: Study) -> Result<DrawnChart, Error> {
                 .to_owned(),
         ));
     }
-    let distance = match &args.center_distance {
-        Some(Distances(given)) if given.len() != 1 => {
-            return Err(Error::Usage(
-                "--center-distance: a chart is drawn at one centre distance".to_owned(),
-            ));
-        }
-        given => given.as_ref().map(|Distances(given)| given[0]),
-    };
+    let distance = asked_distance(args)?;
     let end = args.material.map(|end| material(end, &study)).transpose()?;
     let title = study.title.clone();
     let (run, pose, unproven) = worst::find("--kind field", study, distance, end)?;

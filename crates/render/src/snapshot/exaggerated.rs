@@ -1,6 +1,7 @@
 //! The deviations of both gears, enlarged until they can be seen, before the ghosts of perfect teeth.
 
 use super::caption;
+use super::gears::edge;
 use super::main_view;
 use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::{MARGIN, View};
@@ -88,14 +89,7 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
         let shape = || Use::new().set("href", format!("#{name}"));
         metal = metal
             .add(shape().set("fill", fill).set("fill-opacity", "0.8"))
-            .add(
-                shape()
-                    .set("fill", "none")
-                    .set("stroke", INK)
-                    .set("stroke-width", "2.40")
-                    .set("stroke-linejoin", "round")
-                    .set("clip-path", format!("url(#{name}-clip)")),
-            );
+            .add(edge(shape(), format!("url(#{name}-clip)")));
         ghosts = ghosts.add(ghost_line(&ghost, 1.2));
     }
     Group::new()

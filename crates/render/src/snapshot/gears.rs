@@ -3,7 +3,7 @@
 use super::contact_bands;
 use super::view::{MARGIN, View};
 use crate::kit::{
-    ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, clip, line,
+    ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, clip, line,
     path_data,
 };
 use gearlash::contact::{DrawnContact, Scene};
@@ -48,29 +48,9 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
         clip::polygon(&spots, &wide)
     });
-    let mut definitions = Definitions::new().add(
-        ClipPath::new()
-            .set("id", ids.of(&format!("{id}-frame")))
-            .add(frame.rectangle()),
-    );
-    for (polygon, name) in metal.iter().zip(&names) {
-        occupied.line(polygon);
-        definitions = definitions
-            .add(
-                Path::new()
-                    .set("id", ids.of(name))
-                    .set("d", path_data(polygon, true)),
-            )
-            .add(
-                ClipPath::new()
-                    .set("id", ids.of(&format!("{name}-clip")))
-                    .add(Use::new().set("href", ids.href(name))),
-            );
-    }
-    let mut group = Group::new()
-        .set("clip-path", ids.url(&format!("{id}-frame")))
-        .add(definitions)
-        .add(frame.rectangle().set("fill", "white"));
+    metal.iter().for_each(|polygon| occupied.line(polygon));
+    let mut group =
+        clipped(frame, (id, ids), &names, &metal).add(frame.rectangle().set("fill", "white"));
     for contact in scene.meetings() {
         // The room's ends are cut at whole chords: a finer cut keeps them in place.
         let room = scene.room_between(contact, view.chord() / 16.0);
@@ -89,14 +69,9 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         group = group.add(metal_of(name).set("fill", fill));
     }
     let shown = |contact: &&DrawnContact| look.sides.contains(&contact.side);
-    let outlines = names.each_ref().map(|name| {
-        metal_of(name)
-            .set("fill", "none")
-            .set("stroke", INK)
-            .set("stroke-width", "2.40")
-            .set("stroke-linejoin", "round")
-            .set("clip-path", ids.url(&format!("{name}-clip")))
-    });
+    let outlines = names
+        .each_ref()
+        .map(|name| edge(metal_of(name), ids.url(&format!("{name}-clip"))));
     let overlap = [OVERLAP.to_owned(), ids.url("hatch")].map(|fill| {
         metal_of(&names[1])
             .set("fill", fill)
@@ -124,6 +99,40 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         group = group.add(contact_bands::limits(scene, contact, view, occupied));
     }
     Gears { group, metal }
+}
+
+/// What is drawn of gears with these names into `frame`, nothing yet: clipped there, with each one's `metal` defined and a clip that is it.
+pub fn clipped(
+    frame: &Frame,
+    (id, ids): (&str, &Ids),
+    names: &[String; 2],
+    metal: &[Vec<Spot>; 2],
+) -> Group {
+    let mut definitions = Definitions::new().add(
+        ClipPath::new()
+            .set("id", ids.of(&format!("{id}-frame")))
+            .add(frame.rectangle()),
+    );
+    for (polygon, name) in metal.iter().zip(names) {
+        let shape = Path::new().set("id", ids.of(name));
+        let clip = ClipPath::new().set("id", ids.of(&format!("{name}-clip")));
+        definitions = definitions
+            .add(shape.set("d", path_data(polygon, true)))
+            .add(clip.add(Use::new().set("href", ids.href(name))));
+    }
+    Group::new()
+        .set("clip-path", ids.url(&format!("{id}-frame")))
+        .add(definitions)
+}
+
+/// The edge of what `shape` uses, cut by `clip` to its metal's side.
+pub fn edge(shape: Use, clip: String) -> Use {
+    shape
+        .set("fill", "none")
+        .set("stroke", INK)
+        .set("stroke-width", "2.40")
+        .set("stroke-linejoin", "round")
+        .set("clip-path", clip)
 }
 
 /// Pitch and base circles, line of centres, lines of action with the paths of contact.

@@ -1,7 +1,8 @@
 //! Both gears' metal in one view, turning about their axes, and where they overlap.
 
+use super::gears::edge;
 use super::view::{MARGIN, View};
-use crate::kit::{INK, OVERLAP, Occupied, PINION, Spot, WHEEL, clip, number, path_data};
+use crate::kit::{OVERLAP, Occupied, PINION, Spot, WHEEL, clip, number, path_data};
 use gearlash::contact::{PoseResult, Scene};
 use gearlash::pair::Member;
 use std::f64::consts::TAU;
@@ -21,19 +22,15 @@ pub fn metal(
             .add(view.frame().rectangle()),
     );
     let mut turned = Vec::new();
-    for member in Member::BOTH {
+    for (member, fill) in Member::BOTH.into_iter().zip([WHEEL, PINION]) {
         let placed = first.placed(member);
         let turns = turns(scenes, member);
         let axis = view.spot(placed.axis());
         let frame = view.frame();
         // What comes into the frame in a pitch stands no farther off than its farthest corner moves.
-        let corners = [
-            [frame.left, frame.top],
-            [frame.right, frame.top],
-            [frame.left, frame.bottom],
-            [frame.right, frame.bottom],
-        ];
-        let far = corners.map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
+        let far = frame
+            .corners()
+            .map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
         let angle = turns
             .iter()
             .fold(0.0, |most, turn| f64::max(most, turn.abs()));
@@ -62,20 +59,9 @@ pub fn metal(
                     .set("id", format!("{name}-turning"))
                     .add(shape().add(motion())),
             );
-        let fill = if member == Member::Wheel {
-            WHEEL
-        } else {
-            PINION
-        };
         let gear = Group::new().add(motion()).add(shape().set("fill", fill));
-        let outline = Group::new().add(motion()).add(
-            shape()
-                .set("fill", "none")
-                .set("stroke", INK)
-                .set("stroke-width", "2.40")
-                .set("stroke-linejoin", "round")
-                .set("clip-path", format!("url(#{name}-clip)")),
-        );
+        let outline = edge(shape(), format!("url(#{name}-clip)"));
+        let outline = Group::new().add(motion()).add(outline);
         turned.push((gear, outline));
     }
     let mut group = Group::new()

@@ -1,7 +1,6 @@
 //! `gearlash chart`: curves and bars as SVG.
 
 mod drawn;
-mod field;
 mod outlines;
 
 use super::distances::{self, Distances};
@@ -83,7 +82,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Kind::Distance => DrawnChart::over_distance(args, &study)?,
         Kind::Inspection => DrawnChart::inspection(args, &study)?,
         Kind::Map => DrawnChart::map(args, &study)?,
-        Kind::Field => field::drawn(args, study)?,
+        Kind::Field => DrawnChart::field(args, study)?,
     };
     let target = match given {
         Some(target) => target,

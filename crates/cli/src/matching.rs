@@ -75,10 +75,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let own = PathBuf::from("out").join(&file.pair.stem);
     let named = args.output.as_deref();
-    let folder = match args.shard {
-        Some(_) => Some(named.unwrap_or(&own).to_path_buf()),
-        None => args.format.folder(named, &own),
-    };
+    let folder = args.format.folder(named, &own, args.shard);
     let shard = args.shard.unwrap_or([1, 1]);
     let sources = &file.pair.sources;
     let whole = folder.as_ref().filter(|_| args.shard.is_none());

@@ -11,13 +11,12 @@ use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::{self, outlines::OutlinePose};
-use gearlash::contact::{CutPair, LostMotion, MeshSection, Method, PoseResult, Unproven, sweep};
+use gearlash::contact::{LostMotion, MeshSection, PoseResult, Unproven};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
 use gearlash_render::Snapshot;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -284,16 +283,7 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     let flank = flank.side();
     let count = |member| assembly.teeth(member);
     let mating = mating(teeth, args.fraction, count, flank)?;
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
-    let cut = CutPair::for_certificates(wheel, pinion);
-    let method = Method::Exact { certify: true };
-    let swept = sweep(&assembly, &cut, method, &[mating], 0.0, &|| {
-        ControlFlow::Continue(())
-    })?;
-    let Some(swept) = swept.into_iter().next() else {
-        // One mating makes one pose.
-        return Err(Error::Usage("no pose to draw".to_owned()));
-    };
+    let swept = assembly.lost_motion(mating)?;
     Ok(Subject {
         file: format!(
             "snapshot_{}_{}_{}_a{}_{}.svg",

@@ -6,10 +6,11 @@ use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
 use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
+use super::super::worst;
 use super::{Args, Kind};
 use crate::error::Error;
 use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::curves::{self, Course, Followed};
+use gearlash::analysis::curves::{self, Course, Field, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
@@ -17,6 +18,7 @@ use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::stated_distance;
 use gearlash_files::verdict::{in_short, sentence};
 use gearlash_render::chart::{self, Heading};
 
@@ -64,10 +66,10 @@ impl DrawnChart {
         let (name, chart) = match args.kind {
             Kind::Difference => (
                 "difference",
-                chart::difference(&heading(&study, &cycle), course, study.tolerance_um)?,
+                chart::difference(&heading(&study.title, &cycle), course, study.tolerance_um)?,
             ),
             _ => {
-                let chart = chart::revolution_in(unit, &heading(&study, &cycle), course)?;
+                let chart = chart::revolution_in(unit, &heading(&study.title, &cycle), course)?;
                 ("revolution", chart)
             }
         };
@@ -109,7 +111,7 @@ impl DrawnChart {
         Ok(DrawnChart {
             svg: chart::distance_in(
                 unit,
-                &heading(study, &cycle),
+                &heading(&study.title, &cycle),
                 &curve,
                 &by_distance(&all, &[]),
             )?
@@ -130,7 +132,7 @@ impl DrawnChart {
         };
         let inspection = Inspection::of(gear);
         Ok(DrawnChart {
-            svg: chart::inspection(&heading(study, ""), name, &inspection)?.svg,
+            svg: chart::inspection(&heading(&study.title, ""), name, &inspection)?.svg,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
         })
@@ -148,6 +150,37 @@ impl DrawnChart {
             svg: first_map(maps::of_data(study, &analysis.diagnosis)?)?,
             file: MAP.to_owned(),
             agrees: agreed(&analysis),
+        })
+    }
+
+    /// Of helical gears the field of action at the pose which binds.
+    pub fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
+        if !study.is_helical() {
+            return Err(Error::Usage(
+                "--kind field is for helical gears: along the face of spur gears nothing changes"
+                    .to_owned(),
+            ));
+        }
+        let distance = asked_distance(args)?;
+        let end = args.material.map(|end| material(end, &study)).transpose()?;
+        let title = study.title.clone();
+        let (run, pose, unproven) = worst::find("--kind field", study, distance, end)?;
+        let field = Field::of(&run.assembly, &pose).ok_or_else(|| {
+            Error::Usage(
+                "--kind field: the worst pose is jammed or unproven; there are no contact lines"
+                    .to_owned(),
+            )
+        })?;
+        let a = run.assembly.center_distance();
+        let subtitle = format!(
+            "Field of action at the least backlash · a = {} mm · {}",
+            stated_distance(a),
+            run.material.words()
+        );
+        Ok(DrawnChart {
+            svg: chart::field(&heading(&title, &subtitle), &field)?.svg,
+            file: format!("chart_field_a{a}_{}.svg", run.material.name()),
+            agrees: all_proven(unproven),
         })
     }
 }
@@ -187,10 +220,10 @@ pub(super) fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     first.map(|map| map.svg).ok_or_else(none)
 }
 
-fn heading<'a>(study: &'a Study, subtitle: &'a str) -> Heading<'a> {
+pub(super) fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
     Heading {
         prefix: "chart",
-        title: &study.title,
+        title,
         subtitle,
     }
 }

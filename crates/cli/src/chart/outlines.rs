@@ -1,6 +1,6 @@
 //! `gearlash chart` of a pair with an outline: backlash over the mesh cycle, and over the centre distance, too.
 
-use super::drawn::{MAP, distance, first_map, suffix};
+use super::drawn::{MAP, distance, first_map, heading, suffix};
 use super::{Args, Kind};
 use crate::console::tell;
 use crate::error::{Error, exit_code};
@@ -11,7 +11,7 @@ use crate::target::Target;
 use gearlash::analysis::outlines::unproven;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::sentence;
-use gearlash_render::chart::{self, Heading};
+use gearlash_render::chart;
 use std::process::ExitCode;
 
 /// Runs the command.
@@ -46,11 +46,7 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
     };
     let runs = runs(&file, &args.method)?;
     tell(&sentence(&file.study, &runs));
-    let heading = Heading {
-        prefix: "chart",
-        title: &file.study.title,
-        subtitle: "",
-    };
+    let heading = heading(&file.study.title, "");
     output.write(&match args.kind {
         Kind::Map => first_map(maps::of_outlines(&file, &runs)?)?,
         _ => chart::outlines(unit, &heading, &runs)?.svg,

@@ -38,9 +38,15 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Where results go: text is the short form of files, the others are the result itself, and are files where a folder is named.
-    pub(crate) fn folder(self, named: Option<&Path>, own: &Path) -> Option<PathBuf> {
+    /// Where results go: text is the short form of files, the others are the result itself, and are files where a folder is named. A `shard` is always one.
+    pub(crate) fn folder(
+        self,
+        named: Option<&Path>,
+        own: &Path,
+        shard: Option<[u64; 2]>,
+    ) -> Option<PathBuf> {
         match self {
+            _ if shard.is_some() => Some(named.unwrap_or(own).to_path_buf()),
             Format::Text => Some(named.unwrap_or(own).to_path_buf()),
             Format::Json | Format::Csv => named.map(Path::to_path_buf),
         }

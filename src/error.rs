@@ -4,6 +4,7 @@
 //! An interfering, jammed or unmeshed pair is a result, never an error.
 
 use crate::outline::OutlineError;
+use std::ops::ControlFlow;
 
 /// A gear or a pair that cannot exist. Lengths in mm, angles in radians inside;
 /// the messages print mm and degrees.
@@ -260,6 +261,14 @@ pub enum Error {
 }
 
 impl Error {
+    /// Ends a calculation whose `tick` asked to stop.
+    pub(crate) fn if_stopped(tick: ControlFlow<()>) -> Result<(), Error> {
+        match tick {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Error::Interrupted),
+        }
+    }
+
     /// What was seen, in words, where it concerns nothing but the pose at hand: a contact that was lost, a certificate
     /// that failed. `None` of all that ends a command.
     pub fn of_one_pose(&self) -> Option<String> {

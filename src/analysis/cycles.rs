@@ -241,8 +241,8 @@ fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
 
 /// lcm(z_1, z_2).
 pub(super) fn hunting_pitches(assembly: &GearPair) -> u64 {
-    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
-    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
+    SweepPlan::hunting_pitches(wheel, pinion)
 }
 
 /// Whether it matters for the extremes over the cycle in which phase the gears are put together: not against teeth that are all alike.
@@ -252,18 +252,16 @@ pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
 
 /// Whether wheel and pinion have unlike teeth: in any direction an eccentricity alone makes no tooth another.
 fn deviate(assembly: &GearPair) -> [bool; 2] {
-    [Member::Wheel, Member::Pinion].map(|one| assembly.gear(one).centred().has_unlike_teeth())
+    Member::BOTH.map(|one| assembly.gear(one).centred().has_unlike_teeth())
 }
 
 /// Matings that differ: after them every deviation of both gears is where it was.
 pub(super) fn distinct(assembly: &GearPair) -> u64 {
-    let gear = |member| assembly.gear(member);
-    let teeth = |member| gear(member).gear().basic_data().teeth();
-    let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
+    let teeth = |member| u64::from(assembly.teeth(member));
     match deviate(assembly) {
         [true, true] => hunting_pitches(assembly),
-        [true, false] => u64::from(wheel),
-        [false, true] => u64::from(pinion),
+        [true, false] => teeth(Member::Wheel),
+        [false, true] => teeth(Member::Pinion),
         [false, false] => 1,
     }
 }

@@ -58,7 +58,7 @@ pub(super) struct AnyDirection {
 
 /// Whether a gear has a runout without a direction.
 pub(super) fn is_open(assembly: &GearPair) -> bool {
-    let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let gears = Member::BOTH.map(|member| assembly.gear(member));
     gears.iter().any(|gear| open_eccentricity(gear) > 0.0)
 }
 
@@ -109,7 +109,7 @@ pub(super) fn extremes(
             greatest: greatest.map(|(extreme, _)| extreme),
             lost: lost.map(|(_, mating)| mating),
         },
-        off: [Member::Wheel, Member::Pinion]
+        off: Member::BOTH
             .map(|member| open_eccentricity(assembly.gear(member)))
             .iter()
             .sum(),

@@ -230,9 +230,7 @@ pub fn extremes(
 ) -> Result<CycleExtremes, Error> {
     let plans = plans(study)?;
     let found = parallel::map(0..plans.len() as u64, |index| {
-        if tick().is_break() {
-            return Err(Error::Interrupted);
-        }
+        Error::if_stopped(tick())?;
         let plan = &plans[index as usize];
         let clearance = study.bearing_clearance;
         let ends = (clearance > 0.0).then(|| plan.at_ends(clearance));

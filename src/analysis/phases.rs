@@ -16,8 +16,7 @@ pub struct PhaseGroup<'a> {
 
 /// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
 pub fn phase(assembly: &GearPair, mating: &Mating) -> u32 {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion]
-        .map(|member| assembly.gear(member).gear().basic_data().teeth());
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     let ways = SweepPlan::phase_count(wheel, pinion);
     (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1
 }

@@ -54,7 +54,7 @@ impl Quantity {
             Quantity::RadialBacklash => all.j_r.unwrap_or(f64::INFINITY),
             Quantity::LostMotion(member) => all.angle(member),
             Quantity::RadialClearance => {
-                let both = [Member::Wheel, Member::Pinion];
+                let both = Member::BOTH;
                 let mean = both.map(|member| radial_clearance(assembly, member));
                 let off = both.map(|member| assembly.gear(member).eccentricity());
                 clearance_off_axes(mean, off, is_max)

@@ -135,7 +135,7 @@ impl Study {
     /// # Ok::<(), gearlash::error::Error>(())
     /// ```
     pub fn of_pair(title: &str, pair: &GearPair, steps_per_pitch: u32) -> Study {
-        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
+        let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
         Study {
             title: title.to_owned(),
             materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],

@@ -48,7 +48,7 @@ impl Uncertainty {
         let per_thickness = thickness::per_normal_thickness(basic_data) * per_base;
         let per_shift = 2.0 * angle.tan();
         let mut square = (per_shift * self.center_distance).powi(2);
-        for (index, member) in [Member::Wheel, Member::Pinion].into_iter().enumerate() {
+        for (index, member) in Member::BOTH.into_iter().enumerate() {
             let [right, left] = touching.map(|contact| tooth(&contact, member));
             let flanks: f64 = if right == left { 1.0 } else { 0.5f64.sqrt() };
             square += (per_base * self.base_thickness[index]).powi(2);

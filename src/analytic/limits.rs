@@ -65,7 +65,7 @@ pub fn contact_ratio(assembly: &GearPair) -> f64 {
 
 /// Contact ratio over the path that both gears' form circles leave of [`contact_ratio`]'s.
 pub fn usable_contact_ratio(assembly: &GearPair) -> f64 {
-    let lost: f64 = [Member::Wheel, Member::Pinion]
+    let lost: f64 = Member::BOTH
         .map(|member| (-form_margin(assembly, member)).max(0.0))
         .iter()
         .sum();

@@ -333,7 +333,7 @@ mod tests {
                 let helix = if face == [0.0; 2] { 0.0 } else { 0.3 };
                 let wheel = gear(teeth[0], Face::Front, helix, Hand::Right, 0.9);
                 let pinion = gear(teeth[1], Face::Back, helix, Hand::Left, free_off);
-                for locked in [Member::Wheel, Member::Pinion] {
+                for locked in Member::BOTH {
                     let sum = f64::from(teeth[0] + teeth[1]);
                     let distance = 1.5 * sum / f64::cos(helix) + 2.6;
                     let (wheel, pinion) = (wheel.clone(), pinion.clone());

@@ -24,7 +24,7 @@ use std::f64::consts::PI;
 /// Whether teeth of one gear reach to where the mate's outline has its centre, and its shaft stands: all poses are jammed. What
 /// turned there would meet teeth from all sides, and no pair of them would come first.
 pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
-    [Member::Wheel, Member::Pinion].into_iter().any(|member| {
+    Member::BOTH.into_iter().any(|member| {
         let (gear, mate) = (assembly.gear(member), assembly.gear(member.mate()));
         gear.reach() + mate.eccentricity() >= assembly.center_distance()
     })

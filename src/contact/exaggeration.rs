@@ -27,8 +27,6 @@ pub struct Exaggeration<'a> {
     perfect: [AsBuilt; 2],
 }
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
-
 impl<'a> Exaggeration<'a> {
     /// The gears of `assembly` with their deviations `factor` times as large.
     ///
@@ -36,7 +34,7 @@ impl<'a> Exaggeration<'a> {
     /// As [`AsBuilt::exaggerated`].
     pub fn new(assembly: &'a GearPair, factor: f64) -> Result<Exaggeration<'a>, GearError> {
         let both = |factor: f64| -> Result<[AsBuilt; 2], GearError> {
-            let [wheel, pinion] = MEMBERS.map(|m| assembly.gear(m).exaggerated(factor));
+            let [wheel, pinion] = Member::BOTH.map(|m| assembly.gear(m).exaggerated(factor));
             Ok([wheel?, pinion?])
         };
         Ok(Exaggeration {
@@ -80,7 +78,7 @@ impl<'a> Exaggeration<'a> {
 
     /// What was found on one gear.
     pub fn found(&self, member: Member) -> MeasuredOnGear {
-        let teeth = 1..=self.assembly.gear(member).gear().basic_data().teeth();
+        let teeth = 1..=self.assembly.teeth(member);
         let places = teeth.flat_map(|tooth| self.flanks_of(member, tooth));
         let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |range, place| {
             (range.0.min(place), range.1.max(place))

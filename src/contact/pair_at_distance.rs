@@ -76,7 +76,7 @@ impl PairAtDistance {
 /// Centre distances between which two gears can touch at all, mm: from touching base circles (a
 /// millionth of them apart) to tips that do not reach each other.
 pub(crate) fn reach(assembly: &GearPair) -> [f64; 2] {
-    let members = [Member::Wheel, Member::Pinion];
+    let members = Member::BOTH;
     let base: f64 = members
         .map(|m| assembly.gear(m).gear().base_radius())
         .iter()

@@ -290,9 +290,7 @@ pub fn sweep_blocks<E: From<Error>>(
         .as_ref()
         .map(|ends| ends.each_ref().map(|end| Solver::new(end, cut, method)));
     let find = |mating: &Mating| {
-        if tick().is_break() {
-            return Err(Error::Interrupted);
-        }
+        Error::if_stopped(tick())?;
         pose_result(&here, ends.as_ref(), mating)
     };
     for block in matings.chunks(BLOCK) {

@@ -92,12 +92,10 @@ pub(super) fn roll(
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);
-    let take = |step: usize, beyond: f64| match tick() {
-        ControlFlow::Continue(()) => {
-            let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
-            sample(&bench, guess, &mating)
-        }
-        ControlFlow::Break(()) => Err(Error::Interrupted),
+    let take = |step: usize, beyond: f64| {
+        Error::if_stopped(tick())?;
+        let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
+        sample(&bench, guess, &mating)
     };
     let curve = RollCurve {
         steps: matings.len(),

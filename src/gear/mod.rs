@@ -56,6 +56,7 @@ pub use profile::Profile;
 pub(crate) use readings::FlankShifts;
 pub use readings::Readings;
 pub use roll_curve::RollCurve;
+pub(crate) use runout::range;
 pub use runout::{Probe, RunoutFit, RunoutReadings};
 pub use side::{Face, Flank, Side};
 pub use spans::{PerTooth, Spans};

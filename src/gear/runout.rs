@@ -201,7 +201,8 @@ fn difference(list: &[f64], other: &[f64]) -> Vec<f64> {
     list.iter().zip(other).map(|(a, b)| a - b).collect()
 }
 
-fn range(list: &[f64]) -> f64 {
+/// Greatest less least, 0 of none.
+pub(crate) fn range(list: &[f64]) -> f64 {
     let greatest = list.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = list.iter().copied().fold(f64::INFINITY, f64::min);
     (greatest - least).max(0.0)

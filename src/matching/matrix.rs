@@ -119,9 +119,7 @@ impl Matrix {
         let gears = places
             .filter_map(|place| Some((wheels.get(place / count)?, pinions.get(place % count)?)));
         let cells = parallel::map(gears, |(wheel, pinion)| {
-            if tick().is_break() {
-                return Err(Error::Interrupted);
-            }
+            Error::if_stopped(tick())?;
             PairFit::new(wheel, pinion, phases, terms)
         });
         cells.into_iter().collect()

@@ -4,7 +4,7 @@ use super::finding::{Finding, ThicknessBesidePitch};
 use super::pitch_statement::PitchStatement;
 use super::settle::Flanks;
 use super::statement::ThicknessStatement;
-use crate::gear::{Deviations, Pitch, Spans};
+use crate::gear::{Deviations, Pitch, Spans, range};
 
 /// The probability below which flanks that go against each other count as reversed. Tuned: of unrelated curves, white
 /// or random walks, at most 2 in 4000 were suspected; of curves with common waves of up to 5 µm and noise of
@@ -142,13 +142,6 @@ fn beside_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch
             apart_um: 1000.0 * most,
         })
     }
-}
-
-/// Greatest less least.
-fn range(list: &[f64]) -> f64 {
-    let greatest = list.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = list.iter().copied().fold(f64::INFINITY, f64::min);
-    greatest - least
 }
 
 /// By how many tooth numbers `list` is moved where it is the `same` as another, and whether the other's value stands farther on.

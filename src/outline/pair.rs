@@ -40,7 +40,7 @@ impl OutlinePair {
                 least_mm,
             });
         }
-        pair.half_angles = [Member::Wheel, Member::Pinion].map(|member| {
+        pair.half_angles = Member::BOTH.map(|member| {
             let radius = pair.operating_pitch_radius(member);
             pair.gear(member).half_angle(radius)
         });

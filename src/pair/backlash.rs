@@ -167,7 +167,7 @@ mod tests {
     fn arcs_of_one_lost_motion() {
         let pair = pair();
         let backlash = pair.backlash(-0.02);
-        for member in [Member::Wheel, Member::Pinion] {
+        for member in Member::BOTH {
             let angle = (backlash.arcmin(member) / 60.0).to_radians();
             let gear = pair.gear(member).gear();
             assert!((angle * gear.base_radius() - backlash.j_bn).abs() < 1e-16);
@@ -203,8 +203,8 @@ mod tests {
     fn a_shown_unit_is_the_same_conversion() {
         let pair = pair();
         let a = pair.center_distance();
-        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|gear| pair.gear(gear).gear());
-        for at in [Member::Wheel, Member::Pinion] {
+        let [wheel, pinion] = Member::BOTH.map(|gear| pair.gear(gear).gear());
+        for at in Member::BOTH {
             let shown = BacklashUnit::arcmin(at, wheel, pinion).of_um(90.0, a);
             assert!((shown - pair.backlash(0.09).arcmin(at)).abs() < 1e-13);
         }

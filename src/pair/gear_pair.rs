@@ -17,6 +17,9 @@ pub enum Member {
 }
 
 impl Member {
+    /// Wheel and pinion.
+    pub const BOTH: [Member; 2] = [Member::Wheel, Member::Pinion];
+
     /// The other gear.
     pub fn mate(self) -> Member {
         match self {
@@ -202,6 +205,11 @@ impl GearPair {
             Member::Wheel => &self.wheel,
             Member::Pinion => &self.pinion,
         }
+    }
+
+    /// Teeth of one of the gears.
+    pub fn teeth(&self, member: Member) -> u32 {
+        self.gear(member).gear().basic_data().teeth()
     }
 
     /// Centre distance `a`, mm.

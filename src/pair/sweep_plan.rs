@@ -41,7 +41,7 @@ impl SweepPlan {
         start: (u32, u32),
     ) -> SweepPlan {
         SweepPlan::Revolution {
-            pitches: u64::from(teeth(assembly, Member::Wheel)),
+            pitches: u64::from(assembly.teeth(Member::Wheel)),
             steps_per_pitch,
             start,
         }
@@ -55,8 +55,8 @@ impl SweepPlan {
     ) -> SweepPlan {
         SweepPlan::Revolution {
             pitches: SweepPlan::hunting_pitches(
-                teeth(assembly, Member::Wheel),
-                teeth(assembly, Member::Pinion),
+                assembly.teeth(Member::Wheel),
+                assembly.teeth(Member::Pinion),
             ),
             steps_per_pitch,
             start,
@@ -165,8 +165,4 @@ impl SweepPlan {
             }
         }
     }
-}
-
-fn teeth(assembly: &GearPair, member: Member) -> u32 {
-    assembly.gear(member).gear().basic_data().teeth()
 }

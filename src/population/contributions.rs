@@ -113,15 +113,20 @@ impl ContributionSums {
 }
 
 impl GroupSums {
+    /// Each sum with that of `other`.
+    fn beside<'a>(
+        &'a mut self,
+        other: &'a GroupSums,
+    ) -> impl Iterator<Item = (&'a mut i128, &'a i128)> {
+        let own = self.samples.iter_mut();
+        let own = own.chain(self.factors.iter_mut().flatten());
+        own.zip(other.samples.iter().chain(other.factors.iter().flatten()))
+    }
+
     fn add(&mut self, other: &GroupSums) -> Result<(), Overflow> {
         self.rows += other.rows;
         self.left_out += other.left_out;
-        let own = self
-            .samples
-            .iter_mut()
-            .chain(self.factors.iter_mut().flatten());
-        let others = other.samples.iter().chain(other.factors.iter().flatten());
-        for (sum, other) in own.zip(others) {
+        for (sum, other) in self.beside(other) {
             *sum = sum.checked_add(*other).ok_or(Overflow)?;
         }
         Ok(())
@@ -150,12 +155,7 @@ impl GroupSums {
     fn without(&self, other: &GroupSums) -> Option<GroupSums> {
         let mut rest = self.clone();
         rest.rows -= other.rows;
-        let own = rest
-            .samples
-            .iter_mut()
-            .chain(rest.factors.iter_mut().flatten());
-        let others = other.samples.iter().chain(other.factors.iter().flatten());
-        for (sum, other) in own.zip(others) {
+        for (sum, other) in rest.beside(other) {
             *sum = sum.checked_sub(*other)?;
         }
         Some(rest)
@@ -298,17 +298,18 @@ pub fn contribution_sums(
             Err(_) => Ok([None; 2]),
         }
     };
-    let chunks = parallel::map(in_chunks(&numbers, CHUNK), |chunk| {
-        if tick().is_break() {
-            return Err(SampleError::Error(Error::Interrupted));
-        }
-        let mut sums = ContributionSums::new(factors.len());
-        for number in chunk {
-            let row = row(factors, |run| both(number, run))?;
-            count(&mut sums, number, &row)?;
-        }
-        Ok(sums)
-    });
+    let chunks = parallel::map(
+        in_chunks(&numbers, CHUNK),
+        |chunk| -> Result<_, SampleError> {
+            Error::if_stopped(tick())?;
+            let mut sums = ContributionSums::new(factors.len());
+            for number in chunk {
+                let row = row(factors, |run| both(number, run))?;
+                count(&mut sums, number, &row)?;
+            }
+            Ok(sums)
+        },
+    );
     let mut sums = ContributionSums::new(factors.len());
     for chunk in chunks {
         sums.add(&chunk?)?;

@@ -77,7 +77,7 @@ enum Towards {
 /// As [`Assembly::outcome`].
 pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error> {
     let scatters = population.scatters();
-    let members = [Member::Wheel, Member::Pinion];
+    let members = Member::BOTH;
     if members
         .iter()
         .any(|&member| scatters.of(member).gears.is_some())

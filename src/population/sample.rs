@@ -76,9 +76,7 @@ pub fn outcomes(
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<(u64, Outcome, Standing)>, SampleError> {
     let chunks = parallel::map(in_chunks(&numbers, CHUNK), |chunk| {
-        if tick().is_break() {
-            return Err(SampleError::Error(Error::Interrupted));
-        }
+        Error::if_stopped(tick())?;
         let each = chunk.map(|number| {
             let (outcome, standing) = sample.outcome(number)?;
             Ok((number, outcome, standing))
@@ -102,17 +100,18 @@ pub fn sample(
     numbers: Range<u64>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Tally, SampleError> {
-    let chunks = parallel::map(in_chunks(&numbers, CHUNK), |chunk| {
-        if tick().is_break() {
-            return Err(SampleError::Error(Error::Interrupted));
-        }
-        let mut tally = Tally::default();
-        for number in chunk {
-            let (outcome, standing) = sample.outcome(number)?;
-            tally.count(&outcome, &standing, number, sample.total)?;
-        }
-        Ok(tally)
-    });
+    let chunks = parallel::map(
+        in_chunks(&numbers, CHUNK),
+        |chunk| -> Result<_, SampleError> {
+            Error::if_stopped(tick())?;
+            let mut tally = Tally::default();
+            for number in chunk {
+                let (outcome, standing) = sample.outcome(number)?;
+                tally.count(&outcome, &standing, number, sample.total)?;
+            }
+            Ok(tally)
+        },
+    );
     let mut sums = Tally::default();
     for tally in chunks {
         sums.add(&tally?)?;

@@ -98,7 +98,7 @@ impl Scatters {
         if correlated {
             factors.push(Factor::Thicknesses);
         }
-        for member in [Member::Wheel, Member::Pinion] {
+        for member in Member::BOTH {
             let (of, gear) = (self.of(member), pair.gear(member));
             // A runout without a direction has any.
             let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
@@ -192,6 +192,5 @@ pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), 
 
 /// Ways to put the gears together.
 pub(super) fn phase_count(pair: &GearPair) -> u32 {
-    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
-    SweepPlan::phase_count(teeth(Member::Wheel), teeth(Member::Pinion))
+    SweepPlan::phase_count(pair.teeth(Member::Wheel), pair.teeth(Member::Pinion))
 }

@@ -1,7 +1,6 @@
 //! `gearlash chart`: curves and bars as SVG.
 
 mod drawn;
-mod field;
 mod outlines;
 
 use super::distances::{self, Distances};
@@ -10,7 +9,7 @@ use super::method::MethodArgs;
 use super::studies;
 use super::target::Target;
 use super::unit::UnitArgs;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use drawn::DrawnChart;
 use gearlash_files::{AnyPair, PairFile};
@@ -83,18 +82,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Kind::Distance => DrawnChart::over_distance(args, &study)?,
         Kind::Inspection => DrawnChart::inspection(args, &study)?,
         Kind::Map => DrawnChart::map(args, &study)?,
-        Kind::Field => field::drawn(args, study)?,
+        Kind::Field => DrawnChart::field(args, study)?,
     };
     let target = match given {
         Some(target) => target,
-        None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file), &sources)?,
+        None => Target::prepare_own(&stem, drawn.file, &sources)?,
     };
     target.write(&drawn.svg)?;
-    Ok(if drawn.agrees {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::from(1)
-    })
+    Ok(exit_code(drawn.agrees))
 }
 
 /// Options that say nothing about the kind asked for are mistakes.

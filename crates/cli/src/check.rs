@@ -6,7 +6,7 @@ use super::method::{MethodArgs, agreed};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::run_under_bar;
 use super::{distances, outlines, poses, studies};
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
 use clap::ValueEnum;
 use gearlash::analysis::Plan;
@@ -103,9 +103,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             }
         }
     }
-    let unwritable = |error: &dyn std::fmt::Display| {
-        Error::Usage(format!("the checks cannot be written: {error}"))
-    };
     let pairs = &done.pairs;
     print(&match args.format {
         Format::Text => done.texts.join("\n"),
@@ -113,7 +110,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             [only] => only.clone(),
             several => format!("[\n{}]\n", several.join(",\n")),
         },
-        Format::Junit => checked::junit(pairs).map_err(|error| unwritable(&error))?,
+        Format::Junit => checked::junit(pairs).map_err(Error::unwritable("the checks"))?,
         Format::Github => checked::github(pairs),
         Format::Markdown => checked::markdown(pairs),
     })?;
@@ -122,10 +119,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     {
         print_note(&format!("\n{written}\n"))?;
     }
-    Ok(match pairs.iter().all(|pair| pair.passes) {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(pairs.iter().all(|pair| pair.passes)))
 }
 
 /// The pair of two drawings on the command line; `None` of pair files.
@@ -203,7 +197,7 @@ fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<
             gearlash_render::text::check::text(study, &verdict, diagnosis, &args.screen.screen())
         }
         Format::Json => gearlash_files::results::checks_json(file, diagnosis, &verdict)
-            .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
+            .map_err(Error::unwritable("the checks"))?,
         Format::Junit | Format::Github | Format::Markdown => String::new(),
     };
     if let Some(folder) = folder {

@@ -8,7 +8,7 @@ use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::studies;
 use super::target::Target;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
 use gearlash::analysis::diagnosis::{Seen, failed_checks};
@@ -138,15 +138,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         });
     }
     drop(progress);
-    let unwritable =
-        |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
     print(&match args.format {
         // CSV is of drawings, refused above.
         Format::Text | Format::Csv => comparison::text(&pairs, &args.screen.screen()),
-        Format::Json => comparison_json(&pairs).map_err(|error| unwritable(error.to_string()))?,
-        Format::Junit => {
-            comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?
-        }
+        Format::Json => comparison_json(&pairs).map_err(Error::unwritable("the outcome"))?,
+        Format::Junit => comparison::junit(&pairs).map_err(Error::unwritable("the outcome"))?,
         Format::Github => comparison::github(&pairs),
     })?;
     if let Some(target) = markdown {
@@ -157,11 +153,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         append(&summary, &comparison::markdown(&pairs))?;
     }
     let agree = agreement(pairs.iter().flat_map(|pair| &pair.runs));
-    Ok(if agree && pairs.iter().all(ComparedPair::passes) {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::from(1)
-    })
+    Ok(exit_code(agree && pairs.iter().all(ComparedPair::passes)))
 }
 
 /// The same error, naming the option that chose the place.

@@ -12,6 +12,15 @@ pub(super) enum End {
     Least,
 }
 
+impl End {
+    pub(super) fn material(self) -> Material {
+        match self {
+            End::Most => Material::Most,
+            End::Least => Material::Least,
+        }
+    }
+}
+
 /// `--gear`, `--at`.
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum Gear {
@@ -38,9 +47,8 @@ pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
 
 /// The material of `study` that `--material` names.
 pub(super) fn material(end: End, study: &Study) -> Result<Material, Error> {
-    match (end, study.materials.len()) {
-        (End::Most, 2) => Ok(Material::Most),
-        (End::Least, 2) => Ok(Material::Least),
+    match study.materials.len() {
+        2 => Ok(end.material()),
         _ => Err(Error::Usage(
             "--material: this pair file states one thickness a gear; leave the option out"
                 .to_owned(),

@@ -5,7 +5,9 @@ use gearlash_files::InputError;
 use gearlash_files::PartError;
 use gearlash_files::characters;
 use gearlash_render::PictureError;
+use std::fmt::Display;
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 /// What a command ends with when it cannot do its work.
 #[derive(Debug, thiserror::Error)]
@@ -82,7 +84,20 @@ impl From<GearError> for Error {
     }
 }
 
+/// What a command ends with that did its work: 1 where a result did not hold.
+pub fn exit_code(holds: bool) -> ExitCode {
+    match holds {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    }
+}
+
 impl Error {
+    /// The error of `what`, which the library cannot put into text for a reason of its own.
+    pub fn unwritable<E: Display>(what: &str) -> impl FnOnce(E) -> Error {
+        move |reason| Error::Usage(format!("{what} cannot be written: {reason}"))
+    }
+
     /// Ctrl-C.
     pub const INTERRUPTED: Error = Error::Run(gearlash::error::Error::Interrupted);
 

@@ -1,14 +1,12 @@
 //! `gearlash export`: the backlash of a pair written into a copy of a gearbox model.
 
 use super::console::tell;
-use super::progress::Progress;
 use super::target::Target;
 use super::{rexs, studies, verdict};
 use crate::error::Error;
-use gearlash::analysis::extremes::{RunExtreme, RunExtremes, extremes, run_count};
+use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::Method;
 use gearlash_files::numbers::rounded;
 use gearlash_files::rexs::RexsBacklash;
 use gearlash_files::verdict::sentence;
@@ -67,11 +65,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// The extremes of `study`, where every one of them is proven.
 fn backlash(study: &Study) -> Result<RexsBacklash, Error> {
-    let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
-    let method = Method::Exact { certify: true };
-    let found = progress.searching(|| extremes(study, method, &|| progress.tick()))?;
-    let failed = verdict::failed_checks(study, &found, &progress)?;
-    drop(progress);
+    let (found, failed) = verdict::extremes_and_failed_checks(study)?;
     let verdict = sentence(&Verdict::of_study(study, &found.each, failed));
     let unproven = || Error::Unproven(verdict.clone());
     let mut each = Vec::new();

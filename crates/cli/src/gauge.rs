@@ -135,13 +135,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         warn(&args.file, &short, &[]);
     }
 
-    let unwritable = |error: &dyn std::error::Error| {
-        Error::Usage(format!("the readings cannot be written as text: {error}"))
-    };
     print(&match args.results.format {
         Format::Text => text(&study.title, &gears, args.positions, &args.screen.screen()),
-        Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
-        Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
+        Format::Json => json(&study.title, &gears).map_err(unwritable)?,
+        Format::Csv => teeth_csv(&gears).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.
@@ -152,7 +149,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(folder) = folder {
         let mut files = Vec::new();
         for gauged in &gears {
-            files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
+            files.extend(csv_files(gauged).map_err(unwritable)?);
             match args.page {
                 true => files.extend(page(gauged)?),
                 false => files.extend(charts(gauged)?),
@@ -169,6 +166,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         args.results.write(folder, &files)?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn unwritable(error: impl std::error::Error) -> Error {
+    Error::Usage(format!("the readings cannot be written as text: {error}"))
 }
 
 /// Whether the gear has the teeth to span.

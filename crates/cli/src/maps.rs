@@ -61,7 +61,7 @@ pub(super) fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnM
     let maps = drawn.into_iter().map(|(group, zero)| {
         let material = group.material;
         let map = map(group, zero.pose, &|| progress.tick())?;
-        let teeth = |member| group.assembly.gear(member).gear().basic_data().teeth();
+        let teeth = |member| group.assembly.teeth(member);
         let caption = format!(
             "{} and {} teeth, {}: what touches, over one pitch from the pose with the least backlash",
             teeth(Member::Wheel),
@@ -71,7 +71,7 @@ pub(super) fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnM
         Ok(DrawnMap {
             material,
             svg: gearlash_render::map_picture(&map, &study.title, &caption),
-            csv: gearlash_files::results::map_csv(&map).map_err(|error| unwritable(&error))?,
+            csv: gearlash_files::results::map_csv(&map).map_err(Error::unwritable("the map"))?,
         })
     });
     maps.collect()
@@ -90,7 +90,7 @@ pub(super) fn of_outlines(
         Ok(DrawnMap {
             material: run.material,
             svg: gearlash_render::outline_map_picture(&file.study.title, run, &map),
-            csv: outline_map_csv(&map).map_err(|error| unwritable(&error))?,
+            csv: outline_map_csv(&map).map_err(Error::unwritable("the map"))?,
         })
     });
     maps.collect()
@@ -108,8 +108,4 @@ pub(super) fn outline_maps(
     let first = runs.iter().zip(zeros).take(materials);
     let maps = first.map(|(run, zero)| run.map(&file.study, zero.as_ref(), &|| progress.tick()));
     Ok(maps.collect::<Result<_, _>>()?)
-}
-
-fn unwritable(error: &dyn std::fmt::Display) -> Error {
-    Error::Usage(format!("the map cannot be written: {error}"))
 }

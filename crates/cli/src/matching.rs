@@ -4,7 +4,7 @@ use super::console::{ScreenArgs, guard, print, print_note, tell, warn};
 use super::parts::{Kept, WHOLE, shard};
 use super::progress::Progress;
 use super::tolerance::Format;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
 use gearlash_files::matching::{MatchFile, MatchPart, MatchResult, read_match};
 use gearlash_render::text::Screen;
@@ -75,10 +75,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let own = PathBuf::from("out").join(&file.pair.stem);
     let named = args.output.as_deref();
-    let folder = match args.shard {
-        Some(_) => Some(named.unwrap_or(&own).to_path_buf()),
-        None => args.format.folder(named, &own),
-    };
+    let folder = args.format.folder(named, &own, args.shard);
     let shard = args.shard.unwrap_or([1, 1]);
     let sources = &file.pair.sources;
     let whole = folder.as_ref().filter(|_| args.shard.is_none());
@@ -129,12 +126,13 @@ pub(super) fn tell_match(
     format: Format,
     screen: &Screen,
 ) -> Result<ExitCode, Error> {
-    let unwritable = |error: &dyn std::fmt::Display| {
-        Error::Usage(format!("the result cannot be written: {error}"))
-    };
-    let result = MatchResult::of(part).ok_or_else(|| unwritable(&"a part of it is not done"))?;
+    let result = MatchResult::of(part)
+        .ok_or("a part of it is not done")
+        .map_err(Error::unwritable("the result"))?;
     let json = result.to_json();
-    let matrix = result.matrix_csv().map_err(|error| unwritable(&error))?;
+    let matrix = result
+        .matrix_csv()
+        .map_err(Error::unwritable("the result"))?;
     let [first, second, third] = FILES.map(str::to_owned);
     let files = [
         (first, json.clone()),
@@ -146,14 +144,6 @@ pub(super) fn tell_match(
         Format::Json => print(&json)?,
         Format::Csv => print(&matrix)?,
     }
-    if let Some(folder) = folder {
-        let written = folder.write(&files)?;
-        if format == Format::Text {
-            print_note(&format!("\n{written}\n"))?;
-        }
-    }
-    Ok(match result.is_complete() {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    format.write(folder, &files)?;
+    Ok(exit_code(result.is_complete()))
 }

@@ -48,7 +48,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     guard(&sources)?;
     let folder = args
         .format
-        .folder(args.output.as_deref(), Path::new("out/merged"));
+        .folder(args.output.as_deref(), Path::new("out/merged"), None);
     let screen = args.screen.screen();
     let prepare = |is_own: fn(&str) -> bool| {
         let folder = folder.as_ref();

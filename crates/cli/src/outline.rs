@@ -132,8 +132,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 Material::AsMeasured => format!("outline_{}.{ending}", entry.name),
                 _ => format!("outline_{}_{}.{ending}", entry.name, material.name()),
             };
-            let file = PathBuf::from("out").join(&study.stem).join(name);
-            Target::prepare(file, &study.sources)?
+            Target::prepare_own(&study.stem, name, &study.sources)?
         }
     };
     let outline = OutlineFile {

@@ -5,7 +5,7 @@ use super::method::{MethodArgs, all_proven};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::unit::UnitArgs;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
 use gearlash::analysis::verdict::Requirement;
 use gearlash::pair::BacklashUnit;
@@ -72,15 +72,12 @@ pub(super) fn simulate(
         matches!(name, JSON | CSV | WORST)
     })?;
     let runs = runs(file, method)?;
-    let unwritable = |error: &dyn std::fmt::Display| {
-        Error::Usage(format!("the result cannot be written: {error}"))
-    };
     let (mut json, mut csv) = (String::new(), String::new());
     if folder.is_some() || results.format == Format::Json {
-        json = to_json(file, &runs).map_err(|error| unwritable(&error))?;
+        json = to_json(file, &runs).map_err(Error::unwritable("the result"))?;
     }
     if folder.is_some() || results.format == Format::Csv {
-        csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
+        csv = to_csv(&runs).map_err(Error::unwritable("the result"))?;
     }
     match results.format {
         Format::Text => print(&text::outlines(file, &runs, unit, &screen.screen()))?,
@@ -98,10 +95,7 @@ pub(super) fn simulate(
     }
     // As of gears by their data: a pair that binds is a result, unless a requirement says otherwise.
     let kept = file.study.requirement(&runs) != Requirement::NotMet;
-    Ok(match all_proven(unproven(&runs)) & kept {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(all_proven(unproven(&runs)) & kept))
 }
 
 /// `gearlash check` of a pair with an outline: its text or JSON, what the other formats tell, and its runs.
@@ -114,8 +108,7 @@ pub(super) fn check(
 ) -> Result<(String, CheckedPair, Vec<OutlineRun>), Error> {
     let runs = runs(file, method)?;
     let text = match as_json {
-        true => to_json(file, &runs)
-            .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
+        true => to_json(file, &runs).map_err(Error::unwritable("the checks"))?,
         false => text::outlines(file, &runs, BacklashUnit::Um, &screen.screen()),
     };
     let kept = match file.study.requirement(&runs) {

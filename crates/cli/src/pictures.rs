@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-9;
 /// What is found at every step through a pitch from `pose` on, both ends included, and where backlash is least and greatest
 /// between them.
 pub(super) fn pitch(assembly: &GearPair, pose: &Pose) -> Result<Vec<PoseResult>, Error> {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
     let cut = CutPair::for_certificates(wheel, pinion);
     let method = Method::Exact { certify: true };
     let tick = || ControlFlow::Continue(());

@@ -5,7 +5,7 @@ use super::method::{MethodArgs, agreed, all_proven};
 use super::progress::{Progress, run_under_bar};
 use super::target::Target;
 use super::{maps, outlines, poses, studies};
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use gearlash::analysis::Plan;
 use gearlash::analysis::outlines::unproven;
 use gearlash::gauge::{graded, pitches, profiles};
@@ -59,10 +59,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     drop(progress);
     let agree = agreed(&analysis);
     target.write(&page)?;
-    Ok(match agree {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(agree))
 }
 
 /// The page of a pair with an outline.
@@ -83,10 +80,7 @@ fn of_outlines(args: &Args, pair: &OutlinePairFile, date: &str) -> Result<ExitCo
         maps: &maps::outline_maps(pair, &runs, &zeros)?,
     })?;
     target.write(&page)?;
-    Ok(match all_proven(unproven(&runs)) {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(all_proven(unproven(&runs))))
 }
 
 /// Where the page goes.

@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::unit::UnitArgs;
 use super::{outlines, poses, studies};
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use crate::output::{NewFile, OutputFolder};
 use gearlash::analysis::diagnosis::{Seen, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
@@ -129,10 +129,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         args.results.write(folder, &[])?;
     }
     let kept = verdict.requirement != Requirement::NotMet;
-    Ok(match agreement(&runs) & kept {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(agreement(&runs) & kept))
 }
 
 /// The same of a pair of which a gear is an outline.

@@ -7,17 +7,16 @@ use super::method::{MethodArgs, all_proven};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
 use super::{outlines, studies, worst};
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::{self, outlines::OutlinePose};
-use gearlash::contact::{CutPair, LostMotion, MeshSection, Method, PoseResult, Unproven, sweep};
+use gearlash::contact::{LostMotion, MeshSection, PoseResult, Unproven};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
 use gearlash_render::Snapshot;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -72,6 +71,15 @@ enum Flank {
     Left,
 }
 
+impl Flank {
+    fn side(self) -> Side {
+        match self {
+            Flank::Right => Side::Right,
+            Flank::Left => Side::Left,
+        }
+    }
+}
+
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let PairFile {
@@ -118,14 +126,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 Some(at) => subject.file.replace(".svg", &format!("_z{at}.svg")),
                 None => subject.file,
             };
-            Target::prepare(PathBuf::from("out").join(stem).join(name), &sources)?
+            Target::prepare_own(&stem, name, &sources)?
         }
     };
     target.write(&picture)?;
-    Ok(match all_proven(unproven) {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(all_proven(unproven)))
 }
 
 /// That what is asked for can be drawn of this pair.
@@ -186,10 +191,7 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         file = file.at(vec![distance]);
     }
     if let Some(end) = args.material {
-        let wanted = match end {
-            End::Most => Material::Most,
-            End::Least => Material::Least,
-        };
+        let wanted = end.material();
         file.study.materials.retain(|gears| gears.0 == wanted);
     }
     let mut unproven = 0;
@@ -216,10 +218,7 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
             let distance = file.study.center_distances[0];
             let pair = OutlinePair::new(wheel, pinion, distance, file.study.locked);
             let pair = pair.map_err(gearlash::error::Error::from)?;
-            let flank = match flank {
-                Flank::Right => Side::Right,
-                Flank::Left => Side::Left,
-            };
+            let flank = flank.side();
             let count = |member| pair.gear(member).teeth();
             let mating = mating(teeth, args.fraction, count, flank)?;
             let pose = OutlinePose::of(&pair, mating);
@@ -238,17 +237,13 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         Some(target) => target,
         None => {
             let name = format!("{name}_a{}_{}.svg", pair.center_distance(), material.name());
-            let path = PathBuf::from("out").join(&file.stem).join(name);
-            Target::prepare(path, &file.sources)?
+            Target::prepare_own(&file.stem, name, &file.sources)?
         }
     };
     target.write(&picture)?;
-    Ok(
-        match all_proven(unproven.max(usize::from(pose.found.is_err()))) {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::from(1),
-        },
-    )
+    Ok(exit_code(all_proven(
+        unproven.max(usize::from(pose.found.is_err())),
+    )))
 }
 
 fn which() -> Error {
@@ -285,22 +280,10 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         return Err(which());
     };
     let (material, assembly) = assembly(args, &study)?;
-    let flank = match flank {
-        Flank::Right => Side::Right,
-        Flank::Left => Side::Left,
-    };
-    let count = |member| assembly.gear(member).gear().basic_data().teeth();
+    let flank = flank.side();
+    let count = |member| assembly.teeth(member);
     let mating = mating(teeth, args.fraction, count, flank)?;
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    let cut = CutPair::for_certificates(wheel, pinion);
-    let method = Method::Exact { certify: true };
-    let swept = sweep(&assembly, &cut, method, &[mating], 0.0, &|| {
-        ControlFlow::Continue(())
-    })?;
-    let Some(swept) = swept.into_iter().next() else {
-        // One mating makes one pose.
-        return Err(Error::Usage("no pose to draw".to_owned()));
-    };
+    let swept = assembly.lost_motion(mating)?;
     Ok(Subject {
         file: format!(
             "snapshot_{}_{}_{}_a{}_{}.svg",

@@ -4,7 +4,7 @@ use super::console::{guard, warn};
 use crate::error::Error;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::outlines::OutlineGearsFile;
-use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile};
+use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile, Sources};
 use std::path::{Path, PathBuf};
 
 /// The pair file at `path`; its warnings are reported.
@@ -13,8 +13,7 @@ use std::path::{Path, PathBuf};
 /// As [`gearlash_files::read`]; [`Error::OverInput`] where what is printed would go into a file that was read.
 pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
     let file = gearlash_files::read(path)?;
-    guard(&file.sources)?;
-    warn(path, &file.warnings, &file.remarks);
+    tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -28,8 +27,7 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
         AnyPair::Data(file) => (&file.sources, &file.warnings, &file.remarks),
         AnyPair::Outlines(file) => (&file.sources, &file.warnings, &file.remarks),
     };
-    guard(sources)?;
-    warn(path, warnings, remarks);
+    tell(path, sources, warnings, remarks)?;
     Ok(file)
 }
 
@@ -39,8 +37,8 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
 /// As [`pair`].
 pub(super) fn drawings(drawings: &Drawings) -> Result<OutlinePairFile, Error> {
     let file = gearlash_files::read_drawings(drawings)?;
-    guard(&file.sources)?;
-    warn(Path::new(&file.stem), &file.warnings, &file.remarks);
+    let name = Path::new(&file.stem);
+    tell(name, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -78,8 +76,7 @@ pub(super) fn each<T>(
 /// As [`pair`].
 pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
     let file = gearlash_files::read_gears(path)?;
-    guard(&file.sources)?;
-    warn(path, &file.warnings, &file.remarks);
+    tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -89,13 +86,11 @@ pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
 /// As [`pair`].
 pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
     let file = gearlash_files::read_any_gears(path)?;
-    match &file {
-        AnyGears::Data(file) => {
-            guard(&file.sources)?;
-            warn(path, &file.warnings, &file.remarks);
-        }
-        AnyGears::Outlines(file) => warn_of(path, file)?,
-    }
+    let (sources, warnings, remarks) = match &file {
+        AnyGears::Data(file) => (&file.sources, &file.warnings, &file.remarks),
+        AnyGears::Outlines(file) => (&file.sources, &file.warnings, &file.remarks),
+    };
+    tell(path, sources, warnings, remarks)?;
     Ok(file)
 }
 
@@ -109,12 +104,18 @@ pub(super) fn drawing(
     center: Option<&str>,
 ) -> Result<OutlineGearsFile, Error> {
     let file = gearlash_files::read_drawing(path, units, center)?;
-    warn_of(path, &file)?;
+    tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
-fn warn_of(path: &Path, file: &OutlineGearsFile) -> Result<(), Error> {
-    guard(&file.sources)?;
-    warn(path, &file.warnings, &file.remarks);
+/// Reports what was found of the file at `path`, which came of `sources`.
+fn tell(
+    path: &Path,
+    sources: &Sources,
+    warnings: &[String],
+    remarks: &[String],
+) -> Result<(), Error> {
+    guard(sources)?;
+    warn(path, warnings, remarks);
     Ok(())
 }

@@ -47,6 +47,18 @@ impl Target {
             .transpose()
     }
 
+    /// That of the file `name` in the folder of results of the file with this `stem`.
+    ///
+    /// # Errors
+    /// As [`Target::prepare`].
+    pub(super) fn prepare_own(
+        stem: &str,
+        name: impl AsRef<Path>,
+        sources: &Sources,
+    ) -> Result<Target, Error> {
+        Target::prepare(Path::new("out").join(stem).join(name), sources)
+    }
+
     /// Makes the folder of `path` where it is missing and tries to write in it; never in the place of one of `sources`.
     ///
     /// # Errors

@@ -72,10 +72,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let own = Path::new("out").join(&file.pair.stem);
     let (named, sources) = (args.output.as_deref(), &file.pair.sources);
-    let folder = match args.shard {
-        Some(_) => Some(named.unwrap_or(&own).to_path_buf()),
-        None => args.format.folder(named, &own),
-    };
+    let folder = args.format.folder(named, &own, args.shard);
     let mut kept = folder
         .as_ref()
         .map(|folder| Kept::new(folder, args.shard, sources));

@@ -1,14 +1,12 @@
 //! The pose with the least backlash of the whole mesh cycle: what `snapshot --worst` and `chart --kind field` draw.
 
 use super::console::tell;
-use super::progress::Progress;
 use super::verdict;
 use crate::error::Error;
-use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::simulate::Run;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::{Method, PoseResult};
+use gearlash::contact::PoseResult;
 use gearlash_files::verdict::sentence;
 
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given; says the verdict on standard
@@ -20,11 +18,7 @@ pub(super) fn find(
     material: Option<Material>,
 ) -> Result<(Run, PoseResult, usize), Error> {
     let study = narrowed(asked, study, distance, material)?;
-    let progress = Progress::of(run_count(&study)? + study.pose_count(), "steps");
-    let method = Method::Exact { certify: true };
-    let found = progress.searching(|| extremes(&study, method, &|| progress.tick()))?;
-    let failed = verdict::failed_checks(&study, &found, &progress)?;
-    drop(progress);
+    let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
     tell(&sentence(&verdict));
     let Some((run, assembly, pose)) = verdict.worst() else {

@@ -74,6 +74,14 @@ fn begins_command(rest: &str) -> bool {
     rest.trim_start_matches(word).starts_with('[')
 }
 
+/// `value` as JSON, a line end at its end, with every character that acts written as an escape.
+///
+/// # Errors
+/// Of serde_json: a value that JSON cannot hold.
+pub fn json_of(value: &impl serde::Serialize) -> serde_json::Result<String> {
+    Ok(json(serde_json::to_string_pretty(value)?) + "\n")
+}
+
 /// JSON `text` that reads the same, with every character that acts, line ends between values excepted, and every `##` written as an
 /// escape.
 ///

@@ -1,16 +1,16 @@
 //! What the measurements of a gear say of each other, in words.
 
-mod doubts;
 mod eccentricity;
 mod outlier;
 mod runout;
 mod thickness;
 
+use super::cross_check::CrossCheck;
 use super::numbers::shortest;
 use super::profile;
 use super::statements::Statements;
 use gearlash::gear::DIN_3967_SOURCE;
-use gearlash::metrology::{Finding, ProfileKey};
+use gearlash::metrology::{Finding, ProfileKey, Quantity, SameKind};
 
 pub use outlier::suspected;
 
@@ -115,10 +115,8 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::LooksLikeMm {
             quantity,
             greatest_um,
-        } => doubts::looks_like_mm(of, *quantity, *greatest_um),
-        Finding::LooksLikeWhole { quantity, mean_um } => {
-            doubts::looks_like_whole(of, *quantity, *mean_um)
-        }
+        } => looks_like_mm(of, *quantity, *greatest_um),
+        Finding::LooksLikeWhole { quantity, mean_um } => looks_like_whole(of, *quantity, *mean_um),
         Finding::ThicknessField {
             diameter_mm,
             upper_um,
@@ -134,7 +132,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             key("thickness.allowance_um"),
             -um
         ),
-        Finding::CrossCheckOfSameKind(kind) => doubts::same_kind(of, *kind),
+        Finding::CrossCheckOfSameKind(kind) => same_kind(of, *kind),
         Finding::FirstHarmonicNotEccentricity {
             left_um,
             left_percent,
@@ -167,4 +165,45 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::Outlier(outlier) => outlier::describe(of, outlier),
         Finding::ThicknessStatedTwice(compared) => thickness::stated_twice(of, compared),
     }
+}
+
+fn looks_like_mm(of: &Statements, quantity: Quantity, greatest: f64) -> String {
+    format!(
+        "{}: the greatest value is {greatest} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({greatest} mm are {:.4} µm)",
+        path(of, quantity),
+        1000.0 * greatest
+    )
+}
+
+fn looks_like_whole(of: &Statements, quantity: Quantity, mean: f64) -> String {
+    let what = match quantity {
+        Quantity::Pitch => "the pitch itself",
+        _ => "the thickness itself",
+    };
+    format!(
+        "{}: the values are about {mean:.3}, what {what} is in mm; asked for is what each tooth deviates by, in µm",
+        path(of, quantity)
+    )
+}
+
+fn path(of: &Statements, quantity: Quantity) -> String {
+    of.table.path_of(match quantity {
+        Quantity::Allowance => "thickness.allowance_um",
+        Quantity::Runout => of.runout.key(),
+        Quantity::PerTooth => "thickness.per_tooth_um",
+        Quantity::Pitch => "pitch",
+    })
+}
+
+fn same_kind(of: &Statements, kind: SameKind) -> String {
+    let words = match kind {
+        SameKind::Span => "a span over as many teeth",
+        SameKind::OverPins => "a dimension over the same pins",
+        SameKind::Allowance => "an allowance",
+    };
+    format!(
+        "{}: is {words}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
+         another number of teeth or pin)",
+        of.table.path_of(CrossCheck::UNDER)
+    )
 }

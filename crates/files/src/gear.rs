@@ -15,6 +15,7 @@ use super::statements::Statements;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{faults, findings, per_tooth};
+use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GRADES, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
@@ -315,4 +316,14 @@ fn rack(gear: &Table, problems: &mut Problems) -> Option<BasicRack> {
         ),
         other => table.problem("root_radius", other.to_string(), "correct the rack"),
     }))
+}
+
+/// What `of` makes of the gear in each material.
+pub fn materials<T>(built: &Toleranced<AsBuilt>, of: impl Fn(&AsBuilt) -> T) -> Vec<(Material, T)> {
+    match built {
+        Toleranced::Single(gear) => vec![(Material::AsMeasured, of(gear))],
+        Toleranced::Band { least, most } => {
+            vec![(Material::Most, of(most)), (Material::Least, of(least))]
+        }
+    }
 }

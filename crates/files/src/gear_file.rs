@@ -1,13 +1,13 @@
 //! A gear file: one gear without a mate.
 
-use super::gear::GearPart;
+use super::gear::{GearPart, materials};
 use super::node::Node;
 use super::pair_file::names;
 use super::place::Place;
 use super::problems::Problems;
 use super::read::{GearEntry, GearsFile};
 use super::table::Table;
-use gearlash::analysis::study::Material;
+use gearlash::gear::AsBuilt;
 use std::path::Path;
 
 const KEYS: &[&str] = &["title", "gear"];
@@ -28,19 +28,12 @@ pub fn read(
     let (stem, title) = names(&table, path, problems);
     let part = GearPart::read(&table, "gear", problems);
     let gear = part.as_built?;
-    let materials = match gear.is_band() {
-        true => vec![
-            (Material::Most, gear.most().clone()),
-            (Material::Least, gear.least().clone()),
-        ],
-        false => vec![(Material::AsMeasured, gear.most().clone())],
-    };
     Some(GearsFile {
         title: title?,
         stem,
         gears: vec![GearEntry {
             name: "gear",
-            materials,
+            materials: materials(&gear, AsBuilt::clone),
             spec: part.spec?,
         }],
         temperature_c: None,

@@ -175,11 +175,7 @@ pub fn read_drawings(drawings: &outlines::Drawings) -> Result<OutlinePairFile, I
     name.push("_");
     name.push(stem(drawings.pinion));
     let (path, place) = (Path::new(&name), Place::of_working_folder());
-    // Nobody wrote the text that a place in it would point to.
-    with_text(path, &place, Ok(text), outlines::read).map_err(|error| InputError {
-        text: String::new(),
-        ..error
-    })
+    with_text(path, &place, Ok(text), outlines::read).map_err(without_text)
 }
 
 /// Reads two drawings of one gear and compares them.
@@ -190,16 +186,14 @@ pub fn compare_drawings(
     drawings: &outlines::TwoDrawings,
 ) -> Result<outlines::ComparedOutlines, InputError> {
     let place = Place::of_working_folder();
-    let understand =
-        |_: &Path, place: &Place, entries: &[(String, Node)], problems: &mut Problems| {
-            drawings.compared(place, entries, problems)
-        };
-    with_text(drawings.paths[1], &place, Ok(drawings.tables()), understand).map_err(|error| {
-        InputError {
-            text: String::new(),
-            ..error
-        }
-    })
+    let tables = Ok(drawings.tables());
+    let compared = with_text(
+        drawings.paths[1],
+        &place,
+        tables,
+        |_, place, entries, problems| drawings.compared(place, entries, problems),
+    );
+    compared.map_err(without_text)
 }
 
 /// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
@@ -248,10 +242,15 @@ pub fn read_drawing(
 ) -> Result<outlines::OutlineGearsFile, InputError> {
     let text = outlines::of_drawing(path, units, center);
     let place = Place::of_working_folder();
-    with_text(path, &place, Ok(text), outlines::read_gear).map_err(|error| InputError {
+    with_text(path, &place, Ok(text), outlines::read_gear).map_err(without_text)
+}
+
+/// The same error of a text that nobody wrote: a place in it would point to nothing.
+fn without_text(error: InputError) -> InputError {
+    InputError {
         text: String::new(),
         ..error
-    })
+    }
 }
 
 /// The pair, which must be by its data.

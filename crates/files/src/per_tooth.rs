@@ -26,15 +26,20 @@ pub fn thickness(
             coverage: Coverage::EveryTooth,
         };
         let once = !gear.has("runout") && !gear.has("pitch");
-        return sheet::read_with(&named, problems, |content, file, choice, bad| {
-            if let Content::P40(text) = content {
-                let nominal = of_nominal(nominal?, once);
-                let read = Positions::of(&named, file, text, &nominal, bad)?;
-                return Some((read.per_tooth_um, read.header));
-            }
-            let read = Sheet::told(&named, content, file, choice, &wanted, bad)?;
-            Some((read.values(0), Header::default()))
-        });
+        return sheet::read_with(
+            &named,
+            "pitch.csv",
+            problems,
+            |content, file, choice, bad| {
+                if let Content::P40(text) = content {
+                    let nominal = of_nominal(nominal?, once);
+                    let read = Positions::of(&named, file, text, &nominal, bad)?;
+                    return Some((read.per_tooth_um, read.header));
+                }
+                let read = Sheet::told(&named, content, file, choice, &wanted, bad)?;
+                Some((read.values(0), Header::default()))
+            },
+        );
     }
     let list = table.numbers("per_tooth_um", &PER_TOOTH, problems)?;
     let list = one_a_tooth(table, "per_tooth_um", list, teeth, problems)?;

@@ -69,6 +69,19 @@ impl Problems {
         }
     }
 
+    /// What `read` makes of the list at `key`; nothing where it has a problem, of which only the first dozen are reported.
+    pub fn of_list_at<T>(
+        &mut self,
+        key: &str,
+        read: impl FnOnce(&mut Problems) -> Option<T>,
+    ) -> Option<T> {
+        let mut bad = Problems::of_list();
+        let read = read(&mut bad);
+        let good = bad.is_empty();
+        self.add_list(key, bad);
+        read.filter(|_| good)
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.listed.is_empty()

@@ -1,6 +1,7 @@
 //! A run in parts: which numbers are of which, and whether files are all parts of one run.
 
 use crate::part_error::PartError;
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -16,6 +17,12 @@ pub fn share(total: u64, [k, n]: [u64; 2]) -> Range<u64> {
 /// Whether there is such a part of a run of `total`.
 pub fn is_share(total: u64, [k, n]: [u64; 2]) -> bool {
     1 <= k && k <= n && n <= MOST_SHARDS && n <= total
+}
+
+/// The hash of `text`, as of what a run is about.
+pub fn sha256(text: &str) -> String {
+    let digest = Sha256::digest(text.as_bytes());
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// A part of a run, as far as putting parts together goes.

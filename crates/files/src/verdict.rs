@@ -362,8 +362,7 @@ fn amount(verdict: &Verdict, assembly: &GearPair, extreme: &RunExtreme) -> Strin
 /// Lost motion of a backlash, mm, at both gears, in minutes of arc.
 fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
     let backlash = assembly.backlash(backlash);
-    let [wheel, pinion] =
-        [Member::Wheel, Member::Pinion].map(|member| fixed(backlash.arcmin(member), 3));
+    let [wheel, pinion] = Member::BOTH.map(|member| fixed(backlash.arcmin(member), 3));
     format!("{wheel} arcmin at the wheel, {pinion} at the pinion")
 }
 

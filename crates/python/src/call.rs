@@ -1,6 +1,7 @@
 //! Work without the interpreter's lock, which Ctrl-C ends.
 
 use crate::error::error;
+use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::error::Error;
 use pyo3::prelude::*;
 use rayon::ThreadPoolBuilder;
@@ -16,6 +17,24 @@ const LISTEN: Duration = Duration::from_millis(50);
 
 /// Told as each step of the work begins; a break ends it.
 pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
+
+/// What `plan` comes to, as [`work`].
+///
+/// # Errors
+/// As [`work`].
+pub fn analysed<'a>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    plan: &Plan<'a>,
+) -> PyResult<Analysis<'a>> {
+    work(py, threads, |tick| {
+        let mut progress = Progress {
+            stage: &mut |_| (),
+            tick,
+        };
+        Analysis::run(plan, &mut progress)
+    })
+}
 
 /// Does `work` with the lock released, on `threads` threads of its own or, without a number, on those that all calls share.
 ///

@@ -1,11 +1,11 @@
 //! Least and greatest backlash of the whole mesh cycle, and every check of a pair.
 
-use crate::call::work;
+use crate::call::{analysed, work};
 use crate::error::error;
 use crate::pair::Pair;
+use gearlash::analysis::Plan;
 use gearlash::analysis::extremes as cycle;
 use gearlash::analysis::verdict::Verdict;
-use gearlash::analysis::{Analysis, Plan, Progress};
 use gearlash::contact::Method;
 use gearlash_files::results::{checks_json, extremes_json};
 use pyo3::prelude::*;
@@ -29,15 +29,7 @@ pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<St
     let plan = Plan::new(pair.study(), METHOD)
         .with_extremes()
         .with_checks();
-    let analysis = work(py, threads, |tick| {
-        Analysis::run(
-            &plan,
-            &mut Progress {
-                stage: &mut |_| (),
-                tick,
-            },
-        )
-    })?;
+    let analysis = analysed(py, threads, &plan)?;
     checks_json(&pair.file, &analysis.diagnosis, &analysis.verdict())
         .map_err(|reason| error(py, reason))
 }

@@ -53,7 +53,7 @@ impl Pair {
 
 /// How many teeth the gears have.
 pub fn teeth(assembly: &GearPair) -> [u32; 2] {
-    [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member).gear().basic_data().teeth())
+    Member::BOTH.map(|member| assembly.teeth(member))
 }
 
 /// The mating of these `teeth` in `assembly`: an error where there is no such tooth, or at a fraction of too many pitches.
@@ -64,7 +64,7 @@ pub fn mating(
     left: bool,
     fraction: f64,
 ) -> PyResult<Mating> {
-    for (member, (tooth, teeth)) in [Member::Wheel, Member::Pinion]
+    for (member, (tooth, teeth)) in Member::BOTH
         .iter()
         .zip([wheel, pinion].into_iter().zip(teeth(assembly)))
     {

@@ -1,12 +1,12 @@
 //! Pictures as SVG.
 
-use crate::call::work;
+use crate::call::{analysed, work};
 use crate::error::error;
 use crate::gear::Gear;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
-use gearlash::analysis::{Analysis, Plan, Progress};
+use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::{MeshSection, Method};
 use gearlash::gear::Inspection;
 use gearlash_files::verdict::in_short;
@@ -70,7 +70,7 @@ pub fn over_teeth(
     let study = study.at(vec![assembly.center_distance()]);
     let study = study.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
     let plan = Plan::new(&study, METHOD).with_revolution().with_extremes();
-    let analysis = analysed(py, &plan)?;
+    let analysis = analysed(py, None, &plan)?;
     let course = curves::courses(&analysis.revolution).into_iter().next();
     let course = course.ok_or_else(|| error(py, "the pair asks for no poses"))?;
     let course = course.with_cycle(&analysis.extremes.each);
@@ -95,7 +95,7 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
             // They only choose, and bound the curve: what is drawn as a curve is certified.
             let method = Method::Exact { certify: false };
             let plan = Plan::new(study, method).with_revolution().with_extremes();
-            Some(analysed(py, &plan)?)
+            Some(analysed(py, None, &plan)?)
         }
     };
     let all: Vec<_> = swept.iter().flat_map(Analysis::all).collect();
@@ -126,16 +126,4 @@ pub fn inspection(py: Python<'_>, gear: &Gear, material: Option<&str>) -> PyResu
     chart::inspection(&heading(&gear.title, ""), gear.entry.name, &inspection)
         .map(|chart| chart.svg)
         .map_err(|reason| error(py, reason))
-}
-
-fn analysed<'a>(py: Python<'_>, plan: &Plan<'a>) -> PyResult<Analysis<'a>> {
-    work(py, None, |tick| {
-        Analysis::run(
-            plan,
-            &mut Progress {
-                stage: &mut |_| (),
-                tick,
-            },
-        )
-    })
 }

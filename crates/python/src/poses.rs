@@ -131,7 +131,7 @@ fn um(mm: Option<f64>) -> f64 {
 
 /// The poses, each checked by polygons.
 fn certified(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<FoundPose>, Error> {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
     let cut = CutPair::for_certificates(wheel, pinion);
     let method = Method::Exact { certify: true };
     let mut all = Vec::with_capacity(matings.len());

@@ -25,7 +25,7 @@ use crate::analysis::study::Study;
 use crate::contact::Method;
 use crate::error::Error;
 use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use crate::pair::{Mating, SweepPlan};
 use std::ops::ControlFlow;
 
 /// Poses a pitch where the study does not sweep itself.
@@ -144,8 +144,4 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
     };
     let start = mating.of_wheel_tooth_1(&assembly);
     (start.wheel_tooth, start.pinion_tooth)
-}
-
-fn wheel_teeth(assembly: &GearPair) -> u32 {
-    assembly.gear(Member::Wheel).gear().basic_data().teeth()
 }

@@ -126,7 +126,7 @@ fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<
         Followed::Teeth(wheel, pinion) => (wheel, pinion),
     };
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
-        let teeth = assembly.gear(member).gear().basic_data().teeth();
+        let teeth = assembly.teeth(member);
         if !(1..=teeth).contains(&tooth) {
             return Err(GearError::NoSuchTooth { tooth, teeth }.into());
         }

@@ -1,6 +1,5 @@
 //! Where poses stand on the horizontal axis of a curve over the teeth.
 
-use super::wheel_teeth;
 use crate::pair::{GearPair, Mating, Member};
 
 /// From pitches to places.
@@ -19,7 +18,7 @@ impl Scale {
         matings: impl Fn() -> I,
     ) -> Scale {
         let pitches = pitches(matings());
-        let teeth = wheel_teeth(assembly);
+        let teeth = assembly.teeth(Member::Wheel);
         let first = matings().next().map_or(1, |mating| mating.wheel_tooth);
         if pitches > f64::from(teeth) {
             return Scale {

@@ -39,8 +39,8 @@ impl Tangent {
             let tooth_1 = assembly.mate_direction(member) + turned;
             Placed::new(assembly.gear(member), assembly.axis(member), tooth_1).centre()
         };
-        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(centre);
-        let base = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m).gear().base_radius());
+        let [wheel, pinion] = Member::BOTH.map(centre);
+        let base = Member::BOTH.map(|m| assembly.gear(m).gear().base_radius());
         let between = pinion - wheel;
         let (distance, sum) = (between.norm(), base[0] + base[1]);
         if distance <= sum {

@@ -68,12 +68,8 @@ pub(super) fn least_over(
     };
     let reached = rolling.within_pitch(pitches[first]).distance;
     let found = parallel::map(pitches.iter().zip(&bounds), |(mating, bound)| {
-        match tick() {
-            ControlFlow::Continue(()) => {
-                Ok((*bound <= reached).then(|| rolling.within_pitch(*mating)))
-            }
-            ControlFlow::Break(()) => Err(Error::Interrupted),
-        }
+        let looked_at = || (*bound <= reached).then(|| rolling.within_pitch(*mating));
+        Error::if_stopped(tick()).map(|()| looked_at())
     });
     // In order: of equals the first, whatever the threads.
     let mut least: Option<RadialClearance> = None;
@@ -89,7 +85,7 @@ pub(super) fn least_over(
 
 /// Where the pitches begin over which the least distance is looked for, no two with the same teeth.
 pub(super) fn pitches(assembly: &GearPair, matings: &[Mating]) -> Vec<Mating> {
-    let teeth = assembly.gear(assembly.locked()).gear().basic_data().teeth();
+    let teeth = assembly.teeth(assembly.locked());
     let mut met = HashSet::new();
     let mut pitches = Vec::new();
     for start in matings {
@@ -306,7 +302,7 @@ mod tests {
                 .collect();
             let all = pitches(&assembly, &starts);
             assert_eq!(all.len(), 23 * 17);
-            for member in [Member::Wheel, Member::Pinion] {
+            for member in Member::BOTH {
                 let rolling = Rolling::new(&assembly, member);
                 let mut least: Option<RadialClearance> = None;
                 let mut out = 0;

@@ -101,10 +101,7 @@ pub fn map(
                 }
             })
             .collect();
-        match tick() {
-            ControlFlow::Continue(()) => cells,
-            ControlFlow::Break(()) => Err(Error::Interrupted),
-        }
+        Error::if_stopped(tick()).and(cells)
     });
     let mut cells = Vec::new();
     for row in rows {

@@ -8,8 +8,6 @@ use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
-
 /// What was seen at some poses of one centre distance and material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seen {
@@ -79,7 +77,7 @@ impl Seen {
             return;
         };
         let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
-        for (touched, member) in self.touched.iter_mut().zip(MEMBERS) {
+        for (touched, member) in self.touched.iter_mut().zip(Member::BOTH) {
             let mut is_below = false;
             for (side, contact) in sides {
                 if let Some(contact) = contact {
@@ -109,7 +107,7 @@ impl Seen {
             sum.least = least(sum.least, other.least);
             sum.unproven += other.unproven;
             sum.first_unproven = sum.first_unproven.or_else(|| other.first_unproven.clone());
-            for (own, member) in sum.touched.iter_mut().zip(MEMBERS) {
+            for (own, member) in sum.touched.iter_mut().zip(Member::BOTH) {
                 own.extend(member, other.touched(member));
             }
         }

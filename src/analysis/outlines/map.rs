@@ -71,10 +71,7 @@ impl OutlineRun {
                 })
             });
             let cells: Vec<OutlinePose> = cells.collect();
-            match tick() {
-                ControlFlow::Continue(()) => Ok(cells),
-                ControlFlow::Break(()) => Err(Error::Interrupted),
-            }
+            Error::if_stopped(tick()).map(|()| cells)
         });
         let rows: Result<Vec<Vec<OutlinePose>>, Error> = rows.into_iter().collect();
         Ok(OutlineMap {
@@ -89,7 +86,7 @@ impl OutlineRun {
 
     /// Centre distances of the rows, mm, and what is drawn across them.
     fn shown(&self, zero: Option<&TurnsFrom>) -> (Vec<f64>, Vec<Limit>) {
-        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| self.pair.gear(member));
+        let [wheel, pinion] = Member::BOTH.map(|member| self.pair.gear(member));
         let limit = |name: &str, distance: f64| Limit {
             name: name.to_owned(),
             distance,

@@ -44,7 +44,7 @@ fn found(quantity: Quantity, run: &OutlineRun, is_max: bool) -> Option<[f64; 2]>
 
 /// The least or the greatest radial clearance, mm, within what the drawings are off.
 fn clearance(run: &OutlineRun, is_max: bool) -> [f64; 2] {
-    let both = [Member::Wheel, Member::Pinion];
+    let both = Member::BOTH;
     let ends = both.map(|member| run.pair.radial_clearance(member)[usize::from(is_max)]);
     let off = both.map(|member| run.pair.gear(member).eccentricity());
     let bound: f64 = both

@@ -46,7 +46,7 @@ pub(super) fn find(
     start: &Mating,
 ) -> Result<Option<TurnsFrom>, Error> {
     let pair = &run.pair;
-    let apart: f64 = [Member::Wheel, Member::Pinion]
+    let apart: f64 = Member::BOTH
         .map(|member| pair.gear(member).reach())
         .iter()
         .sum();

@@ -70,7 +70,7 @@ struct OnLine {
 impl OuterGears {
     /// Those of `assembly`; `None` where the outer gears need a search of their flanks themselves.
     pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
-        let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+        let gears = Member::BOTH.map(|member| assembly.gear(member));
         // Straight flanks have no outer gear, and without deviations none is needed. An undercut joint is a corner that is not looked at here.
         let undercut = gears.iter().any(|gear| gear.gear().is_undercut());
         if undercut || gears.iter().all(|gear| !gear.is_modified()) {

@@ -1,16 +1,16 @@
 //! What each kind of chart is drawn from.
 
 use super::super::console::tell;
-use super::super::distances::Distances;
 use super::super::drawing::{End, Gear, material};
 use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
 use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
+use super::super::worst;
 use super::{Args, Kind};
 use crate::error::Error;
 use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::curves::{self, Course, Followed};
+use gearlash::analysis::curves::{self, Course, Field, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
@@ -18,6 +18,7 @@ use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::stated_distance;
 use gearlash_files::verdict::{in_short, sentence};
 use gearlash_render::chart::{self, Heading};
 
@@ -41,21 +42,7 @@ impl DrawnChart {
             let wanted = material(end, &study)?;
             study.materials.retain(|(material, ..)| *material == wanted);
         }
-        let distance = match &args.center_distance {
-            Some(Distances(given)) if given.len() == 1 => given.clone(),
-            Some(_) => {
-                return Err(Error::Usage(
-                    "--center-distance: a chart is drawn at one centre distance".to_owned(),
-                ));
-            }
-            None => study.center_distances.iter().take(1).copied().collect(),
-        };
-        if args.center_distance.is_none() && study.center_distances.len() > 1 {
-            tell(&format!(
-                "note: at the least of {} centre distances; choose with --center-distance",
-                study.center_distances.len()
-            ));
-        }
+        let distance = distance(args, &study.center_distances)?;
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
@@ -79,10 +66,10 @@ impl DrawnChart {
         let (name, chart) = match args.kind {
             Kind::Difference => (
                 "difference",
-                chart::difference(&heading(&study, &cycle), course, study.tolerance_um)?,
+                chart::difference(&heading(&study.title, &cycle), course, study.tolerance_um)?,
             ),
             _ => {
-                let chart = chart::revolution_in(unit, &heading(&study, &cycle), course)?;
+                let chart = chart::revolution_in(unit, &heading(&study.title, &cycle), course)?;
                 ("revolution", chart)
             }
         };
@@ -124,7 +111,7 @@ impl DrawnChart {
         Ok(DrawnChart {
             svg: chart::distance_in(
                 unit,
-                &heading(study, &cycle),
+                &heading(&study.title, &cycle),
                 &curve,
                 &by_distance(&all, &[]),
             )?
@@ -145,7 +132,7 @@ impl DrawnChart {
         };
         let inspection = Inspection::of(gear);
         Ok(DrawnChart {
-            svg: chart::inspection(&heading(study, ""), name, &inspection)?.svg,
+            svg: chart::inspection(&heading(&study.title, ""), name, &inspection)?.svg,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
         })
@@ -165,6 +152,62 @@ impl DrawnChart {
             agrees: agreed(&analysis),
         })
     }
+
+    /// Of helical gears the field of action at the pose which binds.
+    pub fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
+        if !study.is_helical() {
+            return Err(Error::Usage(
+                "--kind field is for helical gears: along the face of spur gears nothing changes"
+                    .to_owned(),
+            ));
+        }
+        let distance = asked_distance(args)?;
+        let end = args.material.map(|end| material(end, &study)).transpose()?;
+        let title = study.title.clone();
+        let (run, pose, unproven) = worst::find("--kind field", study, distance, end)?;
+        let field = Field::of(&run.assembly, &pose).ok_or_else(|| {
+            Error::Usage(
+                "--kind field: the worst pose is jammed or unproven; there are no contact lines"
+                    .to_owned(),
+            )
+        })?;
+        let a = run.assembly.center_distance();
+        let subtitle = format!(
+            "Field of action at the least backlash · a = {} mm · {}",
+            stated_distance(a),
+            run.material.words()
+        );
+        Ok(DrawnChart {
+            svg: chart::field(&heading(&title, &subtitle), &field)?.svg,
+            file: format!("chart_field_a{a}_{}.svg", run.material.name()),
+            agrees: all_proven(unproven),
+        })
+    }
+}
+
+/// The centre distance at which a chart is drawn: what was asked for, else the first of `stated`, if there is one.
+pub(super) fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
+    if let Some(given) = asked_distance(args)? {
+        return Ok(vec![given]);
+    }
+    if stated.len() > 1 && args.kind != Kind::Map {
+        tell(&format!(
+            "note: at the least of {} centre distances; choose with --center-distance",
+            stated.len()
+        ));
+    }
+    Ok(stated.iter().take(1).copied().collect())
+}
+
+/// The centre distance that was asked for.
+pub(super) fn asked_distance(args: &Args) -> Result<Option<f64>, Error> {
+    match args.center_distance.as_ref().map(|given| &given.0[..]) {
+        None => Ok(None),
+        Some([only]) => Ok(Some(*only)),
+        Some(_) => Err(Error::Usage(
+            "--center-distance: a chart is drawn at one centre distance".to_owned(),
+        )),
+    }
 }
 
 /// The one of the most material.
@@ -177,10 +220,10 @@ pub(super) fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     first.map(|map| map.svg).ok_or_else(none)
 }
 
-fn heading<'a>(study: &'a Study, subtitle: &'a str) -> Heading<'a> {
+pub(super) fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
     Heading {
         prefix: "chart",
-        title: &study.title,
+        title,
         subtitle,
     }
 }

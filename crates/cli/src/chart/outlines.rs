@@ -1,10 +1,9 @@
 //! `gearlash chart` of a pair with an outline: backlash over the mesh cycle, and over the centre distance, too.
 
-use super::drawn::{MAP, first_map, suffix};
+use super::drawn::{MAP, distance, first_map, heading, suffix};
 use super::{Args, Kind};
 use crate::console::tell;
-use crate::distances::Distances;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use crate::maps;
 use crate::method::all_proven;
 use crate::outlines::runs;
@@ -12,8 +11,7 @@ use crate::target::Target;
 use gearlash::analysis::outlines::unproven;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::sentence;
-use gearlash_render::chart::{self, Heading};
-use std::path::PathBuf;
+use gearlash_render::chart;
 use std::process::ExitCode;
 
 /// Runs the command.
@@ -30,29 +28,8 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
         ));
     }
     let unit = args.unit.of_outlines(&file.study, true)?;
-    let least = match &args.center_distance {
-        Some(Distances(given)) if given.len() == 1 => given.clone(),
-        Some(_) => {
-            return Err(Error::Usage(
-                "--center-distance: a chart is drawn at one centre distance".to_owned(),
-            ));
-        }
-        None => file
-            .study
-            .center_distances
-            .iter()
-            .take(1)
-            .copied()
-            .collect(),
-    };
-    let of_one = args.kind == Kind::Revolution && args.center_distance.is_none();
-    if of_one && file.study.center_distances.len() > 1 {
-        tell(&format!(
-            "note: at the least of {} centre distances; choose with --center-distance",
-            file.study.center_distances.len()
-        ));
-    }
-    file = file.at(least);
+    let distance = distance(args, &file.study.center_distances)?;
+    file = file.at(distance);
     let output = match &args.output {
         Some(output) => Target::prepare_beside(output.clone(), &file.sources)?,
         None => {
@@ -64,25 +41,15 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
                     suffix(unit)
                 ),
             };
-            Target::prepare(
-                PathBuf::from("out").join(&file.stem).join(name),
-                &file.sources,
-            )?
+            Target::prepare_own(&file.stem, name, &file.sources)?
         }
     };
     let runs = runs(&file, &args.method)?;
     tell(&sentence(&file.study, &runs));
-    let heading = Heading {
-        prefix: "chart",
-        title: &file.study.title,
-        subtitle: "",
-    };
+    let heading = heading(&file.study.title, "");
     output.write(&match args.kind {
         Kind::Map => first_map(maps::of_outlines(&file, &runs)?)?,
         _ => chart::outlines(unit, &heading, &runs)?.svg,
     })?;
-    Ok(match all_proven(unproven(&runs)) {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(all_proven(unproven(&runs))))
 }

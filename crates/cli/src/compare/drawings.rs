@@ -2,7 +2,7 @@
 
 use super::{Args, Format, of_option};
 use crate::console::{guard, print, warn};
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use crate::outlines::is_drawing;
 use crate::target::Target;
 use gearlash_files::outlines::{TwoDrawings, comparison_json, difference_csv};
@@ -39,19 +39,15 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let picture = picture.map_err(|error| of_option(error, "--svg"))?;
     print(&match args.format {
         Format::Json => comparison_json(&compared, args.tolerance_um)
-            .map_err(|error| Error::Usage(format!("the outcome cannot be written: {error}")))?,
-        Format::Csv => difference_csv(&compared)
-            .map_err(|error| Error::Usage(format!("the outcome cannot be written: {error}")))?,
+            .map_err(Error::unwritable("the outcome"))?,
+        Format::Csv => difference_csv(&compared).map_err(Error::unwritable("the outcome"))?,
         _ => text::outline_difference(&compared, args.tolerance_um, &args.screen.screen()),
     })?;
     if let Some(target) = picture {
         let written = target.write_silently(&outline_difference(&compared));
         written.map_err(|error| of_option(error, "--svg"))?;
     }
-    Ok(match compared.passes(args.tolerance_um) {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(exit_code(compared.passes(args.tolerance_um)))
 }
 
 fn needs_two() -> Error {

@@ -1,6 +1,6 @@
 //! `gearlash gauge` on outlines: the spans and pins that were asked for.
 
-use super::Args;
+use super::{Args, unwritable};
 use crate::console::{print, warn};
 use crate::error::Error;
 use crate::gears::{GearName, MaterialName, one_only};
@@ -45,13 +45,10 @@ pub(super) fn run(args: &Args, file: &OutlineGearsFile) -> Result<ExitCode, Erro
     if let (true, Some(name)) = (gears.is_empty(), name) {
         return Err(one_only(name, &args.file));
     }
-    let unwritable = |error: &dyn std::error::Error| {
-        Error::Usage(format!("the readings cannot be written as text: {error}"))
-    };
     print(&match args.results.format {
         Format::Text => text(&file.title, &gears, args.positions, &args.screen.screen()),
-        Format::Json => gauged_json(&file.title, &gears).map_err(|error| unwritable(&error))?,
-        Format::Csv => gauged_csv(&gears).map_err(|error| unwritable(&error))?,
+        Format::Json => gauged_json(&file.title, &gears).map_err(unwritable)?,
+        Format::Csv => gauged_csv(&gears).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.

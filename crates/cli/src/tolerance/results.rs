@@ -2,7 +2,7 @@
 
 use crate::console::{print, print_note};
 use crate::date::today;
-use crate::error::Error;
+use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
 use crate::parts::WHOLE;
 use clap::ValueEnum;
@@ -38,11 +38,33 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Where results go: text is the short form of files, the others are the result itself, and are files where a folder is named.
-    pub(crate) fn folder(self, named: Option<&Path>, own: &Path) -> Option<PathBuf> {
+    /// Where results go: text is the short form of files, the others are the result itself, and are files where a folder is named. A `shard` is always one.
+    pub(crate) fn folder(
+        self,
+        named: Option<&Path>,
+        own: &Path,
+        shard: Option<[u64; 2]>,
+    ) -> Option<PathBuf> {
         match self {
+            _ if shard.is_some() => Some(named.unwrap_or(own).to_path_buf()),
             Format::Text => Some(named.unwrap_or(own).to_path_buf()),
             Format::Json | Format::Csv => named.map(Path::to_path_buf),
+        }
+    }
+
+    /// Writes `files` to `folder`, where there is one, and, after a table, says where they are.
+    pub(crate) fn write(
+        self,
+        folder: Option<OutputFolder>,
+        files: &[(String, String)],
+    ) -> Result<(), Error> {
+        let Some(folder) = folder else {
+            return Ok(());
+        };
+        let written = folder.write(files)?;
+        match self {
+            Format::Text => print_note(&format!("\n{written}\n")),
+            Format::Json | Format::Csv => Ok(()),
         }
     }
 }
@@ -62,10 +84,7 @@ pub(crate) fn tell_result(
     let date = today()?;
     let pictures = tolerance_pictures(result)?;
     let json = result.to_json();
-    let unwritable = |error: &dyn std::fmt::Display| {
-        Error::Usage(format!("the result cannot be written: {error}"))
-    };
-    let csv = result.to_csv().map_err(|error| unwritable(&error))?;
+    let csv = result.to_csv().map_err(Error::unwritable("the result"))?;
     let page = tolerance_report(&ToleranceReport {
         result,
         pictures: &pictures,
@@ -86,21 +105,13 @@ pub(crate) fn tell_result(
     }
     for (index, worst) in result.part.worst.iter().enumerate() {
         let (name, text) = worst_file(index, worst);
-        files.push((name, text.map_err(|error| unwritable(&error))?));
+        files.push((name, text.map_err(Error::unwritable("the result"))?));
     }
     match format {
         Format::Text => print(&gearlash_render::text::tolerance(result, screen))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }
-    if let Some(folder) = folder {
-        let written = folder.write(&files)?;
-        if format == Format::Text {
-            print_note(&format!("\n{written}\n"))?;
-        }
-    }
-    Ok(match result.is_met() {
-        Some(false) => ExitCode::from(1),
-        _ => ExitCode::SUCCESS,
-    })
+    format.write(folder, &files)?;
+    Ok(exit_code(result.is_met() != Some(false)))
 }

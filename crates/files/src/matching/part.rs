@@ -2,7 +2,7 @@
 
 use super::read::MatchFile;
 use crate::part_error::PartError;
-use crate::shards::{MOST_SHARDS, RunPart, in_order, is_share, share};
+use crate::shards::{MOST_SHARDS, RunPart, in_order, is_share, sha256, share};
 use crate::tolerance::{Limit, is_length, limits};
 use gearlash::error::Error;
 use gearlash::gear::AsBuilt;
@@ -10,7 +10,6 @@ use gearlash::matching::{Fit, Matrix, PairFit, phase_count};
 use gearlash::population::{Outcome, OutcomeKind};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use sha2::{Digest, Sha256};
 use std::ops::{ControlFlow, Range};
 
 /// What a part's file begins with.
@@ -128,9 +127,7 @@ impl MatchFile {
             each.collect::<Vec<_>>()
         });
         let wanted = self.terms.wanted();
-        let text = json!({ "pair": spec, "gears": gears, "wanted": wanted }).to_string();
-        let digest = Sha256::digest(text.as_bytes());
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        sha256(&json!({ "pair": spec, "gears": gears, "wanted": wanted }).to_string())
     }
 }
 

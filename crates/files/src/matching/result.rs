@@ -3,6 +3,7 @@
 use super::part::{MatchPart, status};
 use crate::characters;
 use crate::numbers::{fixed, rounded, shortest};
+use crate::results::csv_text;
 use crate::tolerance::Limit;
 use gearlash::matching::{Expected, Fit, Matrix};
 use serde_json::{Value, json};
@@ -212,7 +213,6 @@ impl MatchResult {
                 ])?;
             }
         }
-        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+        csv_text(writer)
     }
 }

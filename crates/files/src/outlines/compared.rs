@@ -7,6 +7,7 @@ use crate::node::Node;
 use crate::numbers::{fixed, signed_um, um};
 use crate::place::Place;
 use crate::problems::Problems;
+use crate::results::csv_text;
 use crate::sources::Sources;
 use crate::table::Table;
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
@@ -197,7 +198,7 @@ pub fn difference_csv(compared: &ComparedOutlines) -> std::result::Result<String
             deviation_um: 1e3 * at.beyond,
         })?;
     }
-    super::result::text(writer)
+    csv_text(writer)
 }
 
 /// The outcome as JSON.
@@ -238,6 +239,5 @@ pub fn comparison_json(
         least: place(&found.least),
         error_bound_um: 1e3 * found.bound,
     };
-    let text = serde_json::to_string_pretty(&result)?;
-    Ok(characters::json(text) + "\n")
+    characters::json_of(&result)
 }

@@ -1,7 +1,7 @@
 //! Spans and pins read on outlines, as tables, JSON and CSV: keys and columns as of gears by their data.
 
 use super::gears::OutlineGearEntry;
-use crate::characters;
+use crate::results::gauge::{json_of, of};
 use crate::results::{Cell, Column, Table, Unit};
 use gearlash::contact::OutlineTouch;
 use gearlash::gauge::{OutlineGauged, OverPins, Unmeasured};
@@ -104,9 +104,7 @@ pub fn gauged_csv(gears: &[GaugedOutline]) -> Result<String, csv::Error> {
 /// # Errors
 /// As [`gauged_csv`].
 pub fn gauged_json(title: &str, gears: &[GaugedOutline]) -> Result<String, serde_json::Error> {
-    let gears: Vec<Value> = gears.iter().map(gear).collect();
-    let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
-    Ok(characters::json(serde_json::to_string_pretty(&all)?) + "\n")
+    json_of(title, gears.iter().map(gear).collect())
 }
 
 fn gear(gauged: &GaugedOutline) -> Value {
@@ -149,13 +147,6 @@ fn gear(gauged: &GaugedOutline) -> Value {
         });
     }
     value
-}
-
-fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
-    match read {
-        Ok(read) => shown(read),
-        Err(reason) => json!({ "not_measured": reason.to_string() }),
-    }
 }
 
 fn over(list: &[OverPins]) -> Value {

@@ -271,15 +271,8 @@ fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
     }
     let data = GearPart::read(file, name, problems);
     let built = data.as_built?;
-    let gears = match built.is_band() {
-        true => vec![
-            (Material::Most, built.most().into()),
-            (Material::Least, built.least().into()),
-        ],
-        false => vec![(Material::AsMeasured, built.most().into())],
-    };
     Some(Part {
-        gears,
+        gears: crate::gear::materials(&built, |gear| gear.into()),
         read: None,
         spec: EitherGearSpec::Data(Box::new(data.spec?)),
         warnings: data.warnings,

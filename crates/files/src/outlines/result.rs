@@ -4,6 +4,7 @@ use super::fitted::{FittedRecord, records};
 use super::pair::OutlinePairFile;
 use super::sentence::sentence;
 use crate::characters;
+use crate::results::csv_text;
 use crate::spec::OutlinePairSpec;
 use gearlash::analysis::outlines::{OutlineMap, OutlinePose, OutlineRun, turns};
 use gearlash::contact::{OutlineContact, Status};
@@ -153,8 +154,7 @@ pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Resul
         fitted_involutes: records(file),
         runs: runs.iter().map(run).collect(),
     };
-    let text = serde_json::to_string_pretty(&result)?;
-    Ok(characters::json(text) + "\n")
+    characters::json_of(&result)
 }
 
 #[derive(Serialize)]
@@ -213,13 +213,7 @@ pub fn outline_map_csv(map: &OutlineMap) -> std::result::Result<String, csv::Err
             })?;
         }
     }
-    text(writer)
-}
-
-/// What was written.
-pub(super) fn text(writer: csv::Writer<Vec<u8>>) -> std::result::Result<String, csv::Error> {
-    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    csv_text(writer)
 }
 
 /// A row a pose.
@@ -254,5 +248,5 @@ pub fn to_csv(runs: &[OutlineRun]) -> std::result::Result<String, csv::Error> {
             })?;
         }
     }
-    text(writer)
+    csv_text(writer)
 }

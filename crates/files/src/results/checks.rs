@@ -83,7 +83,7 @@ pub fn checks_json(
             })
             .collect(),
     };
-    Ok(characters::json(serde_json::to_string_pretty(&file)?) + "\n")
+    characters::json_of(&file)
 }
 
 fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {

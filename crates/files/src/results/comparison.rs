@@ -125,7 +125,7 @@ pub fn comparison_json(pairs: &[ComparedPair]) -> Result<String, serde_json::Err
         passed: pairs.iter().all(ComparedPair::passes),
         pairs: pairs.iter().map(json_pair).collect(),
     };
-    Ok(characters::json(serde_json::to_string_pretty(&report)?) + "\n")
+    characters::json_of(&report)
 }
 
 fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {

@@ -65,7 +65,7 @@ impl<W: Write> Json<W> {
     /// `key` and its value, which is there already.
     pub fn entry(&mut self, key: &str, value: &impl Serialize) -> Result<()> {
         self.key(key)?;
-        let text = self.text(value)?;
+        let text = self.layout().text(value)?;
         self.out.write_all(text.as_bytes())?;
         self.format.end_object_value(&mut self.out)
     }
@@ -86,10 +86,6 @@ impl<W: Write> Json<W> {
     pub fn finish(mut self) -> Result<W> {
         self.out.write_all(b"\n")?;
         Ok(self.out)
-    }
-
-    fn text(&self, value: &impl Serialize) -> Result<String> {
-        self.layout().text(value)
     }
 
     fn first(&mut self) -> bool {

@@ -15,6 +15,7 @@ mod written;
 pub use checks::{checks_json, map_csv};
 pub use comparison::{ComparedPair, comparison_json};
 pub use records::doubts;
+pub(crate) use table::csv_text;
 pub use table::{Cell, Column, Table, Unit};
 pub use verdict::{extremes_json, pose_json};
 pub use written::{ResultFile, ResultWriter, result_file};

@@ -193,8 +193,7 @@ impl Table {
                 writer.write_record(columns().map(|column| column.cell(row).csv()))?;
             }
         }
-        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+        csv_text(writer)
     }
 
     /// As JSON: an object a row, each column's value under its key in `keys`.
@@ -215,6 +214,12 @@ impl Table {
         };
         (0..self.rows()).map(row).collect()
     }
+}
+
+/// What was written.
+pub(crate) fn csv_text(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The keys that say what of a file is the table, where the file alone does not.
+//! The keys that stand beside `file`: they say what of a file is the table, where the file alone does not.
 
 use super::number::Decimal;
 use crate::problems::Problems;
@@ -67,4 +67,38 @@ impl<'a> Choice<'a> {
         let row = self.header_row.map(|_| "header_row");
         row.or(self.columns.first().map(|(key, _)| *key))
     }
+}
+
+/// Keys that name a table; others may stand beside them.
+pub const KEYS: &[&str] = &[
+    "file",
+    "sheet",
+    "header_row",
+    "tooth_column",
+    "column",
+    "decimal",
+];
+
+/// The keys of a table that has its `own` ones beside [`KEYS`].
+pub const fn keys_beside<const OWN: usize, const ALL: usize>(
+    own: [&'static str; OWN],
+) -> [&'static str; ALL] {
+    assert!(OWN + KEYS.len() == ALL);
+    let mut all = [""; ALL];
+    let mut at = 0;
+    while at < ALL {
+        all[at] = if at < OWN { own[at] } else { KEYS[at - OWN] };
+        at += 1;
+    }
+    all
+}
+
+/// Checks that nothing is said of a file that `table` does not name.
+pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
+    let mut keys = KEYS.iter().chain(&["left", "right"]);
+    let Some(name) = keys.find(|name| table.has(name)) else {
+        return Some(());
+    };
+    problems.add(table.problem(name, "given without `file`", "add the file, or remove it"));
+    None
 }

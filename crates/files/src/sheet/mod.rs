@@ -17,7 +17,6 @@ mod grid;
 mod head;
 mod header;
 mod heading;
-mod keys;
 mod left_out;
 mod limits;
 pub mod number;
@@ -26,7 +25,6 @@ mod places;
 mod positions;
 mod protocol;
 mod statistic;
-mod story;
 mod text;
 mod trace;
 mod wanted;
@@ -36,14 +34,13 @@ use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
 use cell::{Cell, Line};
-pub use choice::Choice;
+pub use choice::{Choice, KEYS, keys_beside, without_file};
 pub use column::Column;
 use gearlash::metrology::PitchKind;
 use grid::{FoundTable, Grid};
 use head::Head;
 pub use header::{Header, StatedGear};
 use heading::Quantity;
-pub use keys::{KEYS, keys_beside, without_file};
 use number::Decimal;
 pub use p40::Position;
 pub use positions::{Nominal, Positions};
@@ -83,9 +80,12 @@ impl<const N: usize> Sheet<N> {
     ///
     /// All that is wrong is added to `problems`, under the key of `file` and with line numbers.
     pub fn read(table: &Table, wanted: &Wanted<N>, problems: &mut Problems) -> Option<Sheet<N>> {
-        read_with(table, problems, |content, file, choice, bad| {
-            Sheet::told(table, content, file, choice, wanted, bad)
-        })
+        read_with(
+            table,
+            "pitch.csv",
+            problems,
+            |content, file, choice, bad| Sheet::told(table, content, file, choice, wanted, bad),
+        )
     }
 
     /// The `wanted` table of what the file that `table` names holds, with the remarks.
@@ -115,16 +115,18 @@ impl<const N: usize> Sheet<N> {
         wanted: &Wanted<N>,
         problems: &mut Problems,
     ) -> Option<Sheet<N>> {
-        let grids = match content {
-            Content::Cells(grids) => grids,
-            Content::Protocol(text) => {
-                let (rows, header) = protocol::read(file, text, wanted, problems)?;
+        let (rows, header) = match content {
+            Content::Cells(grids) => {
+                let (found, places) = grid::find(grids, file, wanted, choice, problems)?;
+                let rows = found.numbers(file, &places, wanted, choice, problems)?;
+                let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
                 return Some(Sheet {
-                    header,
-                    rows,
-                    origin: None,
+                    header: Header::default(),
+                    rows: by_tooth::ordered(file, rows, wanted, problems)?,
+                    origin: Some(Origin::of(&found, grids, &used, file)),
                 });
             }
+            Content::Protocol(text) => protocol::read(file, text, wanted, problems)?,
             Content::P40(text) => {
                 let p40 = p40::parse(file, text, problems)?;
                 p40.refuse_values(file, problems)?;
@@ -135,20 +137,13 @@ impl<const N: usize> Sheet<N> {
                 let rows = protocol::of_blocks(file, &p40.blocks, &wanted, problems)?;
                 let mut header = p40.header.clone();
                 header.left_unused(file, &p40.unused(p40::PITCH));
-                return Some(Sheet {
-                    header,
-                    rows,
-                    origin: None,
-                });
+                (rows, header)
             }
         };
-        let (found, places) = grid::find(grids, file, wanted, choice, problems)?;
-        let rows = found.numbers(file, &places, wanted, choice, problems)?;
-        let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
         Some(Sheet {
-            header: Header::default(),
-            rows: by_tooth::ordered(file, rows, wanted, problems)?,
-            origin: Some(Origin::of(&found, grids, &used, file)),
+            header,
+            rows,
+            origin: None,
         })
     }
 
@@ -159,23 +154,21 @@ impl<const N: usize> Sheet<N> {
     }
 }
 
-/// Reads the file that `table` names once, and hands over what it holds; a problem in it leaves nothing.
+/// Reads the file that `table` names, such as `example`, once, and hands over what it holds; a problem in it leaves nothing.
 pub fn read_with<'a, T>(
     table: &Table<'a>,
+    example: &str,
     problems: &mut Problems,
     take: impl FnOnce(&Content, &DataFile, &Choice<'a>, &mut Problems) -> Option<T>,
 ) -> Option<T> {
-    let needed = "the name of a table, such as \"pitch.csv\"";
-    let file = DataFile::of(table, needed, problems)?;
-    let mut bad = Problems::of_list();
-    let read = Choice::read(table, &mut bad).and_then(|choice| {
+    let needed = format!("the name of a table, such as \"{example}\"");
+    let file = DataFile::of(table, &needed, problems)?;
+    problems.of_list_at(file.key(), |bad| {
+        let choice = Choice::read(table, bad)?;
         let bytes = bad.keep(file.bytes())?;
-        let content = content(&file, bytes, table, &choice, &mut bad)?;
-        take(&content, &file, &choice, &mut bad)
-    });
-    let good = bad.is_empty();
-    problems.add_list(file.key(), bad);
-    read.filter(|_| good)
+        let content = content(&file, bytes, table, &choice, bad)?;
+        take(&content, &file, &choice, bad)
+    })
 }
 
 impl Origin {
@@ -247,10 +240,7 @@ impl Content {
     pub fn has(&self, columns: &[Column], choice: &Choice) -> bool {
         match self {
             Content::Cells(grids) => {
-                let is_head = |head: &Head| grid::is_head(head, columns, choice);
-                grids
-                    .iter()
-                    .any(|grid| Head::find(&grid.lines, choice, is_head).is_some())
+                has_head(grids, choice, |head| grid::is_head(head, columns, choice))
             }
             Content::Protocol(text) | Content::P40(text) => {
                 columns.iter().any(|column| protocol::has(text, *column))
@@ -309,18 +299,18 @@ impl Content {
 
     /// Whether there is a table of traces.
     pub fn has_trace(&self, choice: &Choice) -> bool {
-        let grids = match self {
-            Content::Cells(grids) => grids,
-            Content::P40(text) => {
-                return text.lines().any(|line| line.trim().starts_with("Profil:"));
-            }
-            Content::Protocol(_) => return false,
-        };
-        let is_head = |head: &Head| trace::is_head(head, choice);
-        grids
-            .iter()
-            .any(|grid| Head::find(&grid.lines, choice, is_head).is_some())
+        match self {
+            Content::Cells(grids) => has_head(grids, choice, |head| trace::is_head(head, choice)),
+            Content::P40(text) => text.lines().any(|line| line.trim().starts_with("Profil:")),
+            Content::Protocol(_) => false,
+        }
     }
+}
+
+/// Whether one of `grids` has a header that is wanted.
+fn has_head(grids: &[Grid], choice: &Choice, is_wanted: impl Fn(&Head) -> bool) -> bool {
+    let mut grids = grids.iter();
+    grids.any(|grid| Head::find(&grid.lines, choice, &is_wanted).is_some())
 }
 
 /// What `file` of these `bytes` holds.

@@ -76,23 +76,17 @@ impl Positions {
     pub fn read(table: &Table, nominal: &Nominal, problems: &mut Problems) -> Option<Positions> {
         let needed = "the name of a curve file, such as \"gear.mka\"";
         let file = DataFile::of(table, needed, problems)?;
-        let mut bad = Problems::of_list();
-        let bytes = bad.keep(file.bytes());
-        let text = bytes
-            .as_ref()
-            .and_then(|bytes| text::decode(&file, bytes, &mut bad));
-        let read = text.and_then(|text| {
+        problems.of_list_at(file.key(), |bad| {
+            let bytes = bad.keep(file.bytes())?;
+            let text = text::decode(&file, &bytes, bad)?;
             if !p40::is_one(&text) {
                 let reason = "is no curve file of a P40: its first line is not HEADER KS.MK.FILE";
                 let help = "give the thickness by span, over_pins or another statement";
                 bad.add(file.problem(reason, help));
                 return None;
             }
-            Positions::of(table, &file, &text, nominal, &mut bad)
-        });
-        let good = bad.is_empty();
-        problems.add_list(file.key(), bad);
-        read.filter(|_| good)
+            Positions::of(table, &file, &text, nominal, bad)
+        })
     }
 
     /// Those in the `text` of `file`, a curve file that `table` names.

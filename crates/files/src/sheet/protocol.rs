@@ -5,14 +5,14 @@
 //! row a tooth, in µm. Only these and the known header lines are read. Within
 //! a block everything must be a row until a blank line and other text.
 
-use super::block::{Block, Name, named, names, row, side};
+use super::block::{Block, Name, check_story, named, names, row, side};
+use super::by_tooth;
 use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
 use super::number::Unmeasured;
 use super::number::{self, Written};
 use super::wanted::{Row, Wanted};
-use super::{by_tooth, story};
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 use gearlash::gear::Side;
@@ -87,7 +87,7 @@ pub fn of_blocks<const N: usize>(
         .any(|column| *column != Column::Runout)
     {
         for block in blocks {
-            story::check(file, block, problems);
+            check_story(file, block, problems);
         }
     }
     let rows = columns.first()?.iter().enumerate().map(|(index, row)| {

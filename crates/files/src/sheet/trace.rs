@@ -8,7 +8,7 @@ use super::head::Head;
 use super::heading::{self, Quantity};
 use super::places::{one, several};
 use super::wanted::{Coverage, TraceRow, Wanted};
-use super::{Choice, Content, Header, Origin, content, p40};
+use super::{Choice, Content, Header, Origin, p40, read_with};
 use crate::data_file::DataFile;
 use crate::entry::whole_in;
 use crate::problems::Problems;
@@ -49,19 +49,15 @@ impl TraceSheet {
         base: Option<f64>,
         problems: &mut Problems,
     ) -> Option<TraceSheet> {
-        let needed = "the name of a table, such as \"trace.csv\"";
-        let file = DataFile::of(table, needed, problems)?;
-        let mut bad = Problems::of_list();
-        let read = Choice::read(table, &mut bad).and_then(|choice| {
-            let bytes = bad.keep(file.bytes())?;
-            let content = content(&file, bytes, table, &choice, &mut bad)?;
-            TraceSheet::of(&content, &file, &choice, (teeth, base), &mut bad)
-        });
-        let good = bad.is_empty();
-        problems.add_list(file.key(), bad);
-        let sheet = read.filter(|_| good)?;
+        let read = read_with(
+            table,
+            "trace.csv",
+            problems,
+            |content, file, choice, bad| TraceSheet::of(content, file, choice, (teeth, base), bad),
+        );
+        let sheet = read?;
         match &sheet.origin {
-            Some(origin) => table.place().tell(origin.remark(&file)),
+            Some(origin) => table.place().tell(origin.remark(&sheet.file)),
             None => table.place().tell(sheet.header.remark()),
         }
         Some(sheet)

@@ -4,13 +4,13 @@ use super::limit::limits;
 use super::part::{About, Part, cases};
 use super::part_head::{PartHead, Progress};
 use super::population::ToleranceFile;
+use crate::shards::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
     Factor, Outcome, Sample, SampleError, Scatter, Standing, Tally, contribution_sums, limit_cases,
     outcomes, sample,
 };
 use serde_json::json;
-use sha2::{Digest, Sha256};
 use std::ops::{ControlFlow, Range};
 
 /// Assemblies of a block, after which a part can be kept.
@@ -93,9 +93,7 @@ impl ToleranceFile {
         }
         let gears = self.measured.each_ref();
         let gears = gears.map(|gears| gears.iter().map(|one| &one.spec).collect::<Vec<_>>());
-        let text = json!({ "pair": spec, "gears": gears }).to_string();
-        let digest = Sha256::digest(text.as_bytes());
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        sha256(&json!({ "pair": spec, "gears": gears }).to_string())
     }
 
     /// Does the next block of `part`, and says whether there was one. `rows` takes what comes of each assembly; `tick` is called once every

@@ -1,6 +1,7 @@
 //! One assembly of a population as a pair file.
 
 use super::population::ToleranceFile;
+use crate::shards::sha256;
 use crate::spec::{
     BearingClearanceSpec, CenterDistanceSpec, Either, FaceName, GearSpec, PairSpec, PitchAxis,
     PitchKind, PitchSense, PitchSpec, Revolutions, RunoutSpec, StatementSpec, SweepSpec,
@@ -13,7 +14,6 @@ use gearlash::pair::Member;
 use gearlash::population::{Assembly, Sample};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use sha2::{Digest, Sha256};
 
 /// One of the worst assemblies of a part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -55,19 +55,14 @@ pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::
 const WRITTEN: &str = "# written by gearlash tolerance; sha256 of the lines below: ";
 
 fn signed(text: &str) -> String {
-    format!("{WRITTEN}{}\n{text}", hash(text))
-}
-
-fn hash(text: &str) -> String {
-    let digest = Sha256::digest(text.as_bytes());
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    format!("{WRITTEN}{}\n{text}", sha256(text))
 }
 
 /// Whether `text` is a file of [`worst_file`] as it was written: not one that somebody else wrote, or has changed since.
 pub fn is_worst_file(text: &str) -> bool {
     let signed = text.strip_prefix(WRITTEN);
     let parts = signed.and_then(|rest| rest.split_once('\n'));
-    parts.is_some_and(|(stated, below)| stated == hash(below))
+    parts.is_some_and(|(stated, below)| stated == sha256(below))
 }
 
 impl ToleranceFile {

@@ -5,6 +5,7 @@ use super::result::{ToleranceResult, convergence};
 use super::sentence::{phases_of_limits, sentence};
 use super::worst::worst_name;
 use crate::numbers::rounded;
+use crate::results::csv_text;
 use gearlash::population::{
     CONFIDENCE, Contributions, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES, Share,
     SpreadStatistics,
@@ -195,8 +196,7 @@ impl Rows {
         for row in self.0 {
             writer.write_record(row)?;
         }
-        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+        csv_text(writer)
     }
 }
 

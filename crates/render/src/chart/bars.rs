@@ -1,5 +1,6 @@
 //! Bars, one place a tooth.
 
+use super::captions::entry;
 use super::paint::Look;
 use super::panel::{Entry, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
@@ -145,12 +146,10 @@ impl BarPanel<'_> {
 
 /// The legend of bars.
 pub(super) fn legend(series: &[BarSeries]) -> Vec<Entry> {
-    let entry = |bars: &BarSeries| Entry {
-        name: bars.name.to_owned(),
-        look: bars.look,
-        sample: Swatch::Bar,
-    };
-    series.iter().map(entry).collect()
+    let series = series.iter();
+    series
+        .map(|bars| entry(bars.name, bars.look, Swatch::Bar))
+        .collect()
 }
 
 /// Bars from zero under a title, with the names of both axes; `None` without any value.

@@ -1,7 +1,8 @@
 //! The field of action of helical gears: contact lines over the common face, and what each section would allow alone.
 
+use super::captions::entry;
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Point, Swatch, range};
+use super::panel::{Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis, TextStyle};
 use crate::pose_name::pose_name;
@@ -45,11 +46,6 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         .iter()
         .flat_map(|side| [lines(side, x), gaps(side, x)])
         .collect();
-    let entry = |name: &str, look, sample| Entry {
-        name: name.to_owned(),
-        look,
-        sample,
-    };
     let mut entries = vec![
         entry("contact lines of right flanks", Look::Right, Swatch::Line),
         entry(

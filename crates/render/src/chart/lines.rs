@@ -1,5 +1,6 @@
 //! Several series as lines or single values.
 
+use super::captions::entry;
 use super::paint::Look;
 use super::panel::{Entry, Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
@@ -71,10 +72,9 @@ pub fn lines(
     });
     let legend: Vec<Entry> = series
         .iter()
-        .map(|line| Entry {
-            name: line.name.to_owned(),
-            look: line.look,
-            sample: if line.dots { Swatch::Dot } else { Swatch::Line },
+        .map(|line| {
+            let sample = if line.dots { Swatch::Dot } else { Swatch::Line };
+            entry(line.name, line.look, sample)
         })
         .collect();
     let panel = Panel {

@@ -1,7 +1,8 @@
 //! A population: histogram with limits, how its share came out, what contributes to its spread.
 
+use super::captions::entry;
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Swatch, range};
+use super::panel::{Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::population::{BIN_TENTHS_NM, Contributions, Spread, TENTHS_NM_PER_MM};
@@ -98,11 +99,7 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
             anchor,
         });
     }
-    let entries = spreads.map(|(name, _, look)| Entry {
-        name: name.to_owned(),
-        look,
-        sample: Swatch::Bar,
-    });
+    let entries = spreads.map(|(name, _, look)| entry(name, look, Swatch::Bar));
     let panel = Panel {
         title: String::new(),
         x: Axis::new("backlash j_wt over the whole mesh cycle, µm", x),
@@ -155,11 +152,8 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
             width: 1.8,
         },
     ];
-    let entries = [Entry {
-        name: "share so far, and its interval of 95 % (Clopper and Pearson)".to_owned(),
-        look: Look::Right,
-        sample: Swatch::LineInBand(0.2),
-    }];
+    let name = "share so far, and its interval of 95 % (Clopper and Pearson)";
+    let entries = [entry(name, Look::Right, Swatch::LineInBand(0.2))];
     let panel = Panel {
         title: String::new(),
         x: Axis::new("assemblies drawn", [0.0, last.assemblies as f64]),
@@ -230,11 +224,7 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
         ("with all that it does together with others", Look::Right),
         ("by itself", Look::Left),
     ];
-    let entries = entries.map(|(name, look)| Entry {
-        name: name.to_owned(),
-        look,
-        sample: Swatch::Bar,
-    });
+    let entries = entries.map(|(name, look)| entry(name, look, Swatch::Bar));
     let panel = Panel {
         title: String::new(),
         x: Axis::new("share of the variance, %; lines: ± 2 standard errors", x),

@@ -1,7 +1,8 @@
 //! Profile deviation over the roll length, as an inspection sheet shows it: a panel a flank, the evaluation range shaded.
 
+use super::captions::entry;
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Point, Swatch, range};
+use super::panel::{Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 use gearlash::gauge::{FlankProfiles, ProfileReading, ProfileReadings};
@@ -56,14 +57,6 @@ pub fn profiles(
 
 /// How dark the evaluation range is.
 const SHADE: f64 = 0.16;
-
-fn entry(name: &str, look: Look, sample: Swatch) -> Entry {
-    Entry {
-        name: name.to_owned(),
-        look,
-        sample,
-    }
-}
 
 fn panel(side: Flank, look: Look, flank: &FlankProfiles, [x, y]: [[f64; 2]; 2]) -> Panel {
     let worst = flank.worst_tooth();

@@ -206,17 +206,11 @@ fn element(heading: &Heading, height: f64, plot: &Plot) -> SVG {
         .set("aria-labelledby", format!("{prefix}-title"))
         .set("viewBox", format!("0 0 {WIDTH} {height}"))
         .set("font-family", FONTS);
-    let Frame {
-        left,
-        right,
-        top,
-        bottom,
-    } = plot.frame();
     for (name, value) in [
-        ("left", left),
-        ("right", right),
-        ("top", top),
-        ("bottom", bottom),
+        ("left", plot.left),
+        ("right", plot.right),
+        ("top", plot.top),
+        ("bottom", plot.bottom),
         ("x0", plot.x[0]),
         ("x1", plot.x[1]),
         ("y0", plot.y[0]),

@@ -162,20 +162,14 @@ const TICK: f64 = 4.0;
 
 /// Lines across a plot at both axes' ticks, at most so many of each.
 pub fn grid(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
-    let Frame {
-        left,
-        right,
-        top,
-        bottom,
-    } = plot.frame();
     let mut group = Group::new();
     for value in x.ticks(most[0]).at {
         let x = plot.spot((value, plot.y[0]))[0];
-        group.append(line(&[[x, top], [x, bottom]], GRID, 0.8));
+        group.append(line(&[[x, plot.top], [x, plot.bottom]], GRID, 0.8));
     }
     for value in y.ticks(most[1]).at {
         let y = plot.spot((plot.x[0], value))[1];
-        group.append(line(&[[left, y], [right, y]], GRID, 0.8));
+        group.append(line(&[[plot.left, y], [plot.right, y]], GRID, 0.8));
     }
     group
 }

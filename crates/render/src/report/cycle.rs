@@ -57,7 +57,7 @@ fn others(page: &Page) -> Markup {
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
-        @if extremes.iter().all(|run| [Member::Wheel, Member::Pinion].iter().all(|member| !run.assembly.gear(*member).has_unlike_teeth())) {
+        @if extremes.iter().all(|run| Member::BOTH.iter().all(|member| !run.assembly.gear(*member).has_unlike_teeth())) {
             "The teeth of each gear are all alike, and so are all matings. "
         }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are bracketed over all of them and every rotation between"
@@ -82,13 +82,11 @@ fn phases(page: &Page) -> Markup {
     else {
         return html! {};
     };
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion]
-        .map(|member| run.run.assembly.gear(member).gear().basic_data().teeth());
+    let [wheel, pinion] = Member::BOTH.map(|member| run.run.assembly.teeth(member));
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.swept.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
-    let deviate = [Member::Wheel, Member::Pinion]
-        .map(|member| run.run.assembly.gear(member).has_unlike_teeth());
+    let deviate = Member::BOTH.map(|member| run.run.assembly.gear(member).has_unlike_teeth());
     let matters = deviate == [true, true] && ways > 1;
     let way = phase(&run.run.assembly, mating);
     let asked = page.report.analysis.runs.iter().flat_map(|run| {

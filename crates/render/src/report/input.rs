@@ -238,12 +238,7 @@ fn row(page: &Page, (letter, index, name, unit, decimals, of): &Property) -> Mar
         values.dedup();
         values.join(" / ")
     };
-    text_row(
-        (letter, index),
-        name,
-        unit,
-        [Member::Wheel, Member::Pinion].map(cell),
-    )
+    text_row((letter, index), name, unit, Member::BOTH.map(cell))
 }
 
 fn text_row(

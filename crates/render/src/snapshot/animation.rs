@@ -17,8 +17,6 @@ use gearlash::gear::Side;
 use gearlash::pair::Member;
 use svg::node::element::Group;
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
-
 /// The SVG text of `steps` through a pitch, in ascending order, of which `view` shows the first; of helical gears with the section of each step, all at one
 /// place, of spur gears with none.
 pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]) -> String {
@@ -52,7 +50,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
         let motion = rotation(&turns(&scenes, member), &times, axis);
         Group::new().add(motion).add(numbers)
     };
-    let numbers = MEMBERS.into_iter().zip(numbers).map(turning);
+    let numbers = Member::BOTH.into_iter().zip(numbers).map(turning);
     let numbers = numbers.fold(
         Group::new().set("clip-path", "url(#mesh-frame)"),
         Group::add,
@@ -96,7 +94,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
                     } else {
                         contact.on_locked
                     };
-                    let teeth = MEMBERS.map(|member| contact.touch(member).tooth);
+                    let teeth = Member::BOTH.map(|member| contact.touch(member).tooth);
                     Some((view.spot(at), teeth))
                 })
                 .collect();

@@ -30,7 +30,7 @@ pub fn style(curve: ProfilePart) -> (&'static str, &'static str) {
 pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
     let wide = view.frame().grown(MARGIN);
     let mut group = Group::new();
-    for member in [Member::Wheel, Member::Pinion] {
+    for member in Member::BOTH {
         let touch = contact.touch(member);
         let (colour, dashes) = style(touch.curve);
         let placed = scene.placed(member);
@@ -82,7 +82,7 @@ pub fn limits(
 
 /// The gears on whose fillet or root the contact lies.
 pub fn below_form(contact: &DrawnContact) -> Vec<Member> {
-    let members = [Member::Wheel, Member::Pinion].into_iter();
+    let members = Member::BOTH.into_iter();
     members
         .filter(|member| contact.is_below_form_circle(*member))
         .collect()

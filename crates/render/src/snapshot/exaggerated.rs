@@ -39,14 +39,12 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         .add(MAIN.border())
         .add(wheel_numbers)
         .add(pinion_numbers);
-    for ((member, tooth), frame) in MEMBERS.into_iter().zip(mating).zip(INSETS) {
+    for ((member, tooth), frame) in Member::BOTH.into_iter().zip(mating).zip(INSETS) {
         sheet = sheet.add(whole(view, gears, member, tooth, frame));
     }
-    let modified = MEMBERS.map(|member| gears.found(member).profile.is_some());
+    let modified = Member::BOTH.map(|member| gears.found(member).profile.is_some());
     format!("{}\n", sheet.add(legend(modified.contains(&true))))
 }
-
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
 /// The line that no reader may miss.
 fn warning(gears: &Exaggeration) -> Group {
@@ -74,7 +72,7 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
     let ids = Ids::default();
     let mut metal = Group::new();
     let mut ghosts = Group::new();
-    for (member, fill) in MEMBERS.into_iter().zip([WHEEL, PINION]) {
+    for (member, fill) in Member::BOTH.into_iter().zip([WHEEL, PINION]) {
         let [drawn, perfect] = gears.placed(view.drawn_pose(), member);
         let (polygon, ghost) = (outline(&drawn), outline(&perfect));
         occupied.line(&polygon);

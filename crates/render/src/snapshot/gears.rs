@@ -3,7 +3,7 @@
 use super::contact_bands;
 use super::view::{MARGIN, View};
 use crate::kit::{
-    ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, area, clip,
+    ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, area, clip,
     define_area, inner_outline, line, path_data, within_area,
 };
 use gearlash::contact::{DrawnContact, Scene};
@@ -40,27 +40,17 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     let (id, ids) = (look.id, look.ids);
     let frame = view.frame();
     let wide = frame.grown(MARGIN);
-    let names = [Member::Wheel, Member::Pinion].map(|member| format!("{id}-{}", member.name()));
-    let metal = [Member::Wheel, Member::Pinion].map(|member| {
+    let names = Member::BOTH.map(|member| format!("{id}-{}", member.name()));
+    let metal = Member::BOTH.map(|member| {
         let outline = scene
             .placed(member)
             .outline_near(view.middle(), view.reach(), view.chord());
         let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
         clip::polygon(&spots, &wide)
     });
-    let mut definitions = Definitions::new().add(
-        ClipPath::new()
-            .set("id", ids.of(&format!("{id}-frame")))
-            .add(frame.rectangle()),
-    );
-    for (polygon, name) in metal.iter().zip(&names) {
-        occupied.line(polygon);
-        definitions = define_area(definitions, ids, name, polygon);
-    }
-    let mut group = Group::new()
-        .set("clip-path", ids.url(&format!("{id}-frame")))
-        .add(definitions)
-        .add(frame.rectangle().set("fill", "white"));
+    metal.iter().for_each(|polygon| occupied.line(polygon));
+    let mut group =
+        clipped(frame, (id, ids), &names, &metal).add(frame.rectangle().set("fill", "white"));
     for contact in scene.meetings() {
         // The room's ends are cut at whole chords: a finer cut keeps them in place.
         let room = scene.room_between(contact, view.chord() / 16.0);
@@ -107,6 +97,26 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     Gears { group, metal }
 }
 
+/// What is drawn of gears with these names into `frame`, nothing yet: clipped there, with each one's `metal` defined and a clip that is it.
+pub fn clipped(
+    frame: &Frame,
+    (id, ids): (&str, &Ids),
+    names: &[String; 2],
+    metal: &[Vec<Spot>; 2],
+) -> Group {
+    let mut definitions = Definitions::new().add(
+        ClipPath::new()
+            .set("id", ids.of(&format!("{id}-frame")))
+            .add(frame.rectangle()),
+    );
+    for (polygon, name) in metal.iter().zip(names) {
+        definitions = define_area(definitions, ids, name, polygon);
+    }
+    Group::new()
+        .set("clip-path", ids.url(&format!("{id}-frame")))
+        .add(definitions)
+}
+
 /// Pitch and base circles, line of centres, lines of action with the paths of contact.
 pub fn lines_over(
     scene: &Scene,
@@ -116,7 +126,7 @@ pub fn lines_over(
     occupied: &mut Occupied,
 ) -> Group {
     let wide = view.frame().grown(MARGIN);
-    for member in [Member::Wheel, Member::Pinion] {
+    for member in Member::BOTH {
         let placed = scene.placed(member);
         let pitch = scene.assembly().operating_pitch_radius(member);
         let base = placed.as_built().gear().base_radius();
@@ -130,8 +140,7 @@ pub fn lines_over(
             }
         }
     }
-    let axes =
-        [Member::Wheel, Member::Pinion].map(|member| view.spot(scene.assembly().axis(member)));
+    let axes = Member::BOTH.map(|member| view.spot(scene.assembly().axis(member)));
     if let Some(centres) = clip::segment(axes[0], axes[1], &wide) {
         occupied.line(&centres);
         group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));

@@ -165,7 +165,7 @@ fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
         let involute = touch.curve == ProfilePart::Involute && gear.is_undercut();
         involute.then_some((member, touch.radius - gear.form_radius()))
     };
-    let touched = [Member::Wheel, Member::Pinion].into_iter();
+    let touched = Member::BOTH.into_iter();
     let nearest = touched.filter_map(above_foot);
     let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1));
     nearest.map(|(member, _)| member)

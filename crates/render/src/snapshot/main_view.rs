@@ -45,7 +45,7 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
         action.path.iter().flatten().copied().for_each(&mut include);
         let contacts = scene.meetings().iter();
         for contact in contacts.filter(|contact| contact.side == action.side) {
-            let is_limit = [Member::Wheel, Member::Pinion].map(|m| contact.is_below_form_circle(m));
+            let is_limit = Member::BOTH.map(|m| contact.is_below_form_circle(m));
             let ends = action.ends.into_iter().zip(is_limit);
             // Tangent points of large gears lie too far off to be worth the smaller scale.
             let is_near = |end: &Point2<f64>| (end - middle).norm() <= NEAR * module;

@@ -1,6 +1,6 @@
 //! The contact of two outlines: one pose, true to scale, on an A4 sheet; both contacts enlarged beside it.
 
-use super::gears::{CENTRES_DASH, PITCH_DASH};
+use super::gears::{CENTRES_DASH, PITCH_DASH, clipped};
 use super::inset;
 use super::legend::{self, Shown};
 use super::subject::{INSETS, LEGEND, MAIN};
@@ -8,7 +8,7 @@ use super::tooth_numbers::{self, Numbered};
 use super::view::{MARGIN, View};
 use crate::kit::{
     Frame, GREY, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH,
-    area, around, arrow, blank_sheet, clip, define_area, dot, hatch, line, scale, within_area,
+    area, around, arrow, blank_sheet, clip, dot, hatch, line, scale, within_area,
 };
 use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::analysis::study::Material;
@@ -19,7 +19,7 @@ use gearlash::pair::Member;
 use gearlash_files::numbers::{bound_um, trimmed, um};
 use gearlash_files::outlines::region_words;
 use nalgebra::Point2;
-use svg::node::element::{ClipPath, Definitions, Group, SVG};
+use svg::node::element::{Group, SVG};
 
 /// Operating pitches shown above and below the line of centres.
 const PITCHES: f64 = 1.5;
@@ -161,7 +161,7 @@ fn numbers(
             mating: pose.mating.tooth(member),
         }
     };
-    let gears = [Member::Wheel, Member::Pinion].map(numbered);
+    let gears = Member::BOTH.map(numbered);
     let ([wheel, pinion], _) = tooth_numbers::draw(&gears, view, occupied);
     Group::new().add(wheel).add(pinion)
 }
@@ -221,36 +221,24 @@ fn gears(
 ) -> DrawnGears {
     let frame = view.frame();
     let wide = frame.grown(MARGIN);
-    let mut definitions = Definitions::new().add(
-        ClipPath::new()
-            .set("id", ids.of(&format!("{id}-frame")))
-            .add(frame.rectangle()),
-    );
-    let members = [Member::Wheel, Member::Pinion];
+    let members = Member::BOTH;
+    let names = members.map(|member| format!("{id}-{}", member.name()));
     let metal = members.map(|member| {
         let turned = turned(pair, pose, member, rotation);
         let points = pair.outline(member, turned, view.chord());
         let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
         clip::polygon(&spots, &wide)
     });
-    for (member, metal) in members.into_iter().zip(&metal) {
-        let name = format!("{id}-{}", member.name());
-        definitions = define_area(definitions, ids, &name, metal);
+    let mut group = clipped(frame, (id, ids), &names, &metal);
+    for (name, fill) in names.iter().zip([WHEEL, PINION]) {
+        group = group.add(area(ids, name).set("fill", fill));
     }
-    let mut group = Group::new()
-        .set("clip-path", ids.url(&format!("{id}-frame")))
-        .add(definitions);
-    let part = |member: Member| area(ids, &format!("{id}-{}", member.name()));
-    for (member, fill) in members.into_iter().zip([WHEEL, PINION]) {
-        group = group.add(part(member).set("fill", fill));
-    }
-    let both = |fill: &str| {
-        within_area(ids, &format!("{id}-wheel")).add(part(Member::Pinion).set("fill", fill))
-    };
+    let both =
+        |fill: &str| within_area(ids, &names[0]).add(area(ids, &names[1]).set("fill", fill));
     let mut over = Vec::new();
     group = group.add(both(OVERLAP)).add(both(&ids.url("hatch")));
-    for member in members {
-        let stroke = part(member).set("fill", "none").set("stroke", INK);
+    for (member, name) in members.into_iter().zip(&names) {
+        let stroke = area(ids, name).set("fill", "none").set("stroke", INK);
         group = group.add(stroke.set("stroke-width", STROKE));
         let circle = view.arc(pair.axis(member), pair.operating_pitch_radius(member));
         for run in clip::runs(&circle, &wide) {

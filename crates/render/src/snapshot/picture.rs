@@ -132,7 +132,7 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
 /// What the legend must explain.
 fn shown(scene: &Scene, main: &View) -> Shown {
     let contacts = scene.meetings();
-    let members = [Member::Wheel, Member::Pinion];
+    let members = Member::BOTH;
     let touches = contacts
         .iter()
         .flat_map(|m| members.map(|member| m.touch(member)));

@@ -75,7 +75,7 @@ pub fn names(scene: &Scene) -> Group {
         format!(
             "{} ({role}), z = {}",
             member.name(),
-            scene.assembly().gear(member).gear().basic_data().teeth()
+            scene.assembly().teeth(member)
         )
     };
     let (style, y) = (TextStyle::new(14.0), MAIN.top - 8.0);

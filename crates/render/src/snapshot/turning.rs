@@ -10,8 +10,6 @@ use gearlash::pair::Member;
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path};
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
-
 /// Both gears, each turned about its axis.
 pub fn metal(
     first: &Scene,
@@ -27,19 +25,15 @@ pub fn metal(
     );
     let ids = Ids::default();
     let mut turned = Vec::new();
-    for member in MEMBERS {
+    for (member, fill) in Member::BOTH.into_iter().zip([WHEEL, PINION]) {
         let placed = first.placed(member);
         let turns = turns(scenes, member);
         let axis = view.spot(placed.axis());
         let frame = view.frame();
         // What comes into the frame in a pitch stands no farther off than its farthest corner moves.
-        let corners = [
-            [frame.left, frame.top],
-            [frame.right, frame.top],
-            [frame.left, frame.bottom],
-            [frame.right, frame.bottom],
-        ];
-        let far = corners.map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
+        let far = frame
+            .corners()
+            .map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
         let angle = turns
             .iter()
             .fold(0.0, |most, turn| f64::max(most, turn.abs()));
@@ -57,11 +51,6 @@ pub fn metal(
                 .set("id", format!("{name}-turning"))
                 .add(turning.add(motion())),
         );
-        let fill = if member == Member::Wheel {
-            WHEEL
-        } else {
-            PINION
-        };
         let filled = area(&ids, name).set("fill", fill);
         let gear = Group::new().add(motion()).add(filled);
         let outline = inner_outline(&ids, name, INK, "2.40");

@@ -131,13 +131,13 @@ impl RunColumns {
             label: readout::run(run),
             center_distance_mm: assembly.center_distance(),
             outlines: outlines(study, run),
-            pitch_radius_mm: [Member::Wheel, Member::Pinion]
+            pitch_radius_mm: Member::BOTH
                 .map(|member| rounded(assembly.operating_pitch_radius(member), precision.decimals)),
             of: run.poses.len(),
             number: (!all).then(|| viewed.numbers.iter().map(|number| number + 1).collect()),
             chart: chart.map(|(id, _)| (*id).to_owned()),
             chart_x: viewed.numbers.iter().map(place).collect(),
-            mating: [Member::Wheel, Member::Pinion].map(mating),
+            mating: Member::BOTH.map(mating),
             left_flank: poses().map(|pose| u8::from(is_left(pose))).collect(),
             fraction: poses()
                 .map(|pose| rounded(pose.pose.mating().fraction, 6))

@@ -17,7 +17,6 @@ use nalgebra::Point2;
 use std::fmt::Write;
 use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 /// Width over height of the picture.
 const ASPECT: f64 = 1.25;
 /// Half the height shown first, modules: more than one and a half pitches, as in a snapshot.
@@ -82,7 +81,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
     let picture = Group::new().set("transform", "scale(1 -1)");
     let picture = gears.into_iter().fold(picture, Group::add);
     let picture = picture.add(overlap).add(centres);
-    let picture = MEMBERS
+    let picture = Member::BOTH
         .map(pitch_circle)
         .into_iter()
         .fold(picture, Group::add);
@@ -152,7 +151,7 @@ fn definitions(
 /// The `viewBox` of the mesh zone and of the whole gears.
 fn views(assembly: &GearPair, module: f64) -> [String; 2] {
     let a = assembly.center_distance();
-    let [wheel, pinion] = MEMBERS.map(|member| assembly.gear(member).reach());
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member).reach());
     let view = |middle: f64, half_width: f64, half_height: f64| {
         let half_height = f64::max(half_height, half_width / ASPECT);
         let half_width = half_height * ASPECT;

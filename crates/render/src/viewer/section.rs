@@ -32,7 +32,7 @@ impl HelicalColumns {
         };
         Some(HelicalColumns {
             face_mm: assembly.face(),
-            twist_deg_a_mm: [Member::Wheel, Member::Pinion].map(twist),
+            twist_deg_a_mm: Member::BOTH.map(twist),
             start_mm: rounded(start_mm, PLACE),
         })
     }

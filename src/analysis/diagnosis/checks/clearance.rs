@@ -1,6 +1,6 @@
 //! Radial clearance, and tips: what stands how near to what.
 
-use super::here::{Here, MEMBERS};
+use super::here::Here;
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
@@ -32,7 +32,7 @@ impl Here<'_> {
         let analytic = limits::radial_clearance(self.assembly, member);
         // Along the face of helical gears the eccentricities stand in all directions to a tooth: taken for the worst.
         let off = match self.assembly.is_helical() {
-            true => MEMBERS.map(|member| self.assembly.gear(member).eccentricity()),
+            true => Member::BOTH.map(|member| self.assembly.gear(member).eccentricity()),
             false => [0.0; 2],
         };
         let found = match self.assembly.is_helical() {

@@ -13,8 +13,6 @@ use crate::gear::Gear;
 use crate::pair::{GearPair, Mating, Member};
 use std::ops::ControlFlow;
 
-pub(super) const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
-
 /// What is known of a distance that is sought.
 pub(super) enum Known<T> {
     /// That its check's limit is kept: nothing was sought.
@@ -56,18 +54,18 @@ impl Here<'_> {
         };
         let mut checks = Vec::new();
         let look = |member: &Member| !sought.clear || !self.is_surely_clear(*member);
-        for member in MEMBERS.into_iter().filter(look) {
+        for member in Member::BOTH.into_iter().filter(look) {
             checks.push(self.clearance(member, &(sought.pitches)()?, tick)?);
         }
-        checks.extend(MEMBERS.map(|member| of_poses(self.k_8(member))));
-        checks.extend(MEMBERS.map(|member| of_poses(self.form(member))));
+        checks.extend(Member::BOTH.map(|member| of_poses(self.k_8(member))));
+        checks.extend(Member::BOTH.map(|member| of_poses(self.form(member))));
         checks.extend(of(&sought.onset, |onset| self.onset(onset)));
         checks.push(of_poses(self.off_line()));
         checks.extend(of(&sought.zero, |zero| self.zero(zero)));
         checks.push(of_poses(self.backlash()));
-        checks.extend(MEMBERS.map(|member| self.undercut(member)));
+        checks.extend(Member::BOTH.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
-        checks.extend(MEMBERS.map(|member| self.tip(member)));
+        checks.extend(Member::BOTH.map(|member| self.tip(member)));
         Ok(checks)
     }
 

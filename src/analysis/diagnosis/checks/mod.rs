@@ -18,8 +18,8 @@ use crate::analysis::extremes::CycleExtremes;
 use crate::analysis::study::{Material, RunPlan, Study};
 use crate::contact::ExactKernel;
 use crate::error::Error;
-use crate::pair::GearPair;
-use here::{Here, Known, MEMBERS, Sought};
+use crate::pair::{GearPair, Member};
+use here::{Here, Known, Sought};
 use start::{Start, distinct, matings_of};
 use std::ops::ControlFlow;
 
@@ -82,7 +82,9 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
     };
     let key = |plan: &RunPlan| (plan.assembly.center_distance(), plan.material);
     let groups = plans.chunk_by(|one, other| key(one) == key(other));
-    groups.map(|plans| MEMBERS.len() * of_group(plans)).sum()
+    groups
+        .map(|plans| Member::BOTH.len() * of_group(plans))
+        .sum()
 }
 
 /// Checks the pair of `study`, whose `runs` were simulated and compared; `extremes` are poses from which centre distances are sought too,

@@ -286,7 +286,7 @@ mod tests {
             AsBuilt::perfect(Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap(), face)
         };
         let mut compared = [0; 2];
-        for locked in [Member::Wheel, Member::Pinion] {
+        for locked in Member::BOTH {
             let (wheel, pinion) = (gear(60, Face::Front), gear(18, Face::Back));
             let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
             let kernel = ExactKernel::new(&pair);

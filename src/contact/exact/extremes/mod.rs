@@ -74,12 +74,12 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        self.taken(
+        self.sought_within(
             assembly,
             over,
-            &effort.part(PARTS_OF_EFFORT[0]),
+            width,
             effort,
-            |course| self.sought(course, width, &[Which::Greatest, Which::Least]),
+            &[Which::Greatest, Which::Least],
         )
     }
 
@@ -94,13 +94,9 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let own = effort.part(PARTS_OF_EFFORT[1]);
-        let found = self.taken(assembly, over, &own, effort, |course| {
-            self.sought(course, width, &[Which::Greatest])
-        })?;
         Ok(Extremes {
             least: None,
-            ..found
+            ..self.sought_within(assembly, over, width, effort, &[Which::Greatest])?
         })
     }
 
@@ -115,13 +111,9 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        let own = effort.part(PARTS_OF_EFFORT[1]);
-        let found = self.taken(assembly, over, &own, effort, |course| {
-            self.sought(course, width, &[Which::Least])
-        })?;
         Ok(Extremes {
             greatest: None,
-            ..found
+            ..self.sought_within(assembly, over, width, effort, &[Which::Least])?
         })
     }
 
@@ -141,16 +133,21 @@ impl ExactKernel {
         self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }
 
-    /// What `search` finds of a course with `own`, its part of `effort`.
-    fn taken(
+    /// The extremes `of` a cycle, with a part of `effort`.
+    fn sought_within(
         &self,
         assembly: &GearPair,
         over: (Mating, u64),
-        own: &Effort,
+        width: f64,
         effort: &Effort,
-        search: impl Fn(&Course) -> Result<Extremes, Error>,
+        of: &[Which],
     ) -> Result<Extremes, Error> {
-        let found = search(&Course::new(self, assembly, over, own));
+        let parts = match of {
+            [_] => PARTS_OF_EFFORT[1],
+            _ => PARTS_OF_EFFORT[0],
+        };
+        let own = effort.part(parts);
+        let found = self.sought(&Course::new(self, assembly, over, &own), width, of);
         effort.spend(own.used());
         found
     }

@@ -16,9 +16,13 @@ use serde_json::{Value, json};
 /// # Errors
 /// None that readings can cause; the writer's otherwise.
 pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Error> {
-    let gears: Vec<Value> = gears.iter().map(gear).collect();
+    json_of(title, gears.iter().map(gear).collect())
+}
+
+/// All `gears`, each as it is.
+pub(crate) fn json_of(title: &str, gears: Vec<Value>) -> Result<String, serde_json::Error> {
     let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
-    Ok(characters::json(serde_json::to_string_pretty(&all)?) + "\n")
+    characters::json_of(&all)
 }
 
 fn gear(gauged: &GaugedGear) -> Value {
@@ -116,7 +120,8 @@ fn of_helix(gauged: &GaugedGear, hand: Hand, shown: &mut Value) {
     }
 }
 
-fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
+/// What is shown of a reading, or why there is none.
+pub(crate) fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
     match read {
         Ok(read) => shown(read),
         Err(reason) => json!({ "not_measured": reason.to_string() }),

@@ -12,6 +12,7 @@ use gearlash::gauge::Gauged;
 use gearlash::gear::AsBuilt;
 
 pub use json::json;
+pub(crate) use json::{json_of, of};
 pub use readings::{Reading, by_tooth};
 
 /// One gear in one material and what the gauges read on it.

@@ -38,11 +38,7 @@ fn kind(line: &str) -> Option<Kind> {
 
 /// All lines of `text`; whatever is not understood is a problem.
 pub fn parse<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {
-    let mut bad = Problems::of_list();
-    let read = lines(file, text, &mut bad);
-    let good = bad.is_empty();
-    problems.add_list(file.key(), bad);
-    read.filter(|_| good)
+    problems.of_list_at(file.key(), |bad| lines(file, text, bad))
 }
 
 fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {

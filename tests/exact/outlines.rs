@@ -285,11 +285,12 @@ fn drawn_in_arcs(built: &AsBuilt, chord: f64) -> OutlineGear {
     OutlineGear::new(&arcs.collect::<Vec<_>>(), &reading).unwrap()
 }
 
-/// Outlines of thousands of curves a tooth whose tips just miss each other: that nothing touches is borne out within the effort of a pose. To halve
-/// every curve down to the finest, from the tip to the least radius, is more than that.
+/// Outlines of thousands of curves a tooth whose tips just miss each other, or just meet: either is borne out within the effort of a side. Source: a
+/// distance above the sum of both reaches, and one below.
 #[test]
 fn polygons_bear_out_that_dense_tips_miss_each_other() {
-    let gear = Gear::nominal(GearDesign::plain(12, 2.0)).unwrap();
+    let base = BasicGearData::new(12, 2.0, 20f64.to_radians()).unwrap();
+    let gear = Gear::nominal(GearDesign::standard(base)).unwrap();
     let gears =
         [Face::Front; 2].map(|face| drawn_in_arcs(&AsBuilt::perfect(gear.clone(), face), 1e-6));
     let pieces = gears[0].points(0.0, 1.0).len();

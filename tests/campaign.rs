@@ -36,7 +36,7 @@ fn both_methods_and_the_certificate_agree_on_random_helical_poses() {
     println!("{}", tally.report());
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
     assert_eq!(tally.empty(None), Vec::<String>::new());
-    // One in fifty is: faces of dozens of modules on which tips come to roots everywhere.
+    // One in forty is: faces of dozens of modules on which tips come to roots everywhere.
     let unproven = tally.unproven.len() as u64;
     assert!(25 * unproven <= poses, "{:#?}", tally.unproven);
     let ([used, most], _) = tally.effort;

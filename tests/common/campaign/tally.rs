@@ -3,10 +3,9 @@
 use super::draw::{Depth, Drawn, Pair};
 use super::gear::{RackKind, Tip};
 use super::outcome::{METHODS, Outcome, Verdict, combination, reaches_the_centre};
-use gearlash::gear::{AsBuilt, Face};
+use gearlash::gear::Face;
 use gearlash::pair::Member;
 use std::collections::BTreeMap;
-use std::f64::consts::FRAC_PI_2;
 use std::time::Duration;
 
 /// Curves that can meet, the locked gear's first; `joint`: where involute and fillet meet. A fillet is hollow: it meets
@@ -228,7 +227,7 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
         "undercut",
         [locked, free]
             .iter()
-            .any(|&m| is_undercut(assembly.gear(m))),
+            .any(|&m| assembly.gear(m).gear().is_undercut()),
     );
     let deviates = |numbers: &super::gear::Numbers| {
         !(numbers.right_um.is_empty() && numbers.per_tooth_um.is_empty())
@@ -267,11 +266,6 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
         classes.push((class, name.unwrap_or_else(|| "none".to_owned())));
     }
     classes
-}
-
-fn is_undercut(gear: &AsBuilt) -> bool {
-    let gear = gear.gear();
-    gear.fillet().end() < FRAC_PI_2 - gear.basic_data().pressure_angle()
 }
 
 fn expected(helical: bool, depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {

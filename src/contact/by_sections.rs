@@ -2,12 +2,16 @@
 //!
 //! A witness beside [`super::ExactKernel`]: in the sections that hold the tightest of all pairs of involutes, and in those in which a contact was found.
 
+use super::effort::Effort;
 use super::lost_motion::{Contact, LostMotion, Status};
 use super::over_face::OverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose};
+
+/// What a section takes beside its polygons, in units of effort (tuned: some 0.5 µs).
+const SECTION: u64 = 2;
 
 /// A helical pair, its gears cut into polygons.
 pub(super) struct Sections<'a> {
@@ -18,7 +22,8 @@ pub(super) struct Sections<'a> {
 }
 
 impl Sections<'_> {
-    /// Both contacts at `pose` by the polygon method; `found` is what another method found, whose sections are looked at, too.
+    /// Both contacts at `pose` by the polygon method, with what `effort` allows for all sections; `found` is what another method found, whose
+    /// sections are looked at, too.
     ///
     /// # Errors
     /// As the polygon method.
@@ -26,6 +31,7 @@ impl Sections<'_> {
         &self,
         pose: &Pose,
         found: Option<&LostMotion>,
+        effort: &Effort,
     ) -> Result<LostMotion, Error> {
         let mut over = OverFace::default();
         let touching = found
@@ -37,7 +43,8 @@ impl Sections<'_> {
             let here = pose.in_section(self.assembly, b);
             let [wheel, pinion] = self.cut;
             let kernel = PolygonKernel::refined(&section, wheel, pinion);
-            over.take(b, &here, kernel.lost_motion(&here)?);
+            effort.spend(SECTION);
+            over.take(b, &here, kernel.lost_motion_within(&here, effort)?);
         }
         let free = self.assembly.gear(self.assembly.free()).gear();
         Ok(over.lost_motion(pose.free_rotation(), free.basic_data().angular_pitch()))
@@ -47,9 +54,9 @@ impl Sections<'_> {
     ///
     /// # Errors
     /// As [`Certifier::check`].
-    pub fn check(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
+    pub fn check(&self, pose: &Pose, found: &LostMotion, effort: &Effort) -> Result<(), Error> {
         if found.status() == Status::Jammed {
-            let own = self.lost_motion(pose, Some(found))?;
+            let own = self.lost_motion(pose, Some(found), effort)?;
             if own.status() == Status::Jammed {
                 return Ok(());
             }
@@ -62,6 +69,7 @@ impl Sections<'_> {
                 let here = pose.in_section(self.assembly, b);
                 let [wheel, pinion] = self.cut;
                 let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
+                effort.spend(SECTION);
                 // As far from the nominal rotation there as here.
                 let turned = here.free_rotation() - pose.free_rotation();
                 let contact = contact.map(|contact| Contact {
@@ -70,12 +78,64 @@ impl Sections<'_> {
                 });
                 match contact {
                     Some(contact) if Some(b) != at => certifier
-                        .clears(&here, side, &contact)
+                        .clears(&here, side, &contact, effort)
                         .map_err(|reason| certifier.failed(&here, side, reason))?,
-                    contact => certifier.check_side(&here, side, contact.as_ref())?,
+                    contact => certifier.check_side(&here, side, contact.as_ref(), effort)?,
                 }
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::ExactKernel;
+    use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Hand};
+    use crate::pair::Mating;
+
+    /// All sections of a face share one effort: where it is spent neither method nor certificate says anything, and both say why.
+    #[test]
+    fn polygons_of_a_wide_face_end_by_the_effort_of_a_pose() {
+        let gear = |hand, face| {
+            let data = BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap();
+            let data = data.with_helix(30f64.to_radians(), hand).unwrap();
+            AsBuilt::perfect(Gear::nominal(GearDesign::standard(data)).unwrap(), face)
+        };
+        let gears = [
+            gear(Hand::Right, Face::Front),
+            gear(Hand::Left, Face::Front),
+        ];
+        let [wheel, pinion] = &gears;
+        let cut = [wheel, pinion].map(|gear| CutGear::new(gear, 1e-3));
+        let distance = 40.0 / 30f64.to_radians().cos() + 0.1;
+        let pair = GearPair::new(wheel.clone(), pinion.clone(), distance).unwrap();
+        let pair = pair.with_face([-100.0, 100.0]).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        let sections = Sections {
+            assembly: &pair,
+            cut: [&cut[0], &cut[1]],
+            places: kernel.sections(),
+        };
+        let pose = Pose::new(&pair, Mating::FIRST);
+        let exact = kernel.lost_motion(&pose).unwrap();
+        let effort = Effort::of_pose();
+        let polygon = sections.lost_motion(&pose, Some(&exact), &effort).unwrap();
+        let polygons = effort.used();
+        sections.check(&pose, &exact, &effort).unwrap();
+        let both = [&exact, &polygon].map(|found| found.angle().unwrap());
+        let bounds = exact.error().unwrap() + polygon.error().unwrap();
+        assert!((both[0] - both[1]).abs() <= bounds, "{both:?}");
+        // Every section costs its share: half of it is not enough for all.
+        assert!(polygons > sections.places.len() as u64);
+        for least in [1, polygons / 2] {
+            let short = Effort::new(least);
+            let lost = sections.lost_motion(&pose, Some(&exact), &short);
+            assert!(lost.unwrap_err().to_string().contains("effort"));
+        }
+        let short = Effort::new((effort.used() - polygons) / 2);
+        let failed = sections.check(&pose, &exact, &short).unwrap_err();
+        assert!(failed.to_string().contains("effort"), "{failed}");
     }
 }

@@ -41,7 +41,7 @@ pub type OutlineContact = Contact<Region>;
 /// Right- and left-flank contact of outlines.
 pub type OutlineLostMotion = LostMotion<Region>;
 
-/// A pose that was not settled within 150 000 steps of the search.
+/// A pose that was not settled within the effort that it may take.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
     "the search for the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} on {flank} flanks did not end"

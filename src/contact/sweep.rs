@@ -1,6 +1,7 @@
 //! Many poses of one assembly, in parallel and in order.
 
 use super::by_sections::Sections;
+use super::effort::Effort;
 use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
@@ -104,11 +105,17 @@ impl<'a> Solver<'a> {
 
     /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
     fn find(&self, pose: &Pose) -> Result<SolvedPose, Error> {
-        let exact = self.exact.as_ref().map(|kernel| kernel.lost_motion(pose));
+        // One for all that is done at this pose.
+        let effort = Effort::of_pose();
+        let exact = self.exact.as_ref();
+        let exact = exact.map(|kernel| kernel.lost_motion_within(pose, &effort));
         let seen = exact.as_ref().and_then(|found| found.as_ref().ok());
         let polygon = match &self.sections {
-            Some(sections) if !self.certify => Some(sections.lost_motion(pose, seen)),
-            _ => self.polygon.as_ref().map(|kernel| kernel.lost_motion(pose)),
+            Some(sections) if !self.certify => Some(sections.lost_motion(pose, seen, &effort)),
+            _ => {
+                let kernel = self.polygon.as_ref();
+                kernel.map(|kernel| kernel.lost_motion_within(pose, &effort))
+            }
         };
         // What was lost is kept as its reason; anything else ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
@@ -119,7 +126,7 @@ impl<'a> Solver<'a> {
         let one_alone = one_alone.is_some_and(|(exact, polygon)| exact != polygon);
         let found = match (exact, polygon) {
             (Some(Ok(exact)), Some(Ok(polygon))) => return Ok(self.of_both(exact, &polygon)),
-            (Some(Ok(exact)), None) => match self.certificate(pose, &exact)? {
+            (Some(Ok(exact)), None) => match self.certificate(pose, &exact, &effort)? {
                 None => Ok(exact),
                 Some(reason) => Err(Unproven {
                     reason,
@@ -191,10 +198,15 @@ impl<'a> Solver<'a> {
     }
 
     /// Why the certificate of `found` fails; `None` where it holds or none is asked for.
-    fn certificate(&self, pose: &Pose, found: &LostMotion) -> Result<Option<String>, Error> {
+    fn certificate(
+        &self,
+        pose: &Pose,
+        found: &LostMotion,
+        effort: &Effort,
+    ) -> Result<Option<String>, Error> {
         let checked = match (&self.certifier, &self.sections) {
-            (Some(certifier), _) => certifier.check(pose, found),
-            (None, Some(sections)) if self.certify => sections.check(pose, found),
+            (Some(certifier), _) => certifier.check_within(pose, found, effort),
+            (None, Some(sections)) if self.certify => sections.check(pose, found, effort),
             _ => return Ok(None),
         };
         let checked = settle(Some(checked))?;

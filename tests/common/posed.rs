@@ -9,13 +9,9 @@ use std::path::Path;
 pub fn pose(path: &Path, flank: Side) -> (GearPair, Mating) {
     let study = input::read(path).unwrap().study;
     let (_, wheel, pinion) = &study.materials[0];
-    let assembly = GearPair::with_locked(
-        wheel.clone(),
-        pinion.clone(),
-        study.center_distances[0],
-        study.locked,
-    )
-    .unwrap();
+    let assembly = study
+        .pair(wheel, pinion, study.center_distances[0])
+        .unwrap();
     let matings = study.sweep.unwrap().matings(&assembly);
     let mating = matings.into_iter().find(|mating| mating.flank == flank);
     (assembly, mating.unwrap())

@@ -263,3 +263,47 @@ fn trapezoids_have_the_play_worked_out_by_hand() {
         assert!((angle - other).abs() < 1e-9, "{angle} {other}");
     }
 }
+
+/// The same drawn in arcs that bulge by a hundredth of their length: every one of them is a curve.
+fn drawn_in_arcs(built: &AsBuilt, chord: f64) -> OutlineGear {
+    let placed = Placed::new(built, Point2::origin(), FRAC_PI_2);
+    let points = placed.outline_near(Point2::origin(), 2.0 * built.reach(), chord);
+    let next = points.iter().cycle().skip(1);
+    let arcs = points.iter().zip(next).map(|(from, to)| {
+        let along = to - from;
+        let out = nalgebra::Vector2::new(along.y, -along.x) * 0.01;
+        let thirds = [1.0, 2.0].map(|k| from + along * (k / 3.0) + out);
+        PathSegment::Cubic([*from, thirds[0], thirds[1], *to])
+    });
+    let reading = OutlineReading {
+        centre: Point2::origin(),
+        face: built.face(),
+        teeth: None,
+        first_tooth: None,
+        bound: 0.0,
+    };
+    OutlineGear::new(&arcs.collect::<Vec<_>>(), &reading).unwrap()
+}
+
+/// Outlines of thousands of curves a tooth whose tips just miss each other, or just meet: either is borne out within the effort of a side. Source: a
+/// distance above the sum of both reaches, and one below.
+#[test]
+fn polygons_bear_out_that_dense_tips_miss_each_other() {
+    let base = BasicGearData::new(12, 2.0, 20f64.to_radians()).unwrap();
+    let gear = Gear::nominal(GearDesign::standard(base)).unwrap();
+    let gears =
+        [Face::Front; 2].map(|face| drawn_in_arcs(&AsBuilt::perfect(gear.clone(), face), 1e-6));
+    let pieces = gears[0].points(0.0, 1.0).len();
+    assert!(pieces > 10_000, "{pieces}");
+    let reach = gears[0].reach() + gears[1].reach();
+    let [wheel, pinion] = gears;
+    for (apart, touches) in [(1e-6, false), (-0.5, true)] {
+        let pair = OutlinePair::new(wheel.clone(), pinion.clone(), reach + apart, Member::Wheel);
+        let pair = pair.unwrap();
+        let kernel = OutlineKernel::new(&pair);
+        let found = kernel.lost_motion(&Mating::FIRST).unwrap();
+        assert_eq!(found.right.is_some(), touches);
+        let certifier = OutlineCertifier::new(&kernel);
+        assert_eq!(certifier.check(&Mating::FIRST, &found), Ok(()), "{apart}");
+    }
+}

@@ -1,6 +1,6 @@
 //! The campaign: exact against polygon method on seeded random poses, each exact result certified.
 //!
-//! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--depth any|grazing|on-root]
+//! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--helical] [--depth any|grazing|on-root]
 //! [--longest SECONDS] [--brute] [--print I]`.
 //! Ends with 1 when the methods differ by more than both error bounds together, disagree on a status, or the
 //! certificate refuses; or when a class of contact was not met; poses that a method gave up are
@@ -12,7 +12,7 @@ mod campaign;
 #[path = "../common/clearance/mod.rs"]
 mod clearance;
 
-use campaign::{Depth, Drawn, LONGEST, Tally, run};
+use campaign::{Depth, Drawn, LONGEST, Tally, Teeth, run_of};
 use clap::{Parser, ValueEnum};
 use gearlash::contact::ExactKernel;
 use gearlash::pair::Pose;
@@ -32,6 +32,9 @@ struct Options {
     /// Index of the first pose
     #[arg(long, default_value_t = 0)]
     first: u64,
+    /// Helical pairs, over their whole face, in place of spur ones
+    #[arg(long, conflicts_with = "brute")]
+    helical: bool,
     /// Only poses of this depth, instead of all mixed
     #[arg(long)]
     depth: Option<Bundle>,
@@ -77,8 +80,12 @@ fn main() -> ExitCode {
     let options = Options::parse();
     let (poses, seed) = (options.poses, options.seed);
     let depth = options.depth.map(Bundle::depth);
+    let kind = match options.helical {
+        true => Teeth::Helical,
+        false => Teeth::Spur,
+    };
     if let Some(index) = options.print {
-        print!("{}", Drawn::new(depth, seed, index).pair_file());
+        print!("{}", Drawn::of(kind, depth, seed, index).pair_file());
         return ExitCode::SUCCESS;
     }
     let start = Instant::now();
@@ -95,13 +102,9 @@ fn main() -> ExitCode {
             false => ExitCode::FAILURE,
         };
     }
-    let tally = run(
-        depth,
-        seed,
-        options.first,
-        poses,
-        Duration::from_secs(options.longest),
-    );
+    let indices = options.first..options.first + poses;
+    let longest = Duration::from_secs(options.longest);
+    let tally = run_of(kind, depth, seed, indices, longest);
     println!("seed {seed}, {:.1?}", start.elapsed());
     println!("{}", tally.report());
     name("unproven", &tally.unproven);
@@ -111,7 +114,7 @@ fn main() -> ExitCode {
         .map(|(i, what)| (*i, (*what).to_owned()))
         .collect();
     name("on a border", &border);
-    verdict(&tally, depth, seed)
+    verdict(&tally, kind, depth, seed)
 }
 
 /// What brute force has against the exact method, and poses it gave up.
@@ -138,13 +141,13 @@ fn name(what: &str, poses: &[(u64, String)]) {
     }
 }
 
-fn verdict(tally: &Tally, depth: Option<Depth>, seed: u64) -> ExitCode {
+fn verdict(tally: &Tally, kind: Teeth, depth: Option<Depth>, seed: u64) -> ExitCode {
     let empty = tally.empty(depth);
     for class in &empty {
         println!("never met: {class}");
     }
     for (index, fault) in tally.faults.iter().take(SHOWN) {
-        let file = Drawn::new(depth, seed, *index).pair_file();
+        let file = Drawn::of(kind, depth, seed, *index).pair_file();
         println!("\npose {index}: {fault}\n{file}");
     }
     name("fault", &tally.faults);

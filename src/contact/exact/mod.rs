@@ -99,16 +99,23 @@ impl ExactKernel {
         self.lost_motion_within(pose, &Effort::of_pose())
     }
 
+    /// Units of effort, counted and not timed, that `pose` takes, and how many it may take before it is given up.
+    pub fn effort(&self, pose: &Pose) -> [u64; 2] {
+        let effort = Effort::of_pose();
+        let most = effort.left();
+        // What it came to is not asked for.
+        let _ = self.lost_motion_within(pose, &effort);
+        [effort.used(), most]
+    }
+
     /// The same with what `effort` allows, which is of this pose alone.
-    fn lost_motion_within(&self, pose: &Pose, effort: &Effort) -> Result<LostMotion, Error> {
+    pub(super) fn lost_motion_within(
+        &self,
+        pose: &Pose,
+        effort: &Effort,
+    ) -> Result<LostMotion, Error> {
         match &self.helical {
-            // Each side ends by itself.
-            None => {
-                let own = Effort::endless();
-                let found = self.section.lost_motion(pose, Wanted::all(&own));
-                effort.spend(own.used());
-                found
-            }
+            None => self.section.lost_motion(pose, Wanted::all(effort)),
             Some(helical) => helical.over(pose, effort, Section::lost_motion),
         }
     }

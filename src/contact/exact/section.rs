@@ -205,7 +205,7 @@ impl Section {
 }
 
 /// Why a contact is lost when the effort of a pose is.
-const SPENT: &str = "more sections of the face than the effort of a pose allows";
+const SPENT: &str = "the effort that a pose allows is spent";
 
 /// The gap at which the free gear stands where it is `known` to stop, and some ties less; −∞ where it is far from there, or nothing is known.
 fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -> f64 {

@@ -21,11 +21,15 @@
 //! nothing is assumed of the curves' shape.
 
 use super::{C, PlacedCurve, slope};
+use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Nodes of one side of a pose, over all its pairs, after which its contact counts as lost. A node takes some 0.3 µs:
-/// both sides together stay below 0.1 s.
+/// Nodes of one side of a pose, over all its pairs, after which its contact counts as lost. A node takes some 0.3 µs; both sides together may take
+/// what the pose may ([`crate::contact::Effort`]).
 pub(in crate::contact) const MOST_NODES: usize = 150_000;
+
+/// Steps of Newton's method for a point at a radius that take a node's time. Half a dozen are usual, some dozens where a fillet ends level.
+const STEPS_A_NODE: usize = 5;
 
 /// Arcs seen under so small an angle, rad, are one point: a few units in the last place of a parameter of order 1. (A finer
 /// one is never reached where arcs cannot be cut any more.)
@@ -166,8 +170,8 @@ impl<'a> Arc<'a> {
             .map(|(low, high)| Arc::new(self.placed, self.name, low, high))
     }
 
-    /// The parameter at radius `rho` of a monotone arc; at or beyond an end, that end.
-    fn at_radius(&self, rho: f64, rising: bool) -> f64 {
+    /// The parameter at radius `rho` of a monotone arc; at or beyond an end, that end. What it takes is added to `steps`.
+    fn at_radius(&self, rho: f64, rising: bool, steps: &Cell<usize>) -> f64 {
         let (inner, outer) = if rising {
             (self.low, self.high)
         } else {
@@ -179,7 +183,9 @@ impl<'a> Arc<'a> {
             outer
         } else {
             let middle = 0.5 * (inner + outer);
-            self.placed.invert(rho, [inner, outer], middle)
+            let (t, taken) = self.placed.invert_counted(rho, [inner, outer], middle);
+            steps.set(steps.get() + taken);
+            t
         }
     }
 }
@@ -188,15 +194,16 @@ impl<'a> Arc<'a> {
 const SUMMIT_STEPS: u32 = 64;
 
 /// The radius between two at which the gap, concave over `ln ρ`, is greatest, and how much it may be greater elsewhere, rad: below the
-/// tangent at a point of it no more than slope times distance to where the slope has changed its sign.
+/// tangent at a point of it no more than slope times distance to where the slope has changed its sign. `steps` counts as in [`Arc::at_radius`].
 fn summit(
     locked: &Arc,
     free: &Arc,
     rising: (bool, bool),
     (mut inner, mut outer): (f64, f64),
+    steps: &Cell<usize>,
 ) -> (f64, f64) {
     let rise = |rho: f64| {
-        let at = |arc: &Arc, rising: bool| slope(&arc.placed.at(arc.at_radius(rho, rising)));
+        let at = |arc: &Arc, rising: bool| slope(&arc.placed.at(arc.at_radius(rho, rising, steps)));
         at(locked, rising.0) - at(free, rising.1)
     };
     let (mut low, mut high) = (rise(inner), rise(outer));
@@ -273,11 +280,13 @@ pub(in crate::contact) fn greatest<'a>(
 ) -> Result<Option<CurveContact>, (usize, usize)> {
     let mut best: Option<CurveContact> = None;
     let mut level = floor;
+    let steps = Cell::new(0);
     while let Some((locked, free)) = nodes.pop() {
         if *nodes_left == 0 {
             return Err((locked.name, free.name));
         }
-        *nodes_left -= 1;
+        // The steps are those of the node before.
+        *nodes_left = nodes_left.saturating_sub(1 + steps.take() / STEPS_A_NODE);
         let inner = locked.radii.0.max(free.radii.0);
         let outer = locked.radii.1.min(free.radii.1);
         let play = locked.swing + free.swing;
@@ -303,7 +312,11 @@ pub(in crate::contact) fn greatest<'a>(
         };
         if let (Some(a), Some(b)) = (locked.slope, free.slope) {
             let mut meet = |rho: f64, slack: f64| {
-                record(locked.at_radius(rho, a.2), free.at_radius(rho, b.2), slack)
+                record(
+                    locked.at_radius(rho, a.2, &steps),
+                    free.at_radius(rho, b.2, &steps),
+                    slack,
+                )
             };
             if a.0 >= b.1 {
                 meet(outer, 0.0);
@@ -333,7 +346,7 @@ pub(in crate::contact) fn greatest<'a>(
                 continue;
             }
             if changes.is_some_and(|(_, most)| most < 0.0) {
-                let (rho, slack) = summit(&locked, &free, (a.2, b.2), (inner, outer));
+                let (rho, slack) = summit(&locked, &free, (a.2, b.2), (inner, outer), &steps);
                 meet(rho, slack);
                 continue;
             }
@@ -364,5 +377,6 @@ pub(in crate::contact) fn greatest<'a>(
         let open = ordered.into_iter().filter(|half| half.1);
         nodes.extend(open.map(|half| half.2));
     }
+    *nodes_left = nodes_left.saturating_sub(steps.take() / STEPS_A_NODE);
     Ok(best)
 }

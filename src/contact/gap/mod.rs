@@ -105,9 +105,20 @@ impl PlacedCurve<'_> {
     /// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
     /// ends when the step or the rest is lost in rounding.
     #[inline]
-    pub fn invert(&self, rho: f64, [mut inner, mut outer]: [f64; 2], start: f64) -> f64 {
+    pub fn invert(&self, rho: f64, ends: [f64; 2], start: f64) -> f64 {
+        self.invert_counted(rho, ends, start).0
+    }
+
+    /// The same, and the steps it takes.
+    #[inline]
+    fn invert_counted(
+        &self,
+        rho: f64,
+        [mut inner, mut outer]: [f64; 2],
+        start: f64,
+    ) -> (f64, usize) {
         let mut t = start;
-        for _ in 0..128 {
+        for steps in 1..=128 {
             let sample = self.at(t);
             let rest = sample.point.norm_sqr() - rho * rho;
             if rest <= 0.0 {
@@ -128,9 +139,9 @@ impl PlacedCurve<'_> {
             let step = (next - t).abs();
             t = next;
             if step <= 2.0 * f64::EPSILON * t.abs() || rest == 0.0 {
-                break;
+                return (t, steps);
             }
         }
-        t
+        (t, 128)
     }
 }

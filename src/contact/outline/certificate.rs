@@ -4,6 +4,7 @@
 //! they are within both chordal errors of each other; a little more closed one of them must touch. Nothing of the search is used but its answer: no
 //! gap, no rectangles, no slopes.
 
+use super::discs::{Disc, Discs, Inside};
 use super::teeth::{Frame, SideTeeth};
 use crate::contact::gap::{C, PlacedCurve};
 use crate::contact::parry::closest;
@@ -11,9 +12,16 @@ use crate::gear::PartCurve;
 use crate::outline::HalfPiece;
 use nalgebra::Point2;
 use std::f64::consts::FRAC_PI_4;
+use std::ops::Range;
 
-/// Pairs of chords looked at before a side is given up.
-const EFFORT: u32 = 50_000;
+/// Pairs of runs of chords looked at before a side is given up: some 0.05 µs each.
+const EFFORT: u32 = 240_000;
+
+/// So many of them take the time in which one pair of chords is looked at, or a chord halved.
+const LOOK: u32 = 4;
+
+/// Why a side is given up.
+const SPENT: &str = "too many stretches of the outlines are too near each other to be told apart";
 
 /// What the finest chords leave of their curve, of the centre distance: far above rounding, far below what a drawing says.
 const FINEST: f64 = 1e-11;
@@ -47,9 +55,16 @@ impl Chord {
     }
 }
 
-/// One side of both gears in chords, a piece of the outline each: those of every half tooth, locked and free.
+/// A half tooth in chords, a piece of the outline each.
 #[derive(Debug)]
-pub(super) struct CutSide([Vec<Vec<Chord>>; 2]);
+struct CutHalf {
+    chords: Vec<Chord>,
+    discs: Discs,
+}
+
+/// One side of both gears in chords: every half tooth, locked and free.
+#[derive(Debug)]
+pub(super) struct CutSide([Vec<CutHalf>; 2]);
 
 impl CutSide {
     pub fn new(teeth: [&SideTeeth; 2]) -> CutSide {
@@ -58,7 +73,15 @@ impl CutSide {
                 let pieces = teeth.half(tooth).pieces.iter();
                 let cut =
                     |piece: &HalfPiece| Chord::new(&piece.curve, piece.range(), |t| piece.point(t));
-                pieces.map(cut).collect()
+                let chords: Vec<Chord> = pieces.map(cut).collect();
+                let round = |chord: &Chord| Disc {
+                    middle: (chord.ends[0] + chord.ends[1]) * 0.5,
+                    radius: 0.5 * (chord.ends[1] - chord.ends[0]).norm() + chord.error,
+                };
+                CutHalf {
+                    discs: Discs::new(&chords.iter().map(round).collect::<Vec<Disc>>()),
+                    chords,
+                }
             };
             (1..=teeth.gear.teeth()).map(half).collect()
         }))
@@ -112,33 +135,47 @@ impl<'a> Seen<'a> {
         })
     }
 
-    /// Raises `greatest` to its greatest distance from the origin, mm, if that is more.
-    fn farthest(&self, greatest: &mut f64, finest: f64) {
-        let far = self.ends.map(|end| end.coords.norm());
-        let far = far[0].max(far[1]);
+    /// Distances of its ends from the origin, mm: points of the curve, whose middle alone it is where the curve turns far.
+    fn end_radii(&self) -> [f64; 2] {
+        self.ends.map(|end| end.coords.norm())
+    }
+
+    /// Raises `greatest` to its greatest distance from the origin, mm, if that is more; halves it no more when nothing is `left`.
+    fn farthest(&self, greatest: &mut f64, finest: f64, left: &mut u32) {
+        let [one, other] = self.end_radii();
+        let far = one.max(other);
         match self.is_coarse(finest) {
             // The curve goes through the ends of its chords, not through the middle of a disc.
             true if far + self.error <= *greatest => (),
-            true => self
+            true if take(left, LOOK) => self
                 .halves()
                 .iter()
-                .for_each(|half| half.farthest(greatest, finest)),
+                .for_each(|half| half.farthest(greatest, finest, left)),
+            true => (),
             false => *greatest = greatest.max(far),
         }
     }
 
-    /// Lowers `least` to its least distance from the origin, mm, if that is less.
-    fn nearest(&self, least: &mut f64, finest: f64) {
+    /// Lowers `least` to its least distance from the origin, mm, if that is less; halves it no more when nothing is `left`.
+    fn nearest(&self, least: &mut f64, finest: f64, left: &mut u32) {
         let near = closest(&self.ends, &[Point2::origin(); 2]).distance;
         match self.is_coarse(finest) {
             true if near - self.error >= *least => (),
-            true => self
+            true if take(left, LOOK) => self
                 .halves()
                 .iter()
-                .for_each(|half| half.nearest(least, finest)),
+                .for_each(|half| half.nearest(least, finest, left)),
+            true => (),
             false => *least = least.min(near),
         }
     }
+}
+
+/// Takes `units` of what is left, or all of it: whether there were as many.
+fn take(left: &mut u32, units: u32) -> bool {
+    let enough = *left >= units;
+    *left = left.saturating_sub(units);
+    enough
 }
 
 /// The half teeth of one side at a pose, in the frame of the search, the free gear's axis at the origin.
@@ -172,11 +209,13 @@ impl<'a> Witness<'a> {
         let mut seen = |free, pair: &[u32; 2]| self.clear(free, *pair, &mut left);
         if !self.pairs.iter().all(|pair| seen(free[0], pair)) {
             return Err(match left {
-                0 => "too many stretches of the outlines are too near each other to be told apart",
+                0 => SPENT,
                 _ => "a pair touches before",
             });
         }
         match self.pairs.iter().any(|pair| !seen(free[1], pair)) {
+            // What is not proven clear for want of effort need not touch.
+            true if left == 0 => Err(SPENT),
             true => Ok(()),
             false => Err("nothing touches there"),
         }
@@ -189,19 +228,33 @@ impl<'a> Witness<'a> {
     pub fn touches_nothing(&self) -> Result<(), &'static str> {
         let finest = self.finest();
         let free = self.free(0.0);
-        let meets = |&[locked, free_tooth]: &[u32; 2]| {
-            let (mut least, mut greatest) = (f64::INFINITY, 0.0);
-            for seen in self.seen(0, locked, self.locked) {
-                seen.nearest(&mut least, finest);
+        let mut left = EFFORT;
+        let mut meets = |&[locked, free_tooth]: &[u32; 2]| {
+            let whole = |which: usize, tooth| 0..self.half(which, tooth).chords.len();
+            let own: Vec<Seen> = self
+                .seen(0, locked, self.locked, whole(0, locked))
+                .collect();
+            let mates = self.seen(1, free_tooth, free, whole(1, free_tooth));
+            let mates: Vec<Seen> = mates.collect();
+            // From the ends of all, few are left that need be halved.
+            let ends = own.iter().flat_map(Seen::end_radii);
+            let mut least = ends.fold(f64::INFINITY, f64::min);
+            let ends = mates.iter().flat_map(Seen::end_radii);
+            let mut greatest = ends.fold(0.0, f64::max);
+            for seen in &own {
+                seen.nearest(&mut least, finest, &mut left);
             }
-            for seen in self.seen(1, free_tooth, free) {
-                seen.farthest(&mut greatest, finest);
+            for seen in &mates {
+                seen.farthest(&mut greatest, finest, &mut left);
             }
             least < greatest - APART * finest
         };
-        match self.pairs.iter().any(meets) {
-            true => Err("a pair does touch"),
-            false => Ok(()),
+        if self.pairs.iter().any(&mut meets) {
+            return Err("a pair does touch");
+        }
+        match left {
+            0 => Err(SPENT),
+            _ => Ok(()),
         }
     }
 
@@ -213,10 +266,21 @@ impl<'a> Witness<'a> {
         }
     }
 
-    /// The pieces of a half tooth, locked (0) or free (1).
-    fn seen(&self, which: usize, tooth: u32, frame: Frame) -> impl Iterator<Item = Seen<'a>> {
-        let pieces = &self.teeth[which].half(tooth).pieces;
-        let chords = &self.cut.0[which][tooth as usize - 1];
+    /// A half tooth in chords, locked (0) or free (1).
+    fn half(&self, which: usize, tooth: u32) -> &'a CutHalf {
+        &self.cut.0[which][tooth as usize - 1]
+    }
+
+    /// Pieces of a half tooth, locked (0) or free (1).
+    fn seen(
+        &self,
+        which: usize,
+        tooth: u32,
+        frame: Frame,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = Seen<'a>> {
+        let pieces = &self.teeth[which].half(tooth).pieces[range.clone()];
+        let chords = &self.half(which, tooth).chords[range];
         chords.iter().zip(pieces).map(move |(chord, piece)| {
             let there = Chord {
                 ends: chord.ends.map(|end| frame.centre + frame.direction * end),
@@ -228,16 +292,58 @@ impl<'a> Witness<'a> {
 
     /// Whether two half teeth are proven clear.
     fn clear(&self, free: Frame, [locked, free_tooth]: [u32; 2], left: &mut u32) -> bool {
-        let axes = [Point2::new(self.center_distance, 0.0), Point2::origin()];
-        let reaches = self.teeth.map(|teeth| teeth.gear.reach());
-        // What does not reach the mate's greatest radius touches nothing.
-        let in_reach = |mate: usize| {
-            move |seen: &Seen| (seen.middle() - axes[mate]).norm() <= reaches[mate] + seen.reach()
+        let teeth = [locked, free_tooth];
+        let frames = [self.locked, free];
+        let discs = [0, 1].map(|which: usize| &self.half(which, teeth[which]).discs);
+        // What does not reach into the mate's greatest circle touches nothing.
+        let mates = [
+            (C::ZERO, self.teeth[1].gear.reach()),
+            (C::from(self.center_distance), self.teeth[0].gear.reach()),
+        ];
+        let circles = mates.map(|(middle, radius)| Disc { middle, radius });
+        let placed = |which: usize, run: usize| {
+            let Disc { middle, radius } = *discs[which].disc(run);
+            let Frame { centre, direction } = frames[which];
+            Disc {
+                middle: centre + direction * middle,
+                radius,
+            }
         };
-        let own = self.seen(0, locked, self.locked).filter(in_reach(1));
-        let own: Vec<Seen> = own.collect();
-        let mut mates = self.seen(1, free_tooth, free).filter(in_reach(0));
-        mates.all(|mate| own.iter().all(|own| self.stretches_clear(own, &mate, left)))
+        let mut open: Vec<[usize; 2]> = match (discs[0].whole(), discs[1].whole()) {
+            (Some(one), Some(other)) => vec![[one, other]],
+            _ => vec![],
+        };
+        while let Some(runs) = open.pop() {
+            if !take(left, 1) {
+                return false;
+            }
+            let [own, mate] = [0, 1].map(|which: usize| placed(which, runs[which]));
+            let reach = |disc: &Disc, circle: &Disc| !disc.is_apart(circle);
+            let meets = reach(&own, &circles[0]) && reach(&mate, &circles[1]);
+            if !meets || own.is_apart(&mate) {
+                continue;
+            }
+            match [0, 1].map(|which: usize| discs[which].inside(runs[which])) {
+                [Inside::Chords(own), Inside::Chords(mates)] => {
+                    let own: Vec<Seen> = self.seen(0, locked, frames[0], own).collect();
+                    let mut mates = self.seen(1, free_tooth, frames[1], mates);
+                    if !mates
+                        .all(|mate| own.iter().all(|own| self.stretches_clear(own, &mate, left)))
+                    {
+                        return false;
+                    }
+                }
+                // The greater one is divided, where it can be.
+                [Inside::Runs(parts), other]
+                    if own.radius >= mate.radius || matches!(other, Inside::Chords(_)) =>
+                {
+                    open.extend(parts.map(|part| [part, runs[1]]));
+                }
+                [_, Inside::Runs(parts)] => open.extend(parts.map(|part| [runs[0], part])),
+                [Inside::Runs(parts), _] => open.extend(parts.map(|part| [part, runs[1]])),
+            }
+        }
+        true
     }
 
     /// Whether two stretches are proven clear.
@@ -246,10 +352,9 @@ impl<'a> Witness<'a> {
         if (own.middle() - mate.middle()).norm_squared() > within * within {
             return true;
         }
-        if *left == 0 {
+        if !take(left, LOOK) {
             return false;
         }
-        *left -= 1;
         let finest = self.finest();
         let distance = closest(&own.ends, &mate.ends).distance;
         // The finest may be straight: rounding alone is left of them.

@@ -8,9 +8,11 @@
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
 mod certificate;
+mod discs;
 mod halves;
 mod teeth;
 
+use super::effort::Effort;
 use super::exact::lens_half;
 use super::gap::{C, CurveContact, Inside, PathSearch, common_normal, rounding, turn};
 use super::lost_motion::Framed;
@@ -108,9 +110,14 @@ impl<'a> OutlineKernel<'a> {
         mating: &Mating,
         prunes: bool,
     ) -> Result<OutlineLostMotion, SearchExhausted> {
-        let sides = self.sides.each_ref();
-        let [right, left] = sides.map(|side| side.contact(pair, mating, prunes));
-        let (right, left) = (right?, left?);
+        let effort = match prunes {
+            true => Effort::of_pose(),
+            // Each side ends by its own nodes.
+            false => Effort::endless(),
+        };
+        let [right, left] = &self.sides;
+        let right = right.contact(pair, mating, prunes, &effort)?;
+        let left = left.contact(pair, mating, prunes, &effort)?;
         let overlap = right
             .zip(left)
             .map_or(0.0, |(right, left)| right.rotation - left.rotation);
@@ -258,6 +265,7 @@ impl SideKernel<'_> {
         pair: &OutlinePair,
         mating: &Mating,
         prunes: bool,
+        effort: &Effort,
     ) -> Result<Option<OutlineContact>, SearchExhausted> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
@@ -268,8 +276,9 @@ impl SideKernel<'_> {
             direction: C::ONE,
         };
         let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
-        let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0);
+        let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0).within(effort.left());
         let mut search = if prunes { search } else { search.of_all() };
+        let most = search.nodes_left();
         let mut best: Option<(CurveContact, [u32; 2])> = None;
         for teeth in self.facing(pair, mating, rotation) {
             let [locked_tooth, free_tooth] = teeth;
@@ -278,6 +287,7 @@ impl SideKernel<'_> {
             let found = found.map_err(|_| self.unsettled(pair, teeth))?;
             best = found.map(|meeting| (meeting, teeth)).or(best);
         }
+        effort.spend(most - search.nodes_left());
         Ok(best.map(|(meeting, teeth)| {
             let frames = [locked_frame, still];
             self.report(pair, &meeting, teeth, frames, free_rotation)

@@ -10,6 +10,7 @@ use super::flank_problem::{CutTeeth, FlankProblem};
 use super::kernel::{PolygonKernel, finest_chord, steps_in_reach};
 use super::look::{Seen, seen};
 use super::search::search;
+use crate::contact::Effort;
 use crate::contact::lost_motion::{Contact, LostMotion, Status};
 use crate::error::Error;
 use crate::gear::Side;
@@ -19,6 +20,9 @@ use std::f64::consts::TAU;
 /// Pairs of chords looked at before a side is given up. Of 9000 random poses no side took more than 202, 86 on average; each takes
 /// some 0.1 µs.
 const EFFORT: u32 = 50_000;
+
+/// So many of them take the time of a unit of effort; putting two half teeth where a pose has them takes another.
+const LOOKS_A_UNIT: u32 = 3;
 
 /// A bound wider than this part of a pitch is no place to look at two openings: other teeth, or nothing, may stand there.
 const NARROW: f64 = 1e-2;
@@ -41,13 +45,23 @@ impl<'a> Certifier<'a> {
     /// # Errors
     /// [`Error::CertificateFailed`] with the pose that reproduces it; [`Error::ContactLost`] from a search.
     pub fn check(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
+        self.check_within(pose, found, &Effort::of_pose())
+    }
+
+    /// The same with what `effort` allows, that of this pose.
+    pub(in crate::contact) fn check_within(
+        &self,
+        pose: &Pose,
+        found: &LostMotion,
+        effort: &Effort,
+    ) -> Result<(), Error> {
         // Teeth in the mate's body prove it by themselves, whatever touches.
         if found.solid {
             return Ok(());
         }
-        let seen = self.check_rotations(pose, found);
+        let seen = self.check_rotations(pose, found, effort);
         if seen.is_err() && found.status() == Status::Jammed {
-            let own = self.refined().lost_motion(pose)?;
+            let own = self.refined().lost_motion_within(pose, effort)?;
             if own.status() == Status::Jammed {
                 return Ok(());
             }
@@ -63,9 +77,14 @@ impl<'a> Certifier<'a> {
         }
     }
 
-    fn check_rotations(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
+    fn check_rotations(
+        &self,
+        pose: &Pose,
+        found: &LostMotion,
+        effort: &Effort,
+    ) -> Result<(), Error> {
         for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
-            self.check_side(pose, side, contact.as_ref())?;
+            self.check_side(pose, side, contact.as_ref(), effort)?;
         }
         Ok(())
     }
@@ -76,29 +95,42 @@ impl<'a> Certifier<'a> {
         pose: &Pose,
         side: Side,
         contact: Option<&Contact>,
+        effort: &Effort,
     ) -> Result<(), Error> {
         let free = self.kernel.teeth.assembly.free();
         let pitch = self.kernel.teeth.assembly.gear(free);
         let pitch = pitch.gear().basic_data().angular_pitch();
         let seen = match contact {
             Some(contact) if contact.error > NARROW * pitch => {
-                self.touches_within(pose, side, contact)?
+                self.touches_within(pose, side, contact, effort)?
             }
-            Some(contact) => self.touches(pose, side, contact),
-            None => self.touches_nothing(pose, side)?,
+            Some(contact) => self.touches(pose, side, contact, effort),
+            None => self.touches_nothing(pose, side, effort)?,
         };
         seen.map_err(|reason| self.failed(pose, side, reason))
     }
 
     /// Whether all pairs on `side` are clear of each other a little more open than `contact`, or why not: what a section of helical gears is in which
     /// another one touches first.
-    pub(crate) fn clears(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<(), String> {
-        self.touching(pose, side, contact).map(|_| ())
+    pub(crate) fn clears(
+        &self,
+        pose: &Pose,
+        side: Side,
+        contact: &Contact,
+        effort: &Effort,
+    ) -> Result<(), String> {
+        self.touching(pose, side, contact, effort).map(|_| ())
     }
 
     /// Clear when a little more open, touching when a little more closed.
-    fn touches(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<(), String> {
-        match self.touching(pose, side, contact)? {
+    fn touches(
+        &self,
+        pose: &Pose,
+        side: Side,
+        contact: &Contact,
+        effort: &Effort,
+    ) -> Result<(), String> {
+        match self.touching(pose, side, contact, effort)? {
             true => Ok(()),
             false => Err(format!(
                 "nothing touches at the rotation {} rad",
@@ -108,20 +140,31 @@ impl<'a> Certifier<'a> {
     }
 
     /// Whether any pair touches when a little more closed; all are clear when a little more open.
-    fn touching(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<bool, String> {
+    fn touching(
+        &self,
+        pose: &Pose,
+        side: Side,
+        contact: &Contact,
+        effort: &Effort,
+    ) -> Result<bool, String> {
         let assembly = self.kernel.teeth.assembly;
         let finest = finest_chord(assembly);
         let arm = contact.point - assembly.axis(assembly.free());
         let lever = arm.perp(&contact.normal).abs();
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
-        let (mut touching, mut left) = (false, EFFORT);
+        let mut touching = false;
+        let allowed = effort.left().saturating_mul(LOOKS_A_UNIT.into());
+        let mut left = allowed.min(EFFORT.into()) as u32;
         for steps in steps_in_reach(assembly, pose) {
             let problem = FlankProblem::new(&self.kernel.teeth, pose, side, steps);
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + problem.rounding()) / lever;
             let openings = [opening + little, opening - little];
-            match seen(&problem, openings, finest, touching, &mut left) {
+            let before = left;
+            let seen = seen(&problem, openings, finest, touching, &mut left);
+            effort.spend(u64::from((before - left) / LOOKS_A_UNIT) + 1);
+            match seen {
                 Seen::Clear => {}
                 Seen::Touch => touching = true,
                 Seen::Overlap => {
@@ -148,8 +191,9 @@ impl<'a> Certifier<'a> {
         pose: &Pose,
         side: Side,
         contact: &Contact,
+        effort: &Effort,
     ) -> Result<Result<(), String>, Error> {
-        let Some(own) = self.refined().side(pose, side)? else {
+        let Some(own) = self.refined().side(pose, side, effort)? else {
             return Ok(Err("nothing touches".to_owned()));
         };
         let turns = (own.rotation - contact.rotation) / TAU;
@@ -161,8 +205,13 @@ impl<'a> Certifier<'a> {
     }
 
     /// No pair in reach ever touches, or only by what rounding may bring the axes together.
-    fn touches_nothing(&self, pose: &Pose, side: Side) -> Result<Result<(), String>, Error> {
-        if !first_touching(&self.kernel.teeth, pose, side)? {
+    fn touches_nothing(
+        &self,
+        pose: &Pose,
+        side: Side,
+        effort: &Effort,
+    ) -> Result<Result<(), String>, Error> {
+        if !first_touching(&self.kernel.teeth, pose, side, effort)? {
             return Ok(Ok(()));
         };
         let here = self.kernel.teeth.assembly;
@@ -170,7 +219,7 @@ impl<'a> Certifier<'a> {
             + FlankProblem::new(&self.kernel.teeth, pose, side, 0).rounding();
         let apart = here.at(here.center_distance() + doubt)?;
         Ok(
-            match first_touching(&self.kernel.teeth.at(&apart), pose, side)? {
+            match first_touching(&self.kernel.teeth.at(&apart), pose, side, effort)? {
                 false => Ok(()),
                 true => Err("a pair does touch".to_owned()),
             },
@@ -192,9 +241,14 @@ impl<'a> Certifier<'a> {
 }
 
 /// Whether any pair's polygons touch.
-fn first_touching(teeth: &CutTeeth, pose: &Pose, side: Side) -> Result<bool, Error> {
+fn first_touching(
+    teeth: &CutTeeth,
+    pose: &Pose,
+    side: Side,
+    effort: &Effort,
+) -> Result<bool, Error> {
     let problems: Vec<FlankProblem> = steps_in_reach(teeth.assembly, pose)
         .map(|steps| FlankProblem::new(teeth, pose, side, steps))
         .collect();
-    Ok(!search(&problems, finest_chord(teeth.assembly))?.is_empty())
+    Ok(!search(&problems, finest_chord(teeth.assembly), effort)?.is_empty())
 }

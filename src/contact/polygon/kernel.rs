@@ -3,6 +3,7 @@
 use super::chord::CutGear;
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::search::{FoundTouch, search};
+use crate::contact::Effort;
 use crate::contact::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
@@ -41,12 +42,21 @@ impl<'a> PolygonKernel<'a> {
     /// # Errors
     /// [`Error::ContactLost`] names the pair of teeth whose search did not end.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        self.lost_motion_within(pose, &Effort::of_pose())
+    }
+
+    /// The same with what `effort` allows, that of this pose.
+    pub(in crate::contact) fn lost_motion_within(
+        &self,
+        pose: &Pose,
+        effort: &Effort,
+    ) -> Result<LostMotion, Error> {
         if reaches_over_an_axis(self.teeth.assembly) {
             return Ok(LostMotion::JAMMED);
         }
         let found = LostMotion {
-            right: self.side(pose, Side::Right)?,
-            left: self.side(pose, Side::Left)?,
+            right: self.side(pose, Side::Right, effort)?,
+            left: self.side(pose, Side::Left, effort)?,
             solid: may_be_solid(self.teeth.assembly) && is_solid(self.teeth.assembly, pose),
         };
         let free = self.teeth.assembly.gear(self.teeth.assembly.free());
@@ -57,11 +67,16 @@ impl<'a> PolygonKernel<'a> {
     ///
     /// Pairs that their brackets cannot tell apart tie (perfect gears always do); the one
     /// that touches nearest the operating pitch point gives the contact its name.
-    pub(super) fn side(&self, pose: &Pose, side: Side) -> Result<Option<Contact>, Error> {
+    pub(super) fn side(
+        &self,
+        pose: &Pose,
+        side: Side,
+        effort: &Effort,
+    ) -> Result<Option<Contact>, Error> {
         let problems: Vec<FlankProblem> = steps_in_reach(self.teeth.assembly, pose)
             .map(|steps| FlankProblem::new(&self.teeth, pose, side, steps))
             .collect();
-        let found = search(&problems, self.finest)?;
+        let found = search(&problems, self.finest, effort)?;
         let tightest = |end: fn(&FoundTouch) -> f64| {
             let openings = found.iter().map(end);
             openings.fold(f64::NEG_INFINITY, f64::max)

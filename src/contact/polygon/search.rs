@@ -29,6 +29,7 @@
 use super::chord::Chord;
 use super::flank_problem::FlankProblem;
 use super::place::Place;
+use crate::contact::Effort;
 use crate::contact::parry::closest;
 use crate::error::Error;
 use std::cmp::Ordering;
@@ -49,6 +50,9 @@ const FINEST_STEPS: usize = 64;
 /// more than 630, 130 on average; each takes some 0.3 µs. So there is a hundredfold to spare, and a pose that is given up has taken
 /// some 30 ms by both sides.
 const EFFORT: usize = 50_000;
+
+/// Longest chords that are paired in the time in which one pair is looked at (tuned: some 0.15 µs each).
+const PAIRED: u64 = 2;
 
 /// Where a pair of half teeth touches.
 pub(super) struct FoundTouch {
@@ -105,15 +109,21 @@ enum Turned {
     Clear,
 }
 
-/// The contacts of one side that no other is proven to be tighter than, one a pair of teeth, on chords within `finest` mm.
+/// The contacts of one side that no other is proven to be tighter than, one a pair of teeth, on chords within `finest` mm; what is done is taken
+/// from `effort`, that of the pose.
 ///
 /// # Errors
 /// [`Error::ContactLost`] when the effort is spent.
-pub(super) fn search(problems: &[FlankProblem], finest: f64) -> Result<Vec<FoundTouch>, Error> {
+pub(super) fn search(
+    problems: &[FlankProblem],
+    finest: f64,
+    effort: &Effort,
+) -> Result<Vec<FoundTouch>, Error> {
     let mut waiting = BinaryHeap::new();
     for (index, problem) in problems.iter().enumerate() {
         start(index, problem, &mut waiting);
     }
+    effort.spend(waiting.len() as u64 / PAIRED);
     let mut clear: Vec<Option<f64>> = vec![None; problems.len()];
     let mut found: Vec<FoundTouch> = Vec::new();
     // What waits below this is no tighter than a contact already found.
@@ -126,7 +136,8 @@ pub(super) fn search(problems: &[FlankProblem], finest: f64) -> Result<Vec<Found
         let index = pair.problem as usize;
         let problem = &problems[index];
         looked += 1;
-        if looked > EFFORT {
+        effort.spend(1);
+        if looked > EFFORT || effort.is_spent() {
             return Err(problem.lost(SPENT));
         }
         if found.iter().any(|found| found.problem == index) {

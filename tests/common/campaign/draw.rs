@@ -7,12 +7,23 @@ use super::gear::Numbers;
 use super::pair_file;
 use super::random::Random;
 use gearlash::analytic::InvolutePair;
-use gearlash::gear::{AsBuilt, Side};
+use gearlash::gear::{AsBuilt, Hand, Side};
 use gearlash::pair::{GearPair, Mating, Member};
 use std::sync::Arc;
 
 /// Poses of one drawn pair: each at its own centre distance, with its own locked gear, mating and fraction.
 pub const POSES_A_PAIR: u64 = 4;
+
+/// What a campaign draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Teeth {
+    Spur,
+    /// Helix angles of 0.5 to 50°, faces of up to 100 modules that begin before the measuring plane and end behind it.
+    Helical,
+}
+
+/// Apart from the numbers of the gears: helical pairs are those of spur pairs, wound.
+const HELIX: u64 = 0x4845_4c49;
 
 /// How far the gears of a pose are apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,6 +56,8 @@ pub struct Pair {
     pub redrawn: u64,
     seed: u64,
     number: u64,
+    /// The common face, mm.
+    face: [f64; 2],
 }
 
 /// A pose of a drawn pair.
@@ -56,9 +69,20 @@ pub struct Drawn {
 }
 
 impl Pair {
-    /// Pair number `number` of `seed`: poses `number * POSES_A_PAIR` and on.
+    /// Spur pair number `number` of `seed`: poses `number * POSES_A_PAIR` and on.
     pub fn new(seed: u64, number: u64) -> Pair {
+        Pair::of(Teeth::Spur, seed, number)
+    }
+
+    /// The same of either kind.
+    pub fn of(kind: Teeth, seed: u64, number: u64) -> Pair {
         let mut random = Random::of(seed, number);
+        let mut winding = Random::of(seed ^ HELIX, number);
+        let angle_deg = winding.within(0.5, 50.0);
+        let hand = winding.pick(&[Hand::Right, Hand::Left]);
+        let widest = winding.pick(&[10.0, 30.0, 100.0]);
+        let width = winding.within(0.01 * widest, widest);
+        let from = -width * winding.within(0.0, 1.0);
         let mut redrawn = 0;
         loop {
             let undercut = random.chance(0.25);
@@ -74,10 +98,15 @@ impl Pair {
                 true => [second, first],
                 false => [first, second],
             };
-            let [wheel, pinion] = teeth.map(|teeth| {
+            let hands = [hand, hand.mate()];
+            let [wheel, pinion] = [0, 1].map(|k: usize| {
+                let teeth = teeth[k];
                 // A gear at a time: a pair of which both can exist would be rare, and the odd ones rarer.
                 (0..50).find_map(|_| {
-                    let numbers = Numbers::draw(&mut random, teeth, module, alpha);
+                    let mut numbers = Numbers::draw(&mut random, teeth, module, alpha);
+                    if kind == Teeth::Helical {
+                        numbers.wind(angle_deg, hands[k]);
+                    }
                     let built = numbers.build();
                     redrawn += u64::from(built.is_none());
                     built.map(|gear| (numbers, gear))
@@ -90,6 +119,10 @@ impl Pair {
                     redrawn,
                     seed,
                     number,
+                    face: match kind {
+                        Teeth::Spur => [0.0; 2],
+                        Teeth::Helical => [from, from + width].map(|end| end * module),
+                    },
                 };
             }
         }
@@ -119,6 +152,7 @@ impl Pair {
             .map(|depth| self.distance(&mut random, depth))
             .find_map(|a| GearPair::with_locked(wheel.clone(), pinion.clone(), a, locked).ok())
             .expect("a distance between jam and out of mesh");
+        let assembly = assembly.with_face(self.face).expect("ends in order");
         let whole = match random.chance(0.2) {
             true => random.within(-50.0, 50.0).round(),
             false => 0.0,
@@ -175,9 +209,14 @@ impl Pair {
 }
 
 impl Drawn {
-    /// Pose number `index` of the campaign of `seed`, at `depth` or at any.
+    /// Pose number `index` of the campaign of `seed`, at `depth` or at any, of spur gears.
     pub fn new(depth: Option<Depth>, seed: u64, index: u64) -> Drawn {
-        Pair::new(seed, index / POSES_A_PAIR).pose(index % POSES_A_PAIR, depth)
+        Drawn::of(Teeth::Spur, depth, seed, index)
+    }
+
+    /// The same of either kind.
+    pub fn of(kind: Teeth, depth: Option<Depth>, seed: u64, index: u64) -> Drawn {
+        Pair::of(kind, seed, index / POSES_A_PAIR).pose(index % POSES_A_PAIR, depth)
     }
 
     pub fn pair_file(&self) -> String {

@@ -2,7 +2,7 @@
 
 use super::random::Random;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, thickness,
 };
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -103,6 +103,8 @@ pub struct Numbers {
     pub per_tooth_um: Vec<f64>,
     pub right_um: Vec<f64>,
     pub left_um: Vec<f64>,
+    /// Helix angle, degrees, and hand.
+    pub helix: Option<(f64, Hand)>,
 }
 
 /// How the deviations of a gear's teeth go round.
@@ -164,9 +166,17 @@ impl Numbers {
             per_tooth_um: vec![],
             right_um: vec![],
             left_um: vec![],
+            helix: None,
         };
         numbers.deviate(random);
         numbers
+    }
+
+    /// The same teeth in the normal section, wound: all circles grow by 1/cos β.
+    pub fn wind(&mut self, angle_deg: f64, hand: Hand) {
+        let reference = f64::from(self.teeth) * self.module_mm;
+        self.tip_diameter_mm += reference / angle_deg.to_radians().cos() - reference;
+        self.helix = Some((angle_deg, hand));
     }
 
     fn deviate(&mut self, random: &mut Random) {
@@ -217,8 +227,13 @@ impl Numbers {
     pub fn build(&self) -> Option<AsBuilt> {
         let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let alpha = self.pressure_angle_deg.to_radians();
+        let spur = BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?;
+        let basic_data = match self.helix {
+            None => spur,
+            Some((angle_deg, hand)) => spur.with_helix(angle_deg.to_radians(), hand).ok()?,
+        };
         let design = GearDesign {
-            basic_data: BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?,
+            basic_data,
             profile_shift: self.profile_shift,
             rack: BasicRack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?,
             tip_diameter: Some(self.tip_diameter_mm),

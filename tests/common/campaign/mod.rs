@@ -10,6 +10,7 @@
 mod draw;
 mod gear;
 mod outcome;
+mod over_face;
 mod pair_file;
 mod random;
 mod tally;
@@ -18,28 +19,40 @@ mod watch;
 use draw::POSES_A_PAIR;
 pub use draw::Pair;
 #[allow(unused_imports)] // each test binary uses its part
-pub use draw::{Depth, Drawn};
+pub use draw::{Depth, Drawn, Teeth};
 use gearlash::contact::CutPair;
 #[allow(unused_imports)] // each test binary uses its part
 use outcome::Outcome;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::time::Duration;
 pub use tally::Tally;
 #[allow(unused_imports)] // each test binary uses its part
 pub use watch::LONGEST;
 use watch::Watch;
 
-/// Poses `first..first + poses` of `seed`, all at `depth` or mixed, by both methods on all threads.
+/// Poses `first..first + poses` of `seed` of spur gears, all at `depth` or mixed, by both methods on all threads.
 ///
 /// The process ends when a pose takes longer than `longest`: a search without end is a fault that would hide all others.
 pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Duration) -> Tally {
+    run_of(Teeth::Spur, depth, seed, first..first + poses, longest)
+}
+
+/// The same of either kind.
+pub fn run_of(
+    kind: Teeth,
+    depth: Option<Depth>,
+    seed: u64,
+    indices: Range<u64>,
+    longest: Duration,
+) -> Tally {
+    let Range { start: first, end } = indices;
     let watch = Watch::new(seed, longest);
-    let end = first + poses;
     let pairs = first / POSES_A_PAIR..end.div_ceil(POSES_A_PAIR);
     let mut tally = pairs
         .into_par_iter()
         .map(|number| {
-            let pair = Pair::new(seed, number);
+            let pair = Pair::of(kind, seed, number);
             let [wheel, pinion] = pair.gears();
             let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
             let mut tally = tally::of_pair(&pair);

@@ -1,6 +1,7 @@
 //! What both methods and the certificate say about one pose, and what of it is a fault.
 
 use super::draw::Drawn;
+use super::over_face;
 use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
 use gearlash::error::Error;
 use gearlash::gear::{Profile, ProfilePart};
@@ -38,15 +39,22 @@ pub struct Outcome {
     pub exact: Option<LostMotion>,
     pub verdict: Verdict,
     pub times: [Duration; 3],
+    /// Units of effort that the exact method took, and might have taken.
+    pub effort: [u64; 2],
 }
 
 impl Outcome {
     pub fn new(drawn: &Drawn, cut: &CutPair) -> Outcome {
+        if drawn.assembly.is_helical() {
+            return over_face::outcome(drawn, cut);
+        }
         let assembly = &drawn.assembly;
         let pose = Pose::new(assembly, drawn.mating);
         let start = Instant::now();
-        let exact = ExactKernel::new(assembly).lost_motion(&pose);
+        let kernel = ExactKernel::new(assembly);
+        let exact = kernel.lost_motion(&pose);
         let exact_took = start.elapsed();
+        let effort = kernel.effort(&pose);
         let start = Instant::now();
         let polygon = cut.refined_kernel(assembly).lost_motion(&pose);
         let polygon_took = start.elapsed();
@@ -70,6 +78,7 @@ impl Outcome {
             exact: exact.ok(),
             verdict,
             times,
+            effort,
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::draw::Drawn;
 use super::gear::Numbers;
 use gearlash::gear::Face;
+use gearlash::pair::GearPair;
 use std::fmt::Write;
 
 /// The pose as a pair file, its flank in the title (a pair file runs both).
@@ -11,7 +12,7 @@ pub fn text(drawn: &Drawn) -> String {
     let mut text = format!("title = \"pose at the {} flank\"\n", mating.flank.name());
     for (numbers, name) in drawn.gears.iter().zip(["wheel", "pinion"]) {
         // Writing to a String cannot fail.
-        let _ = write(numbers, name, &mut text);
+        let _ = write(numbers, name, &drawn.assembly, &mut text);
     }
     let _ = writeln!(
         text,
@@ -25,7 +26,12 @@ pub fn text(drawn: &Drawn) -> String {
     text
 }
 
-fn write(numbers: &Numbers, name: &str, text: &mut String) -> std::fmt::Result {
+fn write(
+    numbers: &Numbers,
+    name: &str,
+    assembly: &GearPair,
+    text: &mut String,
+) -> std::fmt::Result {
     let face = match numbers.face {
         Face::Front => "front",
         Face::Back => "back",
@@ -40,6 +46,11 @@ fn write(numbers: &Numbers, name: &str, text: &mut String) -> std::fmt::Result {
     writeln!(text, "profile_shift = {:?}", numbers.profile_shift)?;
     writeln!(text, "tip_diameter_mm = {:?}", numbers.tip_diameter_mm)?;
     writeln!(text, "reference_face = \"{face}\"")?;
+    if let Some((angle_deg, hand)) = numbers.helix {
+        let (hand, ends) = (hand.name(), assembly.face());
+        writeln!(text, "helix_angle_deg = {angle_deg:?}\nhand = \"{hand}\"")?;
+        writeln!(text, "face_mm = {ends:?}")?;
+    }
     let [addendum, dedendum, root_radius] = numbers.rack;
     writeln!(
         text,

@@ -3,10 +3,9 @@
 use super::draw::{Depth, Drawn, Pair};
 use super::gear::{RackKind, Tip};
 use super::outcome::{METHODS, Outcome, Verdict, combination, reaches_the_centre};
-use gearlash::gear::{AsBuilt, Face};
+use gearlash::gear::Face;
 use gearlash::pair::Member;
 use std::collections::BTreeMap;
-use std::f64::consts::FRAC_PI_2;
 use std::time::Duration;
 
 /// Curves that can meet, the locked gear's first; `joint`: where involute and fillet meet. A fillet is hollow: it meets
@@ -21,6 +20,20 @@ const CONTACTS: [&str; 9] = [
     "tip on root",
     "root on tip",
     "involute on fillet",
+];
+
+/// Helix angles, degrees, from the one named on.
+const HELICES: [(f64, &str); 3] = [
+    (0.0, "below 10°"),
+    (10.0, "10° to 30°"),
+    (30.0, "above 30°"),
+];
+
+/// Widths of the common face, modules, likewise.
+const FACES: [(f64, &str); 3] = [
+    (0.0, "below 10 modules"),
+    (10.0, "10 to 30 modules"),
+    (30.0, "above 30 modules"),
 ];
 
 /// Classes that only a long campaign meets, by its number of poses.
@@ -44,6 +57,8 @@ pub struct Tally {
     pub border: Vec<(u64, &'static str)>,
     /// Of each method: all time, the slowest pose, and its index.
     pub times: [(Duration, Duration, u64); 3],
+    /// Effort of the exact method: the greatest of a pose, what it might have been, and the pose's index.
+    pub effort: ([u64; 2], u64),
     /// Poses of which one method took longer than the issue allows, 0.1 s.
     pub slow: u64,
 }
@@ -59,6 +74,9 @@ impl Tally {
             if took > *most {
                 (*most, *slowest) = (took, index);
             }
+        }
+        if outcome.effort[0] > self.effort.0[0] {
+            self.effort = (outcome.effort, index);
         }
         let limit = Duration::from_millis(100);
         self.slow += u64::from(outcome.times.iter().any(|&took| took > limit));
@@ -82,6 +100,9 @@ impl Tally {
         for (class, count) in other.classes {
             *self.classes.entry(class).or_default() += count;
         }
+        if other.effort.0[0] > self.effort.0[0] {
+            self.effort = other.effort;
+        }
         self.greatest_um = self.greatest_um.max(other.greatest_um);
         self.greatest_bound_um = self.greatest_bound_um.max(other.greatest_bound_um);
         self.faults.extend(other.faults);
@@ -103,7 +124,8 @@ impl Tally {
 
     /// Classes that a campaign of `depth` should have met and did not.
     pub fn empty(&self, depth: Option<Depth>) -> Vec<String> {
-        let expected = expected(depth, self.poses >= RARE);
+        let helical = self.count("teeth", "helical") > 0;
+        let expected = expected(helical, depth, self.poses >= RARE);
         let missing = expected
             .into_iter()
             .filter(|(class, name)| self.count(class, name) == 0);
@@ -138,6 +160,10 @@ impl Tally {
                 "{name}: {each:.4} ms a pose, slowest {most:.2} ms (pose {index})"
             ));
         }
+        let ([used, most], index) = self.effort;
+        lines.push(format!(
+            "exact: greatest effort {used} of {most} units (pose {index})"
+        ));
         lines.push(format!(
             "{} poses of more than 0.1 s, {} unproven, {} on a border of statuses, {} faults",
             self.slow,
@@ -165,6 +191,15 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
     let mut classes = vec![
         ("depth", drawn.depth.name().to_owned()),
         ("locked gear", locked.name().to_owned()),
+        (
+            "teeth",
+            if assembly.is_helical() {
+                "helical"
+            } else {
+                "spur"
+            }
+            .to_owned(),
+        ),
     ];
     let faces = [Member::Wheel, Member::Pinion].map(|member| match assembly.gear(member).face() {
         Face::Front => "front",
@@ -192,7 +227,7 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
         "undercut",
         [locked, free]
             .iter()
-            .any(|&m| is_undercut(assembly.gear(m))),
+            .any(|&m| assembly.gear(m).gear().is_undercut()),
     );
     let deviates = |numbers: &super::gear::Numbers| {
         !(numbers.right_um.is_empty() && numbers.per_tooth_um.is_empty())
@@ -210,6 +245,14 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
         "a tip reaches the mate's centre",
         reaches_the_centre(assembly),
     );
+    if let Some((angle_deg, _)) = drawn.gears[0].helix {
+        let [from, to] = assembly.face();
+        let wide = (to - from) / drawn.gears[0].module_mm;
+        let steep = HELICES.iter().rev().find(|(least, _)| angle_deg >= *least);
+        let width = FACES.iter().rev().find(|(least, _)| wide >= *least);
+        classes.extend(steep.map(|(_, name)| ("helix angle", (*name).to_owned())));
+        classes.extend(width.map(|(_, name)| ("face", (*name).to_owned())));
+    }
     let Some(exact) = &outcome.exact else {
         classes.push(("status", "without result".to_owned()));
         return classes;
@@ -225,12 +268,7 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
     classes
 }
 
-fn is_undercut(gear: &AsBuilt) -> bool {
-    let gear = gear.gear();
-    gear.fillet().end() < FRAC_PI_2 - gear.basic_data().pressure_angle()
-}
-
-fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
+fn expected(helical: bool, depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
     let mut expected: Vec<(&'static str, &str)> = vec![
         ("locked gear", "wheel"),
         ("locked gear", "pinion"),
@@ -241,6 +279,10 @@ fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
         ("what else", "9 teeth or fewer"),
         ("what else", "more than 200 teeth"),
     ];
+    if helical {
+        expected.extend(HELICES.map(|(_, name)| ("helix angle", name)));
+        expected.extend(FACES.map(|(_, name)| ("face", name)));
+    }
     let depths = Depth::ALL
         .into_iter()
         .filter(|one| depth.is_none_or(|depth| depth == *one));
@@ -259,9 +301,10 @@ fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
         for status in ["clear", "interference", "jammed", "no_contact"] {
             expected.push(("status", status));
         }
-        let contacts = match long {
-            true => &CONTACTS[..],
-            false => &CONTACTS[..6],
+        let contacts = match (long, helical) {
+            (true, _) => &CONTACTS[..],
+            (false, false) => &CONTACTS[..6],
+            (false, true) => &CONTACTS[..3],
         };
         for class in [
             "right contact, locked on free",

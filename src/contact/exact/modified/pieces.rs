@@ -71,8 +71,9 @@ impl PosedFlanks<'_> {
         let (locked, free) = (self.locked(step), self.free(step));
         let size = 2.0 * self.problem.distance;
         let mut search = PathSearch::new(self.origin, size, floor, guess).within(effort.left());
+        let most = search.nodes_left();
         let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
-        effort.spend(search.nodes());
+        effort.spend(most - search.nodes_left());
         let part = ProfilePart::Involute;
         Some(found.ok()?.map(|found| {
             let on = ((part, found.locked.1), (part, found.free.1));

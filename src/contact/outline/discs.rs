@@ -1,0 +1,190 @@
+//! Discs round runs of the chords of a half tooth, as a tree: what the certificate of outlines need not look at chord by chord.
+//!
+//! An outline may have tens of thousands of segments a tooth, and of two such flanks each pair of segments would be looked at.
+
+use crate::contact::gap::C;
+use std::ops::Range;
+
+/// Chords of a run that is not divided (tuned: of fewer the tree takes longer than they do).
+const FEWEST: usize = 8;
+
+/// Rounding of a disc round two others, of the greatest length in it: a dozen operations.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// A disc, mm.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Disc {
+    pub middle: C,
+    pub radius: f64,
+}
+
+impl Disc {
+    /// Whether it has no point in common with another.
+    #[inline]
+    pub fn is_apart(&self, other: &Disc) -> bool {
+        let within = self.radius + other.radius;
+        (self.middle - other.middle).norm_sqr() > within * within
+    }
+
+    /// The least one round both.
+    fn round(&self, other: &Disc) -> Disc {
+        let between = other.middle - self.middle;
+        let distance = between.norm();
+        if distance + other.radius <= self.radius {
+            return *self;
+        }
+        if distance + self.radius <= other.radius {
+            return *other;
+        }
+        let radius = 0.5 * (distance + self.radius + other.radius);
+        let middle = self.middle + between * ((radius - self.radius) / distance);
+        Disc {
+            middle,
+            radius: radius + ROUNDING * (middle.norm() + radius),
+        }
+    }
+}
+
+/// Discs round the chords of a path in order, and round runs of them.
+#[derive(Debug)]
+pub(super) struct Discs(Vec<Run>);
+
+#[derive(Debug)]
+struct Run {
+    disc: Disc,
+    /// The first of its chords, and how many they are.
+    first: u32,
+    count: u32,
+    /// The second of the two runs in it, the first of which follows it; 0 where it is not divided.
+    second: u32,
+}
+
+/// What is in a run.
+#[derive(Debug, PartialEq)]
+pub(super) enum Inside {
+    /// These chords.
+    Chords(Range<usize>),
+    /// Two runs.
+    Runs([usize; 2]),
+}
+
+impl Discs {
+    /// Round the discs of chords, in order.
+    pub fn new(chords: &[Disc]) -> Discs {
+        let mut runs = Vec::with_capacity(chords.len() / 2);
+        if !chords.is_empty() {
+            add(&mut runs, chords, 0);
+        }
+        Discs(runs)
+    }
+
+    /// The run of all chords, if there are any.
+    pub fn whole(&self) -> Option<usize> {
+        (!self.0.is_empty()).then_some(0)
+    }
+
+    /// The disc round a run.
+    #[inline]
+    pub fn disc(&self, run: usize) -> &Disc {
+        &self.0[run].disc
+    }
+
+    /// What is in a run.
+    #[inline]
+    pub fn inside(&self, run: usize) -> Inside {
+        let Run {
+            first,
+            count,
+            second,
+            ..
+        } = self.0[run];
+        match second {
+            0 => Inside::Chords(first as usize..(first + count) as usize),
+            _ => Inside::Runs([run + 1, second as usize]),
+        }
+    }
+}
+
+/// Adds the run of these chords, and after it what is in it.
+fn add(runs: &mut Vec<Run>, chords: &[Disc], first: u32) -> Disc {
+    let place = runs.len();
+    runs.push(Run {
+        disc: chords[0],
+        first,
+        count: chords.len() as u32,
+        second: 0,
+    });
+    let disc = if chords.len() <= FEWEST {
+        let rest = chords[1..].iter();
+        rest.fold(chords[0], |round, chord| round.round(chord))
+    } else {
+        let (one, other) = chords.split_at(chords.len() / 2);
+        let round = add(runs, one, first);
+        runs[place].second = runs.len() as u32;
+        round.round(&add(runs, other, first + one.len() as u32))
+    };
+    runs[place].disc = disc;
+    disc
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chords(count: usize) -> Vec<Disc> {
+        let chord = |k: usize| {
+            let k = k as f64;
+            Disc {
+                middle: C::from_polar(30.0 + (0.7 * k).sin(), 0.02 * k),
+                radius: 0.3 + 0.2 * (1.9 * k).cos(),
+            }
+        };
+        (0..count).map(chord).collect()
+    }
+
+    /// Every run's disc holds those of all its chords, and the undivided runs have each chord once, in order.
+    #[test]
+    fn a_run_is_round_all_its_chords() {
+        assert_eq!(Discs::new(&[]).whole(), None);
+        for count in [1, 8, 9, 100] {
+            let chords = chords(count);
+            let discs = Discs::new(&chords);
+            let (mut open, mut seen) = (vec![discs.whole().unwrap()], Vec::new());
+            while let Some(run) = open.pop() {
+                let all = &discs.0[run];
+                let own = all.first as usize..(all.first + all.count) as usize;
+                for chord in &chords[own.clone()] {
+                    let off = (chord.middle - all.disc.middle).norm() + chord.radius;
+                    assert!(off <= all.disc.radius + 1e-12, "{count} {run}");
+                }
+                match discs.inside(run) {
+                    Inside::Chords(range) => {
+                        assert_eq!(range, own);
+                        seen.extend(range);
+                    }
+                    Inside::Runs([one, other]) => open.extend([other, one]),
+                }
+            }
+            assert_eq!(seen, (0..count).collect::<Vec<_>>());
+        }
+    }
+
+    /// Round two side by side it is as wide as both; round one within the other it is that other.
+    #[test]
+    fn a_disc_round_two_is_as_small_as_can_be() {
+        let disc = |x: f64, radius: f64| Disc {
+            middle: C::new(x, 0.0),
+            radius,
+        };
+        let round = disc(0.0, 1.0).round(&disc(5.0, 2.0));
+        assert!((round.radius - 4.0).abs() < 1e-12 && (round.middle.re - 3.0).abs() < 1e-12);
+        for (one, other) in [
+            (disc(0.0, 3.0), disc(1.0, 1.0)),
+            (disc(1.0, 1.0), disc(0.0, 3.0)),
+        ] {
+            assert_eq!(one.round(&other).radius, 3.0);
+        }
+        assert!(disc(0.0, 1.0).is_apart(&disc(2.5, 1.0)));
+        assert!(!disc(0.0, 1.0).is_apart(&disc(1.5, 1.0)));
+    }
+}

@@ -1,0 +1,74 @@
+//! Helical poses: both methods over the whole face, as the program runs them.
+
+use super::draw::Drawn;
+use super::outcome::{Agreement, Outcome, Verdict};
+use gearlash::contact::{CutPair, ExactKernel, Method, PolygonDifference, PoseResult, sweep};
+use gearlash::pair::Pose;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// What both methods, and exact method and certificate, say about a helical pose. The times of the polygon method and of the certificate are with
+/// that of the exact one, and of making their kernels.
+pub fn outcome(drawn: &Drawn, cut: &CutPair) -> Outcome {
+    let assembly = &drawn.assembly;
+    let pose = Pose::new(assembly, drawn.mating);
+    let kernel = ExactKernel::new(assembly);
+    let start = Instant::now();
+    let exact = kernel.lost_motion(&pose);
+    let took = start.elapsed();
+    let by = |method| -> (PoseResult, Duration) {
+        let start = Instant::now();
+        let matings = [drawn.mating];
+        let going_on = || ControlFlow::Continue(());
+        let mut found = sweep(assembly, cut, method, &matings, 0.0, &going_on)
+            .expect("what is of one pose is in its result");
+        (found.remove(0), start.elapsed())
+    };
+    let (both, both_took) = by(Method::Both);
+    let (certified, certified_took) = by(Method::Exact { certify: true });
+    Outcome {
+        verdict: match &exact {
+            Err(error) => Verdict::Unproven(format!("exact: {error}")),
+            Ok(_) => judge(drawn, &both, &certified),
+        },
+        exact: exact.ok(),
+        times: [took, both_took, certified_took],
+        effort: kernel.effort(&pose),
+    }
+}
+
+/// A certificate that fails, and methods that differ by more than both bounds or on the status, are faults; where effort ends one of them it is not
+/// proven. Polygons see the sections that hold the tightest of all involutes and those of the exact contacts: a tip that comes to a root
+/// between them jams the pair for the exact method alone.
+fn judge(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
+    let um = drawn.assembly.operating_pitch_radius(drawn.assembly.free()) * 1e3;
+    if let Err(unproven) = &certified.found {
+        let reason = format!("certificate: {}", unproven.reason);
+        return match reason.contains("effort") {
+            true => Verdict::Unproven(reason),
+            false => Verdict::Fault(reason),
+        };
+    }
+    let mut agreement = Agreement {
+        difference_um: 0.0,
+        bound_um: 0.0,
+        border: None,
+    };
+    match &both.found {
+        Ok(found) => {
+            if let Some(PolygonDifference::Value(mm)) = both.polygon_difference {
+                agreement.difference_um = mm.abs() * 1e3;
+            }
+            agreement.bound_um = found.error().unwrap_or(0.0) * um;
+            Verdict::Borne(agreement)
+        }
+        Err(unproven) if unproven.reason.starts_with("the exact method finds jammed") => {
+            agreement.border = Some("jammed between the sections that polygons see");
+            Verdict::Borne(agreement)
+        }
+        Err(unproven) if unproven.reason.starts_with("the exact") => {
+            Verdict::Fault(unproven.reason.clone())
+        }
+        Err(unproven) => Verdict::Unproven(unproven.reason.clone()),
+    }
+}

@@ -366,3 +366,6 @@ pub(in crate::contact) fn greatest<'a>(
     }
     Ok(best)
 }
+
+#[cfg(test)]
+mod tests;

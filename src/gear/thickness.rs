@@ -313,7 +313,7 @@ mod tests {
                         assert!(close, "{helix_deg} {lower} {k}: {found:?} {expected:?}");
                     };
                     let result = check_pins(&gear, pin);
-                    if k < 0 || k >= 40 {
+                    if !(0..40).contains(&k) {
                         let Err(GearError::PinOffInvolute {
                             contact_diameter_mm,
                             form_diameter_mm,

@@ -254,6 +254,38 @@ mod tests {
         assert_eq!(Pitch::from_cumulative(&alike, &alike).opposition(), 1.0);
     }
 
+    /// Long waves alike and short ones opposed, or the other way round: the cumulative deviations and the single ones say different things, and the
+    /// one that is opposed counts. Four or eight waves of about one energy that are all opposed are as good as never unrelated.
+    #[test]
+    fn opposed_short_or_long_waves_count_by_themselves() {
+        let waves = |harmonics: std::ops::Range<u32>, amplitude: f64, at: u32| -> f64 {
+            let each = harmonics.map(|h| (f64::from(h * at) * TAU / 40.0 + f64::from(h)).cos());
+            amplitude * each.sum::<f64>()
+        };
+        // Of the right flanks as they are, of the left ones with these signs.
+        let pitch = |[long, short]: [f64; 2], signs: [f64; 2]| {
+            let flank = |[one, other]: [f64; 2]| -> Vec<f64> {
+                let each = 0..40;
+                each.map(|at| waves(1..5, long * one, at) + waves(8..16, short * other, at))
+                    .collect()
+            };
+            Pitch::from_cumulative(&flank([1.0, 1.0]), &flank(signs))
+        };
+        for (sizes, signs) in [([6.0, 4.0], [1.0, -1.0]), ([10.0, 2.5], [-1.0, 1.0])] {
+            let pitch = pitch(sizes, signs);
+            let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
+            let single = Flank::BOTH.map(|side| pitch.single(side));
+            let sums = [together(right, left), together(&single[0], &single[1])];
+            assert!(
+                sums[0] * signs[0] > 0.0 && sums[1] * signs[1] > 0.0,
+                "{sums:?}"
+            );
+            let found = pitch.opposition();
+            assert!(found < 0.05, "{signs:?}: {found}");
+        }
+        assert_eq!(pitch([6.0, 4.0], [1.0, 1.0]).opposition(), 1.0);
+    }
+
     /// A wave once round that an eccentricity leaves on a flank of `z` teeth whose half tooth is `π/2z` on the reference circle, and of its like.
     fn once_round(curve: &[f64], side: Flank) -> Complex<f64> {
         let z = curve.len() as f64;

@@ -233,3 +233,138 @@ pub fn check_pins(gear: &Gear, pin: f64) -> Result<(), GearError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{BasicRack, GearDesign, Hand};
+
+    /// Of 30 teeth of module 2; cut off at its tip by `lower` of what it is high, mm.
+    fn gear(helix_deg: f64, rack: BasicRack, lower: f64) -> Gear {
+        let basic_data = BasicGearData::new(30, 2.0, 20f64.to_radians()).unwrap();
+        let basic_data = match helix_deg {
+            0.0 => basic_data,
+            _ => basic_data
+                .with_helix(helix_deg.to_radians(), Hand::Right)
+                .unwrap(),
+        };
+        let tip = 2.0 * (basic_data.reference_radius() + 2.0 - lower);
+        let design = GearDesign {
+            rack,
+            tip_diameter: Some(tip),
+            ..GearDesign::standard(basic_data)
+        };
+        Gear::new(design, design.nominal_base_thickness() - 0.02).unwrap()
+    }
+
+    /// `cos β_b` by `sin β_b = sin β cos α_n` (ISO 21771).
+    fn lean(helix_deg: f64) -> f64 {
+        let sin = helix_deg.to_radians().sin() * 20f64.to_radians().cos();
+        (1.0 - sin * sin).sqrt()
+    }
+
+    /// A ball made to touch at a roll has its centre `D_M cos β_b/2` farther up the base tangent. Source: the radius of the centre by `inv α_K`; helix
+    /// angles up to 50°, where Newton's steps need their slope.
+    #[test]
+    fn a_ball_has_its_centre_up_the_base_tangent_from_where_it_touches() {
+        for helix_deg in [0.0, 15.0, 45.0, 50.0] {
+            let gear = gear(helix_deg, BasicRack::ISO_53_A, 0.0);
+            let (data, base) = (gear.basic_data(), gear.base_radius());
+            for share in [0.0, 0.3, 0.7, 1.0] {
+                let roll = gear.form_roll() + share * (gear.tip_roll() - gear.form_roll());
+                let ball = pin_touching(data, roll, gear.base_thickness());
+                let up = roll + ball * lean(helix_deg) / (2.0 * base);
+                let centre = pin_centre_radius(data, ball, gear.base_thickness());
+                let off = centre - base.hypot(base * up);
+                assert!(
+                    ball > 0.0 && off.abs() < 1e-11,
+                    "{helix_deg} {share}: {off}"
+                );
+            }
+        }
+    }
+
+    /// What an error says of a pin: where it would touch, its top, its bottom, and the gear's own circles. Source: its centre by the base tangent.
+    #[test]
+    fn errors_say_where_a_pin_stands() {
+        let high = BasicRack::new(1.0, 1.25, 0.0).unwrap();
+        // Where the tips end below the reference circle pins near the form circle stand out, and reach the root.
+        let shallow = BasicRack::new(1.0, 1.05, 0.0).unwrap();
+        let (mut below, mut in_root, mut off) = (0, 0, 0);
+        for helix_deg in [0.0, 30.0] {
+            for (rack, lower) in [(high, 0.0), (high, 1.0), (shallow, 2.5)] {
+                let gear = gear(helix_deg, rack, lower);
+                let base = gear.base_radius();
+                let form = 2.0 * gear.form_radius();
+                let (tip, root) = (2.0 * gear.tip_radius(), 2.0 * gear.root_radius());
+                let length = gear.tip_roll() - gear.form_roll();
+                for k in -2..=42 {
+                    let roll = gear.form_roll() + length * (0.025 * f64::from(k) + 1e-3);
+                    let pin = pin_touching(gear.basic_data(), roll, gear.base_thickness());
+                    let up = roll + pin * lean(helix_deg) / (2.0 * base);
+                    let centre = 2.0 * base.hypot(base * up);
+                    // No involute is nearer than the base circle.
+                    let contact = 2.0 * base.hypot(base * roll.max(0.0));
+                    let told = |found: [f64; 3], expected: [f64; 3]| {
+                        let close = found
+                            .iter()
+                            .zip(expected)
+                            .all(|(a, b)| (a - b).abs() < 1e-9);
+                        assert!(close, "{helix_deg} {lower} {k}: {found:?} {expected:?}");
+                    };
+                    let result = check_pins(&gear, pin);
+                    if !(0..40).contains(&k) {
+                        let Err(GearError::PinOffInvolute {
+                            contact_diameter_mm,
+                            form_diameter_mm,
+                            tip_diameter_mm,
+                            ..
+                        }) = result
+                        else {
+                            panic!("{helix_deg} {lower} {k}: {result:?}");
+                        };
+                        told(
+                            [contact_diameter_mm, form_diameter_mm, tip_diameter_mm],
+                            [contact, form, tip],
+                        );
+                        off += 1;
+                    } else if centre + pin <= tip {
+                        let Err(GearError::PinBelowTip {
+                            pin_top_diameter_mm,
+                            tip_diameter_mm,
+                            ..
+                        }) = result
+                        else {
+                            panic!("{helix_deg} {lower} {k}: {result:?}");
+                        };
+                        told(
+                            [pin_top_diameter_mm, tip_diameter_mm, pin],
+                            [centre + pin, tip, pin],
+                        );
+                        below += 1;
+                    } else if centre - pin < root {
+                        let Err(GearError::PinInRoot {
+                            pin_bottom_diameter_mm,
+                            root_diameter_mm,
+                            ..
+                        }) = result
+                        else {
+                            panic!("{helix_deg} {lower} {k}: {result:?}");
+                        };
+                        told(
+                            [pin_bottom_diameter_mm, root_diameter_mm, pin],
+                            [centre - pin, root, pin],
+                        );
+                        in_root += 1;
+                    } else {
+                        assert!(result.is_ok(), "{helix_deg} {lower} {k}: {result:?}");
+                    }
+                }
+            }
+        }
+        assert!(
+            off > 5 && below > 0 && in_root > 0,
+            "{off} {below} {in_root}"
+        );
+    }
+}

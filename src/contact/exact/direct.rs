@@ -383,3 +383,6 @@ impl Level {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

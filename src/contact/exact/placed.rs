@@ -130,4 +130,46 @@ mod tests {
             }
         }
     }
+
+    /// Corners are the ends of the tip land, the end of the root land, the bottom of the fillet where no root land follows, and the joint of an
+    /// undercut flank: by the outline, where the normals on either side of a place differ.
+    #[test]
+    fn corners_are_where_the_outline_has_no_one_normal() {
+        use ProfilePart::{Fillet, Involute, Root, Tip};
+        for (teeth, undercut) in [(20, false), (9, true)] {
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            let shape = HalfToothShape::new(&Profile::new(&gear));
+            let (low, high) = shape.range(Root);
+            for (root_end, root) in [(high.max(low + 0.01), true), (low, false)] {
+                let placed = Placed {
+                    shape: &shape,
+                    centre: C::new(40.0, 0.0),
+                    direction: turn(3.0),
+                    far: shape.tip_corner().conj(),
+                    root_end,
+                };
+                let (far, corner) = placed.range(Tip);
+                let (form, tip) = placed.range(Involute);
+                let (bottom, end) = placed.range(Fillet);
+                assert!(bottom <= 0.0, "{bottom}");
+                for (at, expected) in [
+                    ((Tip, far), true),
+                    ((Tip, far - 1e-3), true),
+                    ((Tip, 0.5 * (far + corner)), false),
+                    ((Tip, corner), true),
+                    ((Involute, tip), true),
+                    ((Involute, 0.5 * (form + tip)), false),
+                    ((Involute, form), undercut),
+                    ((Fillet, end), undercut),
+                    ((Fillet, 0.5 * end), false),
+                    ((Fillet, bottom), !root),
+                    ((Root, root_end), true),
+                    ((Root, low), !root),
+                    ((Root, 0.5 * (low + root_end)), !root),
+                ] {
+                    assert_eq!(placed.is_corner(at), expected, "{teeth} {root} {at:?}");
+                }
+            }
+        }
+    }
 }

@@ -291,3 +291,67 @@ fn hollow((fillet, gamma): (&HalfToothShape, f64), mate: &Teeth, radius: f64) ->
     q > 1e-9 * fillet.pitch_radius
         && least > (1.0 + 1e-9) * (fillet.round + fillet.depth * fillet.depth * c * c * c / q)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side};
+
+    fn teeth(count: u32, profile_shift: f64, round: f64) -> Teeth {
+        let basic_data = BasicGearData::new(count, 2.0, 20f64.to_radians()).unwrap();
+        let design = GearDesign {
+            basic_data,
+            profile_shift,
+            rack: BasicRack::new(1.0, 1.25, round).unwrap(),
+            // Low enough that no tooth is pointed.
+            tip_diameter: Some(2.0 * (f64::from(count) + 2.0 * profile_shift + 0.2)),
+        };
+        let gear = AsBuilt::perfect(Gear::nominal(design).unwrap(), Face::Front);
+        Teeth::new(&gear, Side::Right)
+    }
+
+    /// A fillet is hollower than the involute opposite is convex from the radius on at which that bends as the fillet does where it is flattest,
+    /// `√(r_b² + R²)`; one that bulges somewhere is so nowhere. Source: the fillet's curvature by differences of its normal.
+    #[test]
+    fn a_fillet_is_hollower_than_a_flank_that_bends_less() {
+        let mate = teeth(60, 0.0, 0.38);
+        let mut bulging = 0;
+        for (count, shift, round) in [
+            (17, 0.0, 0.38),
+            (25, 0.4, 0.38),
+            (40, -0.3, 0.2),
+            (30, 1.2, 0.38),
+            (3, 1.0, 0.4),
+            (4, 1.0, 0.4),
+            (3, 1.2, 0.3),
+        ] {
+            let teeth = teeth(count, shift, round);
+            let shape = &teeth.shape;
+            const STEP: f64 = 1e-6;
+            // Radius of curvature, + where the fillet is hollow.
+            let hollowness = |k: u32| {
+                let t = STEP + (shape.fillet_end - 2.0 * STEP) * f64::from(k) / 1000.0;
+                let [one, other] = [t - STEP, t + STEP].map(|t| shape.at(Fillet, t));
+                let (way, turn) = (other.point - one.point, other.normal - one.normal);
+                -way.norm_sqr() / (way.re * turn.re + way.im * turn.im)
+            };
+            let radii: Vec<f64> = (0..=1000).map(hollowness).collect();
+            if radii.iter().any(|radius| *radius < 0.0) {
+                assert!(!hollow((shape, 0.0), &mate, 1e3), "{count} {shift}");
+                bulging += 1;
+                continue;
+            }
+            let flattest = radii.into_iter().fold(0.0, f64::max);
+            let radius = mate.shape.base.hypot(flattest);
+            assert!(
+                hollow((shape, 0.0), &mate, radius * (1.0 + 1e-5)),
+                "{count} {shift}"
+            );
+            assert!(
+                !hollow((shape, 0.0), &mate, radius * (1.0 - 1e-5)),
+                "{count} {shift}"
+            );
+        }
+        assert!(bulging > 0);
+    }
+}

@@ -380,3 +380,6 @@ pub(in crate::contact) fn greatest<'a>(
     *nodes_left = nodes_left.saturating_sub(steps.take() / STEPS_A_NODE);
     Ok(best)
 }
+
+#[cfg(test)]
+mod tests;

@@ -312,3 +312,56 @@ fn frame(
     let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
     Isometry2::new(centre.coords, tooth_1 + turn)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
+    use crate::pair::Mating;
+
+    /// The turn by which a chord is moved as far as there is room: `φ l + φ² m/2` of the greatest speed and acceleration of its ends along the
+    /// direction, which are differences of where the turned ends stand. Source: that sum, of the turn that is said.
+    #[test]
+    fn a_safe_turn_uses_up_the_room_across() {
+        let gear = |teeth, face| {
+            AsBuilt::perfect(Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap(), face)
+        };
+        let (wheel, pinion) = (gear(30, Face::Front), gear(18, Face::Back));
+        let cuts = [&wheel, &pinion].map(|gear| CutGear::new(gear, 1e-2));
+        let pair = GearPair::with_locked(wheel, pinion, 48.2, Member::Wheel).unwrap();
+        let reach = pair.gear(Member::Pinion).gear().tip_radius();
+        let teeth = CutTeeth::new(&pair, &cuts[0], &cuts[1]);
+        let pose = Pose::new(&pair, Mating::FIRST);
+        let mut pulled = [0; 4];
+        for side in Side::BOTH {
+            let problem = FlankProblem::new(&teeth, &pose, side, 1);
+            for chord in problem.free.outline() {
+                let chord = chord.seen_in(&problem.at(0.01));
+                for k in 0..12 {
+                    let n = UnitComplex::new(0.3 + f64::from(k) * TAU / 12.0) * Vector2::x();
+                    let moved = |turn: f64| {
+                        chord.ends.map(|end| {
+                            let r = end - problem.axis;
+                            let turned = UnitComplex::new(side.sense() * turn) * r;
+                            (turned - r).dot(&n)
+                        })
+                    };
+                    const STEP: f64 = 1e-3;
+                    let [one, other] = [moved(-STEP), moved(STEP)];
+                    let speed = [0, 1].map(|i| (other[i] - one[i]) / (2.0 * STEP));
+                    let swerve = [0, 1].map(|i| (other[i] + one[i]) / (STEP * STEP));
+                    let [l, m] = [speed, swerve].map(|it| it[0].max(it[1]).max(0.0));
+                    pulled[2 * usize::from(l > 0.0) + usize::from(m > 0.0)] += 1;
+                    for (room, doubt) in [(1e-3, 0.0), (0.2, 0.0), (0.2, 1e-2)] {
+                        let off = chord.error + doubt * reach;
+                        let turn = problem.turn_across(n, &chord, room, doubt);
+                        let used = turn * (l + off) + 0.5 * turn * turn * (m + off);
+                        let told = format!("{side:?} {k} {room} {doubt}: {turn} uses {used}");
+                        assert!(turn > 0.0 && (used / room - 1.0).abs() < 1e-5, "{told}");
+                    }
+                }
+            }
+        }
+        assert!(pulled.iter().all(|count| *count > 10), "{pulled:?}");
+    }
+}

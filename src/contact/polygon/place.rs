@@ -163,3 +163,60 @@ fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool
         ProfilePart::Root => parameter >= half.root_end() - inside,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::chord::CutGear;
+    use super::*;
+    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side};
+
+    /// Edges: within `CORNER` of both ends of the tip land, of the tip circle on the flank, of the middle of the space, and of the root circle on a
+    /// fillet that no root land follows. Spaces in turn wider and narrower, these without a root land.
+    #[test]
+    fn edges_are_the_corners_of_the_tip_and_the_middle_of_the_space() {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let wave: Vec<f64> = (0..20).map(|k| 0.6 * f64::from(k % 2)).collect();
+        let deviations = Deviations {
+            pitch: Some(Pitch::from_cumulative(&wave, &wave)),
+            ..Deviations::default()
+        };
+        let gear = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
+        let cut = CutGear::new(&gear, 1e-2);
+        let (tip, root) = (gear.gear().tip_radius(), gear.gear().root_radius());
+        let mut lands = [0; 2];
+        for side in Side::BOTH {
+            for tooth in [1, 2] {
+                let half = Half::new(gear.profile(side, tooth), &cut, side, tooth);
+                let range = |part| half.profile().range(part);
+                let has_root = half.root_end() > range(ProfilePart::Root).0;
+                lands[usize::from(has_root)] += 1;
+                let near = |off: f64| [(0.5 * off, true), (2.0 * off, false)];
+                for (inside, expected) in near(CORNER) {
+                    let told = format!("{side:?} {tooth} {inside}");
+                    let tips = [
+                        range(ProfilePart::Tip).1 - inside / tip,
+                        half.land_start() + inside / tip,
+                    ];
+                    for at in tips {
+                        assert_eq!(
+                            is_edge(&half, ProfilePart::Tip, at, tip),
+                            expected,
+                            "{told}"
+                        );
+                    }
+                    let flank = is_edge(&half, ProfilePart::Involute, 0.5, tip - inside);
+                    assert_eq!(flank, expected, "{told}");
+                    let fillet = is_edge(&half, ProfilePart::Fillet, 0.5, root + inside);
+                    assert_eq!(fillet, expected && !has_root, "{told}");
+                    let middle = half.root_end() - inside / root;
+                    assert_eq!(
+                        is_edge(&half, ProfilePart::Root, middle, root),
+                        expected,
+                        "{told}"
+                    );
+                }
+            }
+        }
+        assert_eq!(lands, [2, 2]);
+    }
+}

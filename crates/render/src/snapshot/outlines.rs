@@ -233,8 +233,7 @@ fn gears(
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
         group = group.add(area(ids, name).set("fill", fill));
     }
-    let both =
-        |fill: &str| within_area(ids, &names[0]).add(area(ids, &names[1]).set("fill", fill));
+    let both = |fill: &str| within_area(ids, &names[0]).add(area(ids, &names[1]).set("fill", fill));
     let mut over = Vec::new();
     group = group.add(both(OVERLAP)).add(both(&ids.url("hatch")));
     for (member, name) in members.into_iter().zip(&names) {

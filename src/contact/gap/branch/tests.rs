@@ -113,15 +113,22 @@ fn the_summit_is_where_the_gap_is_greatest() {
             continue;
         }
         let arcs = [(&one, a), (&other, b)].map(|(arc, radii)| Arc { radii, ..*arc });
+        let steps = Cell::new(0);
         let gap = |rho: f64| {
-            let p = arcs[0].placed.at(arcs[0].at_radius(rho, false)).point;
-            let q = arcs[1].placed.at(arcs[1].at_radius(rho, true)).point;
+            let p = arcs[0]
+                .placed
+                .at(arcs[0].at_radius(rho, false, &steps))
+                .point;
+            let q = arcs[1]
+                .placed
+                .at(arcs[1].at_radius(rho, true, &steps))
+                .point;
             (p * q.conj()).arg()
         };
         let best = (0..=2000)
             .map(|k| gap(inner + (outer - inner) * f64::from(k) / 2000.0))
             .fold(f64::MIN, f64::max);
-        let (rho, slack) = summit(&arcs[0], &arcs[1], (false, true), (inner, outer));
+        let (rho, slack) = summit(&arcs[0], &arcs[1], (false, true), (inner, outer), &steps);
         assert!(gap(rho) >= best - 1e-14, "{k}: {rho} {} {best}", gap(rho));
         assert!((0.0..=1e-15).contains(&slack), "{k}: {slack}");
         let place = if rho == inner {

@@ -6,8 +6,8 @@
 use crate::pair::GearPair;
 use std::cell::Cell;
 
-/// Of one pose: below 0.1 s, on a busy machine too, where the costliest units take some 0.55 µs.
-const OF_POSE: u64 = 160_000;
+/// Of one pose (tuned): below 0.1 s where the costliest units take up to 0.47 µs.
+const OF_POSE: u64 = 200_000;
 
 /// What a search may still do.
 #[derive(Debug)]

@@ -109,7 +109,7 @@ fn no_section_is_tighter_than_the_face() {
 #[test]
 fn no_section_of_wild_pairs_is_tighter_than_the_face() {
     let mut rng = Draws(1);
-    let (mut compared, mut short, mut touched) = (0, 0, [0; 3]);
+    let (mut compared, mut short, mut given_up, mut touched) = (0, 0, 0, [0; 3]);
     for _ in 0..900 {
         let state = rng.0;
         let Some(pair) = drawn_wide(&mut rng) else {
@@ -117,7 +117,11 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
         };
         let first = LEFT;
         let pose = Pose::new(&pair, first.onward(&pair, rng.within(0.0..30.0)));
-        let lost = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+        // The effort of a pose ends some of these.
+        let Ok(lost) = ExactKernel::new(&pair).lost_motion(&pose) else {
+            given_up += 1;
+            continue;
+        };
         let Some([right, left]) = with_play_or_overlap(&lost) else {
             continue;
         };
@@ -165,7 +169,10 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
     println!(
         "{compared} contacts, {short} with more than 1 mm of play, involutes, tips, fillets {touched:?}"
     );
-    assert!(compared > 400 && short > 20, "{compared} {short}");
+    assert!(
+        compared > 400 && short > 20 && 20 * given_up < compared,
+        "{compared} {short} {given_up}"
+    );
     assert!(touched.into_iter().all(|count| count > 10), "{touched:?}");
 }
 

@@ -17,6 +17,9 @@ use std::ops::Range;
 /// Pairs of runs of chords looked at before a side is given up: some 0.05 µs each.
 const EFFORT: u32 = 240_000;
 
+/// The same where nothing touches: of both gears every chord is looked at.
+const EFFORT_ON_NOTHING: u32 = 8 * EFFORT;
+
 /// So many of them take the time in which one pair of chords is looked at, or a chord halved.
 const LOOK: u32 = 4;
 
@@ -228,7 +231,7 @@ impl<'a> Witness<'a> {
     pub fn touches_nothing(&self) -> Result<(), &'static str> {
         let finest = self.finest();
         let free = self.free(0.0);
-        let mut left = EFFORT;
+        let mut left = EFFORT_ON_NOTHING;
         let mut meets = |&[locked, free_tooth]: &[u32; 2]| {
             let whole = |which: usize, tooth| 0..self.half(which, tooth).chords.len();
             let own: Vec<Seen> = self

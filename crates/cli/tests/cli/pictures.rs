@@ -150,7 +150,7 @@ fn an_animation_states_the_extremes_of_what_it_shows() {
         told > greatest - 0.005 && told < greatest + 0.02,
         "{told} {greatest}"
     );
-    assert!(words.contains("least jwt120.00 µm"), "{words}");
+    assert!(words.contains("least\u{a0}jwt120.00 µm"), "{words}");
 }
 
 /// A snapshot said “involute on involute” where `simulate` says undercut-edge.

@@ -7,9 +7,6 @@ use super::frame::Spot;
 use super::sheet::{Ids, path_data};
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 
-/// The namespace of [`area`]'s reference, which the root of a picture declares as `xmlns:xlink`.
-pub const XLINK: &str = "http://www.w3.org/1999/xlink";
-
 /// `definitions` with the inside of `points` as the area `name`.
 pub fn define_area(
     definitions: Definitions,

@@ -1,6 +1,5 @@
 //! The sheet, and how lines get onto it.
 
-use super::area::XLINK;
 use super::frame::{Spot, number};
 use svg::node::element::{Path, Rectangle, SVG};
 
@@ -10,6 +9,9 @@ pub const WIDTH: f64 = 1188.0;
 pub const HEIGHT: f64 = 840.0;
 /// Units in a millimetre of paper.
 pub const UNITS_PER_MM: f64 = 4.0;
+
+/// The namespace of references that Inkscape 1.2 follows, too.
+const XLINK: &str = "http://www.w3.org/1999/xlink";
 
 /// The reader's own sans-serif face first. resvg takes Arial for it, and shows no text at all where there is none: those after it are
 /// on most machines, and none is wider than what texts are reckoned with.

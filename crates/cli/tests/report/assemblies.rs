@@ -59,6 +59,21 @@ fn poses_of_another_assembly_are_reported() {
     assert!(notes.contains(told), "{notes}");
 }
 
+/// One other phase and one pose of it: the page said "there are 1 other ways" and "1 belong".
+#[test]
+fn one_other_assembly_is_counted_as_one() {
+    let text = twenty("mating = [[1, 1]]");
+    let (wheel, pinion) = text.split_once("[pinion]").unwrap();
+    let twenty_two = pinion
+        .replace("teeth = 20", "teeth = 22")
+        .replace("per_tooth_um = [", "per_tooth_um = [0, 0, ");
+    let text = format!("{wheel}[pinion]{twenty_two}").replace("39.95", "41.95");
+    let document = Html::parse_document(&page(&text));
+    let notes = words(&document, "#result .note");
+    assert!(notes.contains("there is one other way to put"), "{notes}");
+    assert!(notes.contains(", 1 belongs to another phase"), "{notes}");
+}
+
 /// Which phases fail, how many do not, and each with its charts.
 #[test]
 fn phases_that_do_not_assemble_are_named() {

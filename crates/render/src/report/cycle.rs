@@ -99,10 +99,12 @@ fn phases(page: &Page) -> Markup {
         .collect();
     html! {
         @if matters {
-            " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth) "; there are " (ways - 1)
-            " other ways to put the gears together, with other backlash (" code { "[sweep] phases = \"all\"" } ")."
+            " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth)
+            @if ways == 2 { "; there is one other way" } @else { "; there are " (ways - 1) " other ways" }
+            " to put the gears together, with other backlash (" code { "[sweep] phases = \"all\"" } ")."
             @if !elsewhere.is_empty() {
-                " Of the poses that the pair file asks for, " (elsewhere.len()) " belong to another phase: the teeth that it names meet at "
+                " Of the poses that the pair file asks for, " (elsewhere.len())
+                (if elsewhere.len() == 1 { " belongs" } else { " belong" }) " to another phase: the teeth that it names meet at "
                 "those flanks where wheel tooth 1 meets pinion tooth " (few(&other_ways, u32::to_string)) "."
             }
         }

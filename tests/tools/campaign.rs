@@ -41,7 +41,7 @@ struct Options {
     /// Seconds after which a pose is given up, and the campaign with it
     #[arg(long, default_value_t = LONGEST.as_secs())]
     longest: u64,
-    /// Ask brute force about the exact method, instead of the polygon method and the certificate: some 50 ms a pose
+    /// Ask brute force about the exact method, instead of the polygon method and the certificate: some 0.4 s a pose
     #[arg(long)]
     brute: bool,
     /// Print this pose of the campaign as a pair file, and nothing else

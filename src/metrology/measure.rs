@@ -203,7 +203,7 @@ impl Measurements {
         let found = self.per_tooth_um.len();
         if found != 0 && found != teeth as usize {
             return Err(MeasurementError::PerTooth(GearError::WrongLength {
-                what: "per_tooth",
+                what: "thickness of each tooth",
                 found,
                 teeth,
             }));

@@ -62,7 +62,7 @@ pub struct MeasuredGear {
     pub deviations: Deviations,
     /// Its runout: as stated, or what its readings hold beside the flanks.
     pub runout: Runout,
-    /// What the user should know.
+    /// Findings about them.
     pub findings: Vec<Finding>,
     /// What the measurements say of each other; for tables and reports.
     pub notes: GearNotes,

@@ -16,29 +16,36 @@
 //! let wheel = AsBuilt::perfect(gear.clone(), Face::Front);
 //! let pinion = AsBuilt::perfect(gear, Face::Back);
 //! // Tooth 11 of the wheel mates with tooth 11 of the pinion at their right flanks.
-//! let mating = Mating { wheel_tooth: 11, pinion_tooth: 11, flank: Side::Right, fraction: 0.0 };
+//! let mating = Mating::at(11, 11, Side::Right);
 //! let j_wt = GearPair::new(wheel, pinion, 132.1)?.lost_motion(mating)?.j_wt();
 //! // Published for this pair.
 //! assert!((j_wt.unwrap() - 0.0730569413863697).abs() < 1e-9);
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```
 //!
-//! # A gear from spans and runout
+//! # A pair from spans and runout
 //!
 //! ```
-//! use gearlash::gear::{BasicGearData, Face, GearDesign};
+//! use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign};
 //! use gearlash::metrology::{Measurements, RunoutStatement, ThicknessStatement, Toleranced};
+//! use gearlash::pair::{GearPair, Mating};
 //!
 //! let design = GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?);
-//! let measured = Measurements {
-//!     thickness: ThicknessStatement::Span { teeth: 6, mm: Toleranced::Single(50.55) },
-//!     runout: RunoutStatement::Total { total_um: 30.0, high_tooth: Some(7.0) },
-//!     ..Measurements::nominal(design, Face::Front)
+//! let gear = |face, mm, total_um| -> Result<AsBuilt, Box<dyn std::error::Error>> {
+//!     let measured = Measurements {
+//!         thickness: ThicknessStatement::Span { teeth: 6, mm: Toleranced::Single(mm) },
+//!         runout: RunoutStatement::Total { total_um, high_tooth: Some(7.0) },
+//!         ..Measurements::nominal(design, face)
+//!     };
+//!     let gear = measured.measure().map_err(|errors| errors[0].clone())?;
+//!     assert!(gear.findings.is_empty());
+//!     Ok(gear.as_built.most().clone())
 //! };
-//! let gear = measured.measure().map_err(|errors| errors[0].clone())?;
+//! let (wheel, pinion) = (gear(Face::Front, 50.55, 30.0)?, gear(Face::Back, 50.56, 20.0)?);
 //! // e = F_r/2.
-//! assert_eq!(gear.as_built.most().eccentricity(), 0.015);
-//! assert!(gear.findings.is_empty());
+//! assert_eq!(wheel.eccentricity(), 0.015);
+//! let j_wt = GearPair::new(wheel, pinion, 132.1)?.lost_motion(Mating::FIRST)?.j_wt();
+//! assert!(j_wt > Some(0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -162,12 +169,12 @@
 //! `gearlash-render` draws what was found; `gearlash-files` reads pair files and writes results.
 //!
 //! ```
-//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
 //! # use gearlash::pair::{GearPair, Mating};
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! # let pair = GearPair::new(wheel, pinion, 40.1)?;
-//! # let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! # let mating = Mating::FIRST;
 //! use gearlash::analysis::study::Material;
 //! use gearlash_render::{Snapshot, snapshot};
 //!

@@ -189,7 +189,7 @@ impl Study {
             return Err(GearError::OutOfRange {
                 what: "number of other centre distances",
                 value: center_distances.len() as f64,
-                allowed: "none: without [sweep] exactly the rows of [measured] are run, at theirs",
+                allowed: "none: a study without a sweep runs exactly its measured rows, at their centre distances",
             });
         }
         for (_, wheel, pinion) in &self.materials {

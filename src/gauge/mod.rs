@@ -29,7 +29,6 @@ mod seat;
 mod span;
 mod spread;
 mod stated;
-mod unmeasured;
 mod workpiece;
 
 pub use eccentricity::Eccentricity;
@@ -49,4 +48,9 @@ pub use runout::{BallReading, RunoutReadings};
 pub use seat::Seat;
 pub use span::{Span, Spans};
 pub use stated::StatedThickness;
-pub use unmeasured::Unmeasured;
+
+/// Why a gauge has no reading: a measurement that this gear does not allow. A result, not a fault: the other gauges still read.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{0}")]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Unmeasured(pub String);

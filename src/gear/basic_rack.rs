@@ -41,7 +41,7 @@ impl BasicRack {
         }
         if !(root_radius >= 0.0 && root_radius <= dedendum) {
             return Err(GearError::OutOfRange {
-                what: "root_radius",
+                what: "root fillet radius",
                 value: root_radius,
                 allowed: "0 up to the dedendum",
             });

@@ -46,7 +46,7 @@ impl Deviations {
         let r = basic_data.reference_radius();
         let of = |side: Side| usize::from(side == Side::Left);
         if !self.per_tooth.is_empty() {
-            length("per_tooth", &self.per_tooth)?;
+            length("thickness of each tooth", &self.per_tooth)?;
             for side in Side::BOTH {
                 for (offset, thickness) in offsets[of(side)].iter_mut().zip(&self.per_tooth) {
                     *offset += side.sense() * thickness / (2.0 * r * basic_data.helix_cos());

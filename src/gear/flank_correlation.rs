@@ -1,7 +1,7 @@
 //! Opposition: whether the two flanks' pitch curves go against each other.
 //!
 //! A tool cuts both flanks of a tooth, so most of a real pitch deviation moves them together; a left flank
-//! whose sign is turned round moves against the right one instead. About the datum axis an eccentricity moves them
+//! whose sign is reversed moves against the right one instead. About the datum axis an eccentricity moves them
 //! together, too, but for the pressure angle between them.
 
 use super::harmonics::least_of_both;
@@ -36,7 +36,7 @@ impl Pitch {
     ///
     /// Let `u` and `v` be the first harmonics of the right and of the left flanks, each counted from where an eccentricity has its
     /// zero (`ψ ∓ α`, see [`Pitch::separate_eccentricity`]). An eccentricity puts the same into both: `S = u + v` holds it, `D = u − v`
-    /// nothing of it. A left flank turned round changes the parts of `S` and `D`: then an eccentricity
+    /// nothing of it. A reversed left flank changes the parts of `S` and `D`: then an eccentricity
     /// stands in `D`, as a first harmonic of the gear's own thickness would, and hardly anything in `S`.
     ///
     /// For unrelated flanks without eccentricity `|S|²` and `|D|²` are independent and alike (exponential); an eccentricity makes
@@ -51,7 +51,7 @@ impl Pitch {
     pub fn datum_opposition(&self, gear: &Gear) -> f64 {
         let [right, left] = Flank::BOTH.map(|side| self.flank(side));
         if together(right, left) >= 0.0 {
-            // A left flank turned round takes the eccentricity with it: the curves as read go against each other.
+            // A reversed left flank takes the eccentricity with it: the curves as read go against each other.
             return 1.0;
         }
         let z = right.len();

@@ -100,7 +100,10 @@ impl FlankShifts {
             let pitch = deviations.pitch.as_ref().map(|pitch| pitch.flank(side));
             // Right flanks stand at the ascending end of their tooth.
             let half = -side.sense() / (2.0 * basic_data.helix_cos());
-            for (what, list, factor) in [("per_tooth", thickness, half), ("pitch", pitch, 1.0)] {
+            for (what, list, factor) in [
+                ("thickness of each tooth", thickness, half),
+                ("pitch", pitch, 1.0),
+            ] {
                 let Some(list) = list else { continue };
                 if list.len() != shifts.len() {
                     let found = list.len();

@@ -10,7 +10,7 @@ use crate::gear::{Deviations, Pitch, Spans, range};
 /// or random walks, at most 2 in 4000 were suspected; of curves with common waves of up to 5 µm and noise of
 /// ±1 µm, one of them reversed, 84 % were found at z = 20 and 91 % at z = 44. About the
 /// datum axis, with 0, 2 and 20 µm of eccentricity, at most 2 in 4000 were suspected; reversed, all of 4000 were found from
-/// 20 µm on, of 5 µm 57 … 96 %. `cargo test -p gearlash-files --test all_round turned_flanks -- --nocapture` prints the counts.
+/// 20 µm on, of 5 µm 57 … 96 %. `cargo test -p gearlash-files --test all_round reversed_flanks -- --nocapture` prints the counts.
 const UNRELATED: f64 = 1e-3;
 /// How many times less energy must be left in the spans by one sign of the left flank than by the other. Tuned:
 /// noise `ε` alone comes there only within 30° of one direction of as many dimensions as there are readings, the

@@ -62,7 +62,7 @@ pub struct MeasuredGear {
     pub deviations: Deviations,
     /// Its runout: as stated, or what its readings hold beside the flanks.
     pub runout: Runout,
-    /// What the user should know.
+    /// Findings about them.
     pub findings: Vec<Finding>,
     /// What the measurements say of each other; for tables and reports.
     pub notes: GearNotes,
@@ -203,7 +203,7 @@ impl Measurements {
         let found = self.per_tooth_um.len();
         if found != 0 && found != teeth as usize {
             return Err(MeasurementError::PerTooth(GearError::WrongLength {
-                what: "per_tooth",
+                what: "thickness of each tooth",
                 found,
                 teeth,
             }));

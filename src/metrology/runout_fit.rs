@@ -68,7 +68,7 @@ impl ReadingsFit {
         (self.plain.eccentricity > 0.0).then(|| eccentricity(&self.plain))
     }
 
-    /// What the user should know of them; `all` is the fit with all that is known.
+    /// Findings about them; `all` is the fit with all that is known.
     pub(super) fn findings(&self, knowledge: FlankKnowledge, all: &RunoutFit) -> Vec<Finding> {
         let mut findings = vec![Finding::RunoutReadings(FittedReadings {
             knowledge,

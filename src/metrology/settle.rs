@@ -36,7 +36,7 @@ pub(super) struct Flanks {
     pub runout: Runout,
     /// The eccentricity that the runout shows by itself.
     pub in_runout: Option<Eccentricity>,
-    /// What the user should know of its readings.
+    /// Findings about its readings.
     pub of_readings: Vec<Finding>,
 }
 

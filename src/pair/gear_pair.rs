@@ -92,23 +92,24 @@ impl GearPair {
         locked: Member,
     ) -> Result<GearPair, GearError> {
         let (w, p) = (*wheel.gear().basic_data(), *pinion.gear().basic_data());
-        for (what, wheel, pinion) in [
-            ("module_mm", w.module(), p.module()),
+        // Of the greater one, whichever gear has it; with the rounding of both lengths.
+        let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * w.module().max(p.module());
+        for (what, wheel, pinion, most) in [
+            ("module (mm)", w.module(), p.module(), most),
             (
-                "pressure_angle_deg",
+                "pressure angle (degrees)",
                 w.pressure_angle().to_degrees(),
                 p.pressure_angle().to_degrees(),
+                0.0,
             ),
             (
-                "helix_angle_deg",
+                "helix angle (degrees)",
                 w.helix_angle().to_degrees(),
                 p.helix_angle().to_degrees(),
+                0.0,
             ),
         ] {
-            let apart = (wheel - pinion).abs();
-            // Of the greater one, whichever gear has it; with the rounding of both lengths.
-            let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * wheel.max(pinion);
-            if !(apart <= most && (what == "module_mm" || apart == 0.0)) {
+            if !((wheel - pinion).abs() <= most) {
                 return Err(GearError::Unequal {
                     what,
                     wheel,

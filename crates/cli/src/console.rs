@@ -122,7 +122,7 @@ pub(super) fn tell_lines(lines: &str) {
     let _ = std::io::stderr().lock().write_all(lines.as_bytes());
 }
 
-/// Tells what the user should know, and what was found to be in order.
+/// Prints warnings, and what was found to be in order.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     let file = gearlash_files::named(file).display();
     for (kind, list) in [("warning", warnings), ("note", remarks)] {

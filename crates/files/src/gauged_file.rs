@@ -3,7 +3,7 @@
 //! The pitch of both flanks carries how the thickness varies from tooth to tooth: beside it stands the mean thickness
 //! alone, or it would count twice. What every tooth is thicker than the mean thickness that cut the root
 //! stands by tooth, the same for all (see [`StatedThickness`]). Flanks that go against each other (thickness alone makes
-//! them) look like a left flank turned round; the spans bear out the sign, so they stand as a cross-check where they do not count.
+//! them) look like a reversed left flank; the spans bear out the sign, so they stand as a cross-check where they do not count.
 
 use crate::characters::plain;
 use crate::spec::{

@@ -63,7 +63,7 @@ pub struct GearPart {
     pub expansion_per_k: Option<Option<f64>>,
     /// What its statements say of each other.
     pub notes: GearNotes,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<String>,
     /// What was found to be in order.
     pub remarks: Vec<String>,
@@ -194,7 +194,7 @@ impl GearPart {
         let gear = measurements.measure().map_err(errors).ok()?;
         let face = face?;
         cross_check?;
-        self.tell(&statements, &gear.findings, header_warnings);
+        self.describe(&statements, &gear.findings, header_warnings);
         self.notes = gear.notes;
         self.beside_helix(&statements, gear.as_built.most(), problems)?;
         self.as_built = Some(gear.as_built);
@@ -227,7 +227,7 @@ impl GearPart {
             pitch: statements.pitch.as_ref().map(PitchSheet::spec),
             profile: statements.profiles.spec(),
         };
-        self.helix?.tell(&mut spec);
+        self.helix?.echo(&mut spec);
         self.spec = Some(spec);
         Some(())
     }
@@ -261,7 +261,7 @@ impl GearPart {
     }
 
     /// Puts `findings` into words, those of the pitch sheet's own values before the `header_warnings`.
-    fn tell(&mut self, of: &Statements, findings: &[Finding], header_warnings: Vec<String>) {
+    fn describe(&mut self, of: &Statements, findings: &[Finding], header_warnings: Vec<String>) {
         let sheet = |finding: &&Finding| matches!(finding, Finding::PitchDoesNotClose { .. });
         let of_sheet = findings.iter().take_while(sheet).count();
         let (before, after) = findings.split_at(of_sheet);
@@ -269,11 +269,11 @@ impl GearPart {
             .extend(before.iter().map(|finding| findings::describe(of, finding)));
         self.warnings.extend(header_warnings);
         for finding in after {
-            let told = match finding.is_in_order() {
+            let list = match finding.is_in_order() {
                 true => &mut self.remarks,
                 false => &mut self.warnings,
             };
-            told.push(findings::describe(of, finding));
+            list.push(findings::describe(of, finding));
         }
     }
 }

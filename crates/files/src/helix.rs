@@ -72,7 +72,7 @@ impl Helix {
     }
 
     /// Puts it into the echo of a gear; of a spur gear what was written.
-    pub fn tell(&self, spec: &mut GearSpec) {
+    pub fn echo(&self, spec: &mut GearSpec) {
         spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
         spec.hand = self.hand.map(HandName::from);
         spec.face_mm = self.face_mm;

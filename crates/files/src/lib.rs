@@ -339,10 +339,10 @@ fn with_text<T>(
 ) -> Result<T, InputError> {
     let mut problems = Problems::new();
     let text = problems.keep(text);
-    let entries = text.as_ref().map(|text| source::parse(path, text));
-    let understood = entries
-        .and_then(|entries| problems.keep(entries))
-        .and_then(|entries| understand(path, place, &entries, &mut problems));
+    let entries = text
+        .as_ref()
+        .and_then(|text| source::parse(path, text, &mut problems));
+    let understood = entries.and_then(|entries| understand(path, place, &entries, &mut problems));
     match understood {
         Some(understood) if problems.is_empty() => Ok(understood),
         _ => Err(InputError {

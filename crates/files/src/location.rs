@@ -1,26 +1,42 @@
-//! Where in a TOML text the keys of problems stand.
+//! Where in a TOML text the keys of problems stand, and what makes a text no TOML.
 
 use std::ops::Range;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeTable, DeValue, Error};
 
 /// Bytes of a text in which places are looked for: it is parsed for that a second time, and a parser takes a hundred times its size
 /// (tuned: two gears of 10 000 teeth with every list written out have half as many).
 const MOST_LOCATED: usize = 1 << 20;
 
 /// Bytes of `text` at which each of the dotted `keys` stands, key and value; of a table its name; of a key that is not there the
-/// innermost table it should stand in. An empty key means the syntax error of a text that is no TOML. `None`: nowhere.
+/// innermost table it should stand in. Of a text that is no TOML the empty keys are its [`syntax_errors`], in their order. `None`: nowhere.
 pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Option<Range<usize>>> {
     if text.len() > MOST_LOCATED {
         return keys.map(|_| None).collect();
     }
     match DeTable::parse(text) {
         Ok(file) => keys.map(|key| in_table(file.get_ref(), key)).collect(),
-        Err(error) => {
-            let syntax = |key: &str| error.span().filter(|_| key.is_empty());
-            keys.map(syntax).collect()
+        Err(_) => {
+            let mut errors = syntax_errors(text).into_iter();
+            let mut next = || errors.next().and_then(|error| error.span());
+            keys.map(|key| key.is_empty().then(&mut next).flatten())
+                .collect()
         }
     }
+}
+
+/// What makes `text` no TOML, in the order of the text: of each line the first error, from which others there mostly follow. Of a long
+/// text one.
+pub fn syntax_errors(text: &str) -> Vec<Error> {
+    if text.len() > MOST_LOCATED {
+        return DeTable::parse(text).err().into_iter().collect();
+    }
+    let (_, mut errors) = DeTable::parse_recoverable(text);
+    let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
+    let start = |error: &Error| error.span().unwrap_or_default().start;
+    errors.sort_by_key(start);
+    errors.dedup_by_key(|error| ends.partition_point(|end| *end < start(error)));
+    errors
 }
 
 fn in_table(mut table: &DeTable, path: &str) -> Option<Range<usize>> {
@@ -91,5 +107,24 @@ mod tests {
         let spans = of_keys("a = 1\nb = x\n", ["", "a"].into_iter());
         assert_eq!(spans[0], Some(10..11));
         assert_eq!(spans[1], None);
+    }
+
+    /// By hand: a decimal comma in each of two lines, two in a third, and a key given twice.
+    #[test]
+    fn each_line_with_a_syntax_error_is_found_once() {
+        let text = "a = 3,0\nb = 1\nc = 20,5\nspan = { min = 50,548, max = 50,561 }\nb = 2\n";
+        let spans = of_keys(text, ["", "", "", "", ""].into_iter());
+        let lines = spans
+            .into_iter()
+            .flatten()
+            .map(|span| text[..span.start].matches('\n').count());
+        assert_eq!(lines.collect::<Vec<_>>(), [0, 2, 3, 4]);
+    }
+
+    /// A text that is too long to be looked through has its first error.
+    #[test]
+    fn a_long_text_has_one_syntax_error() {
+        let text = "]\n".repeat(MOST_LOCATED);
+        assert_eq!(syntax_errors(&text).len(), 1);
     }
 }

@@ -54,6 +54,16 @@ pub fn backlash(
     fixed(value, decimals + more)
 }
 
+/// The same in ASCII.
+pub fn backlash_ascii(
+    unit: BacklashUnit,
+    j_wt_um: impl Into<Option<f64>>,
+    a: f64,
+    decimals: usize,
+) -> String {
+    backlash(unit, j_wt_um, a, decimals).replace('−', "-")
+}
+
 /// `value` in as few digits as read back to the same number, with a true minus sign: what a user wrote.
 pub fn shortest(value: f64) -> String {
     true_minus(format!("{value}"))

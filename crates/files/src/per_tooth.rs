@@ -36,7 +36,7 @@ pub fn thickness(
                     let read = Positions::of(&named, file, text, &nominal, bad)?;
                     return Some((read.per_tooth_um, read.header));
                 }
-                let read = Sheet::told(&named, content, file, choice, &wanted, bad)?;
+                let read = Sheet::with_remarks(&named, content, file, choice, &wanted, bad)?;
                 Some((read.values(0), Header::default()))
             },
         );

@@ -63,8 +63,8 @@ impl Place {
         self.read.borrow_mut().extend(others);
     }
 
-    /// Keeps in mind what was found of a file.
-    pub fn tell(&self, remark: Option<String>) {
+    /// Keeps a remark on a file.
+    pub fn add_remark(&self, remark: Option<String>) {
         self.remarks.borrow_mut().extend(remark);
     }
 

@@ -16,7 +16,7 @@ pub struct PairFile {
     /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
     /// (beside the same measured file) it gives the same study.
     pub spec: PairSpec,
-    /// What the user should know, for standard error.
+    /// Warnings, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
     pub remarks: Vec<String>,
@@ -61,7 +61,7 @@ pub struct GearsFile {
     pub gears: Vec<GearEntry>,
     /// The temperature that they have, °C, where a pair file states one; lengths are those of 20 °C elsewhere.
     pub temperature_c: Option<f64>,
-    /// What the user should know, for standard error.
+    /// Warnings, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
     pub remarks: Vec<String>,

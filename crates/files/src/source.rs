@@ -1,6 +1,8 @@
 //! From a path to text, and from text to a tree of values.
 
+use super::location::syntax_errors;
 use super::node::{LONGEST, Node};
+use super::problems::Problems;
 use crate::characters::cut;
 use crate::error::Problem;
 use std::fs::{File, Metadata};
@@ -175,50 +177,75 @@ pub fn is_json(path: &Path, text: &str) -> bool {
 
 /// The keys and values of a pair file: TOML or JSON by its extension, by its first character when that says neither.
 ///
-/// # Errors
-/// One problem, its key empty, with line and column of the syntax error.
-pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
-    let node = if is_json(path, text) {
-        serde_json::from_str(text).map_err(|error| {
-            Problem::of_file(
-                format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),
-                "fix it there, or give TOML a name that ends in .toml",
-            )
-        })?
-    } else {
-        let marks = text.bytes().filter(|b| b"=,[{.".contains(b)).count();
-        if marks > MOST_MARKS {
-            return Err(Problem::of_file(
-                format!("has some {marks} keys and values, allowed are up to {MOST_MARKS} in TOML"),
-                "check that this is the file you mean, or put long lists into files of their own",
-            ));
-        }
-        let table: toml::Table = toml::from_str(text).map_err(|error| {
-            let span = error.span().unwrap_or_default();
-            let (line, column) = line_and_column(text, span.start);
-            let named = match text.get(span) {
-                Some(key) if error.message() == "duplicate key" => {
-                    format!(" `{}`", cut(key, LONGEST))
-                }
-                _ => String::new(),
-            };
-            Problem::of_file(
-                format!(
-                    "not TOML: {}{named} at line {line} column {column}",
-                    cut(error.message(), LONGEST_MESSAGE)
-                ),
-                "fix it there (use a decimal point, quote strings), or give JSON a name that ends in .json",
-            )
-        })?;
-        toml::Value::Table(table).into()
+/// What is wrong is added to `problems`, under an empty key: every syntax error of TOML, the first of JSON, with line and column.
+pub fn parse(path: &Path, text: &str, problems: &mut Problems) -> Option<Vec<(String, Node)>> {
+    let node = match is_json(path, text) {
+        true => problems.keep(of_json(text))?,
+        false => problems.of_list_at("", |bad| of_toml(text, bad))?,
     };
     match node {
-        Node::Table(entries) => Ok(entries),
-        other => Err(Problem::of_file(
-            format!("holds {}, allowed is an object of keys", other.kind()),
-            "write { \"wheel\": { … }, … }",
-        )),
+        Node::Table(entries) => Some(entries),
+        other => {
+            problems.add(Problem::of_file(
+                format!("holds {}, allowed is an object of keys", other.kind()),
+                "write { \"wheel\": { … }, … }",
+            ));
+            None
+        }
     }
+}
+
+fn of_json(text: &str) -> Result<Node, Problem> {
+    serde_json::from_str(text).map_err(|error| {
+        Problem::of_file(
+            format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),
+            "fix it there, or give TOML a name that ends in .toml",
+        )
+    })
+}
+
+fn of_toml(text: &str, problems: &mut Problems) -> Option<Node> {
+    let marks = text.bytes().filter(|b| b"=,[{.".contains(b)).count();
+    if marks > MOST_MARKS {
+        problems.add(Problem::of_file(
+            format!("has some {marks} keys and values, allowed are up to {MOST_MARKS} in TOML"),
+            "check that this is the file you mean, or put long lists into files of their own",
+        ));
+        return None;
+    }
+    match toml::from_str(text) {
+        Ok(table) => Some(toml::Value::Table(table).into()),
+        Err(error) => {
+            let mut errors = syntax_errors(text);
+            if errors.is_empty() {
+                errors.push(error);
+            }
+            for error in &errors {
+                match problems.is_full() {
+                    // Its line would be counted from the start of the text again.
+                    true => problems.count_one(),
+                    false => problems.add(not_toml(text, error)),
+                }
+            }
+            None
+        }
+    }
+}
+
+fn not_toml(text: &str, error: &toml::de::Error) -> Problem {
+    let span = error.span().unwrap_or_default();
+    let (line, column) = line_and_column(text, span.start);
+    let named = match text.get(span) {
+        Some(key) if error.message() == "duplicate key" => format!(" `{}`", cut(key, LONGEST)),
+        _ => String::new(),
+    };
+    Problem::of_file(
+        format!(
+            "not TOML: {}{named} at line {line} column {column}",
+            cut(error.message(), LONGEST_MESSAGE)
+        ),
+        "fix it there (use a decimal point, quote strings), or give JSON a name that ends in .json",
+    )
 }
 
 /// Line and column, from 1, of the byte `offset` of `text`.

@@ -48,7 +48,7 @@ impl Temperature {
                     unused.join(", ")
                 )
             });
-            file.place().tell(told);
+            file.place().add_remark(told);
             return Some(None);
         };
         let mut missing = Vec::new();

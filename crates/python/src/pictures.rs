@@ -63,7 +63,7 @@ pub fn over_teeth(
     material: Option<&str>,
 ) -> PyResult<String> {
     let (named, assembly) = pair.assembly(py, distance, material)?;
-    let mut study = curves::swept(pair.study().clone());
+    let mut study = curves::with_sweep(pair.study().clone());
     if material.is_some() {
         study.materials.retain(|(material, ..)| *material == named);
     }

@@ -44,7 +44,7 @@ pub fn revolution(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<ComparedRun>, Error> {
-    let study = swept(study.clone());
+    let study = with_sweep(study.clone());
     let right = compare(simulate(&study, method, tick)?, study.tolerance_um);
     with_left_flanks(&study, right, method, tick)
 }
@@ -89,7 +89,7 @@ fn with_left_flanks(
 
 /// How many poses [`revolution`] will take.
 pub fn revolution_pose_count(study: &Study) -> u64 {
-    2 * swept(study.clone()).pose_count()
+    2 * with_sweep(study.clone()).pose_count()
 }
 
 /// How many poses [`with_revolution`] will take.
@@ -103,7 +103,7 @@ pub fn with_revolution_pose_count(study: &Study) -> u64 {
 
 /// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel
 /// tooth 1 on, in the assembly phase of its first mating, at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
-pub fn swept(mut study: Study) -> Study {
+pub fn with_sweep(mut study: Study) -> Study {
     if let Some((_, wheel, _)) = study.materials.first()
         && !study.sweeps()
     {

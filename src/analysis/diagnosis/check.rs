@@ -67,7 +67,7 @@ pub struct Check {
     pub verdict: Verdict,
     /// More numbers, each with its unit in its name.
     pub details: Vec<(&'static str, f64)>,
-    /// What a reader should know: where, on which teeth.
+    /// A note: where, on which teeth.
     pub note: String,
     /// Why nothing is measured, where poses that it needs are not proven.
     pub unproven: Option<String>,

@@ -25,7 +25,7 @@ impl AsBuilt {
         let teeth = f64::from(self.gear.basic_data().teeth());
         if self.eccentricity > 0.0 && !(self.high_tooth >= 1.0 && self.high_tooth < teeth + 1.0) {
             return Err(GearError::OutOfRange {
-                what: "high_tooth",
+                what: "tooth towards which the runout points",
                 value: self.high_tooth,
                 allowed: "1 up to, but not including, the number of teeth + 1",
             });

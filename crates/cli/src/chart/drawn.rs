@@ -37,7 +37,7 @@ impl DrawnChart {
     /// A curve over the teeth at one centre distance.
     pub fn over_teeth(args: &Args, study: Study) -> Result<DrawnChart, Error> {
         let unit = args.unit.unit(&study)?;
-        let mut study = curves::swept(study);
+        let mut study = curves::with_sweep(study);
         if let Some(end) = args.material {
             let wanted = material(end, &study)?;
             study.materials.retain(|(material, ..)| *material == wanted);
@@ -83,11 +83,11 @@ impl DrawnChart {
     /// One mating over the centre distance.
     pub fn over_distance(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         let unit = args.unit.unit(study)?;
-        let swept = match args.mating {
+        let whole = match args.mating {
             Some(_) => None,
-            None => Some(swept(args, study)?),
+            None => Some(whole(args, study)?),
         };
-        let all: Vec<&ComparedRun> = swept.iter().flat_map(Analysis::all).collect();
+        let all: Vec<&ComparedRun> = whole.iter().flat_map(Analysis::all).collect();
         let followed = match args.mating {
             Some((wheel, pinion)) => Followed::Teeth(wheel, pinion),
             None => binding(study, &all),
@@ -105,8 +105,8 @@ impl DrawnChart {
         })?;
         drop(progress);
         let (wheel, pinion) = teeth(followed);
-        let unproven = curve.unproven + swept.as_ref().map_or(0, Analysis::unproven);
-        let cycle = swept.as_ref().map(print_verdict).unwrap_or_default();
+        let unproven = curve.unproven + whole.as_ref().map_or(0, Analysis::unproven);
+        let cycle = whole.as_ref().map(print_verdict).unwrap_or_default();
         let cycle = in_unit(cycle, unit);
         Ok(DrawnChart {
             svg: chart::distance_in(
@@ -262,7 +262,7 @@ pub(super) fn suffix(unit: BacklashUnit) -> String {
 }
 
 /// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as a report has them.
-fn swept<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
+fn whole<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
     let plan = Plan::new(study, method).with_revolution().with_extremes();

@@ -125,7 +125,7 @@ fn thickness_by_tooth_with_a_mean_comes_back() {
 /// A gear file of the gauge once was accused: thickness by tooth alone moves the flanks against each other, and the file states that
 /// as pitch. Of few teeth, too, and where the teeth have no mean beside the allowance.
 #[test]
-fn thickness_by_tooth_alone_is_no_left_flank_turned_round() {
+fn thickness_by_tooth_alone_is_no_reversed_left_flank() {
     for mean_um in [0.0, 2.4] {
         for (wheel, pinion, a) in [(21, 20, 61.9), (44, 8, 78.5), (9, 45, 81.5)] {
             let wheel = table("wheel", wheel, "front", 4, mean_um, false);

@@ -31,7 +31,7 @@ pub use unit::Unit;
 
 /// Reads the drawing `bytes`; the ending of `name` decides its format.
 ///
-/// x points right and y up, the origin is the drawing's own; in an SVG, whose y points down, y is turned round so that the drawing
+/// x points right and y up, the origin is the drawing's own; in an SVG, whose y points down, y is reversed so that the drawing
 /// looks the same.
 ///
 /// # Errors

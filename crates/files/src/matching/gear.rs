@@ -31,9 +31,9 @@ pub struct ReadGear {
     pub sources: Sources,
     /// File and key of its thickness, where that is a band.
     pub band: Option<String>,
-    /// What its file says the user should know.
+    /// Warnings about its file.
     pub warnings: Vec<String>,
-    /// And what was found to be in order.
+    /// What was found to be in order.
     pub remarks: Vec<String>,
 }
 

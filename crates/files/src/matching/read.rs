@@ -22,7 +22,7 @@ pub struct MatchFile {
     pub pinions: Vec<NamedGear>,
     /// How they are put together.
     pub terms: Terms,
-    /// What the user should know, beside the pair's warnings.
+    /// Warnings beside those of the pair.
     pub warnings: Vec<String>,
     /// Warnings of the gears' own files, each with the first file that it is of.
     pub gear_warnings: Vec<String>,

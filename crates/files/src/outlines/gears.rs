@@ -23,7 +23,7 @@ pub struct OutlineGearsFile {
     pub title: String,
     /// The gears.
     pub gears: Vec<OutlineGearEntry>,
-    /// What the user should know, for standard error.
+    /// Warnings, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
     pub remarks: Vec<String>,

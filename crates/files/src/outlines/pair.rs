@@ -76,7 +76,7 @@ pub struct OutlinePairFile {
     pub spec: OutlinePairSpec,
     /// What was read of the drawings of wheel and pinion; `None` of a gear by its data.
     pub drawings: [Option<DrawingRead>; 2],
-    /// What the user should know, for standard error.
+    /// Warnings, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
     pub remarks: Vec<String>,

@@ -28,7 +28,7 @@ pub struct Gear<'a> {
     pub rack: Option<RackSpec>,
     /// The one that counts, and others.
     pub thickness: Vec<Thickness>,
-    /// What the user should know.
+    /// Remarks for the user.
     pub remarks: Vec<String>,
     /// The components it was read from, the gear first.
     pub parts: Vec<Attributes<'a>>,

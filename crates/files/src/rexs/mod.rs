@@ -71,7 +71,7 @@ pub struct RexsPair {
     pub summary: String,
     /// The pair file, TOML: gear 1 is the wheel.
     pub pair_file: String,
-    /// What the user should know.
+    /// Remarks for the user.
     pub remarks: Vec<String>,
     /// Attributes that were not used, by component.
     pub unused: Vec<(String, Vec<String>)>,

@@ -189,7 +189,7 @@ impl<'a> Stage<'a> {
         text + &format!("\n[assembly]\ncenter_distance_mm = {distance}\n")
     }
 
-    /// What the user should know.
+    /// Remarks for the user.
     pub fn remarks(&self) -> Vec<String> {
         let mut remarks = self.remarks.clone();
         for gear in &self.gears {

@@ -84,12 +84,14 @@ impl<const N: usize> Sheet<N> {
             table,
             "pitch.csv",
             problems,
-            |content, file, choice, bad| Sheet::told(table, content, file, choice, wanted, bad),
+            |content, file, choice, bad| {
+                Sheet::with_remarks(table, content, file, choice, wanted, bad)
+            },
         )
     }
 
     /// The `wanted` table of what the file that `table` names holds, with the remarks.
-    pub fn told(
+    pub fn with_remarks(
         table: &Table,
         content: &Content,
         file: &DataFile,
@@ -99,9 +101,9 @@ impl<const N: usize> Sheet<N> {
     ) -> Option<Sheet<N>> {
         let sheet = Sheet::of(content, file, choice, wanted, problems)?;
         if problems.is_empty() {
-            table.place().tell(sheet.header.remark());
+            table.place().add_remark(sheet.header.remark());
             if let Some(origin) = &sheet.origin {
-                table.place().tell(origin.remark(file));
+                table.place().add_remark(origin.remark(file));
             }
         }
         Some(sheet)
@@ -195,7 +197,7 @@ impl Origin {
         }
     }
 
-    /// What the user should know of it; `None` where the whole file is the table.
+    /// A remark on it; `None` where the whole file is the table.
     fn remark(&self, file: &DataFile) -> Option<String> {
         let sheet = self
             .sheet

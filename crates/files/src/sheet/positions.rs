@@ -100,7 +100,7 @@ impl Positions {
         let p40 = p40::parse(file, text, problems)?;
         p40.refuse_values(file, problems)?;
         let (read, words) = of(&p40, file, nominal, problems)?;
-        table.place().tell(Some(format!(
+        table.place().add_remark(Some(format!(
             "{}: {}: thickness from the positions of Teilung:, {words}; read and not used here: {}",
             file.key(),
             file.name(),

@@ -57,8 +57,8 @@ impl TraceSheet {
         );
         let sheet = read?;
         match &sheet.origin {
-            Some(origin) => table.place().tell(origin.remark(&sheet.file)),
-            None => table.place().tell(sheet.header.remark()),
+            Some(origin) => table.place().add_remark(origin.remark(&sheet.file)),
+            None => table.place().add_remark(sheet.header.remark()),
         }
         Some(sheet)
     }

@@ -1,12 +1,10 @@
 //! How the flanks deviate from the involute.
 
-use super::rules::{beside, columns, exactly_one, list_length, not_beside, within};
+use super::rules::{beside, columns, exactly_one, list_length, not_beside, whole, within};
 use super::value::{Either, TableFileSpec};
 use crate::limits::{FLANK_DIAMETER, PROFILE, RELIEF, ROLL_LENGTH, TOOTH};
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
-
-use super::rules::whole;
 
 /// Profile deviations, µm, plus = more material: of both flanks, or of each in a table of its own.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]

@@ -91,21 +91,21 @@ pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
 
 /// The description of `file` names the columns of the table.
 pub fn columns(words: &str) -> impl Fn(&mut Schema) {
-    fn tell(value: &mut Value, words: &str) {
+    fn append(value: &mut Value, words: &str) {
         if let Some(Value::String(text)) = value.pointer_mut("/properties/file/description") {
             *text = format!("{}: {words}", text.trim_end_matches('.'));
         }
         if let Some(Value::Array(alternatives)) = value.get_mut("anyOf") {
             for alternative in alternatives {
-                tell(alternative, words);
+                append(alternative, words);
             }
         }
     }
     move |schema| {
         let mut value = std::mem::take(schema).to_value();
-        tell(&mut value, words);
-        if let Ok(told) = Schema::try_from(value) {
-            *schema = told;
+        append(&mut value, words);
+        if let Ok(described) = Schema::try_from(value) {
+            *schema = described;
         }
     }
 }

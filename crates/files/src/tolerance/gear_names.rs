@@ -172,20 +172,20 @@ impl Named {
 }
 
 /// Files of one folder and one name that differ in their endings, such as `p1.toml` and `p1.json`: which of them is the gear?
-pub fn doubled(files: &[PathBuf]) -> Vec<String> {
+pub fn duplicates(files: &[PathBuf]) -> Vec<String> {
     let mut first: BTreeMap<(PathBuf, OsString), &PathBuf> = BTreeMap::new();
-    let mut doubled = Vec::new();
+    let mut duplicates = Vec::new();
     for path in files {
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let stem = path.file_stem().unwrap_or_default().to_os_string();
         let before = *first.entry((folder, stem)).or_insert(path);
         if before != path {
-            doubled.push(format!(
+            duplicates.push(format!(
                 "{} and {}: two files of one gear",
                 before.display(),
                 path.display()
             ));
         }
     }
-    doubled
+    duplicates
 }

@@ -1,7 +1,7 @@
 //! Measured gears that are drawn whole.
 
 use super::bands::middle;
-use super::gear_names::{doubled, named};
+use super::gear_names::{duplicates, named};
 use crate::numbers::shortest;
 use crate::place::Place;
 use crate::problems::Problems;
@@ -54,8 +54,8 @@ pub fn gears(
         warnings.extend(left_out.map(|left_out| format!("{key}: {left_out}")));
         files.extend(found.files);
     }
-    for doubled in doubled(&files) {
-        wrong(doubled, "take one away, or name the other alone");
+    for duplicate in duplicates(&files) {
+        wrong(duplicate, "take one away, or name the other alone");
     }
     if files.len() > MOST_GEARS {
         let reason = format!("more than {MOST_GEARS} gears");

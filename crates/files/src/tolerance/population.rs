@@ -31,7 +31,7 @@ pub struct ToleranceFile {
     pub requirement: Requirement,
     /// Tables of the gears that are drawn whole, of wheel and pinion.
     pub(super) measured: [Vec<MeasuredGear>; 2],
-    /// What the user should know of it, beside the pair's warnings.
+    /// Warnings about it, beside those of the pair.
     pub warnings: Vec<String>,
 }
 

@@ -1,12 +1,12 @@
 //! Data that contradict the file, both ways, and data that do not.
 
-use super::turned_flanks::{Dice, about_datum, negative, pitch};
+use super::reversed_flanks::{Dice, about_datum, negative, pitch};
 use super::*;
 use proptest::test_runner::TestRunner;
 use std::f64::consts::TAU;
 
 #[test]
-fn a_left_flank_that_is_turned_round_is_reported() {
+fn a_reversed_left_flank_is_reported() {
     let [right, left] = Dice(TestRunner::deterministic()).real(44, 0.5);
     let turned = negative(&left);
     assert_eq!(pair(&pitch("numbers", &right, &left)).warnings, [""; 0]);
@@ -194,7 +194,7 @@ fn about_axis(list: &[String], words: &str) -> usize {
 
 const NOT_ALONE: &str = "the first harmonic is not that of an eccentricity alone";
 
-/// The reviewers' file (z 40: 20 µm · sin(2πi/z) in both columns) was accused of a left flank turned round. Such a wave leaves sin²(α − π/(2z))
+/// The reviewers' file (z 40: 20 µm · sin(2πi/z) in both columns) was accused of a reversed left flank. Such a wave leaves sin²(α − π/(2z))
 /// of its energy to no eccentricity, 9 % at z 40.
 #[test]
 fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {

@@ -8,10 +8,10 @@ mod cross_check;
 mod datum;
 mod mean;
 mod pins;
+mod reversed_flanks;
 mod runout;
 mod slips;
 mod spans;
-mod turned_flanks;
 
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash_files::PairFile;

@@ -64,6 +64,32 @@ fn not_toml() {
     );
 }
 
+/// Every line that is no TOML is reported, each once: three decimal commas, of which two stand in one line. By hand.
+#[test]
+fn each_line_that_is_not_toml() {
+    expect(
+        "[wheel]\nmodule_mm = 3,5\nteeth = 20\nspan = { min_mm = 7,66, max_mm = 7,67 }\n",
+        &[
+            problem("", "", &["not TOML", "line 2 column 14"], "fix it there"),
+            problem("", "", &["not TOML", "line 4 column"], "fix it there"),
+        ],
+    );
+}
+
+/// Of many the first dozen.
+#[test]
+fn many_lines_that_are_not_toml() {
+    let line = || problem("", "", &["not TOML"], "fix it there");
+    let mut expected: Vec<_> = (0..12).map(|_| line()).collect();
+    expected.push(problem(
+        "",
+        "",
+        &["8 more problems like the last one"],
+        "fix those first",
+    ));
+    expect(&"x = 1,5\n".repeat(20), &expected);
+}
+
 #[test]
 fn not_json() {
     expect_as(

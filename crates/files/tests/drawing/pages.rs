@@ -3,7 +3,7 @@
 use super::*;
 use made::svg;
 
-/// svgpathtools 1.8.0: segment, parameters 0, 1/4, 1/2, 3/4. y is turned round here.
+/// svgpathtools 1.8.0: segment, parameters 0, 1/4, 1/2, 3/4. y is reversed here.
 #[test]
 fn path_data_is_that_of_svgpathtools() {
     let points = [
@@ -57,7 +57,7 @@ fn path_data_is_that_of_svgpathtools() {
 }
 
 /// svgpathtools 1.8.0: points of each segment at parameters 0, 1/4, 1/2, 3/4, through the product of the matrices by numpy 2.4.6;
-/// y is turned round here. svgelements 1.9.6 (`SVG.parse(reify=True)`) gives the same lines and curves, and the arc wrong: it skews
+/// y is reversed here. svgelements 1.9.6 (`SVG.parse(reify=True)`) gives the same lines and curves, and the arc wrong: it skews
 /// its axes as if they stayed at right angles.
 #[test]
 fn transforms_are_products_of_matrices() {
@@ -104,7 +104,7 @@ fn transforms_keep_circles_where_they_are_round() {
     );
     let one = loop_of("svg", &page);
     let (sin, cos) = 30_f64.to_radians().sin_cos();
-    // (1, 0.5) scaled is (-2, 1), turned and moved, y turned round.
+    // (1, 0.5) scaled is (-2, 1), turned and moved, y reversed.
     let centre = Point2::new(3.0 - 2.0 * cos - sin, -(4.0 - 2.0 * sin + cos));
     assert_eq!(one.segments.len(), 2);
     for segment in &one.segments {

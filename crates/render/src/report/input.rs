@@ -1,4 +1,4 @@
-//! The input as understood: both gears side by side, the assembly, what the user should know.
+//! The input as understood: both gears side by side, the assembly, warnings and remarks.
 
 use super::figures::inspections;
 use super::page::Page;

@@ -5,11 +5,11 @@ use super::unit;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{NONE, backlash, stated_distance};
+use gearlash_files::numbers::{NONE, backlash_ascii, stated_distance};
 use std::fmt::Write;
 
 fn band(band: Option<Band>, unit: BacklashUnit, a: f64) -> String {
-    let cell = |um: f64| backlash(unit, um, a, 1).replace('−', "-");
+    let cell = |um: f64| backlash_ascii(unit, um, a, 1);
     match band {
         Some(band) => format!("{} … {}", cell(band.min_um), cell(band.max_um)),
         None => NONE.to_owned(),
@@ -36,7 +36,7 @@ pub fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &
             };
             match unit {
                 BacklashUnit::Um => format!("{value} {mark}"),
-                unit => format!("{} {mark}", backlash(unit, value, a, 1).replace('−', "-")),
+                unit => format!("{} {mark}", backlash_ascii(unit, value, a, 1)),
             }
         };
         table.add(vec![

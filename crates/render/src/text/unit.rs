@@ -1,11 +1,11 @@
 //! Backlash in the unit that was asked for, in tables.
 
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{NONE, backlash};
+use gearlash_files::numbers::{NONE, backlash_ascii};
 
 /// `j_wt`, given in mm, at centre distance `a`, mm, in ASCII: so many decimals in µm.
 pub fn cell(unit: BacklashUnit, j_wt: Option<f64>, a: f64, decimals: usize) -> String {
-    backlash(unit, j_wt.map(|mm| mm * 1e3), a, decimals).replace('−', "-")
+    backlash_ascii(unit, j_wt.map(|mm| mm * 1e3), a, decimals)
 }
 
 /// The order of an error bound, given in mm, such as `3e-9`.

@@ -2,7 +2,7 @@
 
 use super::{METHOD, course, over, study};
 use gearlash::analysis::curves::{
-    Followed, binding, courses, followed, revolution, revolution_pose_count, swept,
+    Followed, binding, courses, followed, revolution, revolution_pose_count, with_sweep,
 };
 use gearlash::analysis::measured::{Band, Bands};
 use gearlash::analysis::study::Material;
@@ -88,7 +88,7 @@ fn a_sweep_of_its_own_is_kept() {
 fn places_are_wheel_teeth_whatever_is_locked() {
     let mut study = study("karba_86x21.toml");
     study.locked = gearlash::pair::Member::Pinion;
-    let study = swept(study).at(vec![160.5]).unwrap();
+    let study = with_sweep(study).at(vec![160.5]).unwrap();
     let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
     let course = courses(&runs).remove(0);
     let poses = runs[0].poses.iter().map(|pose| *pose.swept.pose.mating());
@@ -121,7 +121,9 @@ fn a_tooth_that_is_not_there_is_an_error() {
 /// Issue 6 asks for both poses: a sweep over more than a revolution had right-flank lines alone.
 #[test]
 fn a_sweep_over_more_than_a_revolution_has_left_flanks_too() {
-    let mut study = swept(study("karba_86x21.toml")).at(vec![160.5]).unwrap();
+    let mut study = with_sweep(study("karba_86x21.toml"))
+        .at(vec![160.5])
+        .unwrap();
     study.sweep = Some(gearlash::pair::SweepPlan::Revolution {
         pitches: 90,
         steps_per_pitch: 1,
@@ -139,7 +141,7 @@ fn a_sweep_over_more_than_a_revolution_has_left_flanks_too() {
 #[test]
 fn the_mating_that_binds_comes_first_then_those_measured() {
     let rig = study("karba_44x44.toml");
-    let at = swept(rig.clone()).at(vec![132.04]).unwrap();
+    let at = with_sweep(rig.clone()).at(vec![132.04]).unwrap();
     let runs = revolution(&at, METHOD, &|| ControlFlow::Continue(())).unwrap();
     let binding = binding(&rig, runs.iter());
     assert_eq!(binding, Followed::Teeth(33, 33));

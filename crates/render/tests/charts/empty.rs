@@ -1,7 +1,7 @@
 //! Charts of pairs that have no backlash, or no deviations, say so.
 
 use super::{METHOD, course, heading, study};
-use gearlash::analysis::curves::{Followed, courses, over_distance, revolution, swept};
+use gearlash::analysis::curves::{Followed, courses, over_distance, revolution, with_sweep};
 use gearlash::gear::Inspection;
 use gearlash_render::chart;
 use roxmltree::Document;
@@ -20,7 +20,9 @@ fn texts(svg: &str) -> Vec<String> {
 /// r_a = 69 twice: out of mesh beyond 138 mm. An axis from 0.0 to 1.0 µm was invented for it.
 #[test]
 fn a_pair_out_of_mesh_has_no_axis_of_backlash() {
-    let rig = swept(study("karba_44x44.toml")).at(vec![139.0]).unwrap();
+    let rig = with_sweep(study("karba_44x44.toml"))
+        .at(vec![139.0])
+        .unwrap();
     let runs = revolution(&rig, METHOD, &|| ControlFlow::Continue(())).unwrap();
     let chart = chart::revolution(&heading("c", "t"), &courses(&runs)[0]).unwrap();
     let texts = texts(&chart.svg);
@@ -47,7 +49,9 @@ fn a_jammed_pair_is_called_jammed() {
 /// number was cut at the edge.
 #[test]
 fn a_jammed_stretch_of_distances_is_named_and_no_band_invented() {
-    let mut rig = swept(study("karba_44x44.toml")).at(vec![130.0]).unwrap();
+    let mut rig = with_sweep(study("karba_44x44.toml"))
+        .at(vec![130.0])
+        .unwrap();
     rig.measured.clear();
     let tick = || ControlFlow::Continue(());
     let curve = over_distance(&rig, Followed::Teeth(33, 33), METHOD, &tick).unwrap();

@@ -15,7 +15,7 @@ mod texts;
 mod two_thick_teeth;
 
 use gearlash::analysis::curves::{
-    Course, Followed, OverDistance, courses, over_distance, revolution, swept,
+    Course, Followed, OverDistance, courses, over_distance, revolution, with_sweep,
 };
 use gearlash::analysis::study::Study;
 use gearlash::contact::Method;
@@ -33,7 +33,9 @@ fn study(fixture: &str) -> Study {
 }
 
 fn course(fixture: &str, center_distance: f64) -> Course {
-    let study = swept(study(fixture)).at(vec![center_distance]).unwrap();
+    let study = with_sweep(study(fixture))
+        .at(vec![center_distance])
+        .unwrap();
     let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
     courses(&runs).remove(0)
 }

@@ -1,4 +1,4 @@
-//! One entity of a DXF, checked before it is read: that nothing it needs is missing, doubled or no number.
+//! One entity of a DXF, checked before it is read: that nothing it needs is missing, duplicate or no number.
 
 use super::pairs::Pair;
 use crate::characters::cut;

@@ -11,7 +11,7 @@ pub struct Affine {
 }
 
 impl Affine {
-    /// `scale` times as great, y turned round.
+    /// `scale` times as great, y reversed.
     pub fn upright(scale: f64) -> Affine {
         Affine {
             turn: Matrix2::new(scale, 0.0, 0.0, -scale),

@@ -1,4 +1,4 @@
-//! Left flanks whose sign is turned round: found as often as is stated, and told.
+//! Left flanks whose sign is reversed: found as often as is stated, and told.
 
 use super::*;
 use gearlash::gear::{BasicGearData, BasicRack, Gear, GearDesign, Pitch};
@@ -63,7 +63,7 @@ pub(super) fn pitch(sense: &str, right: &[f64], left: &[f64]) -> String {
 
 pub(super) const GEARS: usize = 4000;
 
-/// How many gears out of [`GEARS`] have flanks that count as turned round, 1e-3 being the limit that is stated.
+/// How many gears out of [`GEARS`] have flanks that count as reversed, 1e-3 being the limit that is stated.
 fn suspected(name: &str, dice: &mut Dice, flanks: impl Fn(&mut Dice) -> [Vec<f64>; 2]) -> usize {
     let suspect = |_: &usize| {
         let [right, left] = flanks(dice);
@@ -114,7 +114,7 @@ pub(super) fn about_datum(own: [Vec<f64>; 2], e: f64, to: f64) -> [Vec<f64>; 2] 
     })
 }
 
-/// How many of [`GEARS`] datum-axis sheets count as turned round; `e` as given, in any direction.
+/// How many of [`GEARS`] datum-axis sheets count as reversed; `e` as given, in any direction.
 fn suspected_about_datum(
     name: &str,
     dice: &mut Dice,
@@ -164,9 +164,9 @@ fn datum_axis_flanks_are_hardly_ever_suspected() {
     }
 }
 
-/// The reviewers' case (e = 20 µm, 1 µm of noise, the left column turned round), with and without common waves of the own pitch.
+/// The reviewers' case (e = 20 µm, 1 µm of noise, the left column reversed), with and without common waves of the own pitch.
 #[test]
-fn a_left_flank_turned_round_about_the_datum_axis_is_found() {
+fn a_reversed_left_flank_about_the_datum_axis_is_found() {
     let mut dice = Dice(TestRunner::deterministic());
     for (z, e, share) in RATES {
         let noise = suspected_about_datum("noise alone, turned", &mut dice, e, true, |d| {
@@ -192,7 +192,7 @@ const RATES: [(usize, f64, f64); 6] = [
 
 /// The whole way: the reviewers' file, told with what either sign makes of it.
 #[test]
-fn the_file_with_a_left_flank_turned_round_about_the_datum_axis_is_reported() {
+fn the_file_with_a_reversed_left_flank_about_the_datum_axis_is_reported() {
     let mut dice = Dice(TestRunner::deterministic());
     let own = [dice.list(44, 1.7), dice.list(44, 1.7)];
     let [right, left] = about_datum(own, 20.0, 32.0 * TAU / 44.0);

@@ -24,5 +24,7 @@ mod random;
 mod reference;
 mod reference_poses;
 mod straight_sided;
+mod ties;
 mod traced;
 mod wide;
+mod witnesses;

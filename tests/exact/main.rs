@@ -28,3 +28,5 @@ mod ties;
 mod traced;
 mod wide;
 mod witnesses;
+mod witnesses_helical;
+mod witnesses_outlines;

@@ -18,28 +18,29 @@ use std::f64::consts::TAU;
 const SEED: u64 = 2;
 
 /// Spur poses at [`depth`].
-const SPUR: [u64; 44] = [
+const SPUR: [u64; 48] = [
     0, 1, 2, 4, 10, 15, 21, 22, 29, 33, 34, 71, 72, 80, 81, 91, 148, 161, 191, 244, 247, 249, 302,
     390, 397, 404, 436, 460, 496, 502, 506, 539, 880, 967, 1326, 1941, 2224, 2259, 2294, 2465,
-    2591, 3322, 3919, 3986,
+    2591, 3322, 3919, 3986, 7574, 11364, 14025, 15617,
 ];
 
 /// Spur poses whose tips graze: far corners of lands, and corners just beyond a tip.
 const GRAZING: [u64; 3] = [5855, 13216, 25825];
 
 /// Spur poses for what a contact names.
-const NAMED: [u64; 24] = [
-    2, 5, 14, 16, 17, 18, 19, 30, 39, 42, 46, 52, 60, 72, 75, 80, 129, 285, 397, 436, 496, 669,
-    1145, 1326,
+const NAMED: [u64; 28] = [
+    2, 5, 14, 16, 17, 18, 19, 30, 39, 42, 46, 52, 60, 72, 75, 80, 121, 129, 214, 285, 390, 397,
+    436, 471, 496, 669, 1145, 1326,
 ];
 
 /// Spur poses for the polygons and their certificate.
-const CERTIFIED: [u64; 12] = [0, 2, 3, 4, 10, 14, 27, 55, 182, 414, 459, 904];
+const CERTIFIED: [u64; 13] = [0, 2, 3, 4, 10, 14, 27, 55, 148, 182, 414, 459, 904];
 
 /// Pairs whose profiles deviate, those that 3 divides with traces.
-const MODIFIED: [u64; 36] = [
+const MODIFIED: [u64; 40] = [
     4, 11, 14, 22, 24, 33, 37, 38, 47, 50, 53, 101, 115, 142, 180, 191, 210, 222, 358, 373, 484,
-    512, 562, 773, 967, 1490, 3006, 3019, 3024, 3026, 3032, 3044, 3063, 3121, 3354, 3536,
+    512, 562, 773, 967, 1490, 3006, 3008, 3019, 3024, 3026, 3032, 3044, 3063, 3121, 3324, 3354,
+    3369, 3435, 3536,
 ];
 
 /// One pose in five grazes, and one stands in a root.
@@ -68,27 +69,29 @@ fn complaints(indices: &[u64], of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u
     each.filter(|(_, against)| !against.is_empty()).collect()
 }
 
-/// Both methods and the certificate, and where those are at one brute force.
-fn by_every_referee(depth: Option<Depth>, index: u64) -> Vec<String> {
+/// Faults of both methods and the certificate, and what is left unproven.
+fn by_both_methods(depth: Option<Depth>, index: u64) -> Vec<String> {
     let tally = run_of(Teeth::Spur, depth, SEED, index..index + 1, LONGEST);
     let found = tally.faults.into_iter().chain(tally.unproven);
-    let found: Vec<String> = found.map(|(_, what)| what).collect();
-    if !found.is_empty() {
-        return found;
-    }
-    let drawn = Drawn::of(Teeth::Spur, depth, SEED, index);
-    let pose = Pose::new(&drawn.assembly, drawn.mating);
-    let found = ExactKernel::new(&drawn.assembly).lost_motion(&pose);
-    clearance::against(&drawn.assembly, &pose, &found.unwrap())
+    found.map(|(_, what)| what).collect()
 }
 
-/// Source: the polygon method, its certificate, and the clearance of dense points.
+/// Source: the polygon method and its certificate.
 #[test]
-fn spur_poses_hold_against_every_referee() {
-    let mut against = complaints(&SPUR, |index| by_every_referee(depth(index), index));
+fn spur_poses_hold_against_polygons() {
+    let mut against = complaints(&SPUR, |index| by_both_methods(depth(index), index));
     against.extend(complaints(&GRAZING, |index| {
-        by_every_referee(Some(Depth::Grazing), index)
+        by_both_methods(Some(Depth::Grazing), index)
     }));
+    assert!(against.is_empty(), "{against:#?}");
+}
+
+/// A pose that both methods got wrong alike. Source: clearance of dense points.
+#[test]
+fn a_pose_that_both_methods_may_get_wrong_holds_against_brute_force() {
+    let (assembly, pose) = drawn(81);
+    let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+    let against = clearance::against(&assembly, &pose, &found);
     assert!(against.is_empty(), "{against:#?}");
 }
 
@@ -194,22 +197,22 @@ fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String
     wrong.collect()
 }
 
-/// Source: both methods and brute force, which are at one on what is right.
+/// Source: both methods, which are at one on what is right.
 #[test]
 fn the_certificate_bears_out_right_contacts_and_refuses_wrong_ones() {
     let against = complaints(&CERTIFIED, |index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
-        let mut against = by_every_referee(depth(index), index);
+        let mut against = by_both_methods(depth(index), index);
         against.extend(misjudged(&assembly, &pose, &found));
         against
     });
     assert!(against.is_empty(), "{against:#?}");
 }
 
-/// Source: the polygon method, its certificate and brute force.
+/// Source: the polygon method and its certificate.
 #[test]
-fn deviating_profiles_hold_against_every_referee() {
+fn deviating_profiles_hold_against_polygons() {
     let against = complaints(&MODIFIED, |seed| {
         let mut random = Random(seed ^ 0x77aa);
         let assembly = modified::pair(&mut random, seed % 3 == 0).unwrap();
@@ -217,7 +220,7 @@ fn deviating_profiles_hold_against_every_referee() {
         let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         let polygon = cut(&assembly).refined_kernel(&assembly).lost_motion(&pose);
         let polygon = polygon.unwrap();
-        let mut against = clearance::against(&assembly, &pose, &exact);
+        let mut against = Vec::new();
         for (one, other) in [(exact.right, polygon.right), (exact.left, polygon.left)] {
             let near = match (one, other) {
                 (Some(one), Some(other)) => {

@@ -28,5 +28,6 @@ mod ties;
 mod traced;
 mod wide;
 mod witnesses;
+mod witnesses_extremes;
 mod witnesses_helical;
 mod witnesses_outlines;

@@ -158,7 +158,7 @@ fn lowest_of_all(bench: &PairAtDistance, matings: &[Mating]) -> Result<(f64, Mat
         .fold(0.0, f64::max);
     for (count, index) in local_minima(&plays).into_iter().enumerate() {
         let play = plays[index];
-        if count >= FOLLOWED && play - steepest >= found.0 {
+        if count >= FOLLOWED && play - steepest > found.0 - NO_PLAY {
             break;
         }
         let here = lowest(bench, matings[index], play)?;

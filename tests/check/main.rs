@@ -8,6 +8,7 @@ mod distances;
 mod failed;
 mod onset;
 mod outlines;
+mod play_free;
 mod population;
 mod population_draws;
 mod population_required;

@@ -12,10 +12,14 @@ const WIDTH: f64 = 1e-10;
 const PITCHES: f64 = 1e-9;
 /// Steps in which the rotation walks downhill, pitches (tuned: as a default sweep).
 const STRIDE: f64 = 1.0 / 16.0;
-/// Local minima of a sweep that are followed (tuned: those left out lie higher than eight others).
+/// Local minima of a sweep that are followed in any case; others while they may be as deep as the deepest.
 const FOLLOWED: usize = 8;
-/// Rounds of distance, rotation, distance, …: each ends nearer by a factor of the play's relative bend, about 1e-3.
-const ROUNDS: usize = 4;
+/// Rounds of distance, rotation, distance, …: each ends nearer by a factor of the play's relative bend, about 1e-3; where gears jam, by a half or so.
+const STEPS_BESIDE: usize = 100;
+/// Times another pose of the sweep is found to lie lower.
+const ROUNDS: usize = 16;
+/// Play that is none, mm: what the bracket of a distance leaves.
+const NO_PLAY: f64 = 0.1 * WIDTH;
 
 /// `a_0` of a pair as built, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +39,8 @@ pub struct ZeroDistance {
     pub teeth: [(u32, u32); 2],
 }
 
-/// Finds `a_0` of the gears of `assembly`: over `matings` first, then turning on from the worst of them
-/// until the play rises.
+/// Finds `a_0` of the gears of `assembly`: over `matings` first, then turning on from the lowest of them
+/// until the play rises, again at the distance at which those have none. A dip between two of them that neither sees is passed over.
 ///
 /// Play rises with the centre distance, so the root is bracketed. `None` where there is none between
 /// touching base circles and tips that pass each other, or no matings were given.
@@ -57,34 +61,43 @@ pub fn zero_distance(
     let Some(bracket) = root(assembly, guess, |distance| least_of(matings, distance))? else {
         return Ok(None);
     };
-    let bench = as_assembled.at(bracket[0])?;
-    let plays = bench.plays(matings)?;
-    let minima = local_minima(&plays);
-    let Some(&first) = minima.first() else {
+    let plays = as_assembled.at(bracket[0])?.plays(matings)?;
+    let Some(&first) = local_minima(&plays).first() else {
         return Ok(None);
     };
-    let mut found = (f64::INFINITY, matings[first]);
-    for &index in minima.iter().take(FOLLOWED) {
-        let here = lowest(&bench, matings[index], plays[index])?;
-        if here.0 < found.0 {
-            found = here;
-        }
-    }
-    let mut last = bracket;
+    let (mut last, mut worst) = (bracket, matings[first]);
+    // Goes on to a pose whose root lies farther; whether it does by more than a bracket's width.
+    let go_on = |last: &mut [f64; 2], worst: &mut Mating, one: Mating| -> Result<_, Error> {
+        let next = root(assembly, last[0], |distance| least_of(&[one], distance))?;
+        Ok(next.map(|next| {
+            let farther = next[0] - last[0];
+            if farther > 0.0 {
+                (*last, *worst) = (next, one);
+            }
+            farther > WIDTH
+        }))
+    };
     for _ in 0..ROUNDS {
-        let one = [found.1];
-        let Some(next) = root(assembly, last[0], |distance| least_of(&one, distance))? else {
-            return Ok(None);
-        };
-        let moved = (next[0] - last[0]).abs();
-        last = next;
-        if moved <= WIDTH {
+        for _ in 0..STEPS_BESIDE {
+            let bench = as_assembled.at(last[0])?;
+            let (_, one) = lowest(&bench, worst, bench.play(&worst)?)?;
+            match go_on(&mut last, &mut worst, one)? {
+                None => return Ok(None),
+                Some(false) => break,
+                Some(true) => (),
+            }
+        }
+        let (play, one) = lowest_of_all(&as_assembled.at(last[1])?, matings)?;
+        if play >= -NO_PLAY {
             break;
         }
-        let bench = as_assembled.at(last[0])?;
-        found = lowest(&bench, found.1, bench.play(&found.1)?)?;
+        match go_on(&mut last, &mut worst, one)? {
+            None => return Ok(None),
+            Some(false) => break,
+            Some(true) => (),
+        }
     }
-    let at = as_assembled.at(last[1])?.lost_motion(&found.1)?;
+    let at = as_assembled.at(last[1])?.lost_motion(&worst)?;
     let teeth = [at.right, at.left].map(|contact| {
         contact.map_or((0, 0), |contact| {
             (contact.wheel.tooth, contact.pinion.tooth)
@@ -93,7 +106,7 @@ pub fn zero_distance(
     Ok(Some(ZeroDistance {
         distance: 0.5 * (last[0] + last[1]),
         bracket: last,
-        mating: found.1,
+        mating: worst,
         of_poses: 0.5 * (bracket[0] + bracket[1]),
         pose: matings[first],
         teeth,
@@ -133,6 +146,54 @@ fn local_minima(values: &[f64]) -> Vec<usize> {
     minima
 }
 
+/// The least play found going downhill from the lowest of `matings`, and where.
+fn lowest_of_all(bench: &PairAtDistance, matings: &[Mating]) -> Result<(f64, Mating), Error> {
+    let plays = bench.plays(matings)?;
+    let mut found = (f64::INFINITY, matings[0]);
+    // How much play changes from one to the next: no dip between them is deeper.
+    let next = plays.iter().cycle().skip(1);
+    let changes = plays.iter().zip(next).map(|(one, next)| (next - one).abs());
+    let steepest = changes
+        .filter(|change| change.is_finite())
+        .fold(0.0, f64::max);
+    for (count, index) in local_minima(&plays).into_iter().enumerate() {
+        let play = plays[index];
+        if count >= FOLLOWED && play - steepest > found.0 - NO_PLAY {
+            break;
+        }
+        let here = lowest(bench, matings[index], play)?;
+        if here.0 < found.0 {
+            found = here;
+        }
+    }
+    Ok(found)
+}
+
+/// The middle of the stretch of rotations about `place`, pitches, at which the gears jam: the worst of it, as a stretch shrinks towards its worst
+/// from both ends.
+fn middle_of_jam(
+    play: impl Fn(f64) -> Result<f64, Error>,
+    place: f64,
+    period: f64,
+) -> Result<f64, Error> {
+    let end = |sense: f64| -> Result<f64, Error> {
+        let (mut inside, mut outside) = (place, place + sense * STRIDE);
+        while (outside - place).abs() < period && play(outside)? == f64::NEG_INFINITY {
+            inside = outside;
+            outside += sense * STRIDE;
+        }
+        while (outside - inside).abs() > PITCHES {
+            let middle = 0.5 * (inside + outside);
+            match play(middle)? == f64::NEG_INFINITY {
+                true => inside = middle,
+                false => outside = middle,
+            }
+        }
+        Ok(inside)
+    };
+    Ok(0.5 * (end(1.0)? + end(-1.0)?))
+}
+
 /// The least play found going downhill from `start`, whose play is `play`, and where.
 fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
     let assembly = bench.assembly();
@@ -153,6 +214,10 @@ fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mati
             (best, place) = (value, next);
             next += sense * STRIDE;
         }
+    }
+    if best == f64::NEG_INFINITY {
+        let middle = middle_of_jam(at, place, period)?;
+        return Ok((best, start.onward(assembly, middle)));
     }
     // Golden section between the neighbours of the lowest step.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;

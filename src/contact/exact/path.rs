@@ -187,3 +187,6 @@ impl PosedFlanks<'_> {
         true
     }
 }
+
+#[cfg(test)]
+mod tests;

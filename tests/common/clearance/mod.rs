@@ -9,6 +9,7 @@
 #![allow(dead_code)] // each test binary uses its part
 
 mod half;
+mod named;
 mod stood;
 mod verdict;
 mod whole;
@@ -16,6 +17,8 @@ mod whole;
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use half::{Clearance, Ends, Half};
+#[allow(unused_imports)] // likewise
+pub use named::named;
 use std::rc::Rc;
 use stood::{Frame, Stood};
 #[allow(unused_imports)] // likewise

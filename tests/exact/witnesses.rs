@@ -1,0 +1,244 @@
+//! Poses that tell the program from one with a small mistake in it.
+//!
+//! Of thousands drawn each is the first at which some one-line change of `src/contact` came to a wrong contact, or a wrong verdict, that a method without
+//! the change refuses ("With one build" of `tests/MUTANTS.md`). Campaigns of a few thousand poses meet most of them by chance; these are few enough to
+//! be run through every referee.
+
+use crate::clearance;
+use crate::modified;
+use crate::random::{self, Random};
+use crate::wide::drawn::{Depth, Drawn, LONGEST, Teeth, run_of};
+use gearlash::contact::{Certifier, CutPair, ExactKernel, LostMotion, Status};
+use gearlash::error::Error;
+use gearlash::pair::{GearPair, Member, Pose};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Of the campaign's pairs.
+const SEED: u64 = 2;
+
+/// Spur poses at [`depth`].
+const SPUR: [u64; 48] = [
+    0, 1, 2, 4, 10, 15, 21, 22, 29, 33, 34, 71, 72, 80, 81, 91, 148, 161, 191, 244, 247, 249, 302,
+    390, 397, 404, 436, 460, 496, 502, 506, 539, 880, 967, 1326, 1941, 2224, 2259, 2294, 2465,
+    2591, 3322, 3919, 3986, 7574, 11364, 14025, 15617,
+];
+
+/// Spur poses whose tips graze: far corners of lands, and corners just beyond a tip.
+const GRAZING: [u64; 3] = [5855, 13216, 25825];
+
+/// Spur poses for what a contact names.
+const NAMED: [u64; 28] = [
+    2, 5, 14, 16, 17, 18, 19, 30, 39, 42, 46, 52, 60, 72, 75, 80, 121, 129, 214, 285, 390, 397,
+    436, 471, 496, 669, 1145, 1326,
+];
+
+/// Spur poses for the polygons and their certificate.
+const CERTIFIED: [u64; 13] = [0, 2, 3, 4, 10, 14, 27, 55, 148, 182, 414, 459, 904];
+
+/// Pairs whose profiles deviate, those that 3 divides with traces.
+const MODIFIED: [u64; 40] = [
+    4, 11, 14, 22, 24, 33, 37, 38, 47, 50, 53, 101, 115, 142, 180, 191, 210, 222, 358, 373, 484,
+    512, 562, 773, 967, 1490, 3006, 3008, 3019, 3024, 3026, 3032, 3044, 3063, 3121, 3324, 3354,
+    3369, 3435, 3536,
+];
+
+/// One pose in five grazes, and one stands in a root.
+fn depth(index: u64) -> Option<Depth> {
+    match index % 5 {
+        3 => Some(Depth::Grazing),
+        4 => Some(Depth::OnRoot),
+        _ => None,
+    }
+}
+
+fn drawn(index: u64) -> (GearPair, Pose) {
+    let drawn = Drawn::of(Teeth::Spur, depth(index), SEED, index);
+    let pose = Pose::new(&drawn.assembly, drawn.mating);
+    (drawn.assembly, pose)
+}
+
+fn cut(assembly: &GearPair) -> CutPair {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module())
+}
+
+/// Complaints of all of `indices`, each with its own.
+fn complaints(indices: &[u64], of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u64, Vec<String>)> {
+    let each = indices.par_iter().map(|&index| (index, of(index)));
+    each.filter(|(_, against)| !against.is_empty()).collect()
+}
+
+/// Faults of both methods and the certificate, and what is left unproven.
+fn by_both_methods(depth: Option<Depth>, index: u64) -> Vec<String> {
+    let tally = run_of(Teeth::Spur, depth, SEED, index..index + 1, LONGEST);
+    let found = tally.faults.into_iter().chain(tally.unproven);
+    found.map(|(_, what)| what).collect()
+}
+
+/// Source: the polygon method and its certificate.
+#[test]
+fn spur_poses_hold_against_polygons() {
+    let mut against = complaints(&SPUR, |index| by_both_methods(depth(index), index));
+    against.extend(complaints(&GRAZING, |index| {
+        by_both_methods(Some(Depth::Grazing), index)
+    }));
+    assert!(against.is_empty(), "{against:#?}");
+}
+
+/// A pose that both methods got wrong alike. Source: clearance of dense points.
+#[test]
+fn a_pose_that_both_methods_may_get_wrong_holds_against_brute_force() {
+    let (assembly, pose) = drawn(81);
+    let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+    let against = clearance::against(&assembly, &pose, &found);
+    assert!(against.is_empty(), "{against:#?}");
+}
+
+/// Source: the half teeth written anew for the clearance, and the teeth that polygons name.
+#[test]
+fn contacts_lie_where_they_say() {
+    let against = complaints(&NAMED, |index| {
+        let (assembly, pose) = drawn(index);
+        let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+        let mut against = clearance::named(&assembly, &pose, &found);
+        let polygon = cut(&assembly).refined_kernel(&assembly).lost_motion(&pose);
+        let polygon = polygon.unwrap();
+        for (one, other) in [(found.right, polygon.right), (found.left, polygon.left)] {
+            let teeth = [one, other]
+                .map(|contact| contact.map(|contact| (contact.wheel.tooth, contact.pinion.tooth)));
+            if teeth[0] != teeth[1] {
+                against.push(format!("polygons name other teeth: {teeth:?}"));
+            }
+        }
+        against
+    });
+    assert!(against.is_empty(), "{against:#?}");
+}
+
+/// Contacts as found, off by ten bounds and by ten thousand either way, left out, and claimed where there are none; whether each is to be borne out. Of a
+/// jammed pose the rotations mean nothing.
+fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
+    let axis = assembly.axis(assembly.free());
+    let gear = assembly.gear(assembly.free()).gear();
+    let pitch = gear.basic_data().angular_pitch();
+    let mut claims = vec![(*found, true)];
+    let mut claim = |right: bool, contact| {
+        let mut claimed = *found;
+        match right {
+            true => claimed.right = contact,
+            false => claimed.left = contact,
+        }
+        let borne = claimed.solid || claimed.status() == Status::Jammed;
+        claims.push((claimed, borne));
+    };
+    for (right, contact) in [(true, found.right), (false, found.left)] {
+        let Some(contact) = contact else {
+            // The other side's, if there is one.
+            let other = found.right.or(found.left);
+            other
+                .into_iter()
+                .for_each(|other| claim(right, Some(other)));
+            continue;
+        };
+        let lever = (contact.point - axis).perp(&contact.normal).abs();
+        // What the finest polygons resolve is some hundreds of ulps.
+        let known = contact.error + 1e3 * f64::EPSILON * assembly.center_distance() / lever;
+        for off in [10.0, -10.0, 1e4, -1e4].map(|bounds| bounds * known) {
+            if off.abs() < 1e-3 * pitch {
+                let mut wrong = contact;
+                wrong.rotation += off;
+                claim(right, Some(wrong));
+            }
+        }
+        claim(right, None);
+    }
+    claims
+}
+
+/// The same with bounds of a fiftieth of a pitch: within them is right, three of them off is wrong.
+fn wide_claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
+    let gear = assembly.gear(assembly.free()).gear();
+    let wide = gear.basic_data().angular_pitch() / 50.0;
+    let mut claims = Vec::new();
+    for off in [0.0, 0.5, -0.5, 3.0, -3.0].map(|bounds| bounds * wide) {
+        for right in [true, false] {
+            let mut claimed = *found;
+            let side = if right {
+                &mut claimed.right
+            } else {
+                &mut claimed.left
+            };
+            let Some(contact) = side else { continue };
+            contact.rotation += off;
+            contact.error = wide;
+            let jammed = claimed.solid || claimed.status() == Status::Jammed;
+            claims.push((claimed, off.abs() < wide || jammed));
+        }
+    }
+    claims
+}
+
+/// What the certificate says that it should not.
+fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
+    let cut = cut(assembly);
+    let certifier = Certifier::new(cut.kernel(assembly));
+    let claims = claims(assembly, found).into_iter();
+    let claims = claims.chain(wide_claims(assembly, found));
+    let wrong = claims.filter_map(|(claimed, borne)| {
+        let seen = certifier.check(pose, &claimed);
+        let right = match &seen {
+            Ok(()) => borne,
+            Err(Error::CertificateFailed { .. }) => !borne,
+            Err(_) => false,
+        };
+        (!right).then(|| format!("{seen:?} of {claimed:?}"))
+    });
+    wrong.collect()
+}
+
+/// Source: both methods, which are at one on what is right.
+#[test]
+fn the_certificate_bears_out_right_contacts_and_refuses_wrong_ones() {
+    let against = complaints(&CERTIFIED, |index| {
+        let (assembly, pose) = drawn(index);
+        let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+        let mut against = by_both_methods(depth(index), index);
+        against.extend(misjudged(&assembly, &pose, &found));
+        against
+    });
+    assert!(against.is_empty(), "{against:#?}");
+}
+
+/// Source: the polygon method and its certificate.
+#[test]
+fn deviating_profiles_hold_against_polygons() {
+    let against = complaints(&MODIFIED, |seed| {
+        let mut random = Random(seed ^ 0x77aa);
+        let assembly = modified::pair(&mut random, seed % 3 == 0).unwrap();
+        let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
+        let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+        let polygon = cut(&assembly).refined_kernel(&assembly).lost_motion(&pose);
+        let polygon = polygon.unwrap();
+        let mut against = Vec::new();
+        for (one, other) in [(exact.right, polygon.right), (exact.left, polygon.left)] {
+            let near = match (one, other) {
+                (Some(one), Some(other)) => {
+                    let turns = (one.rotation - other.rotation) / TAU;
+                    let off = (turns - turns.round()).abs() * TAU;
+                    // The last term is the rounding of an angle of so many turns.
+                    off <= one.error + other.error + 1e-14 * (1.0 + turns.abs())
+                }
+                (one, other) => one.is_none() && other.is_none(),
+            };
+            if !near {
+                against.push(format!("{one:?}, by polygons {other:?}"));
+            }
+        }
+        let cut = cut(&assembly);
+        let certified = Certifier::new(cut.kernel(&assembly)).check(&pose, &exact);
+        against.extend(certified.err().map(|error| error.to_string()));
+        against
+    });
+    assert!(against.is_empty(), "{against:#?}");
+}

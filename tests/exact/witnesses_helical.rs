@@ -1,0 +1,104 @@
+//! Helical poses that tell the program from one with a small mistake in it, as `witnesses` does of spur gears.
+
+use crate::helical_pairs::{self, Draws};
+use crate::random::{self, Random};
+use crate::wide::drawn::{Depth, Drawn, Teeth};
+use gearlash::contact::{Contact, ExactKernel, LostMotion, Status};
+use gearlash::gear::Side;
+use gearlash::pair::{GearPair, Mating, Pose};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Even ones are twice a pose of the campaign, odd ones drawn near to what is made.
+const SECTIONS: [u64; 20] = [
+    6, 14, 16, 24, 26, 28, 38, 48, 50, 62, 65, 70, 78, 82, 92, 96, 118, 142, 148, 158,
+];
+
+/// Sections looked at before the tightest is looked for beside the best of them.
+const PLACES: u32 = 60;
+
+fn drawn(number: u64) -> (GearPair, Mating) {
+    if number.is_multiple_of(2) {
+        let depth = match number / 2 % 5 {
+            3 => Some(Depth::Grazing),
+            4 => Some(Depth::OnRoot),
+            _ => None,
+        };
+        let drawn = Drawn::of(Teeth::Helical, depth, 2, number / 2);
+        return (drawn.assembly, drawn.mating);
+    }
+    let pair = helical_pairs::drawn(&mut Draws(number ^ 0x5ec)).unwrap();
+    let mating = random::mating(&mut Random(number ^ 0x9e1), &pair);
+    (pair, mating)
+}
+
+/// How far beyond its nominal rotation the free gear comes towards `side`, rad: its contact, and the bound on it.
+fn room(side: Side, found: &LostMotion, pose: &Pose) -> Option<(f64, Contact)> {
+    let contact = match side {
+        Side::Right => found.right,
+        Side::Left => found.left,
+    }?;
+    let beyond = contact.rotation - pose.free_rotation();
+    let beyond = beyond - TAU * (beyond / TAU).round();
+    Some((-side.sense() * beyond, contact))
+}
+
+/// The same of one section alone, a spur pair.
+fn of_section(pair: &GearPair, pose: &Pose, side: Side, b: f64) -> Option<(f64, Contact)> {
+    let here = pose.in_section(pair, b);
+    let found = ExactKernel::new(&pair.section(b)).lost_motion(&here);
+    room(side, &found.unwrap(), &here)
+}
+
+/// What speaks against a pose: a section that is tighter than its face, or a contact that its own section has not.
+fn against(number: u64) -> Option<String> {
+    let (pair, mating) = drawn(number);
+    let pose = Pose::new(&pair, mating);
+    let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+    if found.solid || found.status() == Status::Jammed {
+        return None;
+    }
+    let [from, to] = pair.face();
+    Side::BOTH.into_iter().find_map(|side| {
+        let tightest = |b: f64| {
+            of_section(&pair, &pose, side, b)
+                .map_or(f64::NEG_INFINITY, |(room, contact)| room - contact.error)
+        };
+        let places = (0..=PLACES).map(|k| from + (to - from) * f64::from(k) / f64::from(PLACES));
+        let seen = places.map(|b| (tightest(b), b));
+        let mut best = seen.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+        let mut step = (to - from) / f64::from(PLACES);
+        while step > 1e-7 {
+            for b in [best.1 - step, best.1 + step] {
+                let here = tightest(b.clamp(from, to));
+                if here > best.0 {
+                    best = (here, b.clamp(from, to));
+                }
+            }
+            step *= 0.5;
+        }
+        let Some((own, contact)) = room(side, &found, &pose) else {
+            return (best.0 > f64::NEG_INFINITY).then(|| format!("none claimed, {best:?}"));
+        };
+        // The last term is the rounding of a difference of angles of some turns.
+        let known = contact.error + 1e-12;
+        if best.0 > own + known {
+            return Some(format!(
+                "{number}: {best:?} is tighter than {own}, {contact:?}"
+            ));
+        }
+        let there = of_section(&pair, &pose, side, contact.section);
+        let same = there.is_some_and(|(room, one)| (room - own).abs() <= known + one.error);
+        (!same).then(|| format!("{number}: {there:?} in the section of {contact:?}"))
+    })
+}
+
+/// Source: single sections, which are spur pairs: of many, and about the tightest of them.
+#[test]
+fn no_section_is_tighter_than_the_face_of_these() {
+    let complaints: Vec<String> = SECTIONS
+        .par_iter()
+        .filter_map(|&number| against(number))
+        .collect();
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}

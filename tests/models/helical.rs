@@ -299,11 +299,11 @@ fn what_is_no_helical_pair_is_refused() {
     );
     assert!(
         said(pair(gear(20.0, Hand::Left), gear(21.0, Hand::Right)))
-            .starts_with("helix_angle_deg differs: wheel 20")
+            .starts_with("helix angle (degrees) differs: wheel 20")
     );
     assert!(
         said(pair(gear(20.0, Hand::Left), gear(0.0, Hand::Right)))
-            .starts_with("helix_angle_deg differs")
+            .starts_with("helix angle (degrees) differs")
     );
     let helical = pair(gear(20.0, Hand::Left), gear(20.0, Hand::Right)).unwrap();
     assert!(helical.clone().with_face([5.0, 4.0]).is_err());

@@ -136,5 +136,10 @@ fn no_pose_touches_off_the_involutes_above_the_onset() {
             let still = matings.iter().find(touches);
             assert_eq!(still, None, "{seed}: at {distance}");
         }
+        let beside = (-8..=8).map(|k| found.mating.onward(&pair, f64::from(k) / 64.0));
+        for mating in beside {
+            let there = class(high + 1e-3, &mating);
+            assert!(!there.is_non_involute(), "{seed}: {mating:?} {there:?}");
+        }
     }
 }

@@ -235,6 +235,13 @@ fn deviating_profiles_hold_against_polygons() {
                 against.push(format!("{one:?}, by polygons {other:?}"));
             }
         }
+        if exact.status() != polygon.status() {
+            against.push(format!(
+                "{:?}, by polygons {:?}",
+                exact.status(),
+                polygon.status()
+            ));
+        }
         let cut = cut(&assembly);
         let certified = Certifier::new(cut.kernel(&assembly)).check(&pose, &exact);
         against.extend(certified.err().map(|error| error.to_string()));

@@ -8,7 +8,10 @@ use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use rayon::prelude::*;
 
 /// Every fifth is helical; of the others half are near to what is made, and half of the campaign.
-const CYCLES: [u64; 12] = [4, 5, 9, 10, 14, 15, 29, 34, 42, 50, 64, 86];
+const CYCLES: [u64; 28] = [
+    4, 5, 9, 10, 14, 15, 19, 29, 34, 42, 44, 50, 60, 64, 69, 86, 91, 97, 115, 195, 217, 221, 291,
+    329, 365, 367, 427, 604,
+];
 
 /// What a bracket may be wide, mm.
 const WIDTH: f64 = 1e-6;

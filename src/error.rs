@@ -127,6 +127,9 @@ pub enum GearError {
     /// No tolerance field of the tooth thickness.
     #[error("no tolerance field of DIN 3967")]
     ThicknessField,
+    /// A study that runs exactly its measured rows has no other centre distances.
+    #[error("a study without a sweep runs exactly its measured rows, at their centre distances")]
+    MeasuredRows,
     /// No tolerance field of a centre distance.
     #[error("no tolerance field of a centre distance")]
     DistanceField,

@@ -183,14 +183,10 @@ impl Study {
     ///
     /// # Errors
     /// [`GearError::BaseCirclesOverlap`], at a distance or, with bearing clearance, at `a − c`;
-    /// [`GearError::OutOfRange`] for a study that runs exactly its measured rows.
+    /// [`GearError::MeasuredRows`] for a study that runs exactly its measured rows.
     pub fn at(mut self, center_distances: Vec<f64>) -> Result<Study, GearError> {
         if self.sweep.is_none() {
-            return Err(GearError::OutOfRange {
-                what: "number of other centre distances",
-                value: center_distances.len() as f64,
-                allowed: "none: a study without a sweep runs exactly its measured rows, at their centre distances",
-            });
+            return Err(GearError::MeasuredRows);
         }
         for (_, wheel, pinion) in &self.materials {
             for a in &center_distances {

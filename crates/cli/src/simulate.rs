@@ -17,7 +17,7 @@ use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_bloc
 use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::pair::GearPair;
-use gearlash_files::{AnyPair, OutlinePairFile, ResultWriter};
+use gearlash_files::{AnyPair, OutlinePairFile, ResultWriter, distance_refused};
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
 use std::io::{IsTerminal, Write};
@@ -58,7 +58,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     if let Some(Distances(distances)) = &args.center_distance {
         let moved = file.at(distances.clone());
-        file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
+        file = moved.map_err(|reason| {
+            let reason = distance_refused(&reason);
+            Error::Usage(format!("--center-distance: {reason}"))
+        })?;
     }
     let study = &file.study;
     let unit = args

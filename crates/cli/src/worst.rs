@@ -7,6 +7,7 @@ use gearlash::analysis::simulate::Run;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::PoseResult;
+use gearlash_files::distance_refused;
 use gearlash_files::verdict::sentence;
 
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given; says the verdict on standard
@@ -59,5 +60,8 @@ fn narrowed(
         return Ok(study);
     }
     let moved = study.at(vec![distance]);
-    moved.map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
+    moved.map_err(|reason| {
+        let reason = distance_refused(&reason);
+        Error::Usage(format!("--center-distance {distance}: {reason}"))
+    })
 }

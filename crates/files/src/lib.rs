@@ -108,7 +108,7 @@ pub use outlines::OutlinePairFile;
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use part_error::PartError;
 pub use parts::Parts;
-pub use read::{GearEntry, GearsFile, PairFile};
+pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use results::{ResultFile, ResultWriter, result_file};
 pub use shards::MOST_SHARDS;
 pub use sources::Sources;

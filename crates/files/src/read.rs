@@ -48,6 +48,16 @@ impl PairFile {
     }
 }
 
+/// Why a study cannot be had at other centre distances, in the keys of pair files.
+pub fn distance_refused(reason: &GearError) -> String {
+    match reason {
+        GearError::MeasuredRows => {
+            "without [sweep] exactly the rows of [measured] are run, at their centre distances; add [sweep] to run others".to_owned()
+        }
+        other => other.to_string(),
+    }
+}
+
 /// The gears of a gear file or a pair file.
 ///
 /// Made by [`crate::read_gears`].

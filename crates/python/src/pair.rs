@@ -5,7 +5,7 @@ use crate::gear::chosen;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Mating, Member};
-use gearlash_files::{InputError, PairFile};
+use gearlash_files::{InputError, PairFile, distance_refused};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -115,7 +115,10 @@ impl Pair {
             ));
         }
         let moved = self.file.clone().at(distances);
-        let file = moved.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
+        let file = moved.map_err(|reason| {
+            let reason = distance_refused(&reason);
+            error(py, format!("center_distance_mm: {reason}"))
+        })?;
         Ok(Pair { file })
     }
 

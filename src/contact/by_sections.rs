@@ -1,10 +1,11 @@
 //! Polygons of a helical pair, section by section.
 //!
-//! A witness beside [`super::ExactKernel`]: in the sections that hold the tightest of all pairs of involutes, and in those in which a contact was found.
+//! A witness beside [`super::ExactKernel`]: in the sections that hold the tightest of all pairs of involutes, and in those in which a contact or a
+//! jam was found. (A tip may stand in the mate's body over a short stretch between them, where nothing touches first.)
 
 use super::effort::Effort;
 use super::lost_motion::{Contact, LostMotion, Status};
-use super::over_face::OverFace;
+use super::over_face::{FoundOverFace, OverFace};
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use crate::error::Error;
 use crate::gear::Side;
@@ -30,38 +31,69 @@ impl Sections<'_> {
     pub fn lost_motion(
         &self,
         pose: &Pose,
-        found: Option<&LostMotion>,
+        found: Option<&FoundOverFace>,
         effort: &Effort,
     ) -> Result<LostMotion, Error> {
         let mut over = OverFace::default();
-        let touching = found
-            .into_iter()
-            .flat_map(|found| [found.right, found.left]);
-        let touching = touching.flatten().map(|contact| contact.section);
-        for b in self.places.iter().copied().chain(touching) {
-            let section = self.assembly.section(b);
-            let here = pose.in_section(self.assembly, b);
-            let [wheel, pinion] = self.cut;
-            let kernel = PolygonKernel::refined(&section, wheel, pinion);
-            effort.spend(SECTION);
-            over.take(b, &here, kernel.lost_motion_within(&here, effort)?);
+        let further = found.into_iter().flat_map(|found| {
+            let touching = [found.lost_motion.right, found.lost_motion.left];
+            let touching = touching.map(|contact| contact.map(|contact| contact.section));
+            touching.into_iter().flatten().chain(found.jam)
+        });
+        for b in self.places.iter().copied().chain(further) {
+            let (here, lost_motion) = self.in_section(pose, b, effort)?;
+            over.take(b, &here, lost_motion);
         }
         let free = self.assembly.gear(self.assembly.free()).gear();
-        Ok(over.lost_motion(pose.free_rotation(), free.basic_data().angular_pitch()))
+        let pitch = free.basic_data().angular_pitch();
+        Ok(over.found(pose.free_rotation(), pitch).lost_motion)
     }
 
-    /// Bears out both contacts of `found`: each touches in its section, and all other sections are clear. A jammed pose has one that jams.
+    /// Both contacts in the section at `b`, mm, at the pose that `pose` is there.
+    fn in_section(
+        &self,
+        pose: &Pose,
+        b: f64,
+        effort: &Effort,
+    ) -> Result<(Pose, LostMotion), Error> {
+        let section = self.assembly.section(b);
+        let here = pose.in_section(self.assembly, b);
+        let [wheel, pinion] = self.cut;
+        let kernel = PolygonKernel::refined(&section, wheel, pinion);
+        effort.spend(SECTION);
+        let found = kernel.lost_motion_within(&here, effort)?;
+        Ok((here, found))
+    }
+
+    /// Bears out both contacts of `found`: each touches in its section, and all other sections are clear. Of a jammed pose it is enough that one
+    /// jams by itself, and where `found` says so of one, that one must.
     ///
     /// # Errors
     /// As [`Certifier::check`].
-    pub fn check(&self, pose: &Pose, found: &LostMotion, effort: &Effort) -> Result<(), Error> {
-        if found.status() == Status::Jammed {
+    pub fn check(&self, pose: &Pose, found: &FoundOverFace, effort: &Effort) -> Result<(), Error> {
+        let lost_motion = &found.lost_motion;
+        if lost_motion.status() == Status::Jammed {
             let own = self.lost_motion(pose, Some(found), effort)?;
             if own.status() == Status::Jammed {
                 return Ok(());
             }
         }
-        for (side, contact) in [(Side::Right, found.right), (Side::Left, found.left)] {
+        if let Some(b) = found.jam.filter(|_| lost_motion.solid) {
+            let section = self.assembly.section(b);
+            let (here, own) = self.in_section(pose, b, effort)?;
+            // What is known of the overlap may not be its sign.
+            let is_open = own.angle().zip(own.error());
+            if is_open.is_none_or(|(angle, bound)| angle.abs() > bound) {
+                let [wheel, pinion] = self.cut;
+                let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
+                let reason = format!("the section at {b} mm is not jammed");
+                return Err(certifier.failed(&here, Side::Right, reason));
+            }
+        }
+        for (side, contact) in [
+            (Side::Right, lost_motion.right),
+            (Side::Left, lost_motion.left),
+        ] {
             let at = contact.map(|contact| contact.section);
             let others = self.places.iter().copied().filter(|&b| Some(b) != at);
             for b in at.into_iter().chain(others) {
@@ -119,13 +151,13 @@ mod tests {
             places: kernel.sections(),
         };
         let pose = Pose::new(&pair, Mating::FIRST);
-        let exact = kernel.lost_motion(&pose).unwrap();
+        let exact = kernel.found_within(&pose, &Effort::of_pose()).unwrap();
         let effort = Effort::of_pose();
         let polygon = sections.lost_motion(&pose, Some(&exact), &effort).unwrap();
         let polygons = effort.used();
         sections.check(&pose, &exact, &effort).unwrap();
-        let both = [&exact, &polygon].map(|found| found.angle().unwrap());
-        let bounds = exact.error().unwrap() + polygon.error().unwrap();
+        let both = [&exact.lost_motion, &polygon].map(|found| found.angle().unwrap());
+        let bounds = exact.lost_motion.error().unwrap() + polygon.error().unwrap();
         assert!((both[0] - both[1]).abs() <= bounds, "{both:?}");
         // Every section costs its share: half of it is not enough for all.
         assert!(polygons > sections.places.len() as u64);

@@ -10,10 +10,18 @@ use std::f64::consts::{PI, TAU};
 pub(super) struct OverFace {
     right: Option<(f64, Contact)>,
     left: Option<(f64, Contact)>,
-    /// Whether a section is jammed.
-    pub solid: bool,
+    /// The first section that is jammed, mm.
+    jam: Option<f64>,
     /// Whether nothing was turned at all.
     jammed: bool,
+}
+
+/// What was found at a pose over a face.
+#[derive(Debug)]
+pub(super) struct FoundOverFace {
+    pub lost_motion: LostMotion,
+    /// A section that jams the gears by itself, mm, whatever touches first elsewhere.
+    pub jam: Option<f64>,
 }
 
 impl OverFace {
@@ -23,7 +31,9 @@ impl OverFace {
         // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
         let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
         // A section that is jammed jams the gears, whatever touches first elsewhere.
-        self.solid |= found.status() == Status::Jammed;
+        if found.status() == Status::Jammed {
+            self.jam.get_or_insert(b);
+        }
         self.jammed |= found.solid && found.right.is_none();
         let turns = |angle: f64| angle - TAU * (angle / TAU).round();
         let right = found.right.map(|contact| turns(contact.rotation - nominal));
@@ -54,7 +64,7 @@ impl OverFace {
     /// both sides do: that does not overlap either.
     pub fn known(&self, may_jam: bool) -> [f64; 2] {
         match (self.right, self.left) {
-            (Some((right, _)), Some((left, _))) if self.solid || !may_jam => [right, left],
+            (Some((right, _)), Some((left, _))) if self.is_solid() || !may_jam => [right, left],
             (Some((right, _)), Some((left, _))) => [right.min(left), right.max(left)],
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         }
@@ -77,6 +87,11 @@ impl OverFace {
         open.contains(&true) && one > other
     }
 
+    /// Whether a section is jammed.
+    pub fn is_solid(&self) -> bool {
+        self.jam.is_some()
+    }
+
     /// How far beyond its nominal rotation the free gear stops, rad.
     pub fn beyond(&self, side: Side) -> Option<f64> {
         match side {
@@ -87,9 +102,11 @@ impl OverFace {
     }
 
     /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear; `pitch` is its angular pitch, rad.
-    pub fn lost_motion(self, nominal: f64, pitch: f64) -> LostMotion {
+    pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
+        let jam = self.jam;
         if self.jammed {
-            return LostMotion::JAMMED;
+            let lost_motion = LostMotion::JAMMED;
+            return FoundOverFace { lost_motion, jam };
         }
         let contact = |held: Option<(f64, Contact)>| {
             held.map(|(beyond, contact)| Contact {
@@ -100,8 +117,11 @@ impl OverFace {
         let result = LostMotion {
             right: contact(self.right),
             left: contact(self.left),
-            solid: self.solid,
+            solid: jam.is_some(),
         };
-        result.normalised(nominal).within(pitch)
+        FoundOverFace {
+            lost_motion: result.normalised(nominal).within(pitch),
+            jam,
+        }
     }
 }

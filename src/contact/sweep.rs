@@ -4,6 +4,7 @@ use super::by_sections::Sections;
 use super::effort::Effort;
 use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
+use super::over_face::FoundOverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use super::swept::{PolygonDifference, PoseResult, Unproven};
 use crate::error::Error;
@@ -108,7 +109,7 @@ impl<'a> Solver<'a> {
         // One for all that is done at this pose.
         let effort = Effort::of_pose();
         let exact = self.exact.as_ref();
-        let exact = exact.map(|kernel| kernel.lost_motion_within(pose, &effort));
+        let exact = exact.map(|kernel| kernel.found_within(pose, &effort));
         let seen = exact.as_ref().and_then(|found| found.as_ref().ok());
         let polygon = match &self.sections {
             Some(sections) if !self.certify => Some(sections.lost_motion(pose, seen, &effort)),
@@ -119,6 +120,8 @@ impl<'a> Solver<'a> {
         };
         // What was lost is kept as its reason; anything else ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
+        let jam = exact.as_ref().and_then(|found| found.as_ref().ok()?.jam);
+        let exact = exact.map(|found| found.map(|found| found.lost_motion));
         let value = |found: &LostMotion| self.backlash(found);
         let found_by =
             |tried: &Option<Result<LostMotion, String>>| tried.as_ref().map(Result::is_ok);
@@ -126,14 +129,17 @@ impl<'a> Solver<'a> {
         let one_alone = one_alone.is_some_and(|(exact, polygon)| exact != polygon);
         let found = match (exact, polygon) {
             (Some(Ok(exact)), Some(Ok(polygon))) => return Ok(self.of_both(exact, &polygon)),
-            (Some(Ok(exact)), None) => match self.certificate(pose, &exact, &effort)? {
-                None => Ok(exact),
-                Some(reason) => Err(Unproven {
-                    reason,
-                    exact: value(&exact),
-                    polygon: None,
-                }),
-            },
+            (Some(Ok(lost_motion)), None) => {
+                let found = FoundOverFace { lost_motion, jam };
+                match self.certificate(pose, &found, &effort)? {
+                    None => Ok(lost_motion),
+                    Some(reason) => Err(Unproven {
+                        reason,
+                        exact: value(&lost_motion),
+                        polygon: None,
+                    }),
+                }
+            }
             (None, Some(Ok(polygon))) => Ok(polygon),
             (exact, polygon) => {
                 let reason = |name: &str, tried: &Option<Result<LostMotion, String>>| {
@@ -201,11 +207,11 @@ impl<'a> Solver<'a> {
     fn certificate(
         &self,
         pose: &Pose,
-        found: &LostMotion,
+        found: &FoundOverFace,
         effort: &Effort,
     ) -> Result<Option<String>, Error> {
         let checked = match (&self.certifier, &self.sections) {
-            (Some(certifier), _) => certifier.check_within(pose, found, effort),
+            (Some(certifier), _) => certifier.check_within(pose, &found.lost_motion, effort),
             (None, Some(sections)) if self.certify => sections.check(pose, found, effort),
             _ => return Ok(None),
         };

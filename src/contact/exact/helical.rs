@@ -28,7 +28,7 @@ use super::section::{Section, Wanted};
 use super::teeth::Teeth;
 use crate::contact::Effort;
 use crate::contact::lost_motion::LostMotion;
-use crate::contact::over_face::OverFace;
+use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
@@ -67,9 +67,10 @@ impl Helical {
             false => 0.0,
         };
         let mut sections: Vec<(f64, Section)> = (0..=spaces as u64)
-            .map(|k| match spaces > 0.0 {
-                true => from + (to - from) * (k as f64 / spaces),
-                false => from,
+            .map(|k| match k as f64 >= spaces {
+                // An end is itself, to the last bit.
+                true => to,
+                false => from + (to - from) * (k as f64 / spaces),
             })
             .map(|b| (b, plane.turned(&assembly.section(b))))
             .collect();
@@ -120,7 +121,7 @@ impl Helical {
         pose: &Pose,
         effort: &Effort,
         method: impl Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>,
-    ) -> Result<LostMotion, Error> {
+    ) -> Result<FoundOverFace, Error> {
         let mut over = OverFace::default();
         let nominal = pose.free_rotation();
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
@@ -131,7 +132,7 @@ impl Helical {
             let mut found = None;
             if effort.used() > UNHURRIED && known[0].is_finite() {
                 let tighter = method(section, &here, Wanted { effort, known })?;
-                let is_enough = !may_jam || over.solid;
+                let is_enough = !may_jam || over.is_solid();
                 let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
                 found = Some(tighter).filter(|found| is_enough || clear(found));
             }
@@ -165,7 +166,7 @@ impl Helical {
                 }
             }
         }
-        Ok(over.lost_motion(nominal, self.plane.free_pitch()))
+        Ok(over.found(nominal, self.plane.free_pitch()))
     }
 }
 

@@ -53,6 +53,7 @@ pub(super) use flank_problem::lens_half;
 
 use super::effort::Effort;
 use super::lost_motion::LostMotion;
+use super::over_face::FoundOverFace;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
 use helical::Helical;
@@ -96,7 +97,7 @@ impl ExactKernel {
     /// # Errors
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved within the effort of a pose; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.lost_motion_within(pose, &Effort::of_pose())
+        Ok(self.found_within(pose, &Effort::of_pose())?.lost_motion)
     }
 
     /// Units of effort, counted and not timed, that `pose` takes, and how many it may take before it is given up.
@@ -104,18 +105,22 @@ impl ExactKernel {
         let effort = Effort::of_pose();
         let most = effort.left();
         // What it came to is not asked for.
-        let _ = self.lost_motion_within(pose, &effort);
+        let _ = self.found_within(pose, &effort);
         [effort.used(), most]
     }
 
-    /// The same with what `effort` allows, which is of this pose alone.
-    pub(super) fn lost_motion_within(
+    /// The same with what `effort` allows, which is of this pose alone, and which section of helical gears jams.
+    pub(super) fn found_within(
         &self,
         pose: &Pose,
         effort: &Effort,
-    ) -> Result<LostMotion, Error> {
+    ) -> Result<FoundOverFace, Error> {
         match &self.helical {
-            None => self.section.lost_motion(pose, Wanted::all(effort)),
+            None => {
+                let lost_motion = self.section.lost_motion(pose, Wanted::all(effort))?;
+                let jam = None;
+                Ok(FoundOverFace { lost_motion, jam })
+            }
             Some(helical) => helical.over(pose, effort, Section::lost_motion),
         }
     }
@@ -139,10 +144,10 @@ impl ExactKernel {
         mating: Mating,
     ) -> (Result<Option<LostMotion>, Error>, u64) {
         let effort = Effort::of_pose();
-        let found = self.lost_motion_within(&Pose::new(assembly, mating), &effort);
+        let found = self.found_within(&Pose::new(assembly, mating), &effort);
         let found = match found {
             Err(error) if error.of_one_pose().is_some() => Ok(None),
-            found => found.map(Some),
+            found => found.map(|found| Some(found.lost_motion)),
         };
         (found, effort.used())
     }
@@ -159,7 +164,10 @@ impl ExactKernel {
                 let wanted = Wanted::all(&effort);
                 self.section.lost_motion_by_search(pose, wanted)
             }
-            Some(helical) => helical.over(pose, &effort, Section::lost_motion_by_search),
+            Some(helical) => {
+                let found = helical.over(pose, &effort, Section::lost_motion_by_search)?;
+                Ok(found.lost_motion)
+            }
         }
     }
 

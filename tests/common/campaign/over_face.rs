@@ -38,8 +38,7 @@ pub fn outcome(drawn: &Drawn, cut: &CutPair) -> Outcome {
 }
 
 /// A certificate that fails, and methods that differ by more than both bounds or on the status, are faults; where effort ends one of them it is not
-/// proven. Polygons see the sections that hold the tightest of all involutes and those of the exact contacts: a tip that comes to a root
-/// between them jams the pair for the exact method alone.
+/// proven.
 fn judge(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
     let um = drawn.assembly.operating_pitch_radius(drawn.assembly.free()) * 1e3;
     if let Err(unproven) = &certified.found {
@@ -60,10 +59,6 @@ fn judge(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
                 agreement.difference_um = mm.abs() * 1e3;
             }
             agreement.bound_um = found.error().unwrap_or(0.0) * um;
-            Verdict::Borne(agreement)
-        }
-        Err(unproven) if unproven.reason.starts_with("the exact method finds jammed") => {
-            agreement.border = Some("jammed between the sections that polygons see");
             Verdict::Borne(agreement)
         }
         Err(unproven) if unproven.reason.starts_with("the exact") => {

@@ -21,6 +21,8 @@ pub struct Half {
     /// Depth `h` of the tool's tip round's centre below the pitch line, and its radius `ρ`, mm.
     depth: f64,
     round: f64,
+    /// `ρ/cos β`: in the transverse section of a helical gear the round is an ellipse, so wide along the pitch line.
+    wide: f64,
     /// Angle from the tooth's centre line to where the root land begins.
     pub land: f64,
     /// Fillet: greatest `γ`, and the radius there, where the involute takes over.
@@ -69,19 +71,21 @@ impl Half {
         let design = gear.design();
         let basic_data = &design.basic_data;
         let (teeth, module) = (f64::from(basic_data.teeth()), basic_data.module());
-        let alpha = basic_data.pressure_angle();
-        let reference = 0.5 * module * teeth;
+        // Of the normal section; seen from the front the tool is 1/cos β wider, and as high.
+        let (normal, cos) = (basic_data.pressure_angle(), basic_data.helix_angle().cos());
+        let alpha = (normal.tan() / cos).atan();
+        let reference = 0.5 * module * teeth / cos;
         let base = reference * alpha.cos();
         let half_base = gear.base_thickness() / (2.0 * base);
-        // Thickness at the reference circle s = 2 r (ψ_b − inv α) = m (π/2 + 2 x_E tan α).
-        let fed = reference * (half_base - (alpha.tan() - alpha)) / alpha.tan()
-            - 0.25 * PI * module / alpha.tan();
+        // Thickness at the reference circle s = 2 r (ψ_b − inv α) = m (π/2 + 2 x_E tan α)/cos β.
+        let fed = cos * reference * (half_base - (alpha.tan() - alpha)) / normal.tan()
+            - 0.25 * PI * module / normal.tan();
         let round = design.rack.root_radius() * module;
         let depth = design.rack.dedendum() * module - round - fed;
         // From the middle of the tool's tip to the centre of its round.
         let flat = 0.25 * PI * module
-            - (design.rack.dedendum() * module - round) * alpha.tan()
-            - round / alpha.cos();
+            - (design.rack.dedendum() * module - round) * normal.tan()
+            - round / normal.cos();
         let mut half = Half {
             base,
             tip: gear.tip_radius(),
@@ -90,7 +94,8 @@ impl Half {
             half_base,
             depth,
             round,
-            land: PI / teeth - flat.max(0.0) / reference,
+            wide: round / cos,
+            land: PI / teeth - flat.max(0.0) / (cos * reference),
             gamma: FRAC_PI_2 - alpha,
             form: 0.0,
             table: Vec::new(),
@@ -117,7 +122,7 @@ impl Half {
     /// Undercut: the fillet ends where it crosses the involute, outside of where the tool's flank would have begun it.
     fn end_fillet(&mut self) {
         let alpha = FRAC_PI_2 - self.gamma;
-        let touching = self.reference * alpha.sin() - self.depth / alpha.sin() - self.round;
+        let touching = self.reference * alpha.sin() - self.rolled_to(self.gamma)[0] / alpha.sin();
         if touching >= 0.0 {
             return;
         }
@@ -134,14 +139,27 @@ impl Half {
 
     /// Polar coordinates of the fillet at `γ`, the contact normal's angle from the radius through the pitch point.
     ///
-    /// The tool's round has its centre at the depth `h`; the normal through the pitch point makes `γ` with the depth,
-    /// so the centre lies `h tan γ` aside and the rack has still that way to roll; the point lies `ρ` beyond the centre.
+    /// The normal through the pitch point makes `γ` with the depth, so the point lies (depth) × tan γ aside.
     fn fillet(&self, gamma: f64) -> (f64, f64) {
-        let deep = self.depth + self.round * gamma.cos();
-        let aside = self.depth * gamma.tan() + self.round * gamma.sin();
-        let out = self.reference - deep;
-        let rolled = self.depth * gamma.tan() / self.reference;
+        let [deep, rolled] = self.rolled_to(gamma);
+        let (out, aside) = (self.reference - deep, deep * gamma.tan());
         (out.hypot(aside), aside.atan2(out) - rolled - self.land)
+    }
+
+    /// Depth below the pitch line, mm, of the point of the tool's round whose normal makes `γ` with the depth, and how far the gear has to roll until
+    /// that passes the pitch point, rad.
+    ///
+    /// The round is an ellipse, `ρ/cos β` along the pitch line and `ρ` deep: from its centre, at the depth `h`, that point lies
+    /// `(ρ/cos β)² sin γ/N` aside and `ρ² cos γ/N` deeper, `N = √((ρ/cos β)² sin² γ + ρ² cos² γ)`.
+    fn rolled_to(&self, gamma: f64) -> [f64; 2] {
+        let (sin, cos) = gamma.sin_cos();
+        let size = (self.wide * sin).hypot(self.round * cos);
+        let from_centre = match size > 0.0 {
+            true => [self.wide * self.wide * sin, self.round * self.round * cos].map(|v| v / size),
+            false => [0.0; 2],
+        };
+        let deep = self.depth + from_centre[1];
+        [deep, (deep * gamma.tan() - from_centre[0]) / self.reference]
     }
 
     /// `γ` of the fillet at `radius`: bracketed by the table, then the secant rule kept in its bracket (Illinois).
@@ -221,7 +239,7 @@ impl Half {
         let gamma = self.gamma_at(radius);
         let (_, angle) = self.fillet(gamma);
         // The normal stands γ off the radius through the pitch point.
-        let pitch_point = -self.depth * gamma.tan() / self.reference - self.land;
+        let pitch_point = -self.rolled_to(gamma)[1] - self.land;
         (-angle, (pitch_point - gamma - angle).sin().abs())
     }
 

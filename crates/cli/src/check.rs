@@ -136,12 +136,12 @@ fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
             studies::drawings(&drawings).map(Some)
         }
         (paths, distance) if paths.iter().any(|path| is_drawing(path)) => {
-            Err(Error::Usage(match distance {
-                Some(_) => "give two drawings, of the wheel and of the pinion, or pair files alone"
-                    .to_owned(),
-                None => {
+            Err(Error::Usage(match (paths, distance) {
+                ([wheel, pinion], None) if is_drawing(wheel) && is_drawing(pinion) => {
                     "two drawings need their centre distance: add --center-distance A".to_owned()
                 }
+                _ => "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)"
+                    .to_owned(),
             }))
         }
         (_, distance) if distance.is_some() || args.drawn.given() => Err(Error::Usage(

@@ -34,6 +34,11 @@ fn what_an_outline_cannot_do_is_said() {
             &["check", "wheel_20.dxf", "--center-distance", "40"],
             "give two drawings",
         ),
+        // It asked for a centre distance of "two drawings".
+        (
+            &["check", "drawn_20x20.toml", "--map", "map.svg"],
+            "--map writes into the folder of -o",
+        ),
         (
             &["check", "drawn_20x20.toml", "--center-distance", "40"],
             "belong to two drawings",

@@ -40,7 +40,7 @@ pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
 }
 
 /// Radius about its axis within which a gear is solid at every rotation, mm.
-fn solid_radius(gear: &AsBuilt) -> f64 {
+pub(super) fn solid_radius(gear: &AsBuilt) -> f64 {
     gear.gear().root_radius() - gear.eccentricity()
 }
 

@@ -30,9 +30,11 @@ impl OverFace {
         let nominal = here.free_rotation();
         // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
         let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
-        // A section that is jammed jams the gears, whatever touches first elsewhere.
-        if found.status() == Status::Jammed {
-            self.jam.get_or_insert(b);
+        // A section that is jammed jams the gears, whatever touches first elsewhere: what touches there is named.
+        if found.status() == Status::Jammed && self.jam.is_none() {
+            (self.jam, self.right, self.left) = (Some(b), None, None);
+        } else if self.jam.is_some() {
+            return;
         }
         self.jammed |= found.solid && found.right.is_none();
         let turns = |angle: f64| angle - TAU * (angle / TAU).round();
@@ -64,7 +66,7 @@ impl OverFace {
     /// both sides do: that does not overlap either.
     pub fn known(&self, may_jam: bool) -> [f64; 2] {
         match (self.right, self.left) {
-            (Some((right, _)), Some((left, _))) if self.is_solid() || !may_jam => [right, left],
+            (Some((right, _)), Some((left, _))) if !may_jam => [right, left],
             (Some((right, _)), Some((left, _))) => [right.min(left), right.max(left)],
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         }

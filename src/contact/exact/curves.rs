@@ -1,6 +1,7 @@
 //! Pairs of curves, as sets and as what an error names.
 
 use crate::gear::ProfilePart;
+use std::array::from_fn;
 
 /// A set of pairs of curves, the locked gear's first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -14,6 +15,19 @@ impl Curves {
     pub fn without(mut self, locked: ProfilePart, free: ProfilePart) -> Curves {
         self.0[locked as usize][free as usize] = false;
         self
+    }
+
+    /// Every pair in which a curve of either gear is.
+    pub fn of(part: ProfilePart) -> Curves {
+        let part = part as usize;
+        let one = |locked, free| locked == part || free == part;
+        Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
+    }
+
+    /// All of these but `others`.
+    pub fn but(self, others: Curves) -> Curves {
+        let one = |locked: usize, free: usize| self.0[locked][free] && !others.0[locked][free];
+        Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
     pub fn has(self, locked: ProfilePart, free: ProfilePart) -> bool {

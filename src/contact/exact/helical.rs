@@ -21,18 +21,23 @@
 //! Where an edge comes to a fillet, or paths of contact are next to none, more is to be seen between ([`edges`]).
 
 mod edges;
+mod roots;
 mod turning;
 
 use super::flank_problem::FlankProblem;
-use super::section::{Section, Wanted};
+use super::section::{Section, Wanted, floor};
+use super::shape::C;
 use super::teeth::Teeth;
 use crate::contact::Effort;
+use crate::contact::body::solid_radius;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
+use roots::Floors;
+pub(super) use roots::Roots;
 
 /// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
 /// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
@@ -43,6 +48,9 @@ const UNHURRIED: u64 = 20_000;
 
 /// Times the places of [`edges`] are looked for: each leaves the square of what the last one left.
 const MOST_ROUNDS: usize = 4;
+
+/// A change, rad, of the free gear's rotation after which no other round is needed: the square is below rounding.
+const SETTLED: f64 = 1e-8;
 
 /// A pair of helical gears.
 #[derive(Debug, Clone)]
@@ -115,7 +123,8 @@ impl Helical {
         shortest_path(&self.assembly) > 0.0
     }
 
-    /// Both contacts of `pose`, as `method` finds them in each section, with what `effort` allows for all of them.
+    /// Both contacts of `pose`, as `method` finds them in each section, with what `effort` allows for all of them; of a section that jams the gears
+    /// by itself those in it, for nothing turns then, whatever touches elsewhere.
     pub fn over(
         &self,
         pose: &Pose,
@@ -127,14 +136,16 @@ impl Helical {
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
         let may_jam = on_roots || self.plane.bodies.is_some();
         let look = |b: f64, section: &Section, over: &mut OverFace| -> Result<(), Error> {
+            if over.is_solid() {
+                return Ok(());
+            }
             let here = pose.in_section(&self.assembly, b);
             let known = over.known(may_jam);
             let mut found = None;
             if effort.used() > UNHURRIED && known[0].is_finite() {
                 let tighter = method(section, &here, Wanted { effort, known })?;
-                let is_enough = !may_jam || over.is_solid();
                 let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
-                found = Some(tighter).filter(|found| is_enough || clear(found));
+                found = Some(tighter).filter(|found| !may_jam || clear(found));
             }
             let found = match found {
                 Some(found) => found,
@@ -147,20 +158,49 @@ impl Helical {
             look(*b, section, &mut over)?;
         }
         if let Some(edges) = &self.edges {
+            let section = |b: f64| self.plane.turned(&self.assembly.section(b));
+            let solid = solid_radius(self.assembly.gear(self.assembly.free()));
             for (side, problem) in [
                 (Side::Right, &self.plane.right),
                 (Side::Left, &self.plane.left),
             ] {
                 let posed = self.plane.posed(problem, pose);
                 // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
-                let mut last = f64::NAN;
-                for _ in 0..MOST_ROUNDS {
-                    let Some(beyond) = over.beyond(side).filter(|&beyond| beyond != last) else {
+                let rounds = if problem.free_off == C::ZERO {
+                    1
+                } else {
+                    MOST_ROUNDS
+                };
+                let mut last = f64::INFINITY;
+                for _ in 0..rounds {
+                    let Some(beyond) = over.beyond(side) else {
                         break;
                     };
+                    if over.is_solid() || (beyond - last).abs() <= SETTLED {
+                        break;
+                    }
                     let rotation = -side.sense() * (nominal + beyond);
                     for b in edges.places(&self.assembly, &posed, rotation, effort) {
-                        look(b, &self.plane.turned(&self.assembly.section(b)), &mut over)?;
+                        look(b, &section(b), &mut over)?;
+                    }
+                    if edges.jams {
+                        let roots = Roots::new(&self.assembly, &posed, rotation);
+                        let (crossings, at_roots) = roots.places(effort);
+                        for b in crossings {
+                            look(b, &section(b), &mut over)?;
+                        }
+                        for at in at_roots {
+                            let tighter = floor(&posed, over.known(false), pose);
+                            let jams = floor(&posed, over.known(true), pose);
+                            let floors = Floors {
+                                tighter,
+                                jams,
+                                solid,
+                            };
+                            if !over.is_solid() && roots.may_hold(at, floors, effort) {
+                                look(at.b, &section(at.b), &mut over)?;
+                            }
+                        }
                     }
                     last = beyond;
                 }

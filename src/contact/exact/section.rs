@@ -208,7 +208,7 @@ impl Section {
 const SPENT: &str = "the effort that a pose allows is spent";
 
 /// The gap at which the free gear stands where it is `known` to stop, and some ties less; −∞ where it is far from there, or nothing is known.
-fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -> f64 {
+pub(super) fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -> f64 {
     let problem = posed.problem;
     let beyond = match problem.side {
         Side::Right => right,

@@ -1,11 +1,15 @@
 //! What hard pairs may take: poses and extremes end by their effort, counted, and say so.
 
+use super::helical::Roots;
+use super::section::Wanted;
 use super::{Doubt, ExactKernel};
 use crate::contact::effort::Effort;
+use crate::contact::{Contact, Status};
 use crate::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, Side,
 };
-use crate::pair::{GearPair, Mating, Member};
+use crate::pair::{GearPair, Mating, Member, Pose};
+use std::f64::consts::TAU;
 
 /// Draws of a multiplicative sequence: the same on any machine.
 struct Draws(u64);
@@ -110,45 +114,102 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
     }
 }
 
-/// Helical poses far beyond any shop: 3 to 400 teeth, β to 50°, faces to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one. None takes more
-/// than a pose may, and none is lost before one side of a section has taken its own share, half of that.
+/// A pair far beyond any shop: 3 to 400 teeth, β to 50°, a face to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one.
+fn wild(draws: &mut Draws) -> Option<GearPair> {
+    let few = draws.within(0.0, 1.0) < 0.5;
+    let mut teeth = || match few {
+        true => draws.within(3.0, 20.0) as u32,
+        false => draws.within(3.0, 400.0) as u32,
+    };
+    let wild = Wild {
+        teeth: [teeth(), teeth()],
+        beta_deg: draws.within(1.0, 50.0),
+        face: draws.within(5.0, 200.0),
+        runout: draws.within(0.0, 1.5),
+        pitch: draws.within(0.0, 0.6),
+        farther: draws.within(-0.5, 2.5),
+    };
+    wild.pair(draws)
+}
+
+/// None takes more than a pose may, and next to none is given up (one of 438, whose flanks overlap by 0.4 rad before a tip jams). Of such poses 29 of
+/// 102 were, when the whole section of all teeth that pass the line of centres was looked at, and of jammed ones all the face.
 #[test]
-fn wild_helical_poses_end_by_their_effort() {
+fn wild_helical_poses_are_found_within_their_effort() {
     let mut draws = Draws(11);
     let (mut poses, mut lost, mut most) = (0, 0, 0);
-    for _ in 0..60 {
-        let few = draws.within(0.0, 1.0) < 0.5;
-        let mut teeth = || match few {
-            true => draws.within(3.0, 20.0) as u32,
-            false => draws.within(3.0, 400.0) as u32,
-        };
-        let teeth = [teeth(), teeth()];
-        let beta_deg = draws.within(1.0, 50.0);
-
-        let wild = Wild {
-            teeth,
-            beta_deg,
-            face: draws.within(5.0, 200.0),
-            runout: draws.within(0.0, 1.5),
-            pitch: draws.within(0.0, 0.6),
-            farther: draws.within(-0.5, 2.5),
-        };
-        let Some(pair) = wild.pair(&mut draws) else {
-            continue;
-        };
+    for pair in (0..250)
+        .filter_map(|_| wild(&mut draws))
+        .collect::<Vec<_>>()
+    {
         let kernel = ExactKernel::new(&pair);
-        for k in 0..2 {
-            let at = mating(1 + k, 1, draws.within(0.0, 1.0));
+        for tooth in 1..=2 {
+            let at = mating(tooth, 1, draws.within(0.0, 1.0));
             let (found, used) = kernel.lost_motion_counted(&pair, at);
-            let found = found.unwrap();
-            let allowed = Effort::of_pose().left();
-            assert!(used <= allowed && (found.is_some() || 2 * used >= allowed));
+            lost += u32::from(found.unwrap().is_none());
             poses += 1;
-            lost += u32::from(found.is_none());
             most = most.max(used);
         }
     }
     println!("{poses} poses, {lost} lost, most {most} units");
-    // Of 102 such poses 29 take more than 0.1 s and are given up.
-    assert!(poses >= 40 && lost < poses / 3, "{lost} of {poses}");
+    assert!(most <= Effort::of_pose().left());
+    assert!(poses > 400 && lost <= 2, "{lost} of {poses}");
+}
+
+/// Every place where a tip or a root is on the line of centres, its whole section looked at: what [`Roots::may_hold`] leaves out neither touches
+/// first nor jams.
+#[test]
+fn teeth_on_the_line_of_centres_that_are_left_out_change_nothing() {
+    let mut draws = Draws(5);
+    let effort = Effort::endless();
+    let (mut poses, mut sections) = (0, 0);
+    while poses < 12 {
+        let Some(pair) = wild(&mut draws) else {
+            continue;
+        };
+        let at = mating(1, 1, draws.within(0.0, 1.0));
+        let (kernel, pose) = (ExactKernel::new(&pair), Pose::new(&pair, at));
+        let found = kernel.found_within(&pose, &effort).unwrap();
+        let both = found.lost_motion.right.zip(found.lost_motion.left);
+        let Some((right, left)) = both.filter(|_| found.jam.is_none()) else {
+            continue;
+        };
+        let plane = &kernel.section;
+        let mut places = Vec::new();
+        for (problem, rotation) in [
+            (&plane.right, right.rotation),
+            (&plane.left, -left.rotation),
+        ] {
+            let posed = plane.posed(problem, &pose);
+            let (crossings, at_roots) = Roots::new(&pair, &posed, rotation).places(&effort);
+            places.extend(at_roots.iter().map(|at| at.b).chain(crossings));
+        }
+        for &b in &places {
+            let here = pose.in_section(&pair, b);
+            let section = plane.turned(&pair.section(b));
+            let alone = section.lost_motion(&here, Wanted::all(&effort)).unwrap();
+            assert_ne!(alone.status(), Status::Jammed, "{b} of {pair:?} {at:?}");
+            let beyond = |one: Contact, over: Contact| {
+                let turned =
+                    one.rotation - here.free_rotation() - over.rotation + pose.free_rotation();
+                (
+                    turned - TAU * (turned / TAU).round(),
+                    1e-12 + one.error + over.error,
+                )
+            };
+            let farther = alone.right.map(|contact| beyond(contact, right));
+            assert!(
+                farther.is_none_or(|(turned, bound)| turned <= bound),
+                "{b} of {pair:?} {at:?}"
+            );
+            let farther = alone.left.map(|contact| beyond(contact, left));
+            assert!(
+                farther.is_none_or(|(turned, bound)| turned >= -bound),
+                "{b} of {pair:?} {at:?}"
+            );
+        }
+        poses += u32::from(places.len() > 50);
+        sections += places.len();
+    }
+    println!("{sections} sections");
 }

@@ -27,7 +27,7 @@ const STEPS_OF_DISTANCE: u32 = 8;
 pub(super) struct Edges {
     on_locked: bool,
     on_free: bool,
-    /// Whether tips may come to the mate's root, which may jam the pair.
+    /// Whether tips may come to the mate's root, which may jam the pair ([`super::roots`]).
     pub jams: bool,
     /// Whether a pair of involutes may touch on the line of action between two sections only, or nowhere on it.
     short: bool,
@@ -141,14 +141,6 @@ impl Edges {
                 }
             }
         }
-        if self.jams {
-            tips_on_roots(
-                (assembly, posed),
-                &turnings,
-                rotation,
-                (&mut places, effort),
-            );
-        }
         places
     }
 }
@@ -231,68 +223,4 @@ fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64)
     let from = locked.form_roll.max(mate(free.tip_roll));
     let to = locked.tip_roll.min(mate(free.form_roll));
     (from <= to).then_some(line.angle - 0.5 * (from + to) + locked.half_base)
-}
-
-/// Adds the places on the face, mm, where the tip of a tooth may come to the mate's root.
-///
-/// Tips are deepest on the line of centres. The root of an eccentric free gear comes to a tip land as it turns: where both circles touch
-/// it stands alike over all of the face where both lands are on the line of centres, from an end of one to an end of one. Beyond, an end of the tip
-/// land touches, the farther from that line the later, until the root land ends.
-fn tips_on_roots(
-    (assembly, posed): (&GearPair, &PosedFlanks),
-    turnings: &[Turning; 2],
-    rotation: f64,
-    (places, effort): (&mut Vec<f64>, &Effort),
-) {
-    let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
-    let of_locked = |step: i64| posed.locked(step);
-    let of_free = |step: i64| posed.free(step);
-    let centre = |shape: &HalfToothShape| Edge::corner(C::from(shape.tip_radius));
-    let tips = [
-        [
-            Edge::corner(locked.tip_corner()),
-            Edge::far(locked, of_locked),
-            centre(locked),
-        ],
-        [
-            Edge::corner(free.tip_corner()),
-            Edge::far(free, of_free),
-            centre(free),
-        ],
-    ];
-    let roots = [
-        Edge::root_end(locked, of_locked),
-        Edge::root_end(free, of_free),
-    ];
-    for (which, tips) in tips.iter().enumerate() {
-        let root = &roots[1 - which];
-        for tip in &tips[..2] {
-            let edges = if which == 0 { [tip, root] } else { [root, tip] };
-            crossing_places(posed, turnings, edges, rotation, (places, effort));
-        }
-        let touching = tangent_rotations(posed, tips[0].radius + root.radius);
-        for rotation in std::iter::once(rotation).chain(touching.into_iter().flatten()) {
-            let between = posed.free_centre_at(rotation) - posed.centre;
-            let turnings = [
-                Turning::locked(assembly, posed),
-                Turning::free(assembly, posed, rotation),
-            ];
-            let towards = [between.arg(), (-between).arg()];
-            for tip in tips {
-                turnings[which].places(tip, towards[which], places);
-            }
-            turnings[1 - which].places(root, towards[1 - which], places);
-        }
-    }
-}
-
-/// Rotations of the free gear at which circles about both outlines' centres touch, `sum` the sum of their radii: see
-/// [`super::super::lands`].
-fn tangent_rotations(posed: &PosedFlanks, sum: f64) -> Option<[f64; 2]> {
-    let (locked, free) = (posed.centre, posed.problem.free_off);
-    let (far, off) = (locked.norm(), free.norm());
-    let cos = ((far - sum) * (far + sum) + off * off) / (2.0 * far * off);
-    let beside = (cos.abs() <= 1.0).then(|| cos.acos())?;
-    let towards = (locked * free.conj()).arg();
-    Some([towards + beside, towards - beside])
 }

@@ -22,7 +22,7 @@ const MOST_TURNS: usize = 100;
 pub(super) struct Turning<'a> {
     pub face: [f64; 2],
     /// Rad a mm along the axis.
-    twist: f64,
+    pub twist: f64,
     /// Direction of the tooth of step 0 in the measuring plane, undisturbed, rad.
     ahead: f64,
     /// From one step to the next, rad.
@@ -60,16 +60,28 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// Adds the places on the face, mm, at which `edge` of a tooth has `direction`, rad, and those just beside them: on which side of its end a
-    /// land is met rounding would decide.
+    /// Adds the places on the face, mm, at which `edge` of a tooth has `direction`, rad, and those just beside them.
     pub fn places(&self, edge: &Edge, direction: f64, places: &mut Vec<f64>) {
-        let [from, to] = self.face;
-        let beside = BESIDE / self.twist;
-        for step in self.steps(direction - (edge.beyond)(0)) {
-            let b = self.place(direction - (edge.beyond)(step), step);
-            let near = [b - beside, b, b + beside].into_iter();
-            places.extend(near.filter(|b| (from..=to).contains(b)));
-        }
+        let beside = self.beside();
+        let near = |(_, b): (i64, f64)| [b - beside, b, b + beside];
+        let near = self.standing(edge, direction).flat_map(near);
+        places.extend(near.filter(|&b| self.is_on_face(b)));
+    }
+
+    /// Steps of which `edge` has `direction`, rad, on the face or just beyond, and where, mm.
+    pub fn standing(&self, edge: &Edge, direction: f64) -> impl Iterator<Item = (i64, f64)> {
+        self.steps(direction - (edge.beyond)(0))
+            .map(move |step| (step, self.place(direction - (edge.beyond)(step), step)))
+    }
+
+    /// Just beside a place, mm: on which side of its end a land is met there rounding would decide.
+    pub fn beside(&self) -> f64 {
+        BESIDE / self.twist
+    }
+
+    /// Whether a place is on the face.
+    pub fn is_on_face(&self, b: f64) -> bool {
+        (self.face[0]..=self.face[1]).contains(&b)
     }
 
     /// Steps whose centre lines may have `direction` on the face.
@@ -145,7 +157,6 @@ pub(super) fn crossing_places(
     rotation: f64,
     (places, effort): (&mut Vec<f64>, &Effort),
 ) {
-    let [from, to] = locked.face;
     let meets = |rotation: f64| {
         let centres = [posed.centre, posed.free_centre_at(rotation)];
         let [one, other] = [0, 1].map(|k| (centres[k], edges[k].radius));
@@ -180,9 +191,9 @@ pub(super) fn crossing_places(
             if turned < -DOUBT {
                 continue;
             }
-            let beside = BESIDE / locked.twist;
+            let beside = locked.beside();
             let near = [b - beside, b, b + beside].into_iter();
-            places.extend(near.filter(|b| (from..=to).contains(b)));
+            places.extend(near.filter(|&b| locked.is_on_face(b)));
         }
     }
 }

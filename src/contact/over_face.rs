@@ -10,8 +10,10 @@ use std::f64::consts::{PI, TAU};
 pub(super) struct OverFace {
     right: Option<(f64, Contact)>,
     left: Option<(f64, Contact)>,
-    /// The first section that is jammed, mm.
+    /// The first section that is surely jammed, mm: nothing turns then, whatever touches first elsewhere, and what touches there is named.
     jam: Option<f64>,
+    /// The first that may only seem to be, of an overlap within its bound, mm.
+    seems_jammed: Option<f64>,
     /// Whether nothing was turned at all.
     jammed: bool,
 }
@@ -30,11 +32,18 @@ impl OverFace {
         let nominal = here.free_rotation();
         // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
         let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
-        // A section that is jammed jams the gears, whatever touches first elsewhere: what touches there is named.
-        if found.status() == Status::Jammed && self.jam.is_none() {
-            (self.jam, self.right, self.left) = (Some(b), None, None);
-        } else if self.jam.is_some() {
+        if self.is_solid() {
             return;
+        }
+        if found.status() == Status::Jammed {
+            let overlap = found.right.zip(found.left);
+            let overlap = overlap.map(|(right, left)| right.rotation - left.rotation);
+            match overlap.zip(found.error()) {
+                Some((overlap, bound)) if overlap <= bound => {
+                    self.seems_jammed.get_or_insert(b);
+                }
+                _ => (self.jam, self.right, self.left) = (Some(b), None, None),
+            }
         }
         self.jammed |= found.solid && found.right.is_none();
         let turns = |angle: f64| angle - TAU * (angle / TAU).round();
@@ -89,7 +98,7 @@ impl OverFace {
         open.contains(&true) && one > other
     }
 
-    /// Whether a section is jammed.
+    /// Whether a section is surely jammed.
     pub fn is_solid(&self) -> bool {
         self.jam.is_some()
     }
@@ -105,7 +114,7 @@ impl OverFace {
 
     /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear; `pitch` is its angular pitch, rad.
     pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
-        let jam = self.jam;
+        let jam = self.jam.or(self.seems_jammed);
         if self.jammed {
             let lost_motion = LostMotion::JAMMED;
             return FoundOverFace { lost_motion, jam };

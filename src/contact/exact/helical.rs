@@ -33,6 +33,7 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
+use turning::{FreeGear, Place};
 
 /// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
 /// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
@@ -126,25 +127,29 @@ impl Helical {
         let nominal = pose.free_rotation();
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
         let may_jam = on_roots || self.plane.bodies.is_some();
-        let look = |b: f64, section: &Section, over: &mut OverFace| -> Result<(), Error> {
-            let here = pose.in_section(&self.assembly, b);
-            let known = over.known(may_jam);
-            let mut found = None;
-            if effort.used() > UNHURRIED && known[0].is_finite() {
-                let tighter = method(section, &here, Wanted { effort, known })?;
-                let is_enough = !may_jam || over.is_solid();
-                let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
-                found = Some(tighter).filter(|found| is_enough || clear(found));
-            }
-            let found = match found {
-                Some(found) => found,
-                None => method(section, &here, Wanted::all(effort))?,
+        let look =
+            |Place { b, doubt }, section: &Section, over: &mut OverFace| -> Result<(), Error> {
+                let here = pose.in_section(&self.assembly, b);
+                let known = over.known(may_jam);
+                let mut found = None;
+                if effort.used() > UNHURRIED && known[0].is_finite() {
+                    let tighter = method(section, &here, Wanted { effort, known })?;
+                    let is_enough = !may_jam || over.is_solid();
+                    let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
+                    found = Some(tighter).filter(|found| is_enough || clear(found));
+                }
+                let mut found = match found {
+                    Some(found) => found,
+                    None => method(section, &here, Wanted::all(effort))?,
+                };
+                for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
+                    contact.error += doubt;
+                }
+                over.take(b, &here, found);
+                Ok(())
             };
-            over.take(b, &here, found);
-            Ok(())
-        };
         for (b, section) in &self.sections {
-            look(*b, section, &mut over)?;
+            look(Place::at(*b), section, &mut over)?;
         }
         if let Some(edges) = &self.edges {
             for (side, problem) in [
@@ -153,16 +158,22 @@ impl Helical {
             ] {
                 let posed = self.plane.posed(problem, pose);
                 // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
-                let mut last = f64::NAN;
+                let mut last = None;
                 for _ in 0..MOST_ROUNDS {
-                    let Some(beyond) = over.beyond(side).filter(|&beyond| beyond != last) else {
+                    let beyond = over.beyond(side);
+                    if last == Some(beyond) {
                         break;
-                    };
-                    let rotation = -side.sense() * (nominal + beyond);
-                    for b in edges.places(&self.assembly, &posed, rotation, effort) {
-                        look(b, &self.plane.turned(&self.assembly.section(b)), &mut over)?;
                     }
-                    last = beyond;
+                    // Where nothing touches in any section so far, it may between them, wherever the free gear comes to stand.
+                    let free = FreeGear {
+                        rotation: -side.sense() * (nominal + beyond.unwrap_or(0.0)),
+                        is_held: beyond.is_some(),
+                    };
+                    for place in edges.places(&self.assembly, &posed, free, effort) {
+                        let section = self.plane.turned(&self.assembly.section(place.b));
+                        look(place, &section, &mut over)?;
+                    }
+                    last = Some(beyond);
                 }
             }
         }

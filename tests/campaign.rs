@@ -8,12 +8,13 @@ mod clearance;
 #[path = "common/posed.rs"]
 mod posed;
 
-use campaign::{Drawn, LONGEST, Teeth, run, run_of};
-use gearlash::contact::{CutPair, ExactKernel, Status};
+use campaign::{Depth, Drawn, LONGEST, Teeth, run, run_of};
+use gearlash::contact::{CutPair, ExactKernel, Method, Status, sweep};
 use gearlash::gear::Side;
 use gearlash::pair::{Member, Pose};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 const SEED: u64 = 2;
 
@@ -63,6 +64,41 @@ fn a_jam_between_the_sections_is_seen_by_both_methods() {
         assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
         assert!(tally.unproven.is_empty() && tally.border.is_empty());
     }
+}
+
+/// Polygons alone, without an exact result to compare: they looked at no other sections than those that hold the tightest of all pairs of involutes, and
+/// left out what edges do between these. Source: the exact method.
+#[test]
+fn polygons_alone_see_what_touches_between_the_sections() {
+    let mut between = 0;
+    for index in 0..60 {
+        let drawn = Drawn::of(Teeth::Helical, Some(Depth::Grazing), 1, index);
+        let assembly = &drawn.assembly;
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
+        let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
+        let going_on = || ControlFlow::Continue(());
+        let by = |method| {
+            let found = sweep(assembly, &cut, method, &[drawn.mating], 0.0, &going_on);
+            found.unwrap().remove(0).found.unwrap()
+        };
+        let (exact, polygon) = (by(Method::Exact { certify: true }), by(Method::Polygon));
+        assert_eq!(exact.status(), polygon.status(), "pose {index}");
+        let sections = ExactKernel::new(assembly).sections();
+        for (one, other) in [(exact.right, polygon.right), (exact.left, polygon.left)] {
+            let Some((one, other)) = one.zip(other) else {
+                assert_eq!(one.is_some(), other.is_some(), "pose {index}");
+                continue;
+            };
+            let turns = (one.rotation - other.rotation) / TAU;
+            let apart = (turns - turns.round()).abs() * TAU;
+            assert!(
+                apart <= one.error + other.error,
+                "pose {index}: {apart:e} rad"
+            );
+            between += u32::from(!sections.contains(&one.section));
+        }
+    }
+    assert!(between > 5, "{between}");
 }
 
 /// Source: clearance of dense points of either gear in the other's own frame, nothing of either method.

@@ -78,6 +78,8 @@ struct Solver<'a> {
     certifier: Option<Certifier<'a>>,
     /// In place of both, of helical gears.
     sections: Option<Sections<'a>>,
+    /// Where along the face of helical gears polygons alone have to look: what touches first between other sections is for it to say.
+    guide: Option<ExactKernel>,
     certify: bool,
 }
 
@@ -99,6 +101,7 @@ impl<'a> Solver<'a> {
                 cut: [&cut.wheel, &cut.pinion],
                 places: kernel.sections(),
             }),
+            guide: kernel.clone().filter(|_| !exact),
             exact: kernel.filter(|_| exact),
             certify,
         }
@@ -111,8 +114,17 @@ impl<'a> Solver<'a> {
         let exact = self.exact.as_ref();
         let exact = exact.map(|kernel| kernel.found_within(pose, &effort));
         let seen = exact.as_ref().and_then(|found| found.as_ref().ok());
-        let polygon = match &self.sections {
-            Some(sections) if !self.certify => Some(sections.lost_motion(pose, seen, &effort)),
+        let guide = self.guide.as_ref();
+        let guide = guide.map(|kernel| kernel.found_within(pose, &effort));
+        let (guide, lost) = guide.map_or((None, None), |guide| match guide {
+            Ok(found) => (Some(found), None),
+            Err(lost) => (None, Some(lost)),
+        });
+        let polygon = match (&self.sections, lost) {
+            (_, Some(lost)) => Some(Err(lost)),
+            (Some(sections), None) if !self.certify => {
+                Some(sections.lost_motion(pose, seen.or(guide.as_ref()), &effort))
+            }
             _ => {
                 let kernel = self.polygon.as_ref();
                 kernel.map(|kernel| kernel.lost_motion_within(pose, &effort))

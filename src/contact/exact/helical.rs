@@ -38,6 +38,8 @@ use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use roots::Floors;
 pub(super) use roots::Roots;
+pub(super) use turning::FreeGear;
+use turning::Place;
 
 /// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
 /// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
@@ -135,7 +137,10 @@ impl Helical {
         let nominal = pose.free_rotation();
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
         let may_jam = on_roots || self.plane.bodies.is_some();
-        let look = |b: f64, section: &Section, over: &mut OverFace| -> Result<(), Error> {
+        let look = |Place { b, doubt }: Place,
+                    section: &Section,
+                    over: &mut OverFace|
+         -> Result<(), Error> {
             if over.is_solid() {
                 return Ok(());
             }
@@ -147,15 +152,18 @@ impl Helical {
                 let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
                 found = Some(tighter).filter(|found| !may_jam || clear(found));
             }
-            let found = match found {
+            let mut found = match found {
                 Some(found) => found,
                 None => method(section, &here, Wanted::all(effort))?,
             };
+            for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
+                contact.error += doubt;
+            }
             over.take(b, &here, found);
             Ok(())
         };
         for (b, section) in &self.sections {
-            look(*b, section, &mut over)?;
+            look(Place::at(*b), section, &mut over)?;
         }
         if let Some(edges) = &self.edges {
             let section = |b: f64| self.plane.turned(&self.assembly.section(b));
@@ -171,23 +179,29 @@ impl Helical {
                 } else {
                     MOST_ROUNDS
                 };
-                let mut last = f64::INFINITY;
+                let mut last = None;
                 for _ in 0..rounds {
-                    let Some(beyond) = over.beyond(side) else {
-                        break;
+                    let beyond = over.beyond(side);
+                    let is_settled = |last: Option<f64>| match (last, beyond) {
+                        (Some(last), Some(beyond)) => (beyond - last).abs() <= SETTLED,
+                        (last, beyond) => last == beyond,
                     };
-                    if over.is_solid() || (beyond - last).abs() <= SETTLED {
+                    if over.is_solid() || last.is_some_and(is_settled) {
                         break;
                     }
-                    let rotation = -side.sense() * (nominal + beyond);
-                    for b in edges.places(&self.assembly, &posed, rotation, effort) {
-                        look(b, &section(b), &mut over)?;
+                    // Where nothing touches in any section so far, it may between them, wherever the free gear comes to stand.
+                    let free = FreeGear {
+                        rotation: -side.sense() * (nominal + beyond.unwrap_or(0.0)),
+                        is_held: beyond.is_some(),
+                    };
+                    for place in edges.places(&self.assembly, &posed, free, effort) {
+                        look(place, &section(place.b), &mut over)?;
                     }
                     if edges.jams {
-                        let roots = Roots::new(&self.assembly, &posed, rotation);
+                        let roots = Roots::new(&self.assembly, &posed, free);
                         let (crossings, at_roots) = roots.places(effort);
-                        for b in crossings {
-                            look(b, &section(b), &mut over)?;
+                        for place in crossings {
+                            look(place, &section(place.b), &mut over)?;
                         }
                         for at in at_roots {
                             let tighter = floor(&posed, over.known(false), pose);
@@ -198,11 +212,11 @@ impl Helical {
                                 solid,
                             };
                             if !over.is_solid() && roots.may_hold(at, floors, effort) {
-                                look(at.b, &section(at.b), &mut over)?;
+                                look(Place::at(at.b), &section(at.b), &mut over)?;
                             }
                         }
                     }
-                    last = beyond;
+                    last = Some(beyond);
                 }
             }
         }

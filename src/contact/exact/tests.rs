@@ -1,6 +1,6 @@
 //! What hard pairs may take: poses and extremes end by their effort, counted, and say so.
 
-use super::helical::Roots;
+use super::helical::{FreeGear, Roots};
 use super::section::Wanted;
 use super::{Doubt, ExactKernel};
 use crate::contact::effort::Effort;
@@ -181,8 +181,17 @@ fn teeth_on_the_line_of_centres_that_are_left_out_change_nothing() {
             (&plane.left, -left.rotation),
         ] {
             let posed = plane.posed(problem, &pose);
-            let (crossings, at_roots) = Roots::new(&pair, &posed, rotation).places(&effort);
-            places.extend(at_roots.iter().map(|at| at.b).chain(crossings));
+            let stands = FreeGear {
+                rotation,
+                is_held: true,
+            };
+            let (crossings, at_roots) = Roots::new(&pair, &posed, stands).places(&effort);
+            places.extend(
+                at_roots
+                    .iter()
+                    .map(|at| at.b)
+                    .chain(crossings.iter().map(|at| at.b)),
+            );
         }
         for &b in &places {
             let here = pose.in_section(&pair, b);

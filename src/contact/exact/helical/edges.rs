@@ -5,11 +5,14 @@
 //!
 //! **Of pairs with next to no path of contact** a pair of involutes may touch on the line of action over a stretch of the face that falls
 //! between two sections, or over none. A stretch is held by its middle. Without one an edge of either involute touches the other,
-//! at normals on one side of the pitch point before the edges cross and on the other side after: where they cross the pair is tightest.
+//! at normals on one side of the pitch point before the edges cross and on the other side after: where they cross the pair is tightest, and
+//! nothing else may touch anywhere. An eccentric free gear may come to its mate only as it turns: where both tip circles touch then, the tightest stands
+//! where a land ends on the line of centres.
 //!
 //! These are places to look at: a section's own method finds what touches there.
 
-use super::turning::{DOUBT, Edge, Turning, crossing_places};
+use super::roots::tangent_rotations;
+use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
@@ -85,14 +88,15 @@ impl Edges {
         }
     }
 
-    /// Places on the face, mm, at a pose of the measuring plane with the free gear at `rotation`, rad, in the frame of `posed`.
+    /// Places on the face at a pose of the measuring plane, with the free gear as it stands in the frame of `posed`.
     pub fn places(
         &self,
         assembly: &GearPair,
         posed: &PosedFlanks,
-        rotation: f64,
+        stands: FreeGear,
         effort: &Effort,
-    ) -> Vec<f64> {
+    ) -> Vec<Place> {
+        let rotation = stands.rotation;
         let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
         let (c_l, c_f) = (posed.centre, posed.free_centre_at(rotation));
         let mut places = Vec::new();
@@ -108,7 +112,8 @@ impl Edges {
             let centre = Edge::corner(C::from(locked.tip_radius));
             turnings[0].places(&centre, between.arg() + tooth, &mut places);
         }
-        let mut take = |ahead, behind| tight_places(&turnings, [ahead, behind], &mut places);
+        let mut take =
+            |ahead, behind| tight_places(&turnings, [ahead, behind], stands, &mut places);
         if self.on_locked {
             for &(_, edge) in free.corners() {
                 for touch in deepest(locked, distance, free.base, edge.norm()) {
@@ -137,9 +142,12 @@ impl Edges {
                 if k > 0 || l > 0 || self.short {
                     let edges = [&Edge::corner(one), &Edge::corner(other)];
                     let places = (&mut places, effort);
-                    crossing_places(posed, &turnings, edges, rotation, places);
+                    crossing_places(posed, &turnings, edges, stands, places);
                 }
             }
+        }
+        if self.short {
+            tips_on_tips((assembly, posed), &turnings, stands, (&mut places, effort));
         }
         places
     }
@@ -147,14 +155,18 @@ impl Edges {
 
 /// Adds the places on the face, mm, at which a locked and a free tooth have the directions `ahead` and `behind`, rad, if the free gear may come
 /// there: if it does not stop before.
-fn tight_places([locked, free]: &[Turning; 2], [ahead, behind]: [f64; 2], places: &mut Vec<f64>) {
+fn tight_places(
+    [locked, free]: &[Turning; 2],
+    [ahead, behind]: [f64; 2],
+    stands: FreeGear,
+    places: &mut Vec<Place>,
+) {
     let [from, to] = locked.face;
     for step in locked.steps(ahead) {
         let b = locked.place(ahead, step);
-        let mate = free.step_near(behind, b);
-        let farther = reduced(behind - free.direction(b, mate));
-        if (from..=to).contains(&b) && farther > -DOUBT {
-            places.push(b);
+        let farther = reduced(behind - free.direction(b, step));
+        if (from..=to).contains(&b) && stands.may_come(farther) {
+            places.push(Place::at(b));
         }
     }
 }
@@ -223,4 +235,52 @@ fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64)
     let from = locked.form_roll.max(mate(free.tip_roll));
     let to = locked.tip_roll.min(mate(free.form_roll));
     (from <= to).then_some(line.angle - 0.5 * (from + to) + locked.half_base)
+}
+
+/// Adds the places on the face, mm, where the tip lands of an eccentric free gear and its mate may touch as the free gear comes nearer in turning:
+/// where both circles touch they do so all over the face where both lands are on the line of centres, from an end of one to an end of one,
+/// and where no part of it has both, where such ends cross.
+fn tips_on_tips(
+    (assembly, posed): (&GearPair, &PosedFlanks),
+    turnings: &[Turning; 2],
+    stands: FreeGear,
+    (places, effort): (&mut Vec<Place>, &Effort),
+) {
+    let [locked, free] = tip_ends(posed);
+    let Some(touching) = tangent_rotations(posed, locked[0].radius + free[0].radius) else {
+        return;
+    };
+    for (k, one) in locked.iter().enumerate() {
+        for (l, other) in free.iter().enumerate() {
+            // Both near corners are among all others.
+            if k > 0 || l > 0 {
+                crossing_places(posed, turnings, [one, other], stands, (places, effort));
+            }
+        }
+    }
+    for rotation in touching {
+        let between = posed.free_centre_at(rotation) - posed.centre;
+        let free_turning = Turning::free(assembly, posed, rotation);
+        for end in &locked {
+            turnings[0].places(end, between.arg(), places);
+        }
+        for end in &free {
+            free_turning.places(end, (-between).arg(), places);
+        }
+    }
+}
+
+/// Both ends of the tip lands of the locked and of the free gear.
+pub(super) fn tip_ends<'a>(posed: &'a PosedFlanks<'a>) -> [[Edge<'a>; 2]; 2] {
+    let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
+    [
+        [
+            Edge::corner(locked.tip_corner()),
+            Edge::far(locked, |step| posed.locked(step)),
+        ],
+        [
+            Edge::corner(free.tip_corner()),
+            Edge::far(free, |step| posed.free(step)),
+        ],
+    ]
 }

@@ -8,7 +8,8 @@
 //! teeth that a place belongs to is asked first whether anything but its involutes is tighter there than what is known, whether a root land is
 //! near enough to jam, or whether its tip stands in the body of the mate: the centres of sections do not wind, so that both teeth are those of the measuring plane, wound.
 
-use super::turning::{Edge, Turning, crossing_places};
+use super::edges::tip_ends;
+use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::branch::search;
 use crate::contact::exact::curves::Curves;
@@ -43,77 +44,68 @@ pub(in crate::contact::exact) struct Floors {
 pub(in crate::contact::exact) struct Roots<'a> {
     posed: &'a PosedFlanks<'a>,
     assembly: &'a GearPair,
-    rotation: f64,
+    stands: FreeGear,
     turnings: [Turning<'a>; 2],
 }
 
 impl<'a> Roots<'a> {
-    /// At `rotation` of the free gear, rad, in the frame of `posed`.
-    pub fn new(assembly: &'a GearPair, posed: &'a PosedFlanks<'a>, rotation: f64) -> Roots<'a> {
+    /// With the free gear as it stands in the frame of `posed`.
+    pub fn new(assembly: &'a GearPair, posed: &'a PosedFlanks<'a>, stands: FreeGear) -> Roots<'a> {
         let turnings = [
             Turning::locked(assembly, posed),
-            Turning::free(assembly, posed, rotation),
+            Turning::free(assembly, posed, stands.rotation),
         ];
         Roots {
             posed,
             assembly,
-            rotation,
+            stands,
             turnings,
         }
     }
 
     /// Where both lands end together, mm along the face, if the free gear may come there, and where the tip or the root of a pair of teeth is on
     /// the line of centres.
-    pub fn places(&self, effort: &Effort) -> (Vec<f64>, Vec<AtRoot>) {
+    pub fn places(&self, effort: &Effort) -> (Vec<Place>, Vec<AtRoot>) {
         let (mut crossings, mut at_roots) = (Vec::new(), Vec::new());
-        let (posed, rotation) = (self.posed, self.rotation);
+        let (posed, stands) = (self.posed, self.stands);
         let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
-        let of_locked = |step: i64| posed.locked(step);
-        let of_free = |step: i64| posed.free(step);
-        let tips = [
-            [
-                Edge::corner(locked.tip_corner()),
-                Edge::far(locked, of_locked),
-                Edge::corner(C::from(locked.tip_radius)),
-            ],
-            [
-                Edge::corner(free.tip_corner()),
-                Edge::far(free, of_free),
-                Edge::corner(C::from(free.tip_radius)),
-            ],
-        ];
+        let ends = tip_ends(posed);
+        let middles = [locked, free].map(|shape| Edge::corner(C::from(shape.tip_radius)));
         let roots = [
-            Edge::root_end(locked, of_locked),
-            Edge::root_end(free, of_free),
+            Edge::root_end(locked, |step| posed.locked(step)),
+            Edge::root_end(free, |step| posed.free(step)),
         ];
-        for (which, tips) in tips.iter().enumerate() {
+        for (which, tips) in ends.iter().enumerate() {
             let root = &roots[1 - which];
-            for tip in &tips[..2] {
+            for tip in tips {
                 let edges = if which == 0 { [tip, root] } else { [root, tip] };
                 let places = (&mut crossings, effort);
-                crossing_places(posed, &self.turnings, edges, rotation, places);
+                crossing_places(posed, &self.turnings, edges, stands, places);
             }
-            let touching = tangent_rotations(posed, tips[0].radius + root.radius);
-            for rotation in std::iter::once(rotation).chain(touching.into_iter().flatten()) {
+            let touching = tangent_rotations(posed, middles[which].radius + root.radius);
+            let rotations = std::iter::once(stands.rotation).chain(touching.into_iter().flatten());
+            for rotation in rotations {
                 let between = posed.free_centre_at(rotation) - posed.centre;
                 let turnings = [
                     Turning::locked(self.assembly, posed),
                     Turning::free(self.assembly, posed, rotation),
                 ];
                 let towards = [between.arg(), (-between).arg()];
-                let mut add = |gear: usize, edge: &Edge, beside: &[f64]| {
-                    let turning = &turnings[gear];
-                    for (step, b) in turning.standing(edge, towards[gear]) {
-                        let near = beside.iter().map(|side| b + side * turning.beside());
-                        let near = near.filter(|&b| turning.is_on_face(b));
-                        at_roots.extend(near.map(|b| AtRoot { step, b }));
-                    }
-                };
-                let [corner, far, centre] = tips;
-                add(which, centre, &[0.0]);
-                for (gear, end) in [(which, corner), (which, far), (1 - which, root)] {
-                    add(gear, end, &[-1.0, 1.0]);
+                let tooth = (&turnings[which], towards[which]);
+                add(tooth, &middles[which], &ON_IT, &mut at_roots);
+                for end in tips {
+                    add(tooth, end, &BESIDE_IT, &mut at_roots);
                 }
+                let space = (&turnings[1 - which], towards[1 - which]);
+                add(space, root, &BESIDE_IT, &mut at_roots);
+            }
+        }
+        // The free gear is solid about its axis at every rotation, which is where its outline's centre is not.
+        if posed.problem.free_off != C::ZERO {
+            let tooth = (&self.turnings[0], (-posed.centre).arg());
+            add(tooth, &middles[0], &ON_IT, &mut at_roots);
+            for end in &ends[0] {
+                add(tooth, end, &BESIDE_IT, &mut at_roots);
             }
         }
         (crossings, at_roots)
@@ -163,9 +155,27 @@ impl<'a> Roots<'a> {
     }
 }
 
+/// Where a place is looked at: there, or, where a land ends, on either side.
+const ON_IT: [f64; 1] = [0.0];
+const BESIDE_IT: [f64; 2] = [-1.0, 1.0];
+
+/// Adds the places on the face at which `edge` of a tooth has a direction, rad.
+fn add(
+    (turning, direction): (&Turning, f64),
+    edge: &Edge,
+    sides: &[f64],
+    at_roots: &mut Vec<AtRoot>,
+) {
+    for (step, b) in turning.standing(edge, direction) {
+        let near = sides.iter().map(|side| b + side * turning.beside());
+        let near = near.filter(|&b| turning.is_on_face(b));
+        at_roots.extend(near.map(|b| AtRoot { step, b }));
+    }
+}
+
 /// Rotations of the free gear at which circles about both outlines' centres touch, `sum` the sum of their radii: see
 /// [`super::super::lands`].
-fn tangent_rotations(posed: &PosedFlanks, sum: f64) -> Option<[f64; 2]> {
+pub(super) fn tangent_rotations(posed: &PosedFlanks, sum: f64) -> Option<[f64; 2]> {
     let (locked, free) = (posed.centre, posed.problem.free_off);
     let (far, off) = (locked.norm(), free.norm());
     let cos = ((far - sum) * (far + sum) + off * off) / (2.0 * far * off);

@@ -12,8 +12,16 @@ use std::ops::RangeInclusive;
 /// How near to a crossing of edges, as an angle of the locked tooth, rad: some hundred times what rounding leaves of its direction.
 const BESIDE: f64 = 1e-13;
 
+/// A crossing of circles that hardly overlap is known to less: looked at are places so many times as far from it each, up to what rounding leaves of it,
+/// and no farther than this, rad.
+const STEP_BESIDE: f64 = 8.0;
+const FARTHEST_BESIDE: f64 = 1e-6;
+
+/// Rounding of a centre or a radius, in ulps of all of them.
+const ROUNDING: f64 = 4.0;
+
 /// A touch this far before the one that holds the free gear is looked at all the same, rad: a millionth of what teeth differ by.
-pub(super) const DOUBT: f64 = 1e-9;
+const DOUBT: f64 = 1e-9;
 
 /// Steps in which the free gear's rotation at a crossing is settled, at most (four to six are usual, some dozens where tip circles hardly cross).
 const MOST_TURNS: usize = 100;
@@ -61,11 +69,11 @@ impl<'a> Turning<'a> {
     }
 
     /// Adds the places on the face, mm, at which `edge` of a tooth has `direction`, rad, and those just beside them.
-    pub fn places(&self, edge: &Edge, direction: f64, places: &mut Vec<f64>) {
+    pub fn places(&self, edge: &Edge, direction: f64, places: &mut Vec<Place>) {
         let beside = self.beside();
         let near = |(_, b): (i64, f64)| [b - beside, b, b + beside];
         let near = self.standing(edge, direction).flat_map(near);
-        places.extend(near.filter(|&b| self.is_on_face(b)));
+        places.extend(near.filter(|&b| self.is_on_face(b)).map(Place::at));
     }
 
     /// Steps of which `edge` has `direction`, rad, on the face or just beyond, and where, mm.
@@ -102,11 +110,6 @@ impl<'a> Turning<'a> {
     /// Direction of the centre line of a step at `b`, rad.
     pub fn direction(&self, b: f64, step: i64) -> f64 {
         self.ahead + step as f64 * self.step + (self.offset)(step) + self.twist * b
-    }
-
-    /// The step whose centre line is nearest to `direction` at `b`, if flanks stood at their places.
-    pub fn step_near(&self, direction: f64, b: f64) -> i64 {
-        (reduced(direction - self.ahead - self.twist * b) / self.step).round() as i64
     }
 }
 
@@ -145,69 +148,149 @@ impl<'a> Edge<'a> {
     }
 }
 
-/// Adds the places at which `edges` of a locked and of a free tooth cross, and those just beside them: on one side of a crossing
+/// A place on the face to look at.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::contact::exact) struct Place {
+    /// Mm.
+    pub b: f64,
+    /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
+    pub doubt: f64,
+}
+
+impl Place {
+    pub(super) fn at(b: f64) -> Place {
+        Place { b, doubt: 0.0 }
+    }
+}
+
+/// Where the free gear stands in the frame of a pose.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::contact::exact) struct FreeGear {
+    /// Rad.
+    pub rotation: f64,
+    /// Whether something touches there: what touches before does not matter.
+    pub is_held: bool,
+}
+
+impl FreeGear {
+    /// Whether it may come to stand so much `farther`, rad.
+    pub(super) fn may_come(self, farther: f64) -> bool {
+        !self.is_held || farther > -DOUBT
+    }
+}
+
+/// Adds the places at which `edges` of a locked and of the free tooth that faces it cross, and those just beside them: on one side of a crossing
 /// the edges pass each other, and on which rounding would decide.
 ///
-/// Where the free gear stands then is not `rotation`, and its eccentric axis not where that puts it: for each locked tooth both are settled in turn,
-/// each step leaving a share `e_F/r_F` of the last, more where the circles hardly cross.
+/// Where the free gear stands then is not where it `stands`, and its eccentric axis not where that puts it: for each locked tooth both are settled in turn,
+/// each step leaving a share `e_F/r_F` of the last, more where the circles hardly cross. A step to where they do not cross is halved.
 pub(super) fn crossing_places(
     posed: &PosedFlanks,
     [locked, free]: &[Turning; 2],
     edges: [&Edge; 2],
-    rotation: f64,
-    (places, effort): (&mut Vec<f64>, &Effort),
+    stands: FreeGear,
+    (places, effort): (&mut Vec<Place>, &Effort),
 ) {
-    let meets = |rotation: f64| {
-        let centres = [posed.centre, posed.free_centre_at(rotation)];
-        let [one, other] = [0, 1].map(|k| (centres[k], edges[k].radius));
-        let points = crossings(one, other);
-        points.map(|points| points.map(|point| centres.map(|centre| (point - centre).arg())))
-    };
-    let Some(points) = meets(rotation) else {
-        return;
+    let [from, to] = locked.face;
+    let rotation = stands.rotation;
+    let meets = |turned: f64| {
+        let centres = [posed.centre, posed.free_centre_at(rotation + turned)];
+        Crossing::new(centres, [edges[0].radius, edges[1].radius])
     };
     let beyond = [0, 1].map(|k| &edges[k].beyond);
-    for (index, [ahead, behind]) in points.into_iter().enumerate() {
+    // An edge on the mate's involute, whose normal passes the locked axis at no more than the edge does: both gears' turn and the rolling between them.
+    let (base, mate) = (
+        posed.problem.locked.shape.base,
+        posed.problem.free.shape.base,
+    );
+    let per_turn = (edges[0].radius + base) / mate;
+    // Of an eccentric free gear whose circle does not reach the mate's there, where it reaches farthest.
+    let nearest = reduced((posed.centre * posed.problem.free_off.conj()).arg() - rotation);
+    let Some((start, first)) = [0.0, nearest]
+        .into_iter()
+        .find_map(|turned| Some((turned, meets(turned)?)))
+    else {
+        return;
+    };
+    for (index, [ahead, behind]) in first.directions.into_iter().enumerate() {
         // That of the teeth themselves but for what flanks stand off their places.
         for step in locked.steps(ahead - beyond[0](0)) {
-            let ahead = ahead - beyond[0](step);
-            let mut b = locked.place(ahead, step);
-            let mate = free.step_near(behind - beyond[1](0), b);
-            let mut turned = 0.0;
+            let place = |ahead: f64| locked.place(ahead - beyond[0](step), step);
+            let turned_to =
+                |behind: f64, b: f64| reduced(behind - beyond[1](step) - free.direction(b, step));
+            let mut b = place(ahead);
+            let mut turned = start;
+            let mut next = turned_to(behind, b);
             for _ in 0..MOST_TURNS {
                 effort.spend(1);
-                let Some([ahead, behind]) = meets(rotation + turned).map(|points| points[index])
-                else {
-                    b = f64::NAN;
-                    break;
-                };
-                b += reduced(ahead - beyond[0](step) - locked.direction(b, step)) / locked.twist;
-                let last = turned;
-                turned = reduced(behind - beyond[1](mate) - free.direction(b, mate));
-                if (turned - last).abs() <= BESIDE {
+                if (next - turned).abs() <= BESIDE {
                     break;
                 }
+                match meets(next) {
+                    Some(crossing) => {
+                        let [ahead, behind] = crossing.directions[index];
+                        turned = next;
+                        b += reduced(ahead - beyond[0](step) - locked.direction(b, step))
+                            / locked.twist;
+                        next = turned_to(behind, b);
+                    }
+                    None => next = 0.5 * (turned + next),
+                }
             }
-            if turned < -DOUBT {
+            if !stands.may_come(next) || !b.is_finite() {
                 continue;
             }
-            let beside = locked.beside();
-            let near = [b - beside, b, b + beside].into_iter();
-            places.extend(near.filter(|&b| locked.is_on_face(b)));
+            let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
+            let mut beside = BESIDE;
+            loop {
+                let doubt = if beside > BESIDE {
+                    per_turn * beside
+                } else {
+                    0.0
+                };
+                let near = [-beside, 0.0, beside].map(|beside| b + beside / locked.twist);
+                let near = near.into_iter().filter(|b| (from..=to).contains(b));
+                places.extend(near.map(|b| Place { b, doubt }));
+                if beside >= unsure.min(FARTHEST_BESIDE) {
+                    break;
+                }
+                beside *= STEP_BESIDE;
+            }
         }
     }
 }
 
 /// Both intersections of two circles.
-fn crossings(one: (C, f64), other: (C, f64)) -> Option<[C; 2]> {
-    let between = other.0 - one.0;
-    let distance = between.norm();
-    let along = (distance * distance + one.1 * one.1 - other.1 * other.1) / (2.0 * distance);
-    let square = one.1 * one.1 - along * along;
-    if !(square >= 0.0) {
-        return None;
+struct Crossing {
+    /// Of each, seen from both centres, rad.
+    directions: [[f64; 2]; 2],
+    /// How far along the circles rounding may put them, mm: the less they overlap the farther.
+    unsure: f64,
+}
+
+impl Crossing {
+    fn new(centres: [C; 2], [one, other]: [f64; 2]) -> Option<Crossing> {
+        let between = centres[1] - centres[0];
+        let distance = between.norm();
+        let overlap = one + other - distance;
+        // No difference of large squares: circles that hardly overlap cross where that says.
+        let short = overlap * (other + distance - one) / (2.0 * distance);
+        let along = one - short;
+        let square = short * (one + along);
+        if !(square >= 0.0) {
+            return None;
+        }
+        let unit = between / distance;
+        let aside = square.sqrt();
+        // `aside² = 2 ρ overlap`, `ρ = r_1 r_2/a`, where that is small.
+        let rounding = ROUNDING * f64::EPSILON * (distance + one + other);
+        let twice = 2.0 * one * other / distance * rounding;
+        Some(Crossing {
+            directions: [aside, -aside].map(|aside| {
+                let point = centres[0] + unit * C::new(along, aside);
+                centres.map(|centre| (point - centre).arg())
+            }),
+            unsure: (0.5 * twice / aside).min(twice.sqrt()),
+        })
     }
-    let unit = between / distance;
-    let aside = square.sqrt();
-    Some([aside, -aside].map(|aside| one.0 + unit * C::new(along, aside)))
 }

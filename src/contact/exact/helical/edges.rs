@@ -258,9 +258,9 @@ fn tips_on_roots(
         Edge::root_end(locked, |step| posed.locked(step)),
         Edge::root_end(free, |step| posed.free(step)),
     ];
-    for which in 0..2 {
+    for (which, tips) in ends.iter().enumerate() {
         let root = &roots[1 - which];
-        for tip in &ends[which] {
+        for tip in tips {
             let edges = if which == 0 { [tip, root] } else { [root, tip] };
             crossing_places(posed, turnings, edges, stands, (places, effort));
         }
@@ -272,7 +272,7 @@ fn tips_on_roots(
                 Turning::free(assembly, posed, rotation),
             ];
             let towards = [between.arg(), (-between).arg()];
-            for tip in ends[which].iter().chain([&middles[which]]) {
+            for tip in tips.iter().chain([&middles[which]]) {
                 turnings[which].places(tip, towards[which], places);
             }
             turnings[1 - which].places(root, towards[1 - which], places);

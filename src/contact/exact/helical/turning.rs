@@ -192,6 +192,7 @@ pub(super) fn crossing_places(
     (places, effort): (&mut Vec<Place>, &Effort),
 ) {
     let [from, to] = locked.face;
+    let on_face = |b: f64| Some(b).filter(|b| (from..=to).contains(b));
     let rotation = stands.rotation;
     let meets = |turned: f64| {
         let centres = [posed.centre, posed.free_centre_at(rotation + turned)];
@@ -199,11 +200,8 @@ pub(super) fn crossing_places(
     };
     let beyond = [0, 1].map(|k| &edges[k].beyond);
     // An edge on the mate's involute, whose normal passes the locked axis at no more than the edge does: both gears' turn and the rolling between them.
-    let (base, mate) = (
-        posed.problem.locked.shape.base,
-        posed.problem.free.shape.base,
-    );
-    let per_turn = (edges[0].radius + base) / mate;
+    let bases = [&posed.problem.locked, &posed.problem.free].map(|teeth| teeth.shape.base);
+    let per_turn = (edges[0].radius + bases[0]) / bases[1];
     // Of an eccentric free gear whose circle does not reach the mate's there, where it reaches farthest.
     let nearest = reduced((posed.centre * posed.problem.free_off.conj()).arg() - rotation);
     let Some((start, first)) = [0.0, nearest]
@@ -215,10 +213,9 @@ pub(super) fn crossing_places(
     for (index, [ahead, behind]) in first.directions.into_iter().enumerate() {
         // That of the teeth themselves but for what flanks stand off their places.
         for step in locked.steps(ahead - beyond[0](0)) {
-            let place = |ahead: f64| locked.place(ahead - beyond[0](step), step);
             let turned_to =
                 |behind: f64, b: f64| reduced(behind - beyond[1](step) - free.direction(b, step));
-            let mut b = place(ahead);
+            let mut b = locked.place(ahead - beyond[0](step), step);
             let mut turned = start;
             let mut next = turned_to(behind, b);
             for _ in 0..MOST_TURNS {
@@ -241,20 +238,17 @@ pub(super) fn crossing_places(
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
-            let mut beside = BESIDE;
+            let (mut beside, mut doubt) = (BESIDE, 0.0);
+            places.extend(on_face(b).map(Place::at));
             loop {
-                let doubt = if beside > BESIDE {
-                    per_turn * beside
-                } else {
-                    0.0
-                };
-                let near = [-beside, 0.0, beside].map(|beside| b + beside / locked.twist);
-                let near = near.into_iter().filter(|b| (from..=to).contains(b));
-                places.extend(near.map(|b| Place { b, doubt }));
+                for b in [-beside, beside].map(|beside| b + beside / locked.twist) {
+                    places.extend(on_face(b).map(|b| Place { b, doubt }));
+                }
                 if beside >= unsure.min(FARTHEST_BESIDE) {
                     break;
                 }
                 beside *= STEP_BESIDE;
+                doubt = per_turn * beside;
             }
         }
     }

@@ -21,25 +21,24 @@
 //! Where an edge comes to a fillet, or paths of contact are next to none, more is to be seen between ([`edges`]).
 
 mod edges;
+mod facing;
 mod roots;
+#[cfg(test)]
+mod tests;
 mod turning;
 
 use super::flank_problem::FlankProblem;
 use super::section::{Section, Wanted, floor};
-use super::shape::C;
 use super::teeth::Teeth;
 use crate::contact::Effort;
 use crate::contact::body::solid_radius;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
-use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
-use roots::Floors;
-pub(super) use roots::Roots;
-pub(super) use turning::FreeGear;
-use turning::Place;
+use facing::{Facing, Floors};
+use turning::FreeGear;
 
 /// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
 /// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
@@ -133,94 +132,107 @@ impl Helical {
         effort: &Effort,
         method: impl Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>,
     ) -> Result<FoundOverFace, Error> {
-        let mut over = OverFace::default();
-        let nominal = pose.free_rotation();
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
-        let may_jam = on_roots || self.plane.bodies.is_some();
-        let look = |Place { b, doubt }: Place,
-                    section: &Section,
-                    over: &mut OverFace|
-         -> Result<(), Error> {
-            if over.is_solid() {
-                return Ok(());
-            }
-            let here = pose.in_section(&self.assembly, b);
-            let known = over.known(may_jam);
-            let mut found = None;
-            if effort.used() > UNHURRIED && known[0].is_finite() {
-                let tighter = method(section, &here, Wanted { effort, known })?;
-                let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
-                found = Some(tighter).filter(|found| !may_jam || clear(found));
-            }
-            let mut found = match found {
-                Some(found) => found,
-                None => method(section, &here, Wanted::all(effort))?,
-            };
-            for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
-                contact.error += doubt;
-            }
-            over.take(b, &here, found);
-            Ok(())
+        let mut looking = Looking {
+            helical: self,
+            pose,
+            effort,
+            method,
+            may_jam: on_roots || self.plane.bodies.is_some(),
+            over: OverFace::default(),
         };
         for (b, section) in &self.sections {
-            look(Place::at(*b), section, &mut over)?;
+            looking.look(*b, section, 0.0)?;
         }
         if let Some(edges) = &self.edges {
-            let section = |b: f64| self.plane.turned(&self.assembly.section(b));
-            let solid = solid_radius(self.assembly.gear(self.assembly.free()));
-            for (side, problem) in [
-                (Side::Right, &self.plane.right),
-                (Side::Left, &self.plane.left),
-            ] {
-                let posed = self.plane.posed(problem, pose);
-                // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
-                let rounds = if problem.free_off == C::ZERO {
-                    1
-                } else {
-                    MOST_ROUNDS
+            looking.between(edges, &self.plane.right)?;
+            looking.between(edges, &self.plane.left)?;
+        }
+        let over = looking.over;
+        Ok(over.found(pose.free_rotation(), self.plane.free_pitch()))
+    }
+}
+
+/// The sections of a pose that were looked at so far.
+struct Looking<'a, M> {
+    helical: &'a Helical,
+    pose: &'a Pose,
+    effort: &'a Effort,
+    /// Finds both contacts in a section.
+    method: M,
+    /// Whether a section may jam by itself.
+    may_jam: bool,
+    over: OverFace,
+}
+
+impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M> {
+    /// Looks at the section at `b`, mm, unless the gears are jammed; `doubt`, rad, is beside the errors of what touches there.
+    fn look(&mut self, b: f64, section: &Section, doubt: f64) -> Result<(), Error> {
+        if self.over.is_solid() {
+            return Ok(());
+        }
+        let effort = self.effort;
+        let here = self.pose.in_section(&self.helical.assembly, b);
+        let known = self.over.known(self.may_jam);
+        let mut found = None;
+        if effort.used() > UNHURRIED && known[0].is_finite() {
+            let tighter = (self.method)(section, &here, Wanted { effort, known })?;
+            let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
+            found = Some(tighter).filter(|found| !self.may_jam || clear(found));
+        }
+        let mut found = match found {
+            Some(found) => found,
+            None => (self.method)(section, &here, Wanted::all(effort))?,
+        };
+        for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
+            contact.error += doubt;
+        }
+        self.over.take(b, &here, found);
+        Ok(())
+    }
+
+    /// Looks where an edge may touch tightest between the sections: on the side of `problem`.
+    fn between(&mut self, edges: &Edges, problem: &FlankProblem) -> Result<(), Error> {
+        let (helical, pose, side) = (self.helical, self.pose, problem.side);
+        let assembly = &helical.assembly;
+        let posed = helical.plane.posed(problem, pose);
+        let facing = Facing::new(assembly, &posed, edges.short);
+        let solid = solid_radius(assembly.gear(assembly.free()));
+        // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
+        let is_eccentric = posed.free_centre_at(0.0).norm() > 0.0;
+        let rounds = if is_eccentric { MOST_ROUNDS } else { 1 };
+        let mut last = None;
+        for _ in 0..rounds {
+            let beyond = self.over.beyond(side);
+            let is_settled = |last: Option<f64>| match last.zip(beyond) {
+                Some((last, beyond)) => (beyond - last).abs() <= SETTLED,
+                None => last == beyond,
+            };
+            if last.is_some_and(is_settled) {
+                break;
+            }
+            // Where nothing touches in any section so far, it may between them, wherever the free gear comes to stand.
+            let stands = FreeGear {
+                rotation: -side.sense() * (pose.free_rotation() + beyond.unwrap_or(0.0)),
+                is_held: beyond.is_some(),
+            };
+            for place in edges.places(assembly, &posed, stands, self.effort) {
+                if self.over.is_solid() {
+                    return Ok(());
+                }
+                let floors = Floors {
+                    tighter: floor(&posed, self.over.known(false), pose),
+                    jams: floor(&posed, self.over.known(true), pose),
+                    solid,
                 };
-                let mut last = None;
-                for _ in 0..rounds {
-                    let beyond = over.beyond(side);
-                    let is_settled = |last: Option<f64>| match (last, beyond) {
-                        (Some(last), Some(beyond)) => (beyond - last).abs() <= SETTLED,
-                        (last, beyond) => last == beyond,
-                    };
-                    if over.is_solid() || last.is_some_and(is_settled) {
-                        break;
-                    }
-                    // Where nothing touches in any section so far, it may between them, wherever the free gear comes to stand.
-                    let free = FreeGear {
-                        rotation: -side.sense() * (nominal + beyond.unwrap_or(0.0)),
-                        is_held: beyond.is_some(),
-                    };
-                    for place in edges.places(&self.assembly, &posed, free, effort) {
-                        look(place, &section(place.b), &mut over)?;
-                    }
-                    if edges.jams {
-                        let roots = Roots::new(&self.assembly, &posed, free);
-                        let (crossings, at_roots) = roots.places(effort);
-                        for place in crossings {
-                            look(place, &section(place.b), &mut over)?;
-                        }
-                        for at in at_roots {
-                            let tighter = floor(&posed, over.known(false), pose);
-                            let jams = floor(&posed, over.known(true), pose);
-                            let floors = Floors {
-                                tighter,
-                                jams,
-                                solid,
-                            };
-                            if !over.is_solid() && roots.may_hold(at, floors, effort) {
-                                look(Place::at(at.b), &section(at.b), &mut over)?;
-                            }
-                        }
-                    }
-                    last = Some(beyond);
+                if facing.may_hold(&place, floors, self.effort) {
+                    let section = helical.plane.turned(&assembly.section(place.b));
+                    self.look(place.b, &section, place.doubt)?;
                 }
             }
+            last = Some(beyond);
         }
-        Ok(over.found(nominal, self.plane.free_pitch()))
+        Ok(())
     }
 }
 

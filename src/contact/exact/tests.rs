@@ -1,21 +1,17 @@
 //! What hard pairs may take: poses and extremes end by their effort, counted, and say so.
 
-use super::helical::{FreeGear, Roots};
-use super::section::Wanted;
 use super::{Doubt, ExactKernel};
 use crate::contact::effort::Effort;
-use crate::contact::{Contact, Status};
 use crate::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, Side,
 };
-use crate::pair::{GearPair, Mating, Member, Pose};
-use std::f64::consts::TAU;
+use crate::pair::{GearPair, Mating, Member};
 
 /// Draws of a multiplicative sequence: the same on any machine.
-struct Draws(u64);
+pub(super) struct Draws(pub u64);
 
 impl Draws {
-    fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
         let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
         self.0 = next.wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * (self.0 >> 11) as f64 / (1u64 << 53) as f64
@@ -67,7 +63,7 @@ impl Wild {
     }
 }
 
-fn mating(wheel_tooth: u32, pinion_tooth: u32, fraction: f64) -> Mating {
+pub(super) fn mating(wheel_tooth: u32, pinion_tooth: u32, fraction: f64) -> Mating {
     Mating {
         wheel_tooth,
         pinion_tooth,
@@ -115,7 +111,7 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
 }
 
 /// A pair far beyond any shop: 3 to 400 teeth, β to 50°, a face to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one.
-fn wild(draws: &mut Draws) -> Option<GearPair> {
+pub(super) fn wild(draws: &mut Draws) -> Option<GearPair> {
     let few = draws.within(0.0, 1.0) < 0.5;
     let mut teeth = || match few {
         true => draws.within(3.0, 20.0) as u32,
@@ -154,71 +150,4 @@ fn wild_helical_poses_are_found_within_their_effort() {
     println!("{poses} poses, {lost} lost, most {most} units");
     assert!(most <= Effort::of_pose().left());
     assert!(poses > 400 && lost <= 2, "{lost} of {poses}");
-}
-
-/// Every place where a tip or a root is on the line of centres, its whole section looked at: what [`Roots::may_hold`] leaves out neither touches
-/// first nor jams.
-#[test]
-fn teeth_on_the_line_of_centres_that_are_left_out_change_nothing() {
-    let mut draws = Draws(5);
-    let effort = Effort::endless();
-    let (mut poses, mut sections) = (0, 0);
-    while poses < 12 {
-        let Some(pair) = wild(&mut draws) else {
-            continue;
-        };
-        let at = mating(1, 1, draws.within(0.0, 1.0));
-        let (kernel, pose) = (ExactKernel::new(&pair), Pose::new(&pair, at));
-        let found = kernel.found_within(&pose, &effort).unwrap();
-        let both = found.lost_motion.right.zip(found.lost_motion.left);
-        let Some((right, left)) = both.filter(|_| found.jam.is_none()) else {
-            continue;
-        };
-        let plane = &kernel.section;
-        let mut places = Vec::new();
-        for (problem, rotation) in [
-            (&plane.right, right.rotation),
-            (&plane.left, -left.rotation),
-        ] {
-            let posed = plane.posed(problem, &pose);
-            let stands = FreeGear {
-                rotation,
-                is_held: true,
-            };
-            let (crossings, at_roots) = Roots::new(&pair, &posed, stands).places(&effort);
-            places.extend(
-                at_roots
-                    .iter()
-                    .map(|at| at.b)
-                    .chain(crossings.iter().map(|at| at.b)),
-            );
-        }
-        for &b in &places {
-            let here = pose.in_section(&pair, b);
-            let section = plane.turned(&pair.section(b));
-            let alone = section.lost_motion(&here, Wanted::all(&effort)).unwrap();
-            assert_ne!(alone.status(), Status::Jammed, "{b} of {pair:?} {at:?}");
-            let beyond = |one: Contact, over: Contact| {
-                let turned =
-                    one.rotation - here.free_rotation() - over.rotation + pose.free_rotation();
-                (
-                    turned - TAU * (turned / TAU).round(),
-                    1e-12 + one.error + over.error,
-                )
-            };
-            let farther = alone.right.map(|contact| beyond(contact, right));
-            assert!(
-                farther.is_none_or(|(turned, bound)| turned <= bound),
-                "{b} of {pair:?} {at:?}"
-            );
-            let farther = alone.left.map(|contact| beyond(contact, left));
-            assert!(
-                farther.is_none_or(|(turned, bound)| turned >= -bound),
-                "{b} of {pair:?} {at:?}"
-            );
-        }
-        poses += u32::from(places.len() > 50);
-        sections += places.len();
-    }
-    println!("{sections} sections");
 }

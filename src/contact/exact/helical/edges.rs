@@ -9,9 +9,9 @@
 //! nothing else may touch anywhere. An eccentric free gear may come to its mate only as it turns: where both tip circles touch then, the tightest stands
 //! where a land ends on the line of centres.
 //!
-//! These are places to look at: a section's own method finds what touches there.
+//! These are places to look at, each of one pair of teeth: a section's own method finds what touches there.
 
-use super::roots::tangent_rotations;
+use super::roots::{tangent_rotations, tips_on_roots};
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
@@ -33,7 +33,7 @@ pub(super) struct Edges {
     /// Whether tips may come to the mate's root, which may jam the pair ([`super::roots`]).
     pub jams: bool,
     /// Whether a pair of involutes may touch on the line of action between two sections only, or nowhere on it.
-    short: bool,
+    pub short: bool,
 }
 
 impl Edges {
@@ -110,7 +110,7 @@ impl Edges {
             && let Some(tooth) = middle_of_path(locked, free, distance)
         {
             let centre = Edge::corner(C::from(locked.tip_radius));
-            turnings[0].places(&centre, between.arg() + tooth, &mut places);
+            turnings[0].places(&centre, false, between.arg() + tooth, &mut places);
         }
         let mut take =
             |ahead, behind| tight_places(&turnings, [ahead, behind], stands, &mut places);
@@ -149,6 +149,9 @@ impl Edges {
         if self.short {
             tips_on_tips((assembly, posed), &turnings, stands, (&mut places, effort));
         }
+        if self.jams {
+            tips_on_roots((assembly, posed), &turnings, stands, (&mut places, effort));
+        }
         places
     }
 }
@@ -161,12 +164,10 @@ fn tight_places(
     stands: FreeGear,
     places: &mut Vec<Place>,
 ) {
-    let [from, to] = locked.face;
     for step in locked.steps(ahead) {
         let b = locked.place(ahead, step);
-        let farther = reduced(behind - free.direction(b, step));
-        if (from..=to).contains(&b) && stands.may_come(farther) {
-            places.push(Place::at(b));
+        if stands.may_come(reduced(behind - free.direction(b, step))) {
+            places.extend(locked.on_face(step, b, 0.0));
         }
     }
 }
@@ -262,10 +263,10 @@ fn tips_on_tips(
         let between = posed.free_centre_at(rotation) - posed.centre;
         let free_turning = Turning::free(assembly, posed, rotation);
         for end in &locked {
-            turnings[0].places(end, between.arg(), places);
+            turnings[0].places(end, true, between.arg(), places);
         }
         for end in &free {
-            free_turning.places(end, (-between).arg(), places);
+            free_turning.places(end, true, (-between).arg(), places);
         }
     }
 }

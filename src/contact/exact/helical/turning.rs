@@ -12,11 +12,6 @@ use std::ops::RangeInclusive;
 /// How near to a crossing of edges, as an angle of the locked tooth, rad: some hundred times what rounding leaves of its direction.
 const BESIDE: f64 = 1e-13;
 
-/// A crossing of circles that hardly overlap is known to less: looked at are places so many times as far from it each, up to what rounding leaves of it,
-/// and no farther than this, rad.
-const STEP_BESIDE: f64 = 8.0;
-const FARTHEST_BESIDE: f64 = 1e-6;
-
 /// Rounding of a centre or a radius, in ulps of all of them.
 const ROUNDING: f64 = 4.0;
 
@@ -30,7 +25,7 @@ const MOST_TURNS: usize = 100;
 pub(super) struct Turning<'a> {
     pub face: [f64; 2],
     /// Rad a mm along the axis.
-    pub twist: f64,
+    twist: f64,
     /// Direction of the tooth of step 0 in the measuring plane, undisturbed, rad.
     ahead: f64,
     /// From one step to the next, rad.
@@ -43,11 +38,16 @@ impl<'a> Turning<'a> {
     fn new(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> Turning<'a> {
         Turning {
             face: assembly.face(),
-            twist: posed.mirror() * assembly.gear(member).gear().basic_data().twist(),
+            twist: Turning::twist(assembly, posed, member),
             ahead: 0.0,
             step: 0.0,
             offset: Box::new(|_| 0.0),
         }
+    }
+
+    /// How the teeth of a gear wind in the frame of `posed`, rad a mm along the axis.
+    pub fn twist(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> f64 {
+        posed.mirror() * assembly.gear(member).gear().basic_data().twist()
     }
 
     pub fn locked(assembly: &GearPair, posed: &'a PosedFlanks) -> Turning<'a> {
@@ -68,28 +68,21 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// Adds the places on the face, mm, at which `edge` of a tooth has `direction`, rad, and those just beside them.
-    pub fn places(&self, edge: &Edge, direction: f64, places: &mut Vec<Place>) {
-        let beside = self.beside();
-        let near = |(_, b): (i64, f64)| [b - beside, b, b + beside];
-        let near = self.standing(edge, direction).flat_map(near);
-        places.extend(near.filter(|&b| self.is_on_face(b)).map(Place::at));
+    /// Adds the places on the face at which `edge` of a tooth has `direction`, rad, and, of an `end`, those on either side: on which of them what
+    /// ends there is met rounding would decide.
+    pub fn places(&self, edge: &Edge, end: bool, direction: f64, places: &mut Vec<Place>) {
+        let sides: &[f64] = if end { &[-BESIDE, BESIDE] } else { &[0.0] };
+        for step in self.steps(direction - (edge.beyond)(0)) {
+            let b = self.place(direction - (edge.beyond)(step), step);
+            let near = sides.iter().map(|beside| b + beside / self.twist);
+            places.extend(near.filter_map(|b| self.on_face(step, b, 0.0)));
+        }
     }
 
-    /// Steps of which `edge` has `direction`, rad, on the face or just beyond, and where, mm.
-    pub fn standing(&self, edge: &Edge, direction: f64) -> impl Iterator<Item = (i64, f64)> {
-        self.steps(direction - (edge.beyond)(0))
-            .map(move |step| (step, self.place(direction - (edge.beyond)(step), step)))
-    }
-
-    /// Just beside a place, mm: on which side of its end a land is met there rounding would decide.
-    pub fn beside(&self) -> f64 {
-        BESIDE / self.twist
-    }
-
-    /// Whether a place is on the face.
-    pub fn is_on_face(&self, b: f64) -> bool {
-        (self.face[0]..=self.face[1]).contains(&b)
+    /// A place of a pair of teeth, if it is on the face.
+    pub fn on_face(&self, step: i64, b: f64, doubt: f64) -> Option<Place> {
+        let place = Place { step, b, doubt };
+        (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
 
     /// Steps whose centre lines may have `direction` on the face.
@@ -151,16 +144,12 @@ impl<'a> Edge<'a> {
 /// A place on the face to look at.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact::exact) struct Place {
+    /// The pair of teeth that may touch there.
+    pub step: i64,
     /// Mm.
     pub b: f64,
     /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
     pub doubt: f64,
-}
-
-impl Place {
-    pub(super) fn at(b: f64) -> Place {
-        Place { b, doubt: 0.0 }
-    }
 }
 
 /// Where the free gear stands in the frame of a pose.
@@ -191,8 +180,6 @@ pub(super) fn crossing_places(
     stands: FreeGear,
     (places, effort): (&mut Vec<Place>, &Effort),
 ) {
-    let [from, to] = locked.face;
-    let on_face = |b: f64| Some(b).filter(|b| (from..=to).contains(b));
     let rotation = stands.rotation;
     let meets = |turned: f64| {
         let centres = [posed.centre, posed.free_centre_at(rotation + turned)];
@@ -238,17 +225,15 @@ pub(super) fn crossing_places(
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
-            let (mut beside, mut doubt) = (BESIDE, 0.0);
-            places.extend(on_face(b).map(Place::at));
-            loop {
-                for b in [-beside, beside].map(|beside| b + beside / locked.twist) {
-                    places.extend(on_face(b).map(|b| Place { b, doubt }));
-                }
-                if beside >= unsure.min(FARTHEST_BESIDE) {
-                    break;
-                }
-                beside *= STEP_BESIDE;
-                doubt = per_turn * beside;
+            // As far beyond what rounding leaves of it as that comes to.
+            let off = 2.0 * unsure;
+            let beside = [-BESIDE, BESIDE, -off, off];
+            for beside in &beside[..if unsure > BESIDE { 4 } else { 2 }] {
+                let doubt = match beside.abs() > BESIDE {
+                    true => per_turn * beside.abs(),
+                    false => 0.0,
+                };
+                places.extend(locked.on_face(step, b + beside / locked.twist, doubt));
             }
         }
     }

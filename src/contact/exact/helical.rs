@@ -128,7 +128,7 @@ impl Helical {
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
         let may_jam = on_roots || self.plane.bodies.is_some();
         let look =
-            |Place { b, doubt }, section: &Section, over: &mut OverFace| -> Result<(), Error> {
+            |Place { b, doubt, .. }, section: &Section, over: &mut OverFace| -> Result<(), Error> {
                 let here = pose.in_section(&self.assembly, b);
                 let known = over.known(may_jam);
                 let mut found = None;
@@ -169,7 +169,14 @@ impl Helical {
                         rotation: -side.sense() * (nominal + beyond.unwrap_or(0.0)),
                         is_held: beyond.is_some(),
                     };
+                    let since = |over: &OverFace| {
+                        let now = over.beyond(side);
+                        now.map(|now| -side.sense() * (now - beyond.unwrap_or(0.0)))
+                    };
                     for place in edges.places(&self.assembly, &posed, free, effort) {
+                        if since(&over).is_some_and(|farther| !place.may_hold(farther)) {
+                            continue;
+                        }
                         let section = self.plane.turned(&self.assembly.section(place.b));
                         look(place, &section, &mut over)?;
                     }

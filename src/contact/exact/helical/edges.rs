@@ -31,6 +31,8 @@ pub(super) struct Edges {
     on_free: bool,
     /// Whether tips may come to the mate's root, which may jam the pair.
     pub jams: bool,
+    /// Whether tips of the locked gear may stand in the eccentric free one at every rotation of it.
+    solid: bool,
     /// Whether a pair of involutes may touch on the line of action between two sections only, or nowhere on it.
     short: bool,
 }
@@ -48,7 +50,12 @@ impl Edges {
         let jams = |root: &HalfToothShape, tip: &HalfToothShape| {
             nearest - tip.tip_radius < root.root_radius
         };
+        let (axis, off) = (
+            problem.distance - problem.locked_off.norm(),
+            problem.free_off.norm(),
+        );
         let edges = Edges {
+            solid: off > 0.0 && axis - locked.tip_radius < free.root_radius - off,
             on_locked: reached(locked, free),
             on_free: reached(free, locked),
             jams: jams(locked, free) || jams(free, locked),
@@ -150,6 +157,14 @@ impl Edges {
         }
         if self.jams {
             tips_on_roots((assembly, posed), &turnings, stands, (&mut places, effort));
+        }
+        if self.solid {
+            // About its axis, which is where its outline's centre is not.
+            let middle = Edge::corner(C::from(locked.tip_radius));
+            let [ends, _] = tip_ends(posed);
+            for tip in ends.iter().chain([&middle]) {
+                turnings[0].places(tip, (-posed.centre).arg(), &mut places);
+            }
         }
         places
     }
@@ -276,13 +291,6 @@ fn tips_on_roots(
                 turnings[which].places(tip, towards[which], places);
             }
             turnings[1 - which].places(root, towards[1 - which], places);
-        }
-    }
-    // The free gear is solid about its axis at every rotation, which is where its outline's centre is not.
-    if posed.problem.free_off != C::ZERO {
-        let towards = (-posed.centre).arg();
-        for tip in ends[0].iter().chain([&middles[0]]) {
-            turnings[0].places(tip, towards, places);
         }
     }
 }

@@ -12,11 +12,6 @@ use std::ops::RangeInclusive;
 /// How near to a crossing of edges, as an angle of the locked tooth, rad: some hundred times what rounding leaves of its direction.
 const BESIDE: f64 = 1e-13;
 
-/// A crossing of circles that hardly overlap is known to less: looked at are places so many times as far from it each, up to what rounding leaves of it,
-/// and no farther than this, rad.
-const STEP_BESIDE: f64 = 8.0;
-const FARTHEST_BESIDE: f64 = 1e-6;
-
 /// Rounding of a centre or a radius, in ulps of all of them.
 const ROUNDING: f64 = 4.0;
 
@@ -143,11 +138,22 @@ pub(in crate::contact::exact) struct Place {
     pub b: f64,
     /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
     pub doubt: f64,
+    /// How far beyond where it stands the free gear comes to what is meant to touch there, rad; ∞: not known.
+    farther: f64,
 }
 
 impl Place {
     pub(super) fn at(b: f64) -> Place {
-        Place { b, doubt: 0.0 }
+        Place {
+            b,
+            doubt: 0.0,
+            farther: f64::INFINITY,
+        }
+    }
+
+    /// Whether what is meant to touch there may hold the free gear that has been found to stop so much `farther`, rad, since.
+    pub(super) fn may_hold(&self, farther: f64) -> bool {
+        self.farther > farther - DOUBT
     }
 }
 
@@ -180,7 +186,6 @@ pub(super) fn crossing_places(
     (places, effort): (&mut Vec<Place>, &Effort),
 ) {
     let [from, to] = locked.face;
-    let on_face = |b: f64| Some(b).filter(|b| (from..=to).contains(b));
     let rotation = stands.rotation;
     let meets = |turned: f64| {
         let centres = [posed.centre, posed.free_centre_at(rotation + turned)];
@@ -226,17 +231,20 @@ pub(super) fn crossing_places(
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
-            let (mut beside, mut doubt) = (BESIDE, 0.0);
-            places.extend(on_face(b).map(Place::at));
-            loop {
-                for b in [-beside, beside].map(|beside| b + beside / locked.twist) {
-                    places.extend(on_face(b).map(|b| Place { b, doubt }));
-                }
-                if beside >= unsure.min(FARTHEST_BESIDE) {
-                    break;
-                }
-                beside *= STEP_BESIDE;
-                doubt = per_turn * beside;
+            let is_settled = (next - turned).abs() <= DOUBT;
+            let farther = if is_settled { next } else { f64::INFINITY };
+            // As far beyond what rounding leaves of it as that comes to.
+            let off = 2.0 * unsure;
+            let beside = [0.0, -BESIDE, BESIDE, -off, off];
+            let count = if unsure > BESIDE { 5 } else { 3 };
+            for beside in &beside[..count] {
+                let b = b + beside / locked.twist;
+                let doubt = match beside.abs() > BESIDE {
+                    true => per_turn * beside.abs(),
+                    false => 0.0,
+                };
+                let place = Place { b, doubt, farther };
+                places.extend(Some(place).filter(|place| (from..=to).contains(&place.b)));
             }
         }
     }

@@ -35,6 +35,7 @@ use crate::contact::body::solid_radius;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
+use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use facing::{Facing, Floors};
@@ -51,7 +52,7 @@ const UNHURRIED: u64 = 20_000;
 const MOST_ROUNDS: usize = 4;
 
 /// A change, rad, of the free gear's rotation after which no other round is needed: the square is below rounding.
-const SETTLED: f64 = 1e-8;
+const SETTLED: f64 = 1e-7;
 
 /// A pair of helical gears.
 #[derive(Debug, Clone)]
@@ -225,7 +226,14 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
                     jams: floor(&posed, self.over.known(true), pose),
                     solid,
                 };
-                if facing.may_hold(&place, floors, self.effort) {
+                // What jams may let the free gear farther than what is known.
+                let known = self.over.known(self.may_jam);
+                let known = match side {
+                    Side::Right => known[0],
+                    Side::Left => known[1],
+                };
+                let since = -side.sense() * (known - beyond.unwrap_or(0.0));
+                if place.may_hold(since) && facing.may_hold(&place, floors, self.effort) {
                     let section = helical.plane.turned(&assembly.section(place.b));
                     self.look(place.b, &section, place.doubt)?;
                 }

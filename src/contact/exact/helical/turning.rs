@@ -81,7 +81,13 @@ impl<'a> Turning<'a> {
 
     /// A place of a pair of teeth, if it is on the face.
     pub fn on_face(&self, step: i64, b: f64, doubt: f64) -> Option<Place> {
-        let place = Place { step, b, doubt };
+        let farther = f64::INFINITY;
+        let place = Place {
+            step,
+            b,
+            doubt,
+            farther,
+        };
         (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
 
@@ -150,6 +156,20 @@ pub(in crate::contact::exact) struct Place {
     pub b: f64,
     /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
     pub doubt: f64,
+    /// How far beyond where it stands the free gear comes to what is meant to touch there, rad; ∞: not known.
+    farther: f64,
+}
+
+impl Place {
+    /// The same where the free gear comes so much `farther`, rad, to what touches there.
+    fn met(self, farther: f64) -> Place {
+        Place { farther, ..self }
+    }
+
+    /// Whether what touches there may hold the free gear that has been found to stop so much `farther`, rad, since.
+    pub fn may_hold(&self, farther: f64) -> bool {
+        self.farther > farther - DOUBT
+    }
 }
 
 /// Where the free gear stands in the frame of a pose.
@@ -225,6 +245,8 @@ pub(super) fn crossing_places(
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
+            let is_settled = (next - turned).abs() <= DOUBT;
+            let farther = if is_settled { next } else { f64::INFINITY };
             // As far beyond what rounding leaves of it as that comes to.
             let off = 2.0 * unsure;
             let beside = [-BESIDE, BESIDE, -off, off];
@@ -233,7 +255,8 @@ pub(super) fn crossing_places(
                     true => per_turn * beside.abs(),
                     false => 0.0,
                 };
-                places.extend(locked.on_face(step, b + beside / locked.twist, doubt));
+                let place = locked.on_face(step, b + beside / locked.twist, doubt);
+                places.extend(place.map(|place| place.met(farther)));
             }
         }
     }

@@ -22,9 +22,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         snapshot(&Snapshot {
             title: &study.title,
             assembly: &run.assembly,
-            pose: &worst.pose.swept.pose,
+            pose: &worst.pose.simulated.pose,
             material: run.material,
-            found: worst.pose.swept.found.as_ref(),
+            found: worst.pose.simulated.found.as_ref(),
             section: None,
         })
     );

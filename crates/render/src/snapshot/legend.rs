@@ -130,10 +130,10 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
     for curve in ProfilePart::ALL {
         if shown.touching.contains(&curve) {
             let name = match curve {
-                ProfilePart::Involute => "involute that touches",
-                ProfilePart::Fillet => "fillet that touches",
-                ProfilePart::Tip => "tip that touches",
-                ProfilePart::Root => "root that touches",
+                ProfilePart::Involute => "touching involute",
+                ProfilePart::Fillet => "touching fillet",
+                ProfilePart::Tip => "touching tip",
+                ProfilePart::Root => "touching root",
             };
             samples.push((
                 name,

@@ -265,17 +265,17 @@ fn the_tip_on_the_fillet_is_shown_as_what_it_is() {
     );
     for words in [
         "wheel 1 tip on pinion 1 fillet",
-        "tip that touches",
-        "fillet that touches",
+        "touching tip",
+        "touching fillet",
         "form circle",
         "base tangent point",
     ] {
         assert!(has(words), "{words}");
     }
-    assert!(!has("involute that touches"));
+    assert!(!has("touching involute"));
     let plain = read(&find("solved 44/44 tight").draw()).texts;
     let words: Vec<_> = plain.iter().map(|(text, _)| text.as_str()).collect();
-    assert!(words.contains(&"involute that touches") && !words.contains(&"form circle"));
+    assert!(words.contains(&"touching involute") && !words.contains(&"form circle"));
 }
 
 /// A small perfect pair with play.

@@ -120,15 +120,8 @@ fn read_one(
         None => Some(None),
     };
     if table.has("file") {
-        let listed = ["roll_length_mm", "diameter_mm", "deviation_um"];
-        if let Some(second) = listed.into_iter().find(|name| table.has(name)) {
-            problems.add(table.problem(
-                "file",
-                format!("given together with {second}, allowed is one of file and the lists"),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        let lists = ["roll_length_mm", "diameter_mm", "deviation_um"];
+        table.alone("file", &lists, "one of file and the lists", problems)?;
         return of_file(table, tooth?, own, gear, problems);
     }
     sheet::without_file(table, problems)?;

@@ -139,7 +139,7 @@
 //! let analysis = Analysis::silently(&Plan::new(&study, Method::Exact { certify: true }))?;
 //! let runs: Vec<_> = analysis.all().collect();
 //! let outcome = gearlash::analysis::outcome::Outcome::of(&runs, &[]);
-//! let [least, greatest] = [outcome.least, outcome.greatest].map(|found| found.and_then(|found| found.pose.swept.j_wt()));
+//! let [least, greatest] = [outcome.least, outcome.greatest].map(|found| found.and_then(|found| found.pose.simulated.j_wt()));
 //! assert!(least > Some(0.0) && least <= greatest && outcome.assembles());
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```

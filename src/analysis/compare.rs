@@ -64,7 +64,7 @@ impl Verdict {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ComparedPose {
     /// What was simulated.
-    pub swept: PoseResult,
+    pub simulated: PoseResult,
     /// Model 1, Michalec.
     pub michalec: Option<f64>,
     /// Model 2, involute.
@@ -78,7 +78,7 @@ pub struct ComparedPose {
 impl ComparedPose {
     /// Whether simulation and model 3 both have a value.
     pub fn has_both(&self) -> bool {
-        self.swept.backlash.is_some() && self.line_of_action.is_some()
+        self.simulated.backlash.is_some() && self.line_of_action.is_some()
     }
 }
 
@@ -109,7 +109,7 @@ impl ComparedRun {
     /// Whether the run passes: something was compared, and everything agrees, or lies off the line where that is
     /// allowed. A run that is jammed or out of mesh throughout agrees with nothing, and of an unproven pose nobody knows.
     pub fn passes(&self, allow_off_line: bool) -> bool {
-        let unproven = self.poses.iter().any(|pose| pose.swept.is_unproven());
+        let unproven = self.poses.iter().any(|pose| pose.simulated.is_unproven());
         self.compared() > 0 && !unproven && !self.disagrees(allow_off_line)
     }
 
@@ -124,13 +124,15 @@ impl ComparedRun {
 
     /// The poses of which something is not proven, in order.
     pub fn unproven(&self) -> impl Iterator<Item = &ComparedPose> + Clone {
-        self.poses.iter().filter(|pose| pose.swept.is_unproven())
+        self.poses
+            .iter()
+            .filter(|pose| pose.simulated.is_unproven())
     }
 
     /// Simulated minus model 3, mm, of the pose where it is largest in amount.
     pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
         let differences = self.poses.iter().filter_map(|pose| {
-            let difference = pose.swept.backlash? - pose.line_of_action?;
+            let difference = pose.simulated.backlash? - pose.line_of_action?;
             Some((pose, difference))
         });
         differences.reduce(|worst, next| {
@@ -156,7 +158,11 @@ impl ComparedRun {
     pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
         let first = |sign: f64| {
             first_least(self.poses.iter().filter_map(|pose| {
-                Some((pose, pose.swept.backlash? * sign, pose.swept.error_bound?))
+                Some((
+                    pose,
+                    pose.simulated.backlash? * sign,
+                    pose.simulated.error_bound?,
+                ))
             }))
         };
         Some((first(1.0)?, first(-1.0)?))
@@ -207,19 +213,19 @@ impl SummaryTally {
                 *known = Some(known.map_or(value, |known| of(known, value)));
             }
         };
-        let swept = &pose.swept;
-        let off = |formula: Option<f64>| Some((swept.backlash? - formula?).abs());
+        let result = &pose.simulated;
+        let off = |formula: Option<f64>| Some((result.backlash? - formula?).abs());
         self.unproven += usize::from(pose.verdict == Verdict::Unproven);
         for end in [0, 1] {
-            self.unproven_ends[end] += usize::from(swept.is_end_unproven(end));
+            self.unproven_ends[end] += usize::from(result.is_end_unproven(end));
         }
-        join(&mut self.min, swept.backlash, f64::min);
-        join(&mut self.max, swept.backlash, f64::max);
-        if let Some(backlash) = swept.backlash {
+        join(&mut self.min, result.backlash, f64::min);
+        join(&mut self.max, result.backlash, f64::max);
+        if let Some(backlash) = result.backlash {
             let (sum, count) = self.sum.unwrap_or((-0.0, 0));
             self.sum = Some((sum + backlash, count + 1));
         }
-        let [near, far] = swept.range();
+        let [near, far] = result.range();
         join(&mut self.with_clearance[0], near, f64::min);
         join(&mut self.with_clearance[1], far, f64::max);
         join(&mut self.off_involute, off(pose.involute), f64::max);
@@ -246,7 +252,7 @@ impl SummaryTally {
 pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
     let of_run = |mut run: Run| {
         let poses = std::mem::take(&mut run.poses).into_iter();
-        let poses = poses.map(|swept| compared(&run.assembly, swept, tolerance_um));
+        let poses = poses.map(|result| compared(&run.assembly, result, tolerance_um));
         ComparedRun {
             poses: poses.collect(),
             run,
@@ -256,15 +262,15 @@ pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
 }
 
 /// A pose of `assembly` with its analytic values, judged with `tolerance_um`.
-pub(crate) fn compared(assembly: &GearPair, swept: PoseResult, tolerance_um: f64) -> ComparedPose {
-    let analytic: Analytic = evaluate(assembly, &swept.pose);
+pub(crate) fn compared(assembly: &GearPair, result: PoseResult, tolerance_um: f64) -> ComparedPose {
+    let analytic: Analytic = evaluate(assembly, &result.pose);
     let line_of_action = analytic.line_of_action.backlash(assembly);
     ComparedPose {
-        verdict: judge(assembly, &swept, line_of_action, tolerance_um * 1e-3),
+        verdict: judge(assembly, &result, line_of_action, tolerance_um * 1e-3),
         michalec: analytic.michalec,
         involute: analytic.involute,
         line_of_action,
-        swept,
+        simulated: result,
     }
 }
 
@@ -273,11 +279,16 @@ pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
     given.unwrap_or(study.tolerance_um)
 }
 
-fn judge(assembly: &GearPair, swept: &PoseResult, formula: Option<f64>, tolerance: f64) -> Verdict {
-    let Ok(found) = &swept.found else {
+fn judge(
+    assembly: &GearPair,
+    result: &PoseResult,
+    formula: Option<f64>,
+    tolerance: f64,
+) -> Verdict {
+    let Ok(found) = &result.found else {
         return Verdict::Unproven;
     };
-    let simulated = swept.backlash.zip(swept.error_bound);
+    let simulated = result.backlash.zip(result.error_bound);
     match (simulated, formula) {
         (Some((simulated, bound)), Some(formula)) => {
             let difference = simulated - formula;
@@ -299,7 +310,7 @@ fn judge(assembly: &GearPair, swept: &PoseResult, formula: Option<f64>, toleranc
     }
 }
 
-/// Whether a tip, an undercut edge, a fillet or a root takes part in either contact of `assembly`.
+/// Whether a tip, an undercut edge, a fillet or a root touches in either contact of `assembly`.
 pub fn touches_off_line(assembly: &GearPair, lost_motion: &LostMotion) -> bool {
     let off = |(side, contact): (Side, &Option<Contact>)| {
         let class = contact

@@ -143,19 +143,19 @@ impl RunExtreme {
 
     /// Whether no rotation of the cycle lies beyond a bracket as narrow as was wanted, and something vouches for the pose itself.
     pub fn is_proven(&self) -> bool {
-        self.doubt.is_none() && self.pose.swept.found.is_ok()
+        self.doubt.is_none() && self.pose.simulated.found.is_ok()
     }
 
     /// Whether no rotation of the cycle lies beyond the bracket, however wide that is.
     pub fn holds(&self) -> bool {
         let wide = [Doubt::Effort, Doubt::SecondOrder, Doubt::Profile];
-        self.doubt.is_none_or(|doubt| wide.contains(&doubt)) && self.pose.swept.found.is_ok()
+        self.doubt.is_none_or(|doubt| wide.contains(&doubt)) && self.pose.simulated.found.is_ok()
     }
 
     /// What was found, mm: the end of the bracket that the pose attains.
     pub fn found(&self) -> f64 {
         self.pose
-            .swept
+            .simulated
             .backlash
             .unwrap_or(0.5 * (self.low + self.high))
     }

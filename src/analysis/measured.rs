@@ -101,7 +101,7 @@ impl MeasuredTally {
             return;
         };
         for pose in poses {
-            let at = pose.swept.pose.mating();
+            let at = pose.simulated.pose.mating();
             let key = (distance, material, at.wheel_tooth, at.pinion_tooth);
             if at.fraction == 0.0
                 && let Some(means) = self.means.get_mut(&key)
@@ -159,7 +159,7 @@ pub fn bands(
     center_distance: f64,
     wanted: impl Fn(&Mating) -> bool,
 ) -> Bands {
-    let is_wanted = |pose: &&ComparedPose| wanted(pose.swept.pose.mating());
+    let is_wanted = |pose: &&ComparedPose| wanted(pose.simulated.pose.mating());
     Bands::of(study, |material| {
         let run = runs.iter().find(|compared| {
             compared.run.material == material
@@ -207,9 +207,9 @@ struct Means {
 
 impl Means {
     fn add(&mut self, pose: &ComparedPose) {
-        let [near, far] = pose.swept.range();
+        let [near, far] = pose.simulated.range();
         self.analytic.add(pose.involute);
-        self.simulated.add(pose.swept.backlash);
+        self.simulated.add(pose.simulated.backlash);
         self.ends[0].add(near);
         self.ends[1].add(far);
     }

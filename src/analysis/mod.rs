@@ -112,7 +112,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Steps of the work, each told by a tick: poses, and pitches that are searched. At most so many.
+    /// Steps of the work, each reported by a tick: poses, and pitches that are searched. At most so many.
     ///
     /// # Errors
     /// As [`Study::runs`].
@@ -222,7 +222,7 @@ impl<'a> Analysis<'a> {
             analysis.widths = face_width::over_widths(study, full, method, tick)?;
             let worst = Verdict::of_study(study, full, Vec::new());
             let worst = worst.worst();
-            let field = worst.and_then(|(_, pair, pose)| Field::of(pair, &pose.swept));
+            let field = worst.and_then(|(_, pair, pose)| Field::of(pair, &pose.simulated));
             analysis.field = field;
         }
         if plan.checks {
@@ -273,7 +273,7 @@ impl<'a> Analysis<'a> {
     /// How far both methods agree, where both were asked for.
     pub fn agreement(&self) -> MethodAgreement {
         let poses = self.all().flat_map(|run| &run.poses);
-        let of_poses = MethodAgreement::of(poses.map(|pose| &pose.swept));
+        let of_poses = MethodAgreement::of(poses.map(|pose| &pose.simulated));
         let curves = self.over_distance.iter();
         curves.fold(of_poses, |all, curve| all.and(curve.agreement))
     }

@@ -83,24 +83,24 @@ impl<'a> Outcome<'a> {
             runs.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }))
         };
         let count = |holds: &dyn Fn(&PoseResult) -> bool| {
-            let of_kind = |found: &PoseOfRun| holds(&found.pose.swept);
+            let of_kind = |found: &PoseOfRun| holds(&found.pose.simulated);
             all().filter(of_kind).count()
         };
         let is = |status: Status| move |pose: &PoseResult| pose.status() == status;
         let extreme = |sign: f64| {
             first_least(all().filter_map(|found| {
-                let swept = &found.pose.swept;
-                Some((found, sign * swept.backlash?, swept.error_bound?))
+                let result = &found.pose.simulated;
+                Some((found, sign * result.backlash?, result.error_bound?))
             }))
         };
-        let swept = || runs.iter().flat_map(|run| &run.poses);
-        let backlash = || swept().filter_map(|pose| pose.swept.backlash);
+        let poses = || runs.iter().flat_map(|run| &run.poses);
+        let backlash = || poses().filter_map(|pose| pose.simulated.backlash);
         let valued = backlash().count();
         // What each value may at most be, and at least.
         let ends = |sign: f64| {
             all().filter_map(move |found| {
-                let swept = &found.pose.swept;
-                Some(swept.backlash? + sign * swept.error_bound?)
+                let result = &found.pose.simulated;
+                Some(result.backlash? + sign * result.error_bound?)
             })
         };
         let (highest, lowest) = (ends(1.0).reduce(f64::min), ends(-1.0).reduce(f64::max));
@@ -114,13 +114,13 @@ impl<'a> Outcome<'a> {
             apart: count(&is(Status::NoContact)),
             unproven: count(&is(Status::Unproven)),
             unproven_ends: [0, 1].map(|end| count(&|pose| pose.is_end_unproven(end))),
-            worst: worst_pose(all().map(|found| (found, &found.pose.swept))),
+            worst: worst_pose(all().map(|found| (found, &found.pose.simulated))),
             uniform: together && all_valued,
             least: extreme(1.0),
             greatest: extreme(-1.0),
             mean: (valued > 0).then(|| backlash().sum::<f64>() / valued as f64),
             error_bound: all()
-                .filter_map(|found| found.pose.swept.error_bound)
+                .filter_map(|found| found.pose.simulated.error_bound)
                 .reduce(f64::max),
         }
     }
@@ -178,7 +178,7 @@ pub fn deviation(
 ) -> Option<Deviation> {
     let differences = || {
         let poses = runs.iter().flat_map(|run| &run.poses);
-        poses.filter_map(|pose| Some(pose.swept.backlash? - model(pose)?))
+        poses.filter_map(|pose| Some(pose.simulated.backlash? - model(pose)?))
     };
     let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
     let poses = differences().count();
@@ -215,7 +215,7 @@ pub struct Agreement {
     pub neither: usize,
     /// Those that are not proven, and not compared.
     pub unproven: usize,
-    /// Poses that have a backlash and in which a tip corner, an undercut edge, a fillet or a root takes part in a contact.
+    /// Poses that have a backlash and in which a tip corner, an undercut edge, a fillet or a root touches.
     pub touch_off_line: usize,
 }
 
@@ -228,7 +228,7 @@ impl Agreement {
             run.poses.iter().map(move |pose| (assembly, pose))
         };
         for (assembly, pose) in runs.iter().flat_map(with_pair) {
-            let simulated = pose.swept.backlash.is_some();
+            let simulated = pose.simulated.backlash.is_some();
             count.poses += 1;
             count.both += usize::from(pose.has_both());
             *match (simulated, pose.line_of_action.is_some(), pose.verdict) {
@@ -242,7 +242,7 @@ impl Agreement {
                 (false, true, _) => &mut count.jammed,
                 (false, false, _) => &mut count.neither,
             } += 1;
-            let found = pose.swept.proven();
+            let found = pose.simulated.proven();
             let off_line =
                 simulated && found.is_some_and(|found| touches_off_line(assembly, found));
             count.touch_off_line += usize::from(off_line);

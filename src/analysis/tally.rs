@@ -90,19 +90,19 @@ impl RunTally {
 
     /// Takes the next pose in.
     fn add(&mut self, pose: &ComparedPose, keep: Keep) {
-        let swept = &pose.swept;
+        let result = &pose.simulated;
         self.poses += 1;
         self.compared += usize::from(pose.has_both());
         self.compared_off_line += usize::from(pose.has_both() && pose.verdict == Verdict::OffLine);
         self.verdicts[pose.verdict as usize] += 1;
-        self.valued += usize::from(swept.backlash.is_some());
-        self.interfering += usize::from(swept.interferes());
-        match swept.status() {
+        self.valued += usize::from(result.backlash.is_some());
+        self.interfering += usize::from(result.interferes());
+        match result.status() {
             Status::Jammed => self.jammed += 1,
             Status::NoContact => self.apart += 1,
             Status::Clear | Status::Interference | Status::Unproven => {}
         }
-        if swept.is_unproven() {
+        if result.is_unproven() {
             self.unproven += 1;
             if self.first_unproven.len() < keep.unproven {
                 self.first_unproven.push(pose.clone());
@@ -111,14 +111,14 @@ impl RunTally {
         if keep.listed {
             self.listed.push(pose.clone());
         }
-        self.agreement.add(swept);
+        self.agreement.add(result);
         self.seen.add(pose);
         self.summary.add(pose);
-        if let (Some(backlash), Some(bound)) = (swept.backlash, swept.error_bound) {
+        if let (Some(backlash), Some(bound)) = (result.backlash, result.error_bound) {
             self.least.add(backlash, bound, || pose.clone());
             self.greatest.add(-backlash, bound, || pose.clone());
         }
-        if let (Some(backlash), Some(formula)) = (swept.backlash, pose.line_of_action) {
+        if let (Some(backlash), Some(formula)) = (result.backlash, pose.line_of_action) {
             let difference = backlash - formula;
             let worst = self.worst.as_ref();
             if worst.is_none_or(|(_, worst)| difference.abs() > worst.abs()) {
@@ -268,8 +268,8 @@ pub fn simulate_by_blocks<E: From<Error>>(
         let Some((run, keep)) = &mut current else {
             return Ok(());
         };
-        let poses = parallel::map(block.poses, |swept| {
-            compared(&run.assembly, swept, tolerance_um)
+        let poses = parallel::map(block.poses, |result| {
+            compared(&run.assembly, result, tolerance_um)
         });
         for pose in &poses {
             run.add(pose, *keep);

@@ -118,7 +118,8 @@ impl<'a> Verdict<'a> {
 
     /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
     pub fn expanded(&self, extreme: &RunExtreme) -> Option<f64> {
-        self.uncertainty?.of(&extreme.assembly, &extreme.pose.swept)
+        self.uncertainty?
+            .of(&extreme.assembly, &extreme.pose.simulated)
     }
 
     /// Whether the pair assembles everywhere; `None` where that is not proven.

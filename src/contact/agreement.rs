@@ -1,6 +1,6 @@
 //! What the two methods come to at many poses.
 
-use super::swept::{PolygonDifference, PoseResult};
+use super::pose_result::{PolygonDifference, PoseResult};
 
 /// How far both methods agree at some poses. Whether one of them is off is judged pose by pose, by what is allowed there:
 /// such a pose is [`super::Unproven`].

@@ -269,8 +269,8 @@ mod tests {
                     }
                     let solid = land > 0.0 || space > 0.0;
                     let what = format!("{a} {locked:?} {k}: {land} mm, {space} rad");
-                    let told = may_be_solid(&assembly) && is_solid(&assembly, &pose);
-                    assert_eq!(told, solid, "{what}");
+                    let found = may_be_solid(&assembly) && is_solid(&assembly, &pose);
+                    assert_eq!(found, solid, "{what}");
                     met[0] += usize::from(land > 0.0 && space < 0.0);
                     met[1] += usize::from(land < 0.0 && space > 0.0);
                     met[2] += usize::from(!solid);

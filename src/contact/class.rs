@@ -29,7 +29,7 @@ pub enum ContactKind {
     Fillet,
     /// A tip on its mate's fillet.
     TipFillet,
-    /// A root land takes part.
+    /// A root land touches.
     Root,
 }
 
@@ -108,7 +108,7 @@ impl Moment {
 pub struct ContactClass {
     /// What meets.
     pub kind: ContactKind,
-    /// The gear whose tip takes part, where just one does.
+    /// The gear whose tip touches, where just one does.
     pub tip: Option<Member>,
     /// When that tip touches; known of a tip alone.
     pub moment: Option<Moment>,

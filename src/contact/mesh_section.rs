@@ -3,7 +3,7 @@
 //! Where over the face teeth touch is [`Field`](crate::analysis::curves::Field), what the width costs [`crate::analysis::face_width`].
 
 use super::lost_motion::LostMotion;
-use super::swept::PoseResult;
+use super::pose_result::PoseResult;
 use crate::error::{Error, GearError};
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose};

@@ -18,9 +18,9 @@ mod overlap;
 mod pair_at_distance;
 mod parry;
 mod polygon;
+mod pose_result;
 mod scene;
 mod sweep;
-mod swept;
 
 pub(crate) use effort::Effort;
 pub(crate) use parry::PolylineShape;
@@ -41,6 +41,8 @@ pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
+pub use pose_result::{
+    FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,
+};
 pub use scene::{FreePlacement, LineOfAction, Scene};
 pub use sweep::{BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks};
-pub use swept::{FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose};

@@ -50,7 +50,7 @@ pub struct Scene<'a> {
     wheel: Placed<'a>,
     pinion: Placed<'a>,
     drawn: FreePlacement,
-    meetings: Vec<DrawnContact>,
+    contacts: Vec<DrawnContact>,
     lost_motion: Option<&'a LostMotion>,
 }
 
@@ -110,7 +110,7 @@ impl<'a> Scene<'a> {
             wheel: place(Member::Wheel),
             pinion: place(Member::Pinion),
             drawn,
-            meetings: Side::BOTH
+            contacts: Side::BOTH
                 .into_iter()
                 .filter_map(|side| Some(DrawnContact::new(assembly, side, on(side)?, rotation)))
                 .collect(),
@@ -137,53 +137,53 @@ impl<'a> Scene<'a> {
     }
 
     /// The contacts there are, right first.
-    pub fn meetings(&self) -> &[DrawnContact] {
-        &self.meetings
+    pub fn contacts(&self) -> &[DrawnContact] {
+        &self.contacts
     }
 
-    /// The room between the two flanks of `meeting`, a closed polygon in mm with chords within
+    /// The room between the two flanks of `contact`, a closed polygon in mm with chords within
     /// `chordal_error` mm; empty where they overlap.
     ///
     /// Of each flank it takes what lies inside the mate's tip circle once they are in contact.
-    pub fn room_between(&self, meeting: &DrawnContact, chordal_error: f64) -> Vec<Point2<f64>> {
-        if meeting.gap <= 0.0 {
+    pub fn room_between(&self, contact: &DrawnContact, chordal_error: f64) -> Vec<Point2<f64>> {
+        if contact.gap <= 0.0 {
             return Vec::new();
         }
         let at_contact = |member| match member == self.assembly.free() {
-            true => self.placed(member).turned(meeting.turn),
+            true => self.placed(member).turned(contact.turn),
             false => *self.placed(member),
         };
         let flank = |member: Member, tooth| {
             let (placed, mate) = (at_contact(member), at_contact(member.mate()));
             let tip = mate.as_built().gear().tip_radius();
             let is_inside = |point: &Point2<f64>| (point - mate.centre()).norm() <= tip;
-            let met = placed.flank(meeting.side, tooth, chordal_error);
+            let touching = placed.flank(contact.side, tooth, chordal_error);
             let drawn = self
                 .placed(member)
-                .flank(meeting.side, tooth, chordal_error);
-            let pairs = drawn.into_iter().zip(met);
+                .flank(contact.side, tooth, chordal_error);
+            let pairs = drawn.into_iter().zip(touching);
             pairs
-                .filter(|(_, met)| is_inside(met))
+                .filter(|(_, touching)| is_inside(touching))
                 .map(|(drawn, _)| drawn)
                 .collect::<Vec<_>>()
         };
         // Both run from tip to root, and each one's tip is near the other's root.
-        let mut room = flank(Member::Wheel, meeting.contact.wheel.tooth);
-        room.extend(flank(Member::Pinion, meeting.contact.pinion.tooth));
+        let mut room = flank(Member::Wheel, contact.contact.wheel.tooth);
+        room.extend(flank(Member::Pinion, contact.contact.pinion.tooth));
         room
     }
 
-    /// The metal both gears claim at `meeting`, nearest its points; `None` where they do not overlap there.
+    /// The metal both gears claim at `contact`, nearest its points; `None` where they do not overlap there.
     ///
     /// Of outlines with chords within a two-thousandth of the depth, which leaves the area of a thin
     /// piece right to a few thousandths.
-    pub fn overlap(&self, meeting: &DrawnContact) -> Option<Overlap> {
-        if meeting.gap >= 0.0 {
+    pub fn overlap(&self, contact: &DrawnContact) -> Option<Overlap> {
+        if contact.gap >= 0.0 {
             return None;
         }
         let module = self.wheel.as_built().gear().basic_data().module();
-        let chordal_error = (-meeting.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
-        let place = center(&meeting.on_locked, &meeting.on_free);
+        let chordal_error = (-contact.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
+        let place = center(&contact.on_locked, &contact.on_free);
         let outline = |placed: &Placed| placed.outline_near(place, REACH * module, chordal_error);
         let pieces = overlaps(&outline(&self.wheel), &outline(&self.pinion));
         // Where flanks only touch, their chords may cross by both chordal errors.

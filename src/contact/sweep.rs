@@ -6,7 +6,7 @@ use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
 use super::over_face::FoundOverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
-use super::swept::{PolygonDifference, PoseResult, Unproven};
+use super::pose_result::{PolygonDifference, PoseResult, Unproven};
 use crate::error::Error;
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Mating, Member, Pose};

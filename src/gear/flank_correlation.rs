@@ -1,4 +1,4 @@
-//! Opposition: whether the two flanks' pitch curves go against each other.
+//! Flank correlation: whether the two flanks' pitch curves go against each other.
 //!
 //! A tool cuts both flanks of a tooth, so most of a real pitch deviation moves them together; a left flank
 //! whose sign is reversed moves against the right one instead. About the datum axis an eccentricity moves them
@@ -19,7 +19,7 @@ impl Pitch {
     /// independent of the energy `|R|² + |L|²` and from harmonic to harmonic. Then for the mean `C = Σ p ρ` with
     /// the shares `p` of the energy, Chernoff's bound is `P(C ≤ −c) ≤ e^{−λc} Π sinh(λp)/(λp)` for every `λ`. It is taken for the energies of the
     /// cumulative and of the single deviations, and the lesser is doubled.
-    pub fn opposition(&self) -> f64 {
+    pub fn anticorrelation_p_value(&self) -> f64 {
         let [right, left] = Flank::BOTH.map(|side| self.flank(side));
         if together(right, left) >= 0.0
             && together(&self.single(Flank::Right), &self.single(Flank::Left)) >= 0.0
@@ -48,7 +48,7 @@ impl Pitch {
     /// `w (1 − ln w)`, `w = x (1 + n)/n` (own derivation). The other harmonics are judged as of own-axis data; the
     /// least of the three bounds is taken threefold. Curves that go together as read are none of these: an index error common to both
     /// flanks stands in `D`, too.
-    pub fn datum_opposition(&self, gear: &Gear) -> f64 {
+    pub fn datum_anticorrelation_p_value(&self, gear: &Gear) -> f64 {
         let [right, left] = Flank::BOTH.map(|side| self.flank(side));
         if together(right, left) >= 0.0 {
             // A reversed left flank takes the eccentricity with it: the curves as read go against each other.
@@ -233,7 +233,9 @@ mod tests {
         const DRAWN: u64 = 400;
         let found = |share: f64| -> Vec<f64> {
             let pitches = (0..DRAWN).map(|seed| random_pitch(24, seed, share, seed % 2 == 0));
-            pitches.map(|pitch| pitch.opposition()).collect()
+            pitches
+                .map(|pitch| pitch.anticorrelation_p_value())
+                .collect()
         };
         let unrelated = found(0.0);
         for p in [0.02, 0.1, 0.3] {
@@ -251,7 +253,10 @@ mod tests {
             "{opposed:?}"
         );
         let alike = random_pitch(24, 1, 0.0, false).flank(Flank::Right).to_vec();
-        assert_eq!(Pitch::from_cumulative(&alike, &alike).opposition(), 1.0);
+        assert_eq!(
+            Pitch::from_cumulative(&alike, &alike).anticorrelation_p_value(),
+            1.0
+        );
     }
 
     /// Long waves alike and short ones opposed, or the other way round: the cumulative deviations and the single ones say different things, and the
@@ -280,10 +285,10 @@ mod tests {
                 sums[0] * signs[0] > 0.0 && sums[1] * signs[1] > 0.0,
                 "{sums:?}"
             );
-            let found = pitch.opposition();
+            let found = pitch.anticorrelation_p_value();
             assert!(found < 0.05, "{signs:?}: {found}");
         }
-        assert_eq!(pitch([6.0, 4.0], [1.0, 1.0]).opposition(), 1.0);
+        assert_eq!(pitch([6.0, 4.0], [1.0, 1.0]).anticorrelation_p_value(), 1.0);
     }
 
     /// A wave once round that an eccentricity leaves on a flank of `z` teeth whose half tooth is `π/2z` on the reference circle, and of its like.
@@ -316,7 +321,7 @@ mod tests {
                     own.map(|(i, f)| f + size * wave(i)).collect::<Vec<f64>>()
                 });
                 pitch = Pitch::from_cumulative(&right, &left);
-                let found = pitch.datum_opposition(&gear);
+                let found = pitch.datum_anticorrelation_p_value(&gear);
                 let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
                 if together(right, left) >= 0.0 {
                     assert_eq!(found, 1.0);
@@ -361,10 +366,10 @@ mod tests {
                 let first = found / 3.0;
                 if found < 1.0 && first < rest * (1.0 - 1e-12) {
                     by_first += 1;
-                    let told = format!("{z} {seed}: {first} {integral}");
-                    assert!(first >= integral * (1.0 - 1e-3), "{told}");
+                    let case = format!("{z} {seed}: {first} {integral}");
+                    assert!(first >= integral * (1.0 - 1e-3), "{case}");
                     // `1 + n q ≥ 1` is what it gives away, and a factor of (1 + n)/n.
-                    assert!(first <= 2.5 * integral, "{told}");
+                    assert!(first <= 2.5 * integral, "{case}");
                 } else {
                     assert_eq!(found, (3.0 * rest).min(1.0), "{z} {seed}");
                     assert!(3.0 * integral.min(rest) >= 0.3 * found, "{z} {seed}");

@@ -305,7 +305,7 @@ mod tests {
                     let centre = 2.0 * base.hypot(base * up);
                     // No involute is nearer than the base circle.
                     let contact = 2.0 * base.hypot(base * roll.max(0.0));
-                    let told = |found: [f64; 3], expected: [f64; 3]| {
+                    let check = |found: [f64; 3], expected: [f64; 3]| {
                         let close = found
                             .iter()
                             .zip(expected)
@@ -323,7 +323,7 @@ mod tests {
                         else {
                             panic!("{helix_deg} {lower} {k}: {result:?}");
                         };
-                        told(
+                        check(
                             [contact_diameter_mm, form_diameter_mm, tip_diameter_mm],
                             [contact, form, tip],
                         );
@@ -337,7 +337,7 @@ mod tests {
                         else {
                             panic!("{helix_deg} {lower} {k}: {result:?}");
                         };
-                        told(
+                        check(
                             [pin_top_diameter_mm, tip_diameter_mm, pin],
                             [centre + pin, tip, pin],
                         );
@@ -351,7 +351,7 @@ mod tests {
                         else {
                             panic!("{helix_deg} {lower} {k}: {result:?}");
                         };
-                        told(
+                        check(
                             [pin_bottom_diameter_mm, root_diameter_mm, pin],
                             [centre - pin, root, pin],
                         );

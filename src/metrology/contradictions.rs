@@ -91,11 +91,11 @@ fn reversed(
             return false;
         }
     }
-    let opposition = match is_datum {
-        true => measured.datum_opposition(flanks.gears.most()),
-        false => measured.opposition(),
+    let p_value = match is_datum {
+        true => measured.datum_anticorrelation_p_value(flanks.gears.most()),
+        false => measured.anticorrelation_p_value(),
     };
-    opposition < UNRELATED
+    p_value < UNRELATED
 }
 
 /// What eccentricity datum-axis flanks hold with the left one reversed and as stated, µm.

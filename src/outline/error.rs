@@ -106,5 +106,7 @@ pub enum OutlineError {
 }
 
 fn at(point: &Point2<f64>) -> String {
-    format!("({:.4}, {:.4})", point.x, point.y)
+    // Never −0.
+    let [x, y] = [point.x, point.y].map(|mm| (mm * 1e4).round() / 1e4 + 0.0);
+    format!("({x:.4}, {y:.4})")
 }

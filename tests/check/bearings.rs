@@ -124,7 +124,7 @@ fn the_poses_of_both_ends_have_their_extremes() {
         for end in [&found.pressed, &found.apart] {
             let extreme = end.extreme.as_ref().unwrap();
             let pair = &extreme.assembly;
-            let found = ExactKernel::new(pair).lost_motion(&extreme.pose.swept.pose);
+            let found = ExactKernel::new(pair).lost_motion(&extreme.pose.simulated.pose);
             let j_wt = found.unwrap().angle().unwrap() * pair.operating_pitch_radius(pair.free());
             assert!(
                 extreme.low - 1e-9 <= j_wt && j_wt <= extreme.high + 1e-9,

@@ -134,7 +134,7 @@ fn losses_are_those_of_all_poses() {
     assert!(runs.len() > 1);
     let poses = || runs.iter().flat_map(|run| &run.poses);
     let losses: Vec<f64> = poses()
-        .map(|pose| pose.line_of_action.unwrap() - pose.swept.backlash.unwrap())
+        .map(|pose| pose.line_of_action.unwrap() - pose.simulated.backlash.unwrap())
         .collect();
     let found = diagnosed(&study);
     let loss = found.contact.loss.as_ref().unwrap();
@@ -150,7 +150,7 @@ fn losses_are_those_of_all_poses() {
     let backlash = runs.iter().filter(|run| run.run.material == group);
     let backlash = backlash
         .flat_map(|run| &run.poses)
-        .map(|pose| pose.swept.backlash.unwrap());
+        .map(|pose| pose.simulated.backlash.unwrap());
     let least = backlash.fold(f64::INFINITY, f64::min);
     let [(name, value)] = condition.details[..] else {
         panic!("{condition:?}")

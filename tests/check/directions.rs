@@ -93,11 +93,11 @@ fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
         assert!(least.doubt.is_none() && greatest.doubt.is_none());
         for (extreme, end) in [(least, least.high), (greatest, greatest.low)] {
             assert!(extreme.high - extreme.low <= width, "{extreme:?}");
-            assert!((extreme.pose.swept.backlash.unwrap() - end).abs() < 1e-10);
+            assert!((extreme.pose.simulated.backlash.unwrap() - end).abs() < 1e-10);
         }
         for k in 0..1500 {
             // Of the assembly phase that is meant.
-            let near = *[&least.pose, &greatest.pose][k % 2].swept.pose.mating();
+            let near = *[&least.pose, &greatest.pose][k % 2].simulated.pose.mating();
             let cycle = cycle::matings(&pair) as f64;
             let mating = near.onward(&pair, cycle * random.within(0.0, 1.0));
             // Anywhere, towards the mate, away from it; of pairs found, a little round where they stand.

@@ -63,13 +63,13 @@ fn an_undercut_edge_below_the_formula_is_off_the_line() {
     let form = study.materials[0].1.gear().form_radius();
     let mut at_edge = 0;
     for pose in runs.iter().flat_map(|run| &run.poses) {
-        let lower = pose.swept.backlash.zip(pose.line_of_action);
+        let lower = pose.simulated.backlash.zip(pose.line_of_action);
         let Some((backlash, formula)) = lower.filter(|(found, formula)| formula - found > 1e-3)
         else {
             continue;
         };
         // By hand, from the radii: one of the contacts is at a form circle.
-        let found = pose.swept.proven().unwrap();
+        let found = pose.simulated.proven().unwrap();
         let touched = [found.right.unwrap(), found.left.unwrap()];
         let at_form = |radius: f64| (radius - form).abs() < 1e-7;
         if touched

@@ -78,7 +78,7 @@ fn table_2_backlash_at_three_centre_distances() {
     for (run, printed) in runs.iter().zip([18.200_263, 40.026_463, 76.490_057]) {
         assert_eq!(run.poses.len(), 2);
         for pose in &run.poses {
-            let simulated = pose.swept.backlash.unwrap() * 1e3;
+            let simulated = pose.simulated.backlash.unwrap() * 1e3;
             assert!(
                 (simulated - printed).abs() <= 0.001,
                 "simulated {simulated}"

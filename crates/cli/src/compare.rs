@@ -84,8 +84,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let slip = args
         .tolerance_um
         .and_then(|um| gearlash_files::tolerance_slip("--tolerance-um", um));
-    if let Some(told) = slip {
-        tell(&format!("warning: {told}"));
+    if let Some(warning) = slip {
+        tell(&format!("warning: {warning}"));
     }
     if args.pairs.iter().any(|path| is_drawing(path)) {
         return drawings::run(args);

@@ -126,8 +126,8 @@ pub(super) fn tell_lines(lines: &str) {
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     let file = gearlash_files::named(file).display();
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
-        for told in list {
-            tell(&format!("{kind}: {file}: {told}"));
+        for message in list {
+            tell(&format!("{kind}: {file}: {message}"));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::target::Target;
 use crate::error::Error;
-use gearlash_files::Sources;
+use gearlash_files::{Sources, explained};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -35,7 +35,8 @@ struct From {
 }
 
 impl From {
-    fn text(&self) -> &'static str {
+    /// Example values, which the schema explains.
+    fn examples(&self) -> &'static str {
         match self {
             From { drawing: true, .. } => include_str!("init/drawing.toml"),
             From { measured: true, .. } => include_str!("init/measured.toml"),
@@ -53,6 +54,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             args.pair.display()
         )));
     }
-    Target::prepare(args.pair.clone(), &Sources::new())?.write(args.from.text())?;
+    Target::prepare(args.pair.clone(), &Sources::new())?.write(&explained(args.from.examples()))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -5,6 +5,7 @@ use clap::ValueEnum;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
+use gearlash_files::numbers::{order_um, power};
 
 #[derive(clap::Args, Default)]
 pub(super) struct MethodArgs {
@@ -108,9 +109,9 @@ fn in_words(found: MethodAgreement) -> String {
     }
     if found.compared > 0 {
         parts.push(format!(
-            "largest difference {:.2e} µm of j_wt (allowed at a pose: {:.0e} or the sum of both error bounds)",
-            found.largest * 1e3,
-            METHODS_AGREE_WITHIN * 1e3
+            "largest difference {} µm of j_wt (allowed at a pose: {} or the sum of both error bounds)",
+            power(found.largest * 1e3, 2),
+            order_um(METHODS_AGREE_WITHIN)
         ));
     }
     format!("exact and polygon method {verdict}: {}", parts.join("; "))

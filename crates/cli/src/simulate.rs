@@ -123,7 +123,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     if let Some(mut folder) = folder {
         if let Some((run, assembly, pose)) = verdict.worst() {
-            let picture = picture(study, assembly, run.material, &pose.swept)?;
+            let picture = picture(study, assembly, run.material, &pose.simulated)?;
             folder.add(WORST, &picture)?;
         }
         if args.snapshots {
@@ -256,7 +256,7 @@ fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Res
                 run.assembly.center_distance(),
                 run.material.name()
             );
-            let picture = picture(study, &run.assembly, run.material, &pose.swept)?;
+            let picture = picture(study, &run.assembly, run.material, &pose.simulated)?;
             folder.add(&name, &picture)?;
         }
     }

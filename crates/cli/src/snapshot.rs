@@ -283,7 +283,7 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     let flank = flank.side();
     let count = |member| assembly.teeth(member);
     let mating = mating(teeth, args.fraction, count, flank)?;
-    let swept = assembly.lost_motion(mating)?;
+    let result = assembly.lost_motion(mating)?;
     Ok(Subject {
         file: format!(
             "snapshot_{}_{}_{}_a{}_{}.svg",
@@ -295,9 +295,9 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         ),
         material,
         assembly,
-        pose: swept.pose,
-        unproven: usize::from(swept.is_unproven()),
-        found: swept.found,
+        pose: result.pose,
+        unproven: usize::from(result.is_unproven()),
+        found: result.found,
     })
 }
 

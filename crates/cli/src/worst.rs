@@ -34,7 +34,7 @@ pub(super) fn find(
         phase: run.phase,
         poses: Vec::new(),
     };
-    Ok((run, pose.swept.clone(), unproven))
+    Ok((run, pose.simulated.clone(), unproven))
 }
 
 fn narrowed(

@@ -8,6 +8,7 @@ use super::limits::{
     MOST_DISTANCES, TEMPERATURE,
 };
 use super::node::Node;
+use super::numbers::ascii;
 use super::problems::Problems;
 use super::spec::{
     BearingClearanceSpec, CenterDistanceSpec, DesignatedDistanceSpec, DistanceBandSpec,
@@ -281,9 +282,9 @@ pub fn check_clearance(
         problems.add(file.problem(
             "assembly.bearing_clearance_mm",
             format!(
-                "lets the gears at {a:?} mm approach to {:.6} mm, where base circles overlap: allowed is both clearances together below {:.6} mm",
-                a - clearance,
-                a - base_radii
+                "lets the gears at {a:?} mm approach to {} mm, where base circles overlap: allowed is both clearances together below {} mm",
+                ascii(a - clearance, 6),
+                ascii(a - base_radii, 6)
             ),
             "check the unit: mm, as radial play",
         ));

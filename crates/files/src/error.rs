@@ -1,4 +1,4 @@
-//! What is wrong with an input file: every problem at once, each with its key and the way out.
+//! What is wrong with an input file: every problem at once, each with its key and what helps.
 
 use crate::{characters, location};
 use std::fmt;

@@ -1,6 +1,7 @@
-//! Which key of a gear's table a [`MeasurementError`] comes from, and the way out.
+//! Which key of a gear's table a [`MeasurementError`] comes from, and what helps.
 
 use super::findings::suspected;
+use super::numbers::ascii;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::profile;
@@ -17,12 +18,12 @@ use gearlash::metrology::{
 
 /// Adds each of `errors`, with the key it comes from.
 pub fn add_all(of: &Statements, errors: Vec<MeasurementError>, problems: &mut Problems) {
-    let mut told = Vec::new();
+    let mut distinct = Vec::new();
     for error in errors {
         let problem = problem(of, error);
         // What is said of both flanks is wrong of both.
-        if !told.contains(&problem) {
-            told.push(problem.clone());
+        if !distinct.contains(&problem) {
+            distinct.push(problem.clone());
             problems.add(problem);
         }
     }
@@ -47,7 +48,7 @@ pub fn check_pitch(
     good.then_some(())
 }
 
-/// The key, what is wrong and the way out.
+/// The key, what is wrong and what helps.
 fn problem(of: &Statements, error: MeasurementError) -> Problem {
     let fault = |role, suspects| Fault { of, role, suspects };
     match error {
@@ -160,7 +161,7 @@ impl Fault<'_> {
         self.suspects.iter().map(suspected).collect()
     }
 
-    /// A problem of the whole tooth: blame the thickness where a nominal tooth would do, or `otherwise` with its way out.
+    /// A problem of the whole tooth: blame the thickness where a nominal tooth would do, or `otherwise` with what helps.
     fn shape(&self, reason: String, otherwise: &'static str, help: String) -> Problem {
         let (statement, under) = self.of.of_thickness(self.role);
         match statement.key() {
@@ -189,10 +190,10 @@ impl Fault<'_> {
             // Rounded down: what is printed fits.
             GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => table.problem(
                 "rack.root_radius",
-                format!("too large for the tool's tip, allowed is up to {most:.6} modules with this dedendum and pressure angle"),
+                format!("too large for the tool's tip, allowed is up to {} modules with this dedendum and pressure angle", ascii(most, 6)),
                 format!(
-                    "reduce it to {:.4} or less, or reduce rack.dedendum",
-                    (1e4 * most).floor() / 1e4
+                    "reduce it to {} or less, or reduce rack.dedendum",
+                    ascii((1e4 * most).floor() / 1e4, 4)
                 ),
             ),
             GearError::TipRoundTooLarge { .. } => table.problem(
@@ -204,7 +205,7 @@ impl Fault<'_> {
                 pointed_diameter_mm,
                 ..
             } => {
-                let below = format!("below {pointed_diameter_mm:.3} mm");
+                let below = format!("below {} mm", ascii(pointed_diameter_mm, 3));
                 let help = if tip_given {
                     format!("give a tip diameter {below}")
                 } else {
@@ -216,7 +217,7 @@ impl Fault<'_> {
                 form_diameter_mm, ..
             } => {
                 let help = if tip_given {
-                    format!("give a tip diameter above {form_diameter_mm:.3} mm")
+                    format!("give a tip diameter above {} mm", ascii(form_diameter_mm, 3))
                 } else {
                     "give a greater profile shift, addendum or number of teeth".to_owned()
                 };
@@ -231,7 +232,7 @@ impl Fault<'_> {
                     self.shape(reason, "profile_shift", help)
                 } else {
                     self.shape(
-                        format!("the root radius would be {root:.4} mm, allowed is above 0"),
+                        format!("the root radius would be {} mm, allowed is above 0", ascii(root, 4)),
                         "rack.dedendum",
                         "reduce the dedendum, or give a greater profile shift".to_owned(),
                     )
@@ -243,7 +244,7 @@ impl Fault<'_> {
                 "give a greater profile shift, more teeth or a rack with less dedendum".to_owned(),
             ),
             GearError::OutOfRange { value, .. } => self.shape(
-                format!("makes the base tooth thickness {value:.4} mm, allowed is above 0"),
+                format!("makes the base tooth thickness {} mm, allowed is above 0", ascii(value, 4)),
                 "profile_shift",
                 "give a greater profile shift".to_owned(),
             ),
@@ -273,7 +274,7 @@ impl Fault<'_> {
         let nominal = nominal(statement, &self.of.design);
         self.of.table.problem(
             &format!("{under}.{key}"),
-            format!("{reason} (the base diameter is {base:.4} mm)"),
+            format!("{reason} (the base diameter is {} mm)", ascii(base, 4)),
             format!("check the measurement: {nominal}"),
         )
     }
@@ -299,7 +300,10 @@ impl Fault<'_> {
             ),
             Fits::Pin(Some(pin)) => (
                 "over_pins.pin_mm",
-                format!("measure over pins of about {pin:.3} mm, and give that dimension"),
+                format!(
+                    "measure over pins of about {} mm, and give that dimension",
+                    ascii(pin, 3)
+                ),
             ),
             Fits::Pin(None) => (
                 "over_pins.pin_mm",
@@ -317,10 +321,10 @@ fn nominal(statement: &Statement, design: &GearDesign) -> String {
     let basic_data = &design.basic_data;
     let base = design.nominal_base_thickness();
     match *statement {
-        Statement::Nominal | Statement::Base(_) => format!("nominal is {base:.4} mm"),
+        Statement::Nominal | Statement::Base(_) => format!("nominal is {} mm", ascii(base, 4)),
         Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
             let span = thickness::span_from_base(basic_data, teeth, base);
-            format!("nominal over {teeth} teeth is {span:.4} mm")
+            format!("nominal over {teeth} teeth is {} mm", ascii(span, 4))
         }
         Statement::OverPins { body, pin_mm, .. } | Statement::Pins { body, pin_mm, .. } => {
             let body = body.unwrap_or_default();
@@ -329,7 +333,10 @@ fn nominal(statement: &Statement, design: &GearDesign) -> String {
                 (MeasuringBody::Ball, Some(_)) => "balls",
                 _ => "pins",
             };
-            format!("nominal over {name} of {pin_mm} mm is {over:.4} mm")
+            format!(
+                "nominal over {name} of {pin_mm} mm is {} mm",
+                ascii(over, 4)
+            )
         }
         Statement::FlankOffset(_) => "nominal is 0 mm".to_owned(),
         Statement::Allowance(_) | Statement::Field(_) => "nominal is 0 µm".to_owned(),

@@ -6,7 +6,7 @@ mod runout;
 mod thickness;
 
 use super::cross_check::CrossCheck;
-use super::numbers::shortest;
+use super::numbers::{ascii, rounded, shortest};
 use super::profile;
 use super::statements::Statements;
 use gearlash::gear::DIN_3967_SOURCE;
@@ -23,10 +23,12 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             sum_um,
             rounding_um,
         } => format!(
-            "{}: the single pitch deviations of the {} flanks sum to {sum_um:.2} µm instead of 0 (rounding leaves up to {rounding_um:.2} µm); \
+            "{}: the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
              the rest is distributed evenly over the teeth",
             key(of.pitch_key(*flank)),
             flank.name(),
+            ascii(*sum_um, 2),
+            ascii(*rounding_um, 2),
         ),
         Finding::RunoutReadings(readings) => {
             let key = key("runout.file");
@@ -88,18 +90,19 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             format!("{key}: {words}")
         }
         Finding::SpansRefuseThickness { shown, spans_count } => format!(
-            "{}: the spans contradict it (they show {:.0} % of it): check its sign and tooth numbers, or leave it out; {}",
+            "{}: the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
             key("thickness.per_tooth_um"),
-            100.0 * shown,
+            ascii(100.0 * shown, 0),
             match spans_count {
                 true => "the spans take precedence",
                 false => "it is used as given",
             }
         ),
         Finding::PerToothMeanTooLarge { mean_um } => format!(
-            "{}: its mean is {mean_um:.1} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
+            "{}: its mean is {} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
              thicknesses, subtract their mean; if they are in another unit, convert them",
-            key("thickness.per_tooth_um")
+            key("thickness.per_tooth_um"),
+            ascii(*mean_um, 1)
         ),
         Finding::PerToothOffMean {
             mean_um,
@@ -107,9 +110,11 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         } => {
             let stated = of.thickness.key().unwrap_or_default();
             format!(
-                "{}: its mean, {mean_um:.1} µm, adds to the stated {stated} (its values scatter about it by {scatter_um:.1} µm r.m.s.): if they were measured \
+                "{}: its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
                  from the nominal thickness, and {stated} states the same, subtract their mean from the list",
-                key("thickness.per_tooth_um")
+                key("thickness.per_tooth_um"),
+                ascii(*mean_um, 1),
+                ascii(*scatter_um, 1)
             )
         }
         Finding::LooksLikeMm {
@@ -122,9 +127,11 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             upper_um,
             lower_um,
         } => format!(
-            "{}: at reference diameter {} mm the allowances are {upper_um:.0} and {lower_um:.0} µm, {DIN_3967_SOURCE}",
+            "{}: at reference diameter {} mm the allowances are {} and {} µm, {DIN_3967_SOURCE}",
             key("thickness.designation"),
-            shortest((diameter_mm * 1e4).round() / 1e4)
+            shortest(rounded(*diameter_mm, 4)),
+            ascii(*upper_um, 0),
+            ascii(*lower_um, 0)
         ),
         Finding::AllowanceThickens { um } => format!(
             "{}: {um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
@@ -139,14 +146,17 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             alike,
             eccentricity_um,
         } => format!(
-            "{}: the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. {left_um:.3} µm of it remain \
-             on a flank, {left_percent:.0} % of its energy, and are used as the gear's own pitch{}. The eccentricity of {eccentricity_um:.3} µm is therefore uncertain: measure the runout, \
+            "{}: the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. {} µm of it remain \
+             on a flank, {} % of its energy, and are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
              and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
             key("pitch"),
+            ascii(*left_um, 3),
+            ascii(*left_percent, 0),
             match alike {
                 true => " (both flanks vary alike, as from an index error of the machine)",
                 false => "",
             },
+            ascii(*eccentricity_um, 3),
         ),
         Finding::OwnPitchHoldsEccentricity {
             in_pitch,
@@ -169,9 +179,9 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
 
 fn looks_like_mm(of: &Statements, quantity: Quantity, greatest: f64) -> String {
     format!(
-        "{}: the greatest value is {greatest} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({greatest} mm are {:.4} µm)",
+        "{}: the greatest value is {greatest} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({greatest} mm are {} µm)",
         path(of, quantity),
-        1000.0 * greatest
+        ascii(1000.0 * greatest, 4)
     )
 }
 
@@ -181,8 +191,9 @@ fn looks_like_whole(of: &Statements, quantity: Quantity, mean: f64) -> String {
         _ => "the thickness itself",
     };
     format!(
-        "{}: the values are about {mean:.3}, what {what} is in mm; asked for is what each tooth deviates by, in µm",
-        path(of, quantity)
+        "{}: the values are about {}, what {what} is in mm; asked for is what each tooth deviates by, in µm",
+        path(of, quantity),
+        ascii(mean, 3)
     )
 }
 

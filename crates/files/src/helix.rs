@@ -1,6 +1,7 @@
 //! Helix angle, hand and face of a gear.
 
 use super::limits::{FACE_PLACE, FACE_WIDTH, HELIX_ANGLE};
+use super::numbers::ascii;
 use super::problems::Problems;
 use super::spec::{GearSpec, HandName};
 use super::table::Table;
@@ -144,8 +145,9 @@ pub fn short_for_span(
     let needed = span * sin + (1.2 + 0.018 * span) * cos;
     (to - from < needed).then(|| {
         format!(
-            "{name}.face_mm: a span over {k} teeth needs a face of {needed:.2} mm, this one has {:.2} mm: both anvils may not rest on it",
-            to - from
+            "{name}.face_mm: a span over {k} teeth needs a face of {} mm, this one has {} mm: both anvils may not rest on it",
+            ascii(needed, 2),
+            ascii(to - from, 2)
         )
     })
 }

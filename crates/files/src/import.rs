@@ -130,16 +130,16 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
         }),
         _ => {
             // Columns of neither kind of pitch are read as both.
-            let mut told: Vec<Problem> = Vec::new();
+            let mut distinct: Vec<Problem> = Vec::new();
             for problem in problems.into_list() {
                 let problem = of_file(problem, &name);
-                if !told.contains(&problem) {
-                    told.push(problem);
+                if !distinct.contains(&problem) {
+                    distinct.push(problem);
                 }
             }
             Err(InputError {
                 file: path.to_owned(),
-                problems: told,
+                problems: distinct,
                 text: String::new(),
             })
         }

@@ -112,7 +112,7 @@ pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use results::{ResultFile, ResultWriter, result_file};
 pub use shards::MOST_SHARDS;
 pub use sources::Sources;
-pub use spec::{gear_schema, pair_schema};
+pub use spec::{explained, gear_schema, pair_schema};
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
 ///

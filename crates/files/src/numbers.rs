@@ -34,7 +34,12 @@ pub fn um_ascii(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
 
 /// A length in µm with so many decimals and its sign, plus or minus, in ASCII; zero has none.
 pub fn signed_um(length_mm: f64, decimals: usize) -> String {
-    let text = um_ascii(length_mm, decimals);
+    signed(length_mm * 1e3, decimals)
+}
+
+/// `value` with so many decimals and its sign, plus or minus, in ASCII; zero has none.
+pub fn signed(value: f64, decimals: usize) -> String {
+    let text = ascii(value, decimals);
     match text.contains(|digit: char| ('1'..='9').contains(&digit)) && !text.starts_with('-') {
         true => format!("+{text}"),
         false => text,
@@ -92,13 +97,13 @@ pub fn rounded(value: f64, decimals: usize) -> f64 {
 
 /// As many decimals as tell every one of `values` to within `off`, `most` at most.
 pub fn decimals_of(values: &[f64], off: f64, most: usize) -> usize {
-    let told = |decimals: &usize| {
+    let suffices = |decimals: &usize| {
         let shown = |value: f64| format!("{value:.decimals$}").parse().unwrap_or(f64::NAN);
         values
             .iter()
             .all(|value| (shown(*value) - value).abs() <= off)
     };
-    (0..most).find(told).unwrap_or(most)
+    (0..most).find(suffices).unwrap_or(most)
 }
 
 /// Three significant digits of a positive value; below 1e-4 as a power of ten.
@@ -118,7 +123,12 @@ pub fn significant(value: f64) -> String {
 
 /// The order of a length in µm, such as `3e-9`; for tables in ASCII.
 pub fn order_um(length_mm: f64) -> String {
-    format!("{:.0e}", length_mm * 1e3)
+    power(length_mm * 1e3, 0)
+}
+
+/// `value` by its power of ten, with so many decimals before it, in ASCII.
+pub fn power(value: f64, decimals: usize) -> String {
+    format!("{value:.decimals$e}")
 }
 
 /// An error bound, given in mm, in µm: one digit, rounded up.

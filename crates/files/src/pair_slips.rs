@@ -1,6 +1,7 @@
 //! Numbers of a pair that look as if something else were meant: warnings, never changes.
 
 use super::gear::GearPart;
+use super::numbers::{ascii, signed, um_ascii};
 use super::spec::BearingClearanceSpec;
 use gearlash::gear::involute::{inv, roll_of_inv};
 
@@ -27,13 +28,13 @@ const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
     let members = [("wheel", bearings.wheel), ("pinion", bearings.pinion)];
     let large = members.into_iter().filter(|(_, mm)| *mm > MOST_PLAY_MM);
-    let told = large.map(|(name, mm)| {
+    let warnings = large.map(|(name, mm)| {
         format!(
             "assembly.bearing_clearance_mm: {mm} mm of radial play at the {name} is more than a bearing has: if µm were meant, write {}; diametral play is twice the radial play",
             mm / 1000.0
         )
     });
-    told.collect()
+    warnings.collect()
 }
 
 /// A tolerance of `compare` that lets everything pass; `key`: where it stands.
@@ -48,10 +49,10 @@ pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
 
 /// What of the centre `distances`, mm, looks wrong beside the gears.
 pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Vec<String> {
-    let mut told = Vec::new();
-    told.extend(runouts(wheel, pinion, distances));
-    told.extend(other_distance(wheel, pinion, distances));
-    told
+    let mut warnings = Vec::new();
+    warnings.extend(runouts(wheel, pinion, distances));
+    warnings.extend(other_distance(wheel, pinion, distances));
+    warnings
 }
 
 /// Runouts that take more than half of the radial clearance.
@@ -73,9 +74,10 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
     let (name, gear) = [wheel, pinion].into_iter().find(large)?;
     let um = 2000.0 * gear.eccentricity();
     Some(format!(
-        "{name}.runout: {um:.1} µm is more than half of the radial clearance, {:.1} µm at a = {a} mm: check the unit (µm), and that it is the runout \
+        "{name}.runout: {} µm is more than half of the radial clearance, {} µm at a = {a} mm: check the unit (µm), and that it is the runout \
          F_r = 2e of the teeth",
-        1000.0 * clearance
+        ascii(um, 1),
+        um_ascii(clearance, 1)
     ))
 }
 
@@ -102,8 +104,9 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
     };
     let (stated, a) = (without_backlash(angle, x_1 + x_2), *distances.first()?);
     let off = format!(
-        "assembly.center_distance_mm: {a} mm is {:+.4} mm off {stated:.4} mm, the zero-backlash distance of the stated pair with nominal teeth",
-        a - stated
+        "assembly.center_distance_mm: {a} mm is {} mm off {} mm, the zero-backlash distance of the stated pair with nominal teeth",
+        signed(a - stated, 4),
+        ascii(stated, 4)
     );
     if x_1 != 0.0 || x_2 != 0.0 {
         let otherwise = [
@@ -119,7 +122,8 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
             && let Some((words, mm)) = otherwise.find(|(_, mm)| suits(*mm, SUITS))
         {
             return Some(format!(
-                "{off}; it would fit {words} ({mm:.4} mm): was a profile shift forgotten, in the distance or in the file?"
+                "{off}; it would fit {words} ({} mm): was a profile shift forgotten, in the distance or in the file?",
+                ascii(mm, 4)
             ));
         }
         let mut angles = USUAL_ANGLES.into_iter().filter(|usual| *usual != angle);
@@ -128,8 +132,8 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
                 angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), SUITS_BY_ANGLE))
         {
             return Some(format!(
-                "{off}; it would fit a pressure angle of {usual}° ({:.4} mm): check pressure_angle_deg",
-                without_backlash(usual, x_1 + x_2)
+                "{off}; it would fit a pressure angle of {usual}° ({} mm): check pressure_angle_deg",
+                ascii(without_backlash(usual, x_1 + x_2), 4)
             ));
         }
     } else if !suits(stated, f64::from(*SHIFTS.start()) / 10.0 - 0.1) {
@@ -140,8 +144,8 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
             .into_iter()
             .find(|x| suits(without_backlash(angle, *x), SUITS))?;
         return Some(format!(
-            "{off}; it would fit profile shifts of {shift} together ({:.4} mm): was profile_shift forgotten?",
-            without_backlash(angle, shift)
+            "{off}; it would fit profile shifts of {shift} together ({} mm): was profile_shift forgotten?",
+            ascii(without_backlash(angle, shift), 4)
         ));
     }
     None

@@ -54,15 +54,9 @@ pub fn positions(
     nominal: Option<(&BasicGearData, f64)>,
     problems: &mut Problems,
 ) -> Option<(Statement, (Vec<f64>, Header))> {
-    let mut beside = super::thickness::KEYS.iter().filter(|key| **key != "file");
-    if let Some(second) = beside.find(|key| table.has(key)) {
-        problems.add(table.problem(
-            "file",
-            format!("given together with {second}, allowed is one of them"),
-            "remove one or the other",
-        ));
-        return None;
-    }
+    let keys = super::thickness::KEYS.iter().copied();
+    let beside: Vec<&str> = keys.filter(|key| *key != "file").collect();
+    table.alone("file", &beside, "one of them", problems)?;
     let once = !gear.has("runout");
     let read = Positions::read(table, &of_nominal(nominal?, once), problems)?;
     let each = match gear.has("pitch") {

@@ -138,17 +138,8 @@ impl PitchSheet {
         teeth: Option<u32>,
         problems: &mut Problems,
     ) -> Option<([Vec<f64>; 2], Header)> {
-        let listed = ["right_um", "left_um"]
-            .into_iter()
-            .find(|name| table.has(name));
-        if let Some(listed) = listed {
-            problems.add(table.problem(
-                "file",
-                format!("given together with {listed}, allowed is one of file and the lists"),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        let lists = ["right_um", "left_um"];
+        table.alone("file", &lists, "one of file and the lists", problems)?;
         // A kind that is wrong is reported already; the file is read for its own problems.
         let kind = kind.unwrap_or(PitchKind::Cumulative);
         let wanted = Wanted {

@@ -47,19 +47,8 @@ impl LengthReadings {
             }
             return Some(None);
         }
-        if let Some(second) = ["min_mm", "max_mm"]
-            .into_iter()
-            .find(|name| table.has(name))
-        {
-            problems.add(table.problem(
-                "mm",
-                format!(
-                    "given together with {second}, allowed is `mm` alone, or `min_mm` and `max_mm`"
-                ),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        let allowed = "`mm` alone, or `min_mm` and `max_mm`";
+        table.alone("mm", &["min_mm", "max_mm"], allowed, problems)?;
         let mm = table.numbers("mm", &LENGTH, problems)?;
         if mm.is_empty() {
             problems.add(table.problem(
@@ -85,14 +74,7 @@ impl LengthReadings {
         problems: &mut Problems,
     ) -> Option<LengthReadings> {
         let beside = ["mm", "min_mm", "max_mm", place_key];
-        if let Some(second) = beside.into_iter().find(|name| table.has(name)) {
-            problems.add(table.problem(
-                "file",
-                format!("given together with {second}, allowed is one of them"),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        table.alone("file", &beside, "one of them", problems)?;
         let wanted = Wanted {
             columns: [column],
             teeth,

@@ -2,6 +2,7 @@
 
 use super::location::syntax_errors;
 use super::node::{LONGEST, Node};
+use super::numbers::ascii;
 use super::problems::Problems;
 use crate::characters::cut;
 use crate::error::Problem;
@@ -32,7 +33,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     }
     if metadata.len() > MOST_BYTES {
         let mebibytes = metadata.len() as f64 / f64::from(1 << 20);
-        return Err(too_large(format!("has {mebibytes:.1} MiB")));
+        return Err(too_large(format!("has {} MiB", ascii(mebibytes, 1))));
     }
     // A pipe has no length beforehand.
     let mut bytes = Vec::new();

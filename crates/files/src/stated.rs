@@ -29,14 +29,7 @@ pub fn read(
         None => format!("`{min}` and `{max}`"),
     };
     if let Some(single) = single.filter(|single| table.has(single)) {
-        if let Some(second) = [min, max].into_iter().find(|name| table.has(name)) {
-            problems.add(table.problem(
-                single,
-                format!("given together with {second}, allowed is {either}"),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        table.alone(single, &[min, max], &either, problems)?;
         return table
             .number(single, limits, problems)
             .map(Toleranced::Single);

@@ -150,6 +150,25 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// `name` stands beside none of `others`, or it is a problem; `allowed` says what may be.
+    pub fn alone(
+        &self,
+        name: &str,
+        others: &[&str],
+        allowed: &str,
+        problems: &mut Problems,
+    ) -> Option<()> {
+        let Some(second) = others.iter().find(|other| self.has(other)) else {
+            return Some(());
+        };
+        problems.add(self.problem(
+            name,
+            format!("given together with {second}, allowed is {allowed}"),
+            "remove one or the other",
+        ));
+        None
+    }
+
     /// The value of `name`; missing is a problem.
     pub fn need(&self, name: &str, needed: &str, problems: &mut Problems) -> Option<Entry<'a>> {
         let entry = self.get(name);

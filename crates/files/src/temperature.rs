@@ -2,7 +2,7 @@
 
 use super::assembly::AssemblyPart;
 use super::gear::GearPart;
-use super::numbers::{rounded, shortest};
+use super::numbers::{ascii, rounded, shortest};
 use super::problems::Problems;
 use super::table::Table;
 use gearlash::analysis::study::Material;
@@ -42,13 +42,13 @@ impl Temperature {
         let Some(temperature_c) = assembly.temperature_c? else {
             let unused = stated.iter().filter(|(_, expansion)| expansion.is_some());
             let unused: Vec<&str> = unused.map(|(key, _)| *key).collect();
-            let told = (!unused.is_empty()).then(|| {
+            let remark = (!unused.is_empty()).then(|| {
                 format!(
                     "{}: not used without assembly.temperature_c",
                     unused.join(", ")
                 )
             });
-            file.place().add_remark(told);
+            file.place().add_remark(remark);
             return Some(None);
         };
         let mut missing = Vec::new();
@@ -62,8 +62,8 @@ impl Temperature {
             problems.add(file.problem(
                 "assembly.temperature_c",
                 format!(
-                    "lets the modules of wheel and pinion differ by {:.2} %, allowed is up to {} %",
-                    100.0 * apart / wheel.max(pinion),
+                    "lets the modules of wheel and pinion differ by {} %, allowed is up to {} %",
+                    ascii(100.0 * apart / wheel.max(pinion), 2),
                     100.0 * MOST_UNEQUAL
                 ),
                 "check the temperature and the coefficients of expansion",
@@ -118,9 +118,9 @@ impl Temperature {
 
     /// "80 °C: lengths of the wheel × 1.0006900, …".
     pub fn described(&self) -> String {
-        let [wheel, pinion, housing] = self.factors;
+        let [wheel, pinion, housing] = self.factors.map(|factor| ascii(factor, 7));
         format!(
-            "lengths are stated at {REFERENCE_C} °C; at {} °C those of the wheel are × {wheel:.7}, of the pinion × {pinion:.7}, centre distances × {housing:.7}: \
+            "lengths are stated at {REFERENCE_C} °C; at {} °C those of the wheel are × {wheel}, of the pinion × {pinion}, centre distances × {housing}: \
              results are of the warm pair",
             shortest(self.temperature_c)
         )

@@ -368,7 +368,7 @@ fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
 
 /// `10·4 (right flanks) and 11·4 (left flanks)`.
 fn teeth(pose: &ComparedPose) -> Option<String> {
-    let found = pose.swept.proven()?;
+    let found = pose.simulated.proven()?;
     let named = |contact: &gearlash::contact::Contact| {
         format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth)
     };

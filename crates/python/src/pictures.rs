@@ -89,7 +89,7 @@ pub fn over_teeth(
 #[pyfunction]
 pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> PyResult<String> {
     let study = pair.study();
-    let swept = match teeth {
+    let searched = match teeth {
         Some(_) => None,
         None => {
             // They only choose, and bound the curve: what is drawn as a curve is certified.
@@ -98,7 +98,7 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
             Some(analysed(py, None, &plan)?)
         }
     };
-    let all: Vec<_> = swept.iter().flat_map(Analysis::all).collect();
+    let all: Vec<_> = searched.iter().flat_map(Analysis::all).collect();
     let followed = match teeth {
         None => curves::binding(study, all.iter().copied()),
         Some(teeth) => {
@@ -110,7 +110,9 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
     let curve = work(py, None, |tick| {
         curves::over_distance(study, followed, METHOD, tick)
     })?;
-    let cycle = swept.as_ref().map(|analysis| in_short(&analysis.verdict()));
+    let cycle = searched
+        .as_ref()
+        .map(|analysis| in_short(&analysis.verdict()));
     let cycle = cycle.unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
     chart::distance(&heading(&study.title, &cycle), &curve, &outcomes)

@@ -118,7 +118,7 @@ fn failure(pair: &ComparedPair, run: &RunTally) -> Option<String> {
             signed_um(difference, 4),
             where_it_is(pose),
             pair.tolerance_um,
-            um_ascii(pose.swept.error_bound.unwrap_or(0.0), 4),
+            um_ascii(pose.simulated.error_bound.unwrap_or(0.0), 4),
         )
     });
     Some(parts.join(", ") + &worst)

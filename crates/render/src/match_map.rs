@@ -1,6 +1,6 @@
 //! A map of which wheel goes with which pinion.
 
-use crate::kit::{Frame, INK, TextStyle, number, white_sheet};
+use crate::kit::{Frame, INK, TextStyle, blank_sheet, number};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
 use svg::node::element::{Circle, Group};
@@ -33,7 +33,7 @@ pub fn match_map(result: &MatchResult) -> String {
     let wheels = result.names[0].len();
     let pinions = result.names[1].len();
     let caption = format!("{} assembly phases of each pair", result.matrix.phases());
-    let document = white_sheet(WIDTH, HEIGHT)
+    let document = blank_sheet(WIDTH, HEIGHT)
         .add(TextStyle::new(18.0).verbatim(
             &TextStyle::new(18.0).shortened(&plain(&result.title), WIDTH - 2.0 * 24.0),
             [24.0, 32.0],

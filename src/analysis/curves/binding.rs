@@ -23,11 +23,11 @@ pub enum Followed {
 pub fn binding<'a>(study: &Study, runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Followed {
     let poses = runs.flat_map(|run| run.poses.iter().map(move |pose| (run, pose)));
     let known = poses.filter_map(|(run, pose)| {
-        let swept = &pose.swept;
+        let result = &pose.simulated;
         Some((
-            (run, swept.pose.mating()),
-            swept.backlash?,
-            swept.error_bound?,
+            (run, result.pose.mating()),
+            result.backlash?,
+            result.error_bound?,
         ))
     });
     let Some((run, mating)) = first_least(known) else {

@@ -123,19 +123,23 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
     for run in runs {
         let assembly = &run.run.assembly;
         for flank in Side::BOTH {
-            let of_flank = |pose: &&ComparedPose| pose.swept.pose.mating().flank == flank;
+            let of_flank = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
             let poses: Vec<&ComparedPose> = run.poses.iter().filter(of_flank).collect();
             let Some(first) = poses.first() else {
                 continue;
             };
             let scale = Scale::of(assembly, || {
-                poses.iter().map(|pose| pose.swept.pose.mating())
+                poses.iter().map(|pose| pose.simulated.pose.mating())
             });
             (span, teeth) = (scale.span(), scale.teeth);
-            let first = first.swept.pose.mating().at_flank(assembly, Side::Right);
+            let first = first
+                .simulated
+                .pose
+                .mating()
+                .at_flank(assembly, Side::Right);
             start = (first.wheel_tooth, first.pinion_tooth);
             let x: Vec<f64> = scale
-                .pitches(poses.iter().map(|pose| pose.swept.pose.mating()))
+                .pitches(poses.iter().map(|pose| pose.simulated.pose.mating()))
                 .collect();
             let points = x.iter().zip(&poses);
             placed.extend(
@@ -152,17 +156,17 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
     }
     let extreme = |sign: f64| {
         let known = placed.iter().filter_map(|placed| {
-            let swept = &placed.2.swept;
-            Some((placed, sign * swept.backlash?, swept.error_bound?))
+            let result = &placed.2.simulated;
+            Some((placed, sign * result.backlash?, result.error_bound?))
         });
         let (x, material, pose) = first_least(known)?;
-        let lost_motion = pose.swept.proven()?;
+        let lost_motion = pose.simulated.proven()?;
         let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);
         Some(Extreme {
             x: *x,
-            backlash_um: pose.swept.backlash? * 1e3,
+            backlash_um: pose.simulated.backlash? * 1e3,
             material: *material,
-            flank: pose.swept.pose.mating().flank,
+            flank: pose.simulated.pose.mating().flank,
             right: teeth(lost_motion.right.as_ref()?),
             left: teeth(lost_motion.left.as_ref()?),
         })
@@ -181,13 +185,13 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
 }
 
 fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
-    let swept = &pose.swept;
-    let off = |model: Option<f64>| Some((swept.backlash? - model?) * 1e3);
+    let result = &pose.simulated;
+    let off = |model: Option<f64>| Some((result.backlash? - model?) * 1e3);
     CoursePoint {
         x,
-        status: swept.status(),
-        simulated_um: swept.backlash.map(|mm| mm * 1e3),
-        error_bound_um: swept.error_bound.map(|mm| mm * 1e3),
+        status: result.status(),
+        simulated_um: result.backlash.map(|mm| mm * 1e3),
+        error_bound_um: result.error_bound.map(|mm| mm * 1e3),
         off_michalec_um: off(pose.michalec),
         off_involute_um: off(pose.involute),
         off_line_of_action_um: off(pose.line_of_action),

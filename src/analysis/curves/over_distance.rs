@@ -92,8 +92,8 @@ pub fn over_distance(
             .filter(|run| run.run.assembly.center_distance() == a);
         let poses = here.flat_map(|run| &run.poses);
         let mut without = poses
-            .filter(|pose| pose.swept.backlash.is_none())
-            .map(|pose| pose.swept.status());
+            .filter(|pose| pose.simulated.backlash.is_none())
+            .map(|pose| pose.simulated.status());
         // What is not proven comes first: the others' ends are known.
         match without.clone().any(|status| status == Status::Unproven) {
             true => Some(Status::Unproven),
@@ -106,7 +106,7 @@ pub fn over_distance(
         gap: gap(a),
     };
     let found = runs.iter().flat_map(|run| &run.poses);
-    let agreement = MethodAgreement::of(found.map(|pose| &pose.swept));
+    let agreement = MethodAgreement::of(found.map(|pose| &pose.simulated));
     Ok(OverDistance {
         followed,
         matings,

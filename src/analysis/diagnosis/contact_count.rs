@@ -91,7 +91,7 @@ impl ContactCount {
 
     /// Takes in a pose of `assembly`.
     pub(crate) fn add(&mut self, assembly: &GearPair, material: Material, pose: &ComparedPose) {
-        let class = pose.swept.class(assembly);
+        let class = pose.simulated.class(assembly);
         *self.classes.entry(class).or_default() += 1;
         let others_touch = !matches!(
             class,
@@ -99,13 +99,13 @@ impl ContactCount {
         );
         let difference = pose
             .line_of_action
-            .zip(pose.swept.backlash)
+            .zip(pose.simulated.backlash)
             .map(|(formula, backlash)| formula - backlash);
-        let bound = pose.swept.error_bound.unwrap_or(0.0);
+        let bound = pose.simulated.error_bound.unwrap_or(0.0);
         let costs = difference.is_none_or(|loss| loss > bound + limits::MET_WITHIN);
         self.off_line += usize::from(others_touch && costs);
         let formula = pose.line_of_action.or(pose.involute);
-        let (Some(backlash), Some(formula)) = (pose.swept.backlash, formula) else {
+        let (Some(backlash), Some(formula)) = (pose.simulated.backlash, formula) else {
             return;
         };
         let loss = formula - backlash;
@@ -118,7 +118,7 @@ impl ContactCount {
             let worst = Worst {
                 assembly: assembly.clone(),
                 material,
-                pose: pose.swept.pose,
+                pose: pose.simulated.pose,
                 class,
                 side,
                 contact,
@@ -146,7 +146,7 @@ impl ContactCount {
 }
 
 fn graver(assembly: &GearPair, pose: &ComparedPose) -> Option<(Side, Contact)> {
-    let found = pose.swept.proven()?;
+    let found = pose.simulated.proven()?;
     let (right, left) = (found.right?, found.left?);
     let kind = |side, contact| ContactClass::of(assembly, side, contact).kind;
     match kind(Side::Left, &left) > kind(Side::Right, &right) {

@@ -63,17 +63,17 @@ impl Seen {
 
     /// Takes in a pose.
     pub(crate) fn add(&mut self, pose: &ComparedPose) {
-        let swept = &pose.swept;
+        let result = &pose.simulated;
         self.contact.add(&self.assembly, self.material, pose);
-        self.least = least(self.least, swept.backlash);
-        if swept.is_unproven() {
+        self.least = least(self.least, result.backlash);
+        if result.is_unproven() {
             self.unproven += 1;
             if self.first_unproven.is_none() {
-                let why = swept.unproven().next();
-                self.first_unproven = why.map(|why| (*swept.pose.mating(), why.clone()));
+                let why = result.unproven().next();
+                self.first_unproven = why.map(|why| (*result.pose.mating(), why.clone()));
             }
         }
-        let Some(found) = swept.proven() else {
+        let Some(found) = result.proven() else {
             return;
         };
         let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
@@ -94,7 +94,9 @@ impl Seen {
         let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
         let poses = extremes.iter().filter(|run| place(run) == here);
         let poses = poses.flat_map(|run| &run.poses);
-        self.least = poses.fold(self.least, |found, pose| least(found, pose.swept.backlash));
+        self.least = poses.fold(self.least, |found, pose| {
+            least(found, pose.simulated.backlash)
+        });
         self
     }
 
@@ -240,15 +242,15 @@ mod tests {
         }
     }
 
-    /// Least, greatest and lowest of contacts told, by hand: 42.5 and 42.3 on the fillet, 45 on the flank, 46.1 on the tip; the lowest is the first
+    /// Least, greatest and lowest of contacts, by hand: 42.5 and 42.3 on the fillet, 45 on the flank, 46.1 on the tip; the lowest is the first
     /// of two at one radius.
     #[test]
     fn the_lowest_contact_is_the_first_at_the_least_radius() {
         use ProfilePart::{Fillet, Involute, Tip};
         let pair = pair([44, 44]);
-        let tell = |told: &[(ProfilePart, f64, u32)]| {
+        let tell = |contacts: &[(ProfilePart, f64, u32)]| {
             let mut touched = Touched::default();
-            for &(curve, radius, tooth) in told {
+            for &(curve, radius, tooth) in contacts {
                 let contact = contact((curve, radius), (Involute, 44.0), [tooth, tooth + 1]);
                 let below = touched.add(&pair, Member::Wheel, Side::Right, &contact);
                 assert_eq!(below, curve == Fillet, "{curve:?} at {radius}");

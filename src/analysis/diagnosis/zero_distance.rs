@@ -356,9 +356,9 @@ mod tests {
                         })
                     };
                     let [low, high] = root(&pair, guess, play).unwrap().unwrap();
-                    let told = format!("{name} at {root_at} from {guess}: {low} {high}");
-                    assert!(low < root_at && root_at <= high, "{told}");
-                    assert!(high - low <= WIDTH, "{told}");
+                    let case = format!("{name} at {root_at} from {guess}: {low} {high}");
+                    assert!(low < root_at && root_at <= high, "{case}");
+                    assert!(high - low <= WIDTH, "{case}");
                 }
             }
         }

@@ -356,8 +356,8 @@ mod tests {
                         let off = chord.error + doubt * reach;
                         let turn = problem.turn_across(n, &chord, room, doubt);
                         let used = turn * (l + off) + 0.5 * turn * turn * (m + off);
-                        let told = format!("{side:?} {k} {room} {doubt}: {turn} uses {used}");
-                        assert!(turn > 0.0 && (used / room - 1.0).abs() < 1e-5, "{told}");
+                        let case = format!("{side:?} {k} {room} {doubt}: {turn} uses {used}");
+                        assert!(turn > 0.0 && (used / room - 1.0).abs() < 1e-5, "{case}");
                     }
                 }
             }

@@ -192,7 +192,7 @@ mod tests {
                 lands[usize::from(has_root)] += 1;
                 let near = |off: f64| [(0.5 * off, true), (2.0 * off, false)];
                 for (inside, expected) in near(CORNER) {
-                    let told = format!("{side:?} {tooth} {inside}");
+                    let case = format!("{side:?} {tooth} {inside}");
                     let tips = [
                         range(ProfilePart::Tip).1 - inside / tip,
                         half.land_start() + inside / tip,
@@ -201,18 +201,18 @@ mod tests {
                         assert_eq!(
                             is_edge(&half, ProfilePart::Tip, at, tip),
                             expected,
-                            "{told}"
+                            "{case}"
                         );
                     }
                     let flank = is_edge(&half, ProfilePart::Involute, 0.5, tip - inside);
-                    assert_eq!(flank, expected, "{told}");
+                    assert_eq!(flank, expected, "{case}");
                     let fillet = is_edge(&half, ProfilePart::Fillet, 0.5, root + inside);
-                    assert_eq!(fillet, expected && !has_root, "{told}");
+                    assert_eq!(fillet, expected && !has_root, "{case}");
                     let middle = half.root_end() - inside / root;
                     assert_eq!(
                         is_edge(&half, ProfilePart::Root, middle, root),
                         expected,
-                        "{told}"
+                        "{case}"
                     );
                 }
             }

@@ -73,7 +73,7 @@ fn a_formula_that_is_wrong_about_the_pair_is_called_so() {
     let (wrong, slight) = (
         number(start),
         match trust.contains("of them that costs") {
-            true => number("takes part in a contact; at "),
+            true => number("or a root touches; at "),
             false => 0,
         },
     );

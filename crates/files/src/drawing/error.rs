@@ -1,8 +1,9 @@
-//! Why a drawing cannot be read: what, where, and the way out.
+//! Why a drawing cannot be read: what, where, and what helps.
 
 use super::Unit;
 use super::limits::{MOST_NAMED, SAME_MM};
 use crate::characters::cut;
+use crate::numbers::{ascii, rounded};
 use nalgebra::Point2;
 use std::path::PathBuf;
 
@@ -32,7 +33,7 @@ pub enum DrawingError {
         place: String,
         /// What is wrong and what was expected.
         reason: String,
-        /// The way out.
+        /// What helps.
         help: String,
     },
     /// Neither the file nor the user states the unit.
@@ -56,7 +57,7 @@ pub enum DrawingError {
         place: String,
         /// What it is.
         kind: String,
-        /// The way out.
+        /// What helps.
         help: String,
     },
     /// A number that is not finite, or that no gear has.
@@ -68,8 +69,8 @@ pub enum DrawingError {
         reason: String,
     },
     /// A path whose ends do not meet.
-    #[error("{place}: the path from {} to {}, of {elements} drawn elements, is open: from its {end} the nearest other end is {gap_mm:.6} mm away, at {}",
-        at(&ends[0]), at(&ends[1]), at(nearest))]
+    #[error("{place}: the path from {} to {}, of {elements} drawn elements, is open: from its {end} the nearest other end is {} mm away, at {}",
+        at(&ends[0]), at(&ends[1]), ascii(*gap_mm, 6), at(nearest))]
     Open {
         /// Where in the file it begins.
         place: String,
@@ -137,7 +138,7 @@ impl DrawingError {
         }
     }
 
-    /// The way out.
+    /// What helps.
     pub fn help(&self) -> String {
         match self {
             DrawingError::Ending(_) => "export the outline as DXF, SVG or CSV".to_owned(),
@@ -168,7 +169,7 @@ impl DrawingError {
 
 /// A point in a message.
 pub fn at(point: &Point2<f64>) -> String {
-    format!("({:.6}, {:.6}) mm", point.x, point.y)
+    format!("({}, {}) mm", ascii(point.x, 6), ascii(point.y, 6))
 }
 
 /// The names there are.
@@ -193,5 +194,5 @@ fn above(gap: f64) -> f64 {
     let unit = 10f64.powi(gap.max(SAME_MM).log10().floor() as i32 - 1);
     let above = ((gap / unit).floor() + 1.0) * unit;
     // The shortest decimal of it.
-    format!("{above:.12}").parse().unwrap_or(above)
+    rounded(above, 12)
 }

@@ -35,7 +35,7 @@ pub use unit::Unit;
 /// looks the same.
 ///
 /// # Errors
-/// [`DrawingError`], each with its place and the way out.
+/// [`DrawingError`], each with its place and what helps.
 pub fn read(name: &Path, bytes: &[u8], options: &Options) -> Result<Drawing, DrawingError> {
     if bytes.len() > MOST_BYTES {
         return Err(DrawingError::TooLarge {

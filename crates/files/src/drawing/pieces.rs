@@ -109,14 +109,14 @@ impl Pieces {
                 },
             });
         }
-        let told = self.left_out.iter().map(|left| {
+        let left_out = self.left_out.iter().map(|left| {
             format!(
                 "left out: {} ({}, the first in {})",
                 left.what, left.count, left.first
             )
         });
         let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
-        let remarks = told.chain(layers.take(MOST_NAMED)).collect();
+        let remarks = left_out.chain(layers.take(MOST_NAMED)).collect();
         Ok(Drawing {
             unit_mm: self.unit_mm,
             loops,

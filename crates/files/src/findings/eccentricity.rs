@@ -1,12 +1,14 @@
 //! What pitch says of the eccentricity, in words.
 
+use crate::numbers::ascii;
 use crate::statements::Statements;
 use gearlash::gear::Flank;
 use gearlash::metrology::{Eccentricity, EccentricityNote, RunoutSource};
 
 /// An eccentricity in words.
 pub fn shown(e: Eccentricity) -> String {
-    format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth)
+    let [um, tooth] = [ascii(e.um, 3), ascii(e.high_tooth, 2)];
+    format!("{um} µm towards tooth {tooth}")
 }
 
 /// What datum-axis pitch contains.
@@ -14,15 +16,17 @@ pub fn in_pitch(note: &EccentricityNote) -> String {
     let found = shown(note.in_pitch);
     match (note.stated, note.difference_um) {
         (Some(stated), Some(apart)) if note.stated_counts => format!(
-            "the datum-axis values contain an eccentricity of {found}. That of [runout], {}, {apart:.3} µm from it, is used and removed \
+            "the datum-axis values contain an eccentricity of {found}. That of [runout], {}, {} µm from it, is used and removed \
              from them; the first harmonic that remains is used as the gear's own pitch",
             shown(stated),
+            ascii(apart, 3),
         ),
         (stated, apart) => {
             let beside = match (stated, apart) {
                 (Some(stated), Some(apart)) => format!(
-                    "; that of [runout], {}, {apart:.3} µm from it, is not used",
-                    shown(stated)
+                    "; that of [runout], {}, {} µm from it, is not used",
+                    shown(stated),
+                    ascii(apart, 3)
                 ),
                 _ => String::new(),
             };
@@ -66,8 +70,9 @@ pub fn stated_elsewhere(in_pitch: Eccentricity, stated: Eccentricity) -> String 
 /// Left flanks against right ones, and what eccentricity they hold reversed and as stated.
 pub fn left_reversed(of: &Statements, eccentricity_um: Option<[f64; 2]>) -> String {
     let eccentricities = eccentricity_um.map_or(String::new(), |[reversed, stated]| {
+        let [reversed, stated] = [reversed, stated].map(|um| ascii(um, 3));
         format!(
-            " (reversed they contain an eccentricity of {reversed:.3} µm, as stated one of {stated:.3} µm)"
+            " (reversed they contain an eccentricity of {reversed} µm, as stated one of {stated} µm)"
         )
     });
     format!(

@@ -1,5 +1,6 @@
 //! Values that stand out, in words.
 
+use crate::numbers::ascii;
 use crate::statements::Statements;
 use gearlash::metrology::{Outlier, TooFar};
 
@@ -13,16 +14,20 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
             },
             match reading.why {
                 TooFar::CoarseGear(um) => {
-                    format!("more than the {um:.0} µm by which even a coarse gear varies")
+                    format!(
+                        "more than the {} µm by which even a coarse gear varies",
+                        ascii(um, 0)
+                    )
                 }
-                TooFar::HalfWithin(um) => format!("half of them within {um:.1} µm"),
+                TooFar::HalfWithin(um) => format!("half of them within {} µm", ascii(um, 1)),
             },
         ),
         Outlier::Pitch(pitch) => (
             of.pitch_key(pitch.flank),
             format!(
-                "more than the {:.0} µm of even a coarse gear, half of the others within {:.1} µm",
-                pitch.coarse_um, pitch.half_within_um
+                "more than the {} µm of even a coarse gear, half of the others within {} µm",
+                ascii(pitch.coarse_um, 0),
+                ascii(pitch.half_within_um, 1)
             ),
         ),
     };
@@ -34,7 +39,7 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
     )
 }
 
-/// As the end of a way out of something that cannot be.
+/// As the end of the help with something that cannot be.
 pub fn suspected(outlier: &Outlier) -> String {
     format!(", above all {}: it is {}", what(outlier), off(outlier))
 }
@@ -62,20 +67,20 @@ fn what(outlier: &Outlier) -> String {
 fn off(outlier: &Outlier) -> String {
     match outlier {
         Outlier::Reading(reading) => format!(
-            "{:.1} µm from the median of all {}, {}",
-            reading.off_um,
+            "{} µm from the median of all {}, {}",
+            ascii(reading.off_um, 1),
             reading.readings,
             match reading.flanks_taken_out {
                 false => format!("{} mm", reading.median_mm),
                 true => format!(
-                    "{:.4} mm, after removing the effect of the stated flanks",
-                    reading.median_mm
+                    "{} mm, after removing the effect of the stated flanks",
+                    ascii(reading.median_mm, 4)
                 ),
             }
         ),
         Outlier::Pitch(pitch) => format!(
-            "{:.1} µm from {}",
-            pitch.off_um,
+            "{} µm from {}",
+            ascii(pitch.off_um, 1),
             match pitch.from_neighbours {
                 true => "its neighbours' mean",
                 false => "the median",

@@ -1,6 +1,7 @@
 //! What measurements say of the tooth thickness, in words.
 
 use crate::cross_check::CrossCheck;
+use crate::numbers::ascii;
 use crate::statements::Statements;
 use gearlash::metrology::{MeanOnly, StatementRole, ThicknessBesidePitch, ThicknessStatements};
 
@@ -23,8 +24,8 @@ pub fn each_tooth_by_spans(k: u32, z: u32, growth: u32, with_pitch: bool) -> Str
     };
     format!(
         "{z} spans over {k} teeth give each tooth's thickness; an error of the readings is amplified up to {growth}-fold, \
-         {:.1}-fold when random (per_tooth = false uses the mean only){pitch}",
-        f64::from(growth).sqrt()
+         {}-fold when random (per_tooth = false uses the mean only){pitch}",
+        ascii(f64::from(growth).sqrt(), 1)
     )
 }
 
@@ -82,8 +83,11 @@ pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String 
             tooth,
             apart_um,
         } => format!(
-            "the teeth vary by {list_um:.3} µm by this list and by {pitch_um:.3} µm by the pitch of both flanks (right minus left), \
-             {apart_um:.3} µm apart at tooth {tooth}; the two are added: where both were measured on the same teeth, leave one of them out",
+            "the teeth vary by {} µm by this list and by {} µm by the pitch of both flanks (right minus left), \
+             {} µm apart at tooth {tooth}; the two are added: where both were measured on the same teeth, leave one of them out",
+            ascii(*list_um, 3),
+            ascii(*pitch_um, 3),
+            ascii(*apart_um, 3)
         ),
     }
 }
@@ -92,30 +96,30 @@ pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String 
 pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
     let range = |[least, most]: [f64; 2]| {
         if least == most {
-            format!("{least:.6} mm")
+            format!("{} mm", ascii(least, 6))
         } else {
-            format!("{least:.6} … {most:.6} mm")
+            format!("{} … {} mm", ascii(least, 6), ascii(most, 6))
         }
     };
     let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);
-    let (gap, tolerance) = (compared.gap_um, compared.tolerance_um);
+    let [gap, tolerance] = [compared.gap_um, compared.tolerance_um].map(|um| ascii(um, 1));
     let outside = match bands {
         [false, false] => "".to_owned(),
-        [true, true] => format!("the bands lie {gap:.1} µm apart, "),
-        _ => format!("the single value lies {gap:.1} µm outside the band, "),
+        [true, true] => format!("the bands lie {gap} µm apart, "),
+        _ => format!("the single value lies {gap} µm outside the band, "),
     };
-    let verdict = match (compared.agree(), gap > 0.0) {
+    let verdict = match (compared.agree(), compared.gap_um > 0.0) {
         (true, false) => "they agree".to_owned(),
         (true, true) => {
-            format!("{outside}within the tolerance of {tolerance:.1} µm: they agree")
+            format!("{outside}within the tolerance of {tolerance} µm: they agree")
         }
         (false, _) => format!(
-            "{outside}{tolerance:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned"
+            "{outside}{tolerance} µm is allowed: check both measurements, the pins and the number of teeth spanned"
         ),
     };
     let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
     format!(
-        "{}: base thickness {} by {}, {} by {}, difference{} {:.2} µm: {verdict}",
+        "{}: base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
         of.table.path_of(CrossCheck::UNDER),
         range(compared.counts),
         key(StatementRole::Counts),
@@ -126,6 +130,6 @@ pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
         } else {
             " of the means"
         },
-        compared.difference_um,
+        ascii(compared.difference_um, 2),
     )
 }

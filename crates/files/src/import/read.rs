@@ -70,11 +70,11 @@ pub(super) fn tables(
                 _ => Coverage::SomeTeeth,
             };
             // What is not asked for by its name hides nothing else.
-            let told = match from.has_each([column], coverage) || only.is_some() {
+            let faults = match from.has_each([column], coverage) || only.is_some() {
                 true => &mut *problems,
                 false => &mut *not_read,
             };
-            if let Some(sheet) = from.sheet([column], coverage, told) {
+            if let Some(sheet) = from.sheet([column], coverage, faults) {
                 tables.push(ImportedTable::of(kind, title.to_owned(), [name], &sheet));
             }
         }
@@ -187,11 +187,11 @@ impl From<'_> {
         }
         for (bad, has_each) in faults {
             // Beside the one kind, of which there is a column a flank, the other hides nothing.
-            let told = match has_each || first.is_none() {
+            let list = match has_each || first.is_none() {
                 true => &mut *problems,
                 false => &mut *not_read,
             };
-            told.add_list(self.file.key(), bad);
+            list.add_list(self.file.key(), bad);
         }
     }
 

@@ -1,6 +1,6 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
-use super::paths::{Path, outermost, whole_circle};
+use super::paths::{Path, coordinates, outermost, whole_circle};
 use crate::data_file::DataFile;
 use crate::drawing::{self, JOIN_MM, Options, Unit};
 use crate::entry::Entry;
@@ -343,11 +343,6 @@ fn centres(circles: &[Point2<f64>]) -> String {
     }
 }
 
-fn coordinates(point: &Point2<f64>) -> String {
-    // As messages of faults have them, to be copied into a file.
-    format!("({:.4}, {:.4})", point.x, point.y)
-}
-
 /// Where a smooth curve through points has kinks that it takes round: points at which its chords turn by more than those of a regular
 /// polygon of twelve corners.
 fn kinks(segments: &[PathSegment]) -> String {
@@ -375,7 +370,7 @@ fn place(path: &Path, error: &OutlineError) -> String {
     format!("the path from {}: {error}", path.outline.place)
 }
 
-/// The way out of an error.
+/// What helps against an error.
 pub(super) fn help(error: &OutlineError) -> &'static str {
     match error {
         OutlineError::NotFinite { .. } | OutlineError::SelfCrossing { .. } => {

@@ -1,6 +1,7 @@
 //! Which of the closed paths of a drawing is the gear.
 
 use crate::drawing::{Drawing, Loop};
+use crate::numbers::ascii;
 use gearlash::outline::{PathSegment, polygon};
 use nalgebra::Point2;
 
@@ -38,7 +39,7 @@ pub(super) fn outermost(drawing: Drawing) -> Result<Path, String> {
                 .segments
                 .first()
                 .map_or(Point2::origin(), PathSegment::start);
-            format!("({:.4}, {:.4}) ({})", point.x, point.y, path.place)
+            format!("{} ({})", coordinates(&point), path.place)
         };
         return Err(format!(
             "holds several closed paths side by side: one from {}, another from {}",
@@ -83,4 +84,10 @@ pub(super) fn whole_circle(path: &Loop) -> Option<Point2<f64>> {
         })
     };
     centres.all(same).then_some(first)
+}
+
+/// A place of a drawing, mm.
+pub(super) fn coordinates(point: &Point2<f64>) -> String {
+    // As messages of faults have them, to be copied into a file.
+    format!("({}, {})", ascii(point.x, 4), ascii(point.y, 4))
 }

@@ -4,6 +4,7 @@ use super::Measured;
 use crate::entry::Entry;
 use crate::limits::{FLANK_DIAMETER, PROFILE, ROLL_LENGTH};
 use crate::node::Node;
+use crate::numbers::ascii;
 use crate::problems::Problems;
 use crate::sheet::{self, Column, TraceSheet};
 use crate::spec::TraceSpec;
@@ -119,15 +120,8 @@ fn read_one(
         None => Some(None),
     };
     if table.has("file") {
-        let listed = ["roll_length_mm", "diameter_mm", "deviation_um"];
-        if let Some(second) = listed.into_iter().find(|name| table.has(name)) {
-            problems.add(table.problem(
-                "file",
-                format!("given together with {second}, allowed is one of file and the lists"),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        let lists = ["roll_length_mm", "diameter_mm", "deviation_um"];
+        table.alone("file", &lists, "one of file and the lists", problems)?;
         return of_file(table, tooth?, own, gear, problems);
     }
     sheet::without_file(table, problems)?;
@@ -201,7 +195,7 @@ fn of_lists(table: &Table, gear: &Measured, problems: &mut Problems) -> Option<V
     Some(points)
 }
 
-/// A reason and the way out.
+/// A reason and what helps.
 type Fault = (String, String);
 
 /// Roll length of what a trace says of where it was; `Err(None)` where the gear is not known, which is reported.
@@ -215,8 +209,8 @@ fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fa
         true => Ok(((radius - base) * (radius + base)).sqrt()),
         false => Err(Some((
             format!(
-                "diameter {at_mm} mm, allowed is from the base circle on, {:.4} mm",
-                2.0 * base
+                "diameter {at_mm} mm, allowed is from the base circle on, {} mm",
+                ascii(2.0 * base, 4)
             ),
             "leave out points below the base circle: there is no involute".to_owned(),
         ))),
@@ -296,9 +290,9 @@ fn of_file(
             bad.add(file.problem_at(row.line, reason, help));
         }
     }
-    let mut told = None;
+    let mut reported = None;
     for ((_, tooth), (line, points)) in &traces {
-        if points.len() < 2 && told.replace(*line) != Some(*line) {
+        if points.len() < 2 && reported.replace(*line) != Some(*line) {
             let whose = tooth.map_or(String::new(), |tooth| format!(" of tooth {tooth}"));
             let reason = format!("the trace{whose} has one point, allowed are two or more");
             bad.add(file.problem_at(*line, file.found(reason), "give the whole trace"));

@@ -147,14 +147,14 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
             unproven: run.count(Verdict::Unproven),
             unproven_poses: run.first_unproven.iter().map(json_unproven).collect(),
             worst: run.worst().map(|(pose, difference)| {
-                let mating = pose.swept.pose.mating();
+                let mating = pose.simulated.pose.mating();
                 JsonWorst {
                     wheel_tooth: mating.wheel_tooth,
                     pinion_tooth: mating.pinion_tooth,
                     flank: mating.flank.name(),
                     fraction: mating.fraction,
                     difference_um: difference * 1e3,
-                    error_bound_um: pose.swept.error_bound.map(|length| length * 1e3),
+                    error_bound_um: pose.simulated.error_bound.map(|length| length * 1e3),
                 }
             }),
         }
@@ -173,8 +173,8 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
 
 fn json_unproven(pose: &ComparedPose) -> JsonUnproven {
     JsonUnproven {
-        mating: mating_record(pose.swept.pose.mating()),
-        unproven: pose.swept.found.as_ref().err().map(unproven_record),
+        mating: mating_record(pose.simulated.pose.mating()),
+        unproven: pose.simulated.found.as_ref().err().map(unproven_record),
         reason: doubts(pose),
     }
 }

@@ -7,15 +7,15 @@ use serde_json::{Map, Value, json};
 /// A key a gear that there is something to tell of; `None` without any.
 pub(super) fn notes(study: &Study) -> Option<Value> {
     let gears = ["wheel", "pinion"].into_iter().zip(&study.notes);
-    let told = gears.filter_map(|(name, notes)| Some((name.to_owned(), of_gear(notes)?)));
-    filled(told.collect())
+    let entries = gears.filter_map(|(name, notes)| Some((name.to_owned(), of_gear(notes)?)));
+    filled(entries.collect())
 }
 
 fn of_gear(notes: &GearNotes) -> Option<Value> {
     let all_round = notes
         .all_round
         .map(|note| json!({ "readings": note.readings, "amplification": note.amplification }));
-    let told = [
+    let entries = [
         (
             "eccentricity",
             notes.eccentricity.as_ref().map(eccentricity),
@@ -23,15 +23,16 @@ fn of_gear(notes: &GearNotes) -> Option<Value> {
         ("all_round", all_round),
         ("cross_check", notes.thickness.as_ref().map(cross_check)),
     ];
-    let told = told.into_iter();
+    let entries = entries.into_iter();
     filled(
-        told.filter_map(|(key, value)| Some((key.to_owned(), value?)))
+        entries
+            .filter_map(|(key, value)| Some((key.to_owned(), value?)))
             .collect(),
     )
 }
 
-fn filled(told: Map<String, Value>) -> Option<Value> {
-    (!told.is_empty()).then_some(Value::Object(told))
+fn filled(entries: Map<String, Value>) -> Option<Value> {
+    (!entries.is_empty()).then_some(Value::Object(entries))
 }
 
 fn eccentricity(note: &EccentricityNote) -> Value {

@@ -133,13 +133,13 @@ pub(super) fn um(length: f64) -> f64 {
 }
 
 pub(super) fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecord {
-    let swept = &pose.swept;
-    let backlash = swept.backlash.map(|j_wt| assembly.backlash(j_wt));
-    let mating = swept.pose.mating();
-    let found = swept.proven();
+    let result = &pose.simulated;
+    let backlash = result.backlash.map(|j_wt| assembly.backlash(j_wt));
+    let mating = result.pose.mating();
+    let found = result.proven();
     let angle = found.and_then(LostMotion::angle);
     let rotation =
-        |member: Member| (assembly.locked() == member).then(|| swept.pose.locked_rotation());
+        |member: Member| (assembly.locked() == member).then(|| result.pose.locked_rotation());
     // Nothing of a jammed, unmeshed or unproven pose is a number.
     let on = |side| {
         let found = angle.and(found)?;
@@ -157,17 +157,17 @@ pub(super) fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecor
         right_rad: right,
         left_rad: right.zip(angle).map(|(right, angle)| right + angle),
         lost_motion_rad: angle,
-        j_wt_um: swept.backlash.map(um),
+        j_wt_um: result.backlash.map(um),
         j_t_um: backlash.map(|of| um(of.j_t)),
         j_bn_um: backlash.map(|of| um(of.j_bn)),
         j_r_um: backlash.and_then(|of| of.j_r).map(um),
         lost_motion_arcmin: ArcminRecord::of(backlash),
-        j_wt_range_um: swept.range().map(|end| end.map(um)),
-        error_bound_um: angle.and(swept.error_bound).map(um),
-        status: swept.status().name(),
-        unproven: swept.found.as_ref().err().map(unproven_record),
-        unproven_range: unproven_range(swept),
-        class: swept.class(assembly).name(),
+        j_wt_range_um: result.range().map(|end| end.map(um)),
+        error_bound_um: angle.and(result.error_bound).map(um),
+        status: result.status().name(),
+        unproven: result.found.as_ref().err().map(unproven_record),
+        unproven_range: unproven_range(result),
+        class: result.class(assembly).name(),
         right: contact(Side::Right),
         left: contact(Side::Left),
         analytic: AnalyticRecord {
@@ -187,8 +187,8 @@ pub(super) fn unproven_record(unproven: &Unproven) -> UnprovenRecord {
 }
 
 /// What is not proven at the ends of the bearing clearance; `None` where both are.
-pub(super) fn unproven_range(swept: &PoseResult) -> Option<[Option<UnprovenRecord>; 2]> {
-    let ends = swept.with_clearance.as_ref()?;
+pub(super) fn unproven_range(result: &PoseResult) -> Option<[Option<UnprovenRecord>; 2]> {
+    let ends = result.with_clearance.as_ref()?;
     let ends = ends
         .each_ref()
         .map(|end| end.as_ref().err().map(unproven_record));
@@ -253,9 +253,9 @@ fn doubt(unproven: &Unproven) -> String {
 
 /// Everything about `pose` that is not proven, in words.
 pub fn doubts(pose: &ComparedPose) -> String {
-    let swept = &pose.swept;
-    let here = swept.found.as_ref().err().map(doubt);
-    let ends = swept
+    let result = &pose.simulated;
+    let here = result.found.as_ref().err().map(doubt);
+    let ends = result
         .with_clearance
         .iter()
         .flatten()

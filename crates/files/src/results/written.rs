@@ -43,9 +43,9 @@ impl<'w> ResultWriter<'w> {
             if let Some(notes) = notes::notes(&file.study) {
                 json.entry("notes", &notes)?;
             }
-            for (key, told) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
-                if !told.is_empty() {
-                    json.entry(key, told)?;
+            for (key, messages) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
+                if !messages.is_empty() {
+                    json.entry(key, messages)?;
                 }
             }
             json.key("runs")?;

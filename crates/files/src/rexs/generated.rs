@@ -58,11 +58,11 @@ impl Generated {
                 });
             }
         }
-        let told: Vec<String> = all.iter().map(ToString::to_string).collect();
+        let stated: Vec<String> = all.iter().map(ToString::to_string).collect();
         Ok(match (all.pop(), all.is_empty()) {
             (None, _) => Generated::None,
             (Some(one), true) => Generated::One(one),
-            (Some(_), false) => Generated::Several(told.join(" and ")),
+            (Some(_), false) => Generated::Several(stated.join(" and ")),
         })
     }
 }

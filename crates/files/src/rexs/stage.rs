@@ -97,10 +97,10 @@ impl<'a> Stage<'a> {
         let band = match (upper, lower, field.transpose()?) {
             (Some(upper), Some(lower), field) => {
                 if let Some(grade) = field {
-                    let told = agree(distance, grade, [upper, lower])
+                    let remark = agree(distance, grade, [upper, lower])
                         .map_err(|why| Fault::LeftOut(format!("{} {why}", component.place())))?;
                     let place = component.place();
-                    remarks.extend(told.map(|told| format!("{place}: {told}")));
+                    remarks.extend(remark.map(|remark| format!("{place}: {remark}")));
                 }
                 Band::Ends { upper, lower }
             }

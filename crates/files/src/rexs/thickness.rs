@@ -119,13 +119,13 @@ pub fn stated(
     let left_out = |why: String| Fault::LeftOut(format!("{place} {why}"));
     match generated {
         Generated::None => {}
-        Generated::Several(told) if stated.is_empty() => {
+        Generated::Several(values) if stated.is_empty() => {
             return Err(left_out(format!(
-                "states its thickness by {told} alone, which differ: add its DIN 3967 series or the allowances of its span"
+                "states its thickness by {values} alone, which differ: add its DIN 3967 series or the allowances of its span"
             )));
         }
-        Generated::Several(told) => {
-            remarks.push(format!("{place}: {told} differ and are not used"));
+        Generated::Several(values) => {
+            remarks.push(format!("{place}: {values} differ and are not used"));
         }
         Generated::One(one) => {
             let made = one.allowances_um(shift, basic_data);

@@ -29,17 +29,8 @@ pub struct RunoutSheet {
 impl RunoutSheet {
     /// Reads the file that `[runout]` names.
     pub fn read(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<RunoutSheet> {
-        let stated = ["total_um", "high_tooth"]
-            .into_iter()
-            .find(|name| table.has(name));
-        if let Some(stated) = stated {
-            problems.add(table.problem(
-                "file",
-                format!("given together with {stated}, allowed is one of file and the values"),
-                "remove one or the other",
-            ));
-            return None;
-        }
+        let values = ["total_um", "high_tooth"];
+        table.alone("file", &values, "one of file and the values", problems)?;
         let needed = "\"tooth\" (at its centre line) or \"space\" (between it and the next number)";
         let at = table
             .need("at", needed, problems)

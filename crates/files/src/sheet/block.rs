@@ -2,6 +2,7 @@
 
 use super::number::{self, Decimal, Unmeasured, Written};
 use crate::data_file::DataFile;
+use crate::numbers::ascii;
 use crate::problems::Problems;
 use gearlash::gear::Side;
 
@@ -160,7 +161,7 @@ pub fn check_story(file: &DataFile, block: &Block, problems: &mut Problems) {
                     "fp of tooth {tooth} is {}, but its Fp minus that of tooth {} is {}: the two columns differ by more than their rounding",
                     file.bare(f.text),
                     before.1,
-                    file.bare(&format!("{difference:.4}")),
+                    file.bare(&ascii(difference, 4)),
                 ),
                 "find the wrong one, or remove the other column from a copy of the protocol",
             ));

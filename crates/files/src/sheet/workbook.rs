@@ -1,7 +1,7 @@
 //! `.xlsx` workbooks: the sheets with content, or the one that is named.
 //!
 //! Text that is a number is read as in a text file, its decimal sign settled by the table. A date may have been a number
-//! (`1.2` to a German Excel): where one must be, it is a problem with a way out.
+//! (`1.2` to a German Excel): where one must be, it is a problem with help.
 
 use super::cell::{Cell, Line};
 use super::container;

@@ -21,16 +21,16 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
-    /// Centre distance a, mm: one, several, or a band; with `measured` and no `sweep` its rows decide.
+    /// Centre distance a, mm; with measured and no sweep its rows decide.
     #[schemars(with = "Option<CenterDistanceSpec>")]
     pub center_distance_mm: CenterDistanceSpec,
-    /// The gear that stands still; the other is turned.
+    /// The gear that stands still, "wheel" or "pinion"; the other is turned.
     #[schemars(default)]
     pub locked: GearName,
     /// Radial play of each gear on its axis, mm.
     #[schemars(with = "Option<Either<f64, BearingClearanceSpec>>", transform = within(&CLEARANCE))]
     pub bearing_clearance_mm: BearingClearanceSpec,
-    /// How far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer; none: 0.
+    /// Of helical gears: how far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer; none: 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&FACE_OFFSET))]
     pub face_offset_mm: Option<f64>,
@@ -38,7 +38,7 @@ pub struct AssemblySpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&TEMPERATURE))]
     pub temperature_c: Option<f64>,
-    /// Coefficient of thermal expansion of the housing, 1/K.
+    /// Coefficient of thermal expansion of the housing, 1/K: 23e-6 of aluminium.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&EXPANSION))]
     pub housing_expansion_per_k: Option<f64>,
@@ -50,6 +50,8 @@ fn both_spellings(schema: &mut Schema) {
     if let Some(Value::Object(properties)) = schema.get_mut("properties")
         && let Some(distance) = properties.get(american).cloned()
     {
+        let mut distance = distance;
+        distance["description"] = "Centre distance a, mm: the same key in British spelling.".into();
         properties.insert(british.to_owned(), distance);
     }
     at_most_one(schema, &[&[american], &[british]]);
@@ -104,7 +106,7 @@ impl CenterDistanceSpec {
     }
 }
 
-/// A nominal distance and its symmetric tolerance field js5 … js10, such as 30 js7 (ISO 286).
+/// A nominal distance and its tolerance field, js5 … js10 of ISO 286.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(inline)]
@@ -145,7 +147,7 @@ impl DesignatedDistanceSpec {
     }
 }
 
-/// A nominal distance with `tolerance_um`, or with `upper_um` and `lower_um`.
+/// A nominal distance with tolerance_um, or with upper_um and lower_um: least, nominal and greatest are run.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(inline, transform = band_keys)]
 pub struct DistanceBandSpec {
@@ -244,7 +246,7 @@ pub struct MeasuredSpec {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
 #[schemars(transform = sweep_keys)]
 pub struct SweepSpec {
-    /// Wheel tooth and pinion tooth: a pose at right and one at left flank each.
+    /// In place of revolutions wheel tooth and pinion tooth: a pose at right and one at left flank each.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), transform = whole(TOOTH))]
     pub mating: Option<Vec<[u32; 2]>>,
@@ -252,10 +254,10 @@ pub struct SweepSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), transform = within(&FRACTION))]
     pub fraction: Option<Vec<f64>>,
-    /// One turn of the wheel, or until the same teeth meet again.
+    /// How far the gears turn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub revolutions: Option<Revolutions>,
-    /// Every way to put the two together.
+    /// In place of revolutions every way to put the two together.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub phases: Option<Phases>,
     /// Poses a pitch.

@@ -8,12 +8,12 @@ use serde::Serialize;
 
 /// Radial runout.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
-#[schemars(transform = runout_keys, transform = columns("tooth, runout (µm)"))]
+#[schemars(transform = runout_keys, transform = columns("tooth, runout (µm); their first harmonic is taken"))]
 pub struct RunoutSpec {
     /// Runout F_r, µm: twice the eccentricity.
     #[schemars(with = "Option<f64>", transform = within(&RUNOUT))]
     pub total_um: f64,
-    /// Tooth towards which the teeth are displaced; fractions allowed. Without it the verdict is over every direction.
+    /// Tooth that stands farthest out, towards which all are displaced; fractions allowed. Without it the verdict is over every direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&HIGH_TOOTH))]
     pub high_tooth: Option<f64>,
@@ -47,10 +47,10 @@ pub struct PitchSpec {
     /// What the values are.
     #[schemars(with = "Option<PitchKind>")]
     pub kind: PitchKind,
-    /// own: free of eccentricity; datum: measured about the datum axis.
+    /// "own": the values are free of eccentricity; "datum": measured about the datum axis (the bore), they contain it.
     #[schemars(default)]
     pub axis: PitchAxis,
-    /// What + means: along ascending numbers, or plus material.
+    /// What + means: along ascending numbers, or more material.
     #[schemars(default)]
     pub sense: PitchSense,
     /// Right flanks, µm, tooth 1 first.
@@ -61,10 +61,10 @@ pub struct PitchSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&PITCH))]
     pub left_um: Option<Vec<f64>>,
-    /// Column of the left flanks in the table, by heading or letter.
+    /// Column of the left flanks in the table, by heading or letter, where it is not found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left: Option<String>,
-    /// Column of the right flanks in the table, by heading or letter.
+    /// Column of the right flanks in the table, by heading or letter, where it is not found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub right: Option<String>,
     /// With axis = "datum" and a runout: which of them counts.
@@ -80,9 +80,9 @@ pub struct PitchSpec {
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum PitchKind {
-    /// F: from the first tooth, or any one place.
+    /// F_p, from the first tooth, or any one place.
     Cumulative,
-    /// f: from the tooth before.
+    /// f_p, from the tooth before.
     Single,
 }
 
@@ -126,7 +126,7 @@ pub enum PitchSense {
     /// Along ascending numbers.
     #[default]
     Numbers,
-    /// Plus material.
+    /// More material.
     Material,
 }
 

@@ -29,7 +29,7 @@ pub struct GearSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&HELIX_ANGLE))]
     pub helix_angle_deg: Option<f64>,
-    /// Which way helical teeth wind.
+    /// Which way helical teeth wind, "left" or "right"; the mate's wind the other way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hand: Option<HandName>,
     /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
@@ -47,29 +47,29 @@ pub struct GearSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = whole(GRADES))]
     pub grade: Option<u32>,
-    /// Which face the picture shows; on it teeth are numbered clockwise.
+    /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Of gears face to face one is front, the other back: consecutive numbers mate.
     #[schemars(default)]
     pub reference_face: FaceName,
     /// Tip diameter d_a, mm; default from addendum and profile shift.
     #[schemars(with = "Option<f64>", transform = within(&TIP_DIAMETER))]
     pub tip_diameter_mm: f64,
-    /// Coefficient of thermal expansion, 1/K.
+    /// Coefficient of thermal expansion, 1/K: 11.5e-6 of steel; with assembly.temperature_c.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&EXPANSION))]
     pub expansion_per_k: Option<f64>,
-    /// Basic rack, in modules.
+    /// Basic rack, in modules; default: ISO 53, profile A.
     #[schemars(with = "Option<RackSpec>")]
     pub rack: RackSpec,
-    /// Mean tooth thickness: one statement; none: nominal.
+    /// Mean tooth thickness: one statement; none: nominal. Least and greatest in place of one value make two runs, at least and at most material.
     #[schemars(with = "Option<ThicknessSpec>")]
     pub thickness: ThicknessSpec,
     /// Radial runout; none: 0.
     #[schemars(with = "Option<RunoutSpec>")]
     pub runout: RunoutSpec,
-    /// Pitch deviation of both flanks, one value a tooth.
+    /// Pitch deviation of both flanks at the reference circle, one value a tooth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<PitchSpec>,
-    /// How the profiles deviate from the involute.
+    /// How the profiles deviate from the involute, plus = more material; what is given adds up. A span, pins and pitch are of the flanks where they touch, other thicknesses of their involutes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile: Option<ProfileSpec>,
 }

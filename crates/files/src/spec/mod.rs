@@ -5,6 +5,7 @@
 //! part as it was understood. A key that is an `Option` is left out where nothing is said; one that is none has a default.
 
 mod assembly;
+mod explained;
 mod flanks;
 mod gear;
 mod outline;
@@ -24,6 +25,7 @@ pub use assembly::{
     DesignatedDistanceSpec, DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions,
     SweepSpec,
 };
+pub use explained::explained;
 pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
 };

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct OutlineGearSpec {
-    /// The drawing.
+    /// The gear as drawn, in place of all its data but reference_face and runout.
     pub outline: OutlineSpec,
     /// Which face the picture shows; the drawing shows the reference face, on which teeth are numbered clockwise.
     #[schemars(default)]
@@ -24,12 +24,12 @@ pub struct OutlineGearSpec {
 /// A drawing of a gear: DXF, SVG, or a list of points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct OutlineSpec {
-    /// A .dxf, .svg or .csv file beside the pair file.
+    /// A .dxf, .svg or .csv file (points x, y in order) beside the pair file.
     pub file: String,
-    /// Unit of the drawing; needed where it states none.
+    /// Unit of the drawing, mm, inch, cm, m or um; needed where it states none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub units: Option<Unit>,
-    /// The centre in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
+    /// The axis in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
     #[schemars(with = "Option<Either<[f64; 2], CentreName>>")]
     pub center_mm: CentreSpec,
     /// Teeth there should be; none: as many as are found.

@@ -18,7 +18,7 @@ pub struct PairSpec {
     /// Gear 1, left in the picture.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub wheel: GearSpec,
-    /// Gear 2, right in the picture.
+    /// Gear 2, right in the picture: the same keys.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub pinion: GearSpec,
     /// How the gears are put together.
@@ -36,10 +36,10 @@ pub struct PairSpec {
     /// Of gearlash compare.
     #[schemars(with = "Option<CompareSpec>")]
     pub compare: CompareSpec,
-    /// What the pair must keep.
+    /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require: Option<RequireSpec>,
-    /// What the measurements may be off.
+    /// Standard uncertainties of what was measured, µm; least and greatest backlash are shown with theirs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<UncertaintySpec>,
     /// How the numbers scatter from one assembly to the next: of gearlash tolerance.
@@ -72,7 +72,7 @@ pub struct OutlinePairSpec {
     pub assembly: AssemblySpec,
     /// Poses a pitch, and the teeth that mate first.
     pub sweep: SweepSpec,
-    /// What the pair must keep.
+    /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require: Option<RequireSpec>,
 }

@@ -12,10 +12,10 @@ pub struct ProfileSpec {
     /// Of both flanks.
     #[serde(flatten)]
     pub both: FlankProfileSpec,
-    /// Of the right flanks alone.
+    /// Of the gear's own right flanks alone, in place of what is said of both.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub right: Option<FlankProfileSpec>,
-    /// Of the left flanks alone.
+    /// Of its left flanks alone, likewise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left: Option<FlankProfileSpec>,
 }
@@ -55,7 +55,7 @@ pub struct ReliefSpec {
     /// Diameter at which it begins, mm.
     #[schemars(transform = within(&FLANK_DIAMETER))]
     pub from_diameter_mm: f64,
-    /// How it grows with the roll.
+    /// How it grows with the roll: "linear", with an edge where it begins, or "parabolic", without.
     #[schemars(default)]
     pub shape: ReliefShape,
 }

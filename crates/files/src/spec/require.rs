@@ -57,6 +57,6 @@ pub struct AngleLimitsSpec {
     /// No more than this.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
-    /// The gear whose lost motion it is, its mate locked.
+    /// The gear whose lost motion it is, wheel or pinion, its mate locked.
     pub at: GearName,
 }

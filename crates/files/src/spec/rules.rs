@@ -93,7 +93,7 @@ pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
 pub fn columns(words: &str) -> impl Fn(&mut Schema) {
     fn append(value: &mut Value, words: &str) {
         if let Some(Value::String(text)) = value.pointer_mut("/properties/file/description") {
-            *text = format!("{}: {words}", text.trim_end_matches('.'));
+            *text = format!("{}, columns {words}", text.trim_end_matches('.'));
         }
         if let Some(Value::Array(alternatives)) = value.get_mut("anyOf") {
             for alternative in alternatives {

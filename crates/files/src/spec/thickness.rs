@@ -70,7 +70,7 @@ pub struct StatementSpec {
     /// Dimension over two pins, or balls.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub over_pins: Option<OverPinsSpec>,
-    /// Tolerance field of the tooth thickness, DIN 3967: such as 25cd.
+    /// Tolerance field of the tooth thickness, DIN 3967, such as 25cd: allowance and tolerance by reference diameter.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(regex(
         pattern = r"^(2[1-9]|30) ?(ab?|bc?|cd?|[defgh])$|^(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30)$"
@@ -81,7 +81,7 @@ pub struct StatementSpec {
     #[schemars(transform = within(&ALLOWANCE))]
     #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
     pub allowance_um: Option<Either<f64, BandSpec>>,
-    /// What both flanks stand out along their normals beyond nominal, mm.
+    /// What both flanks stand out along their normals beyond nominal, mm: of printed and cut gears.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&FLANK_OFFSET))]
     pub flank_offset_mm: Option<Either<f64, BandSpec>>,

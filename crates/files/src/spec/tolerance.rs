@@ -35,22 +35,22 @@ pub struct ToleranceSpec {
     /// Rows of the samples that the contributions are found from; 0: none are.
     #[schemars(with = "Option<u32>", extend("default" = DEFAULT_ROWS), transform = whole(CONTRIBUTION_ROWS))]
     pub contribution_rows: u32,
-    /// What the centre distance is greater than stated.
+    /// By what the centre distance is greater than stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub center_distance: Option<ScatterSpec>,
     /// Radial play of both bearings together, in place of the assembly's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearing_play: Option<ScatterSpec>,
-    /// How the gears are put together, where teeth have a common divisor.
+    /// How the gears are put together, where numbers of teeth have a common divisor.
     #[schemars(default)]
     pub phase: PhaseName,
     /// Correlation of both thicknesses; 1: both gears from one batch.
     #[schemars(with = "Option<f64>", extend("default" = 0.0), transform = within(&CORRELATION))]
     pub thickness_correlation: f64,
-    /// Of the wheel.
+    /// How the wheel scatters.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wheel: Option<GearToleranceSpec>,
-    /// Of the pinion.
+    /// How the pinion scatters: the same keys.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pinion: Option<GearToleranceSpec>,
 }
@@ -71,7 +71,7 @@ pub enum PhaseName {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
 #[schemars(inline)]
 pub struct GearToleranceSpec {
-    /// What all teeth are thicker than stated (than the middle of what is stated), at the reference circle.
+    /// By what all teeth are thicker than stated (than the middle of what is stated), at the reference circle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness: Option<ScatterSpec>,
     /// Runout F_r in place of the gear's; its direction is any.
@@ -80,7 +80,7 @@ pub struct GearToleranceSpec {
     /// Single pitch deviations of every tooth, on top of the gear's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<PitchScatterSpec>,
-    /// What each tooth is thicker, on top of the gear's.
+    /// By what each tooth is thicker, on top of the gear's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub per_tooth: Option<ScatterSpec>,
     /// Measured gears, one of which is drawn: gear files or pair files, by name; * stands for any letters of a file's name.
@@ -89,13 +89,11 @@ pub struct GearToleranceSpec {
     pub gears: Option<Vec<String>>,
 }
 
-/// How a length scatters, µm. Which keys there are follows from `scatter`: fixed: value_um; uniform: lower_um, upper_um; triangular: and
-/// mode_um; normal: sigma_um and mean_um, or lower_um, upper_um, mean_um and cpk; rayleigh: scale_um or upper_um; table: values_um.
-/// Limits that the pair file states as a band may be left out.
+/// How a length scatters, µm.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
 #[schemars(inline)]
 pub struct ScatterSpec {
-    /// The distribution.
+    /// The distribution, and with it the keys: fixed: value_um; uniform: lower_um, upper_um; triangular: and mode_um; normal: sigma_um and mean_um, or lower_um, upper_um, mean_um and cpk; rayleigh: scale_um or upper_um; table: values_um. Limits that the pair file states as a band may be left out.
     pub scatter: ScatterName,
     /// Lower limit, µm.
     #[serde(skip_serializing_if = "Option::is_none")]

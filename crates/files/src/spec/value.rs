@@ -27,7 +27,7 @@ pub struct BandSpec {
     pub max: f64,
 }
 
-/// Least and most material, or upper and lower allowance as a drawing writes them: for the schema.
+/// Least and most material, or upper and lower allowance as a drawing writes them.
 #[derive(Debug, JsonSchema)]
 #[schemars(inline, transform = allowance_keys)]
 pub struct AllowanceBandSpec {
@@ -55,20 +55,20 @@ fn allowance_keys(schema: &mut Schema) {
 pub struct TableFileSpec {
     /// Table beside the pair file (CSV, .xlsx or text protocol).
     pub file: String,
-    /// Sheet of an .xlsx file, where several have such a table.
+    /// Sheet of any .xlsx file that has several such tables.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
-    /// Line of the header, where its names do not tell; 0 where there is none.
+    /// Line of the header of any table, where its names do not tell; 0 where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_048_576))]
     pub header_row: Option<u32>,
-    /// Column of the tooth numbers, by heading or letter.
+    /// Column of the tooth numbers of any table, by heading or letter, where it is not found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tooth_column: Option<String>,
-    /// Column of the values, by heading or letter.
+    /// Column of the values of any table but pitch, by heading or letter, where it is not found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<String>,
-    /// Decimal sign of a text table, where nothing in it tells.
+    /// Decimal sign of any text table, "." or ",", where nothing in it tells.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decimal: Option<DecimalSign>,
 }

@@ -83,11 +83,11 @@ pub fn gears(
             1 => String::new(),
             count => format!(" and {} more", count - 1),
         };
-        let told = format!(
+        let warning = format!(
             "{key}: {first}{others}: states a band of thickness, the gear drawn has its middle; give the thickness that was measured"
         );
         // It changes numbers: before what was left out.
-        warnings.insert(0, told);
+        warnings.insert(0, warning);
     }
     let said = said.lines().into_iter();
     warnings.extend(said.map(|line| format!("{key}: {line}")));

@@ -23,12 +23,12 @@ pub struct Limit {
 pub fn limits(requirement: &Requirement) -> Vec<Limit> {
     let each = requirement.others().map(|(quantity, limits)| {
         let (name, unit, per, _) = unit_of(quantity);
-        let told = |value: Option<f64>| value.map(|value| rounded(value * per, 9));
+        let in_unit = |value: Option<f64>| value.map(|value| rounded(value * per, 9));
         Limit {
             quantity: name.to_owned(),
             unit: unit.to_owned(),
-            min: told(limits.min),
-            max: told(limits.max),
+            min: in_unit(limits.min),
+            max: in_unit(limits.max),
         }
     });
     each.collect()

@@ -86,7 +86,7 @@ pub(super) fn proof(ends: &[End; 2]) -> String {
 
 /// Why an extreme is only the one found; `None` where it is proven.
 pub fn doubt(extreme: &RunExtreme) -> Option<String> {
-    match &extreme.pose.swept.found {
+    match &extreme.pose.simulated.found {
         Err(unproven) => Some(unproven.reason.clone()),
         Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),
     }

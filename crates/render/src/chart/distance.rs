@@ -23,9 +23,9 @@ const FILLS: [f64; 2] = [0.14, 0.22];
 pub fn distance(
     heading: &Heading,
     curve: &OverDistance,
-    swept: &[AtDistance],
+    distances: &[AtDistance],
 ) -> Result<Chart, PictureError> {
-    distance_in(BacklashUnit::Um, heading, curve, swept)
+    distance_in(BacklashUnit::Um, heading, curve, distances)
 }
 
 /// As [`distance`], in `unit`.
@@ -36,7 +36,7 @@ pub fn distance_in(
     unit: BacklashUnit,
     heading: &Heading,
     curve: &OverDistance,
-    swept: &[AtDistance],
+    distances: &[AtDistance],
 ) -> Result<Chart, PictureError> {
     let place = |a: f64, um: Option<f64>| -> Point { (a, um.map(|um| unit.of_um(um, a))) };
     // The least and the greatest end of a band, which are of the gears `apart` nearer and farther.
@@ -83,7 +83,7 @@ pub fn distance_in(
         marks.extend(outline(&analytic, Look::Third));
         legend.push(entry("by formula (model 2)", Look::Third, Swatch::Line));
     }
-    let ranges: Vec<[Point; 2]> = swept.iter().map(|at| range_of(at, place)).collect();
+    let ranges: Vec<[Point; 2]> = distances.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
         let look = Look::Plain;
         marks.push(Mark::Dots {
@@ -158,7 +158,7 @@ pub fn distance_in(
 /// Least and greatest of all poses at a centre distance.
 fn range_of(at: &AtDistance, place: impl Fn(f64, Option<f64>) -> Point) -> [Point; 2] {
     [at.all.least, at.all.greatest].map(|found| {
-        let backlash = found.and_then(|found| found.pose.swept.backlash);
+        let backlash = found.and_then(|found| found.pose.simulated.backlash);
         place(at.center_distance, backlash.map(|mm| mm * 1e3))
     })
 }

@@ -6,7 +6,7 @@ use gearlash::analysis::compare::{ComparedPose, Verdict};
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::verdict::Requirement;
 use gearlash_files::characters::plain;
-use gearlash_files::numbers::{NONE, um_ascii};
+use gearlash_files::numbers::{NONE, power, um_ascii};
 use gearlash_files::results::ComparedPair;
 use gearlash_files::verdict::sentence;
 use std::fmt::Write;
@@ -109,7 +109,7 @@ fn row(pair: &ComparedPair, run: &RunTally) -> Vec<String> {
         um_ascii(summary.off_involute, 3),
         match summary.off_line_of_action {
             // Rounding alone: its size, rather than 0.000.
-            Some(length) if length < 1e-6 => format!("{:.1e}", length * 1e3),
+            Some(length) if length < 1e-6 => power(length * 1e3, 1),
             length => um_ascii(length, 3),
         },
         run.count(Verdict::OffLine).to_string(),

@@ -20,7 +20,5 @@ pub use marks::{around, arrow, cross, diamond, dot, hatch, square};
 pub use occupied::{CLEAR, Occupied};
 pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL};
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};
-pub use sheet::{
-    FONTS, Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon, white_sheet,
-};
+pub use sheet::{FONTS, HEIGHT, Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon};
 pub use text::{Anchor, TextStyle, room};

@@ -17,35 +17,19 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 /// on most machines, and none is wider than what texts are reckoned with.
 pub const FONTS: &str = "sans-serif, DejaVu Sans, Liberation Sans, Noto Sans";
 
-/// An empty white A4 sheet, true to size in print.
-pub fn blank_sheet() -> SVG {
+/// An empty white sheet of so many units, true to size in print.
+pub fn blank_sheet(width: f64, height: f64) -> SVG {
     SVG::new()
         .set("xmlns:xlink", XLINK)
-        .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
-        .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
-        .set("height", format!("{}mm", HEIGHT / UNITS_PER_MM))
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set("width", format!("{}mm", width / UNITS_PER_MM))
+        .set("height", format!("{}mm", height / UNITS_PER_MM))
         .set("font-family", FONTS)
         .add(
             Rectangle::new()
                 .set("width", "100%")
                 .set("height", "100%")
                 .set("fill", "white"),
-        )
-}
-
-/// An empty white sheet of so many units, true to size in print.
-pub fn white_sheet(width: f64, height: f64) -> SVG {
-    let paper = |units: f64| format!("{}mm", units / UNITS_PER_MM);
-    SVG::new()
-        .set("viewBox", format!("0 0 {width} {height}"))
-        .set("width", paper(width))
-        .set("height", paper(height))
-        .set("font-family", FONTS)
-        .add(
-            Rectangle::new()
-                .set("width", number(width))
-                .set("height", number(height))
-                .set("fill", "#ffffff"),
         )
 }
 

@@ -274,7 +274,7 @@ mod tests {
         let drawn = TextStyle::new(10.0).text(content, [0.0; 2]).to_string();
         let read = roxmltree::Document::parse(&drawn).unwrap();
         let spans = read.descendants().filter(|node| node.has_tag_name("tspan"));
-        let told: Vec<(&str, f64)> = spans
+        let shown: Vec<(&str, f64)> = spans
             .map(|node| {
                 let dy = node.attribute("dy").map_or(0.0, |dy| dy.parse().unwrap());
                 (node.text().unwrap().trim(), dy)
@@ -288,7 +288,7 @@ mod tests {
             ("p", 2.2),
             ("1 µm, my_f_p_file", -2.2),
         ];
-        assert_eq!(told, expected);
+        assert_eq!(shown, expected);
     }
 
     /// Titles of gauge charts named `M_dK`, `W_23` and `F_i''` as a file does.

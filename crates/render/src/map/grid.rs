@@ -2,6 +2,7 @@
 
 use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line};
 use gearlash::analysis::diagnosis::Limit;
+use gearlash_files::numbers::fixed;
 use svg::node::Node;
 use svg::node::element::{Group, SVG};
 
@@ -37,7 +38,7 @@ impl Grid<'_> {
     pub fn picture(&self, title: &str, caption: &str) -> SVG {
         let legend = self.used();
         let height = FIELD.bottom + BELOW + ROW * legend.len().div_ceil(3).max(2) as f64 + 6.0;
-        kit::white_sheet(WIDTH, height)
+        kit::blank_sheet(WIDTH, height)
             .add(TextStyle::new(18.0).verbatim(title, [FIELD.left, 34.0]))
             .add(SMALL.grey().text(caption, [FIELD.left, 58.0]))
             .add(self.drawn_cells())
@@ -108,7 +109,7 @@ impl Grid<'_> {
             .iter()
             .rev()
             .map(|limit| {
-                let label = format!("{:.4} {}", limit.distance, limit.name);
+                let label = format!("{} {}", fixed(limit.distance, 4), limit.name);
                 (plot.spot((0.0, limit.distance))[1], label)
             })
             .collect();

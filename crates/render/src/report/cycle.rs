@@ -84,14 +84,14 @@ fn phases(page: &Page) -> Markup {
     };
     let [wheel, pinion] = Member::BOTH.map(|member| run.run.assembly.teeth(member));
     let ways = SweepPlan::phase_count(wheel, pinion);
-    let mating = pose.swept.pose.mating();
+    let mating = pose.simulated.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
     let deviate = Member::BOTH.map(|member| run.run.assembly.gear(member).has_unlike_teeth());
     let matters = deviate == [true, true] && ways > 1;
     let way = phase(&run.run.assembly, mating);
     let asked = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();
-        poses.map(|pose| phase(&run.run.assembly, pose.swept.pose.mating()))
+        poses.map(|pose| phase(&run.run.assembly, pose.simulated.pose.mating()))
     });
     let elsewhere: Vec<u32> = asked.filter(|other| *other != way).collect();
     let other_ways: Vec<u32> = BTreeSet::from_iter(elsewhere.iter().copied())

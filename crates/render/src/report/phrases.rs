@@ -65,7 +65,7 @@ fn teeth(contact: &Option<Contact>) -> String {
 
 /// The teeth that touch: right flanks, left flanks; wheel and pinion tooth each.
 pub(super) fn touching(found: Option<PoseOfRun>) -> [String; 2] {
-    match found.and_then(|found| found.pose.swept.proven()) {
+    match found.and_then(|found| found.pose.simulated.proven()) {
         None => [NONE.to_owned(), NONE.to_owned()],
         Some(lost_motion) => [teeth(&lost_motion.right), teeth(&lost_motion.left)],
     }
@@ -82,7 +82,7 @@ pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
 pub(super) fn pose(found: PoseOfRun) -> String {
     let phase = found.run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    pose_name(found.pose.swept.pose.mating()) + &phase
+    pose_name(found.pose.simulated.pose.mating()) + &phase
 }
 
 #[cfg(test)]

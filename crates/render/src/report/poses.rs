@@ -55,7 +55,7 @@ fn nothing_drawn(page: &Page) -> &'static str {
 
 /// Whether the pose is jammed.
 fn jams(found: &PoseOfRun) -> bool {
-    found.pose.swept.status() == Status::Jammed
+    found.pose.simulated.status() == Status::Jammed
 }
 
 /// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
@@ -66,7 +66,7 @@ fn most_lost<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
         let run = &found.run.run;
         run.material == worst.material
             && run.assembly.center_distance() == worst.assembly.center_distance()
-            && found.pose.swept.pose == worst.pose
+            && found.pose.simulated.pose == worst.pose
     };
     let runs = page.report.analysis.runs.iter();
     let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }));
@@ -93,20 +93,22 @@ fn others<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
 
 fn figure(page: &Page, id: &str, what: &str, found: PoseOfRun) -> Markup {
     let run = &found.run.run;
-    let swept = &found.pose.swept;
-    let section = match MeshSection::binding(&run.assembly, swept) {
+    let result = &found.pose.simulated;
+    let section = match MeshSection::binding(&run.assembly, result) {
         Ok(section) => section,
         Err(reason) => return html! { p { (what) ": not drawn: " (reason.to_string()) "." } },
     };
     let view = Snapshot {
         title: &page.report.pair.study.title,
         assembly: &run.assembly,
-        pose: &swept.pose,
+        pose: &result.pose,
         material: run.material,
-        found: swept.found.as_ref(),
+        found: result.found.as_ref(),
         section: section.as_ref(),
     };
-    let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
+    let backlash = result
+        .backlash
+        .map(|mm| format!(": {} µm", um(Some(mm), 2)));
     let at = section.as_ref().map_or(String::new(), |section| {
         format!(", section at z = {} mm", trimmed(section.at(), 0, 3))
     });

@@ -116,7 +116,7 @@ fn phases(page: &Page) -> Markup {
 }
 
 fn counts(of: &Outcome) -> Markup {
-    let backlash = |found: Option<PoseOfRun>| um(found.and_then(|f| f.pose.swept.backlash), 2);
+    let backlash = |found: Option<PoseOfRun>| um(found.and_then(|f| f.pose.simulated.backlash), 2);
     html! {
         td.n { (of.poses) }
         td.n { (backlash(of.least)) }

@@ -80,8 +80,8 @@ fn certificate(page: &Page) -> Markup {
         .all
         .iter()
         .flat_map(|run| &run.poses)
-        .map(|pose| &pose.swept)
-        .filter(|swept| swept.proven().is_some());
+        .map(|pose| &pose.simulated)
+        .filter(|result| result.proven().is_some());
     let agreement = MethodAgreement::of(proven);
     html! {
         (how)
@@ -156,8 +156,8 @@ fn off_line(page: &Page) -> Markup {
             0 if valued == of.poses && of.simulated_alone == 0 => "Only involutes touch, at every pose.",
             0 if of.simulated_alone > 0 => "",
             0 => "Where there is backlash, only involutes touch.",
-            1 => "At one pose a tip corner, an undercut edge, a fillet or a root takes part in a contact",
-            poses => { "At " (poses) " poses a tip corner, an undercut edge, a fillet or a root takes part in a contact" }
+            1 => "At one pose a tip corner, an undercut edge, a fillet or a root touches",
+            poses => { "At " (poses) " poses a tip corner, an undercut edge, a fillet or a root touches" }
         }
         @match (of.touch_off_line, slight) {
             (0, _) => "",

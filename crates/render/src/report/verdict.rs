@@ -134,7 +134,7 @@ fn extreme_cells(page: &Page, found: Option<PoseOfRun>) -> Markup {
     let [right, left] = touching(found);
     let same = found.is_some_and(|found| same_everywhere(page, found));
     html! {
-        td.n { strong { (um(found.and_then(|found| found.pose.swept.backlash), 2)) } }
+        td.n { strong { (um(found.and_then(|found| found.pose.simulated.backlash), 2)) } }
         td.w { @if same { "all alike" } @else { (right) " / " (left) } }
     }
 }

@@ -10,7 +10,7 @@ use super::turning::{metal, times, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
 use crate::kit::{
-    INK, Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale,
+    HEIGHT, INK, Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale,
 };
 use gearlash::contact::{DrawnContact, MeshSection, PoseResult, Scene};
 use gearlash::gear::Side;
@@ -39,7 +39,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
     let times = times(steps);
     let metal = metal(&first, &scenes, &times, &main, &mut occupied);
     let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
-    for contact in first.meetings() {
+    for contact in first.contacts() {
         for point in [contact.on_locked, contact.on_free] {
             occupied.frame(around(main.spot(point), 4.0));
         }
@@ -55,7 +55,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
         Group::new().set("clip-path", "url(#mesh-frame)"),
         Group::add,
     );
-    let sheet = blank_sheet()
+    let sheet = blank_sheet(WIDTH, HEIGHT)
         .add(hatch(&Ids::default()))
         .add(caption::draw_turning(
             view,
@@ -82,7 +82,7 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     for side in Side::BOTH {
         let contacts: Vec<Option<&DrawnContact>> = scenes
             .iter()
-            .map(|scene| scene.meetings().iter().find(|contact| contact.side == side))
+            .map(|scene| scene.contacts().iter().find(|contact| contact.side == side))
             .collect();
         for on_free in [true, false] {
             let spots: Option<Vec<(Spot, [u32; 2])>> = contacts

@@ -3,8 +3,8 @@
 use super::subject::{INSETS, MAIN};
 use super::view::{MARGIN, View};
 use crate::kit::{
-    ACTION, Frame, GAP, INK, Ids, OVERLAP, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH, arrow,
-    blank_sheet, clip, dot, line, polygon, scale,
+    ACTION, Frame, GAP, HEIGHT, INK, Ids, OVERLAP, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH,
+    arrow, blank_sheet, clip, dot, line, polygon, scale,
 };
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
 use gearlash_files::numbers::{fixed, signed_um};
@@ -28,7 +28,7 @@ pub fn outline_difference(compared: &ComparedOutlines) -> String {
     let main = view(MAIN, Point2::origin(), fits);
     let ids = Ids::default();
     let teeth = [1, found.greatest.tooth, found.least.tooth];
-    let mut sheet = blank_sheet()
+    let mut sheet = blank_sheet(WIDTH, HEIGHT)
         .add(caption(compared, factor))
         .add(outlines(found, &main, "whole", &ids, factor))
         .add(numbers(a, &teeth, &main))

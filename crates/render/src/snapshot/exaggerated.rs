@@ -5,8 +5,8 @@ use super::main_view;
 use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::{MARGIN, View};
 use crate::kit::{
-    Frame, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, area, blank_sheet,
-    clip, define_area, inner_outline, line, number, path_data,
+    Frame, HEIGHT, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, area,
+    blank_sheet, clip, define_area, inner_outline, line, number, path_data,
 };
 use gearlash::contact::Exaggeration;
 use gearlash::gear::Placed;
@@ -31,7 +31,7 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     ];
     let ([wheel_numbers, pinion_numbers], _) =
         main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
-    let mut sheet = blank_sheet()
+    let mut sheet = blank_sheet(WIDTH, HEIGHT)
         .add(caption::heading(view, MAIN.left, WIDTH - 2.0 * MAIN.left))
         .add(warning(gears))
         .add(names(&scene))

@@ -28,7 +28,7 @@ pub struct Look<'a> {
     pub sides: &'a [Side],
     /// Whether outlines are drawn over an overlap, or it over them.
     pub outlines_last: bool,
-    /// Width of the bands on the curves that met.
+    /// Width of the bands on the curves that touch.
     pub band: f64,
 }
 
@@ -51,7 +51,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     metal.iter().for_each(|polygon| occupied.line(polygon));
     let mut group =
         clipped(frame, (id, ids), &names, &metal).add(frame.rectangle().set("fill", "white"));
-    for contact in scene.meetings() {
+    for contact in scene.contacts() {
         // The room's ends are cut at whole chords: a finer cut keeps them in place.
         let room = scene.room_between(contact, view.chord() / 16.0);
         let room: Vec<Spot> = room.iter().map(|point| view.spot(*point)).collect();
@@ -73,8 +73,8 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         .map(|name| inner_outline(ids, name, INK, "2.40"));
     let overlap = [OVERLAP.to_owned(), ids.url("hatch")]
         .map(|fill| within_area(ids, &names[0]).add(area(ids, &names[1]).set("fill", fill)));
-    let met = scene.meetings().iter().filter(shown);
-    let bands = met.fold(Group::new(), |bands, contact| {
+    let touching = scene.contacts().iter().filter(shown);
+    let bands = touching.fold(Group::new(), |bands, contact| {
         bands.add(contact_bands::bands(
             scene,
             contact,
@@ -91,7 +91,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     };
     group = layers.into_iter().fold(group, Group::add);
     group = lines_over(scene, view, look.sides, group, occupied);
-    for contact in scene.meetings().iter().filter(shown) {
+    for contact in scene.contacts().iter().filter(shown) {
         group = group.add(contact_bands::limits(scene, contact, view, occupied));
     }
     Gears { group, metal }

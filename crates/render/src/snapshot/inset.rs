@@ -96,7 +96,7 @@ pub fn empty(frame: Frame) -> Rectangle {
         .set("stroke-dasharray", "6 4")
 }
 
-/// The words above an inset whose frame starts at `corner`.
+/// The caption of an inset whose frame starts at `corner`.
 pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner: Spot) -> Group {
     let [left, top] = corner;
     let name = capital(side);
@@ -151,7 +151,7 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
         .add(details.text(&second, [left, top - 9.0]))
 }
 
-/// The gear whose undercut edge takes part: of two undercut gears that which is touched nearer to the foot of its involute.
+/// The gear whose undercut edge touches: of two undercut gears that which is touched nearer to the foot of its involute.
 fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
     if ContactClass::of(assembly, side, contact).kind != ContactKind::Edge {
         return None;

@@ -33,8 +33,8 @@ pub struct Shown {
     pub gap: bool,
     /// An overlap.
     pub overlap: bool,
-    /// The kinds of curve that met.
-    pub met: Vec<ProfilePart>,
+    /// The kinds of curve that touch.
+    pub touching: Vec<ProfilePart>,
     /// A form circle.
     pub form: bool,
     /// A base tangent point.
@@ -128,12 +128,12 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
         _ => true,
     });
     for curve in ProfilePart::ALL {
-        if shown.met.contains(&curve) {
+        if shown.touching.contains(&curve) {
             let name = match curve {
-                ProfilePart::Involute => "involute that met",
-                ProfilePart::Fillet => "fillet that met",
-                ProfilePart::Tip => "tip that met",
-                ProfilePart::Root => "root that met",
+                ProfilePart::Involute => "touching involute",
+                ProfilePart::Fillet => "touching fillet",
+                ProfilePart::Tip => "touching tip",
+                ProfilePart::Root => "touching root",
             };
             samples.push((
                 name,

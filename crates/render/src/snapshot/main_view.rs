@@ -34,7 +34,7 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
     };
     include(Point2::new(wheel.root_radius(), 0.0));
     include(Point2::new(distance - pinion.root_radius(), 0.0));
-    for contact in scene.meetings() {
+    for contact in scene.contacts() {
         include(contact.on_locked);
         include(contact.on_free);
     }
@@ -43,7 +43,7 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
         .filter_map(|side| scene.line_of_action(*side))
     {
         action.path.iter().flatten().copied().for_each(&mut include);
-        let contacts = scene.meetings().iter();
+        let contacts = scene.contacts().iter();
         for contact in contacts.filter(|contact| contact.side == action.side) {
             let is_limit = Member::BOTH.map(|m| contact.is_below_form_circle(m));
             let ends = action.ends.into_iter().zip(is_limit);

@@ -7,8 +7,8 @@ use super::subject::{INSETS, LEGEND, MAIN};
 use super::tooth_numbers::{self, Numbered};
 use super::view::{MARGIN, View};
 use crate::kit::{
-    Frame, GREY, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH,
-    area, around, arrow, blank_sheet, clip, dot, hatch, line, scale, within_area,
+    Frame, GREY, HEIGHT, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL,
+    WIDTH, area, around, arrow, blank_sheet, clip, dot, hatch, line, scale, within_area,
 };
 use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::analysis::study::Material;
@@ -76,7 +76,7 @@ fn draw(
     let drawn = gears(pair, pose, &main, ("mesh", ids), rotation);
     drawn.metal.iter().for_each(|metal| occupied.line(metal));
     drawn.over.iter().for_each(|line| occupied.line(line));
-    let mut sheet = blank_sheet()
+    let mut sheet = blank_sheet(WIDTH, HEIGHT)
         .add(hatch(ids))
         .add(caption(title, pair, material, pose, held.is_some()))
         .add(names(pair))

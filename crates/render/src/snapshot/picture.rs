@@ -10,7 +10,7 @@ use super::legend::Shown;
 use super::subject::{INSETS, LEGEND, MAIN, Snapshot, names};
 use super::view::View;
 use super::{caption, contact_bands, gears, inset, legend, main_view};
-use crate::kit::{Frame, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
+use crate::kit::{Frame, HEIGHT, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
 use gearlash::contact::{DrawnContact, Scene, Status};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
@@ -79,14 +79,14 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
     let shown = shown(&scene, &main);
     // What the face as a whole has may be in another section.
-    let in_section = view.section.is_some() && scene.meetings().iter().any(|m| m.gap < 0.0);
+    let in_section = view.section.is_some() && scene.contacts().iter().any(|m| m.gap < 0.0);
     let shown = Shown {
         on_paper,
         overlap: shown.overlap || in_section,
         ..shown
     };
     let (legend, _) = legend::draw(LEGEND, WIDTH - 2.0 * MAIN.left, &shown, ids);
-    blank_sheet()
+    blank_sheet(WIDTH, HEIGHT)
         .add(hatch(ids))
         .add(caption::draw(
             view,
@@ -112,7 +112,7 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
         .into_iter()
         .map(|side| {
             (
-                scene.meetings().iter().find(|contact| contact.side == side),
+                scene.contacts().iter().find(|contact| contact.side == side),
                 side,
             )
         })
@@ -131,7 +131,7 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
 
 /// What the legend must explain.
 fn shown(scene: &Scene, main: &View) -> Shown {
-    let contacts = scene.meetings();
+    let contacts = scene.contacts();
     let members = Member::BOTH;
     let touches = contacts
         .iter()
@@ -140,7 +140,7 @@ fn shown(scene: &Scene, main: &View) -> Shown {
         on_paper: true,
         gap: contacts.iter().any(|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
-        met: touches.map(|touch| touch.curve).collect(),
+        touching: touches.map(|touch| touch.curve).collect(),
         form: contacts
             .iter()
             .any(|m| !contact_bands::below_form(m).is_empty()),

@@ -7,6 +7,7 @@ use crate::kit::{
 };
 use gearlash::contact::{PoseResult, Scene};
 use gearlash::pair::Member;
+use gearlash_files::numbers::{ascii, fixed};
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path};
 
@@ -104,7 +105,7 @@ pub fn times(steps: &[PoseResult]) -> Vec<f64> {
 }
 
 fn key_times(times: impl Iterator<Item = f64>) -> String {
-    let words: Vec<String> = times.map(|time| format!("{time:.6}")).collect();
+    let words: Vec<String> = times.map(|time| fixed(time, 6)).collect();
     words.join(";")
 }
 
@@ -115,8 +116,7 @@ const DURATION: &str = "6s";
 pub fn rotation(turns: &[f64], times: &[f64], axis: Spot) -> AnimateTransform {
     // y is down on the sheet: clockwise is positive there.
     let [x, y] = axis.map(number);
-    let value =
-        |turn: &f64| format!("{:.4} {x} {y}", -turn.to_degrees()).replace("-0.0000 ", "0.0000 ");
+    let value = |turn: &f64| format!("{} {x} {y}", ascii(-turn.to_degrees(), 4));
     let values: Vec<String> = turns.iter().map(value).collect();
     AnimateTransform::new()
         .set("attributeName", "transform")

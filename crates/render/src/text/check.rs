@@ -117,21 +117,21 @@ fn contact(diagnosis: &Diagnosis) -> String {
         if worst.loss >= 5e-7 {
             let _ = writeln!(
                 text,
-                "Largest loss at mating {},{} {} +{:.4}, a {} mm, {}: formula {} µm, outlines {} µm; wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
+                "Largest loss at mating {},{} {} +{}, a {} mm, {}: formula {} µm, outlines {} µm; wheel tooth {} {} (radius {} mm) on pinion tooth {} {} (radius {} mm), {} flanks.",
                 mating.wheel_tooth,
                 mating.pinion_tooth,
                 mating.flank.name(),
-                mating.fraction,
+                ascii(mating.fraction, 4),
                 stated_distance(worst.assembly.center_distance()),
                 worst.material.name(),
                 um_ascii(worst.backlash + worst.loss, 3),
                 um_ascii(worst.backlash, 3),
                 worst.contact.wheel.tooth,
                 worst.contact.wheel.curve.name(),
-                worst.contact.wheel.radius,
+                ascii(worst.contact.wheel.radius, 3),
                 worst.contact.pinion.tooth,
                 worst.contact.pinion.curve.name(),
-                worst.contact.pinion.radius,
+                ascii(worst.contact.pinion.radius, 3),
                 worst.side.name(),
             );
         }

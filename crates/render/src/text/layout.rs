@@ -279,7 +279,7 @@ impl Table {
 
 /// A pose in a word: mating, fraction to four decimals, flank.
 pub fn where_it_is(pose: &ComparedPose) -> String {
-    let mating = pose.swept.pose.mating();
+    let mating = pose.simulated.pose.mating();
     let beyond = match mating.fraction {
         0.0 => String::new(),
         fraction => format!("+{}", rounded(fraction, 4)),

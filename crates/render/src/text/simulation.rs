@@ -103,12 +103,12 @@ fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String 
     ]);
     for run in runs {
         for pose in &run.listed {
-            let mating = pose.swept.pose.mating();
+            let mating = pose.simulated.pose.mating();
             let beyond = match mating.fraction {
                 0.0 => String::new(),
                 fraction => format!(" +{fraction}"),
             };
-            let found = pose.swept.backlash.and(pose.swept.proven());
+            let found = pose.simulated.backlash.and(pose.simulated.proven());
             let contact = |contact: Option<&Contact>| match contact {
                 Some(contact) => format!(
                     "{},{} {}-{}",
@@ -126,9 +126,9 @@ fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String 
                 run.material.name().to_owned(),
                 format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
                 mating.flank.name().to_owned(),
-                cell(pose.swept.backlash),
-                unit::order(unit, pose.swept.error_bound, a),
-                status(pose.swept.status(), screen),
+                cell(pose.simulated.backlash),
+                unit::order(unit, pose.simulated.error_bound, a),
+                status(pose.simulated.status(), screen),
                 contact(found.and_then(|found| found.right.as_ref())),
                 contact(found.and_then(|found| found.left.as_ref())),
                 cell(pose.michalec),

@@ -1,7 +1,7 @@
 //! Backlash in the unit that was asked for, in tables.
 
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{NONE, backlash_ascii};
+use gearlash_files::numbers::{NONE, backlash_ascii, power};
 
 /// `j_wt`, given in mm, at centre distance `a`, mm, in ASCII: so many decimals in µm.
 pub fn cell(unit: BacklashUnit, j_wt: Option<f64>, a: f64, decimals: usize) -> String {
@@ -10,7 +10,7 @@ pub fn cell(unit: BacklashUnit, j_wt: Option<f64>, a: f64, decimals: usize) -> S
 
 /// The order of an error bound, given in mm, such as `3e-9`.
 pub fn order(unit: BacklashUnit, bound: Option<f64>, a: f64) -> String {
-    let order = |mm: f64| format!("{:.0e}", unit.of_um(mm * 1e3, a));
+    let order = |mm: f64| power(unit.of_um(mm * 1e3, a), 0);
     bound.map_or(NONE.to_owned(), order)
 }
 

@@ -41,7 +41,7 @@ impl Columns {
         let mut classes = Vec::new();
         let helical = runs.get(start[0]).and_then(|first| {
             let pose = first.poses().nth(start[1])?;
-            HelicalColumns::of(&first.run.run.assembly, &pose.swept)
+            HelicalColumns::of(&first.run.run.assembly, &pose.simulated)
         });
         let runs = runs
             .iter()
@@ -116,7 +116,7 @@ impl RunColumns {
         let mut charts = charts.iter();
         let chart = charts.find(|(_, course)| (course.center_distance, course.phase) == key);
         let assembly = &run.run.assembly;
-        let poses = || viewed.poses().map(|pose| &pose.swept);
+        let poses = || viewed.poses().map(|pose| &pose.simulated);
         let mating = |member| {
             poses()
                 .map(|pose| pose.pose.mating().tooth(member))
@@ -176,7 +176,7 @@ fn places(run: &ComparedRun, course: &Course) -> Vec<Option<f64>> {
     });
     let poses = run.poses.iter();
     poses
-        .map(|pose| lines[usize::from(is_left(&pose.swept))].next())
+        .map(|pose| lines[usize::from(is_left(&pose.simulated))].next())
         .collect()
 }
 

@@ -82,7 +82,7 @@ pub fn normal_degrees(contact: &Contact) -> f64 {
     )
 }
 
-/// The class of a contact, and whose tip takes part when.
+/// The class of a contact, and whose tip touches when.
 pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
     let class = ContactClass::of(assembly, side, contact);
     let tip = class.tip.map(|member| format!("{} tip", member.name()));

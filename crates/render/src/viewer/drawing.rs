@@ -30,13 +30,13 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let turn = |member: Member| {
         let turned = match member == assembly.locked() {
-            true => degrees(pose.swept.pose.locked_rotation()),
-            false => degrees(free_rotation(&pose.swept)),
+            true => degrees(pose.simulated.pose.locked_rotation()),
+            false => degrees(free_rotation(&pose.simulated)),
         };
         format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
     };
     let material = outlines(study, run);
-    let section = first(assembly, &pose.swept);
+    let section = first(assembly, &pose.simulated);
     let metal = |member: Member| {
         Use::new()
             .set("href", format!("#viewer-{}-{material}", member.name()))

@@ -87,13 +87,13 @@ pub fn numbers(
 /// The contact on `side`: its normal, and the points on the locked and on the free gear. The free
 /// gear is drawn in right-flank contact, so the left points are apart by the lost motion.
 pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Precision) -> Group {
-    let contact = touching(&pose.swept, side);
+    let contact = touching(&pose.simulated, side);
     let place = contact.map_or(String::from("translate(0 0)"), |contact| {
         let [x, y] = [contact.point.x, contact.point.y].map(|v| rounded(v, precision.decimals));
         format!("translate({x} {y})")
     });
     let lost = pose
-        .swept
+        .simulated
         .proven()
         .and_then(LostMotion::angle)
         .map_or(0.0, degrees);
@@ -129,7 +129,7 @@ pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Pr
     };
     let open = side == Side::Left;
     // An overlap of some µm is no pixel wide at first: its dots are red and large.
-    let class = match pose.swept.status() {
+    let class = match pose.simulated.status() {
         Status::Interference => "viewer-overlapping",
         Status::Clear | Status::Jammed | Status::NoContact | Status::Unproven => "",
     };

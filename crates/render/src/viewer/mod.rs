@@ -64,7 +64,7 @@ pub fn fragment(
         html.push_str(SECTION_CONTROLS);
     }
     html.push_str(&drawing::draw(study, run, pose, precision));
-    html.push_str(&section::note(&run.run.assembly, &pose.swept));
+    html.push_str(&section::note(&run.run.assembly, &pose.simulated));
     html.push_str(&readout::draw(run, start[1]));
     if every > 1 {
         let held: usize = views.iter().map(|run| run.numbers.len()).sum();
@@ -83,7 +83,7 @@ pub fn fragment(
         readout::LEGEND,
         precision.chord_um(),
         precision.place_um(),
-        match pose.swept.status() {
+        match pose.simulated.status() {
             Status::NoContact | Status::Unproven => "the first",
             _ => "the worst",
         },

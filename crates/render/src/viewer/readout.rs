@@ -29,8 +29,8 @@ pub fn run(run: &ComparedRun) -> String {
 /// The list beside the picture.
 pub fn draw(run: &ComparedRun, number: usize) -> String {
     let pose = &run.poses[number];
-    let mating = pose.swept.pose.mating();
-    let contact = |side| match touching(&pose.swept, side) {
+    let mating = pose.simulated.pose.mating();
+    let contact = |side| match touching(&pose.simulated, side) {
         None => "none".to_owned(),
         Some(contact) => format!(
             "wheel tooth {} on pinion tooth {}, {}",
@@ -40,8 +40,8 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
         ),
     };
     let (j_wt, bound) = (
-        pose.swept.backlash.map(|j| j * 1e3),
-        pose.swept
+        pose.simulated.backlash.map(|j| j * 1e3),
+        pose.simulated
             .error_bound
             .map(|bound| two_digits_up(bound * 1e3)),
     );
@@ -63,7 +63,7 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
                 pose_name(mating)
             ),
         ),
-        ("status", "Status", status(pose.swept.status())),
+        ("status", "Status", status(pose.simulated.status())),
         ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
         ("right", "Right contact", contact(Side::Right)),
         ("left", "Left contact", contact(Side::Left)),

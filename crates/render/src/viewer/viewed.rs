@@ -42,7 +42,7 @@ pub fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
         let numbered = runs.iter().enumerate();
         numbered.flat_map(|(r, run)| {
             let poses = run.poses.iter().enumerate();
-            poses.map(move |(p, pose)| ([r, p], &pose.swept))
+            poses.map(move |(p, pose)| ([r, p], &pose.simulated))
         })
     };
     worst_pose(poses()).or_else(|| poses().next().map(|(at, _)| at))
@@ -50,7 +50,7 @@ pub fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
 
 /// The poses of a run that must not be left out.
 fn extremes(run: &ComparedRun) -> impl Iterator<Item = usize> {
-    let numbered = || run.poses.iter().map(|pose| &pose.swept).enumerate();
+    let numbered = || run.poses.iter().map(|pose| &pose.simulated).enumerate();
     let extreme = |sign: f64| {
         first_least(numbered().filter_map(move |(number, pose)| {
             Some((number, sign * pose.backlash?, pose.error_bound?))

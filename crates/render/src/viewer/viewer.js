@@ -37,7 +37,7 @@
       byId(member).setAttribute("transform", place);
       byId(member === "wheel" ? "clip-shape" : "overlap").setAttribute("transform", place);
     }
-    root.querySelectorAll(".viewer-met").forEach((number) => number.classList.remove("viewer-met"));
+    root.querySelectorAll(".viewer-touching").forEach((number) => number.classList.remove("viewer-touching"));
     for (const side of sides) showContact(side, lost, axes[data.free]);
     slider.value = shown.pose;
     slider.setAttribute("aria-valuetext", `pose ${poseNumber()} of ${run().of}`);
@@ -64,7 +64,7 @@
     }
     byId("free-" + side).setAttribute("transform", `rotate(${back} ${axis} 0)`);
     for (const member of members) {
-      byId(`${member}-tooth-${contact[member][shown.pose]}`)?.classList.add("viewer-met");
+      byId(`${member}-tooth-${contact[member][shown.pose]}`)?.classList.add("viewer-touching");
     }
   }
 

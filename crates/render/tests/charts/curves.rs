@@ -74,12 +74,17 @@ fn a_sweep_of_its_own_is_kept() {
         .unwrap();
     let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
     let right = &runs[0].poses[..86 * 24];
-    assert!(right.iter().zip(&own[0].poses).all(|(a, b)| a.swept == *b));
+    assert!(
+        right
+            .iter()
+            .zip(&own[0].poses)
+            .all(|(a, b)| a.simulated == *b)
+    );
     let flanks = runs[0].poses[86 * 24..].iter();
     assert!(
         flanks
             .clone()
-            .all(|pose| pose.swept.pose.mating().flank == Side::Left)
+            .all(|pose| pose.simulated.pose.mating().flank == Side::Left)
     );
 }
 
@@ -91,7 +96,10 @@ fn places_are_wheel_teeth_whatever_is_locked() {
     let study = with_sweep(study).at(vec![160.5]).unwrap();
     let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
     let course = courses(&runs).remove(0);
-    let poses = runs[0].poses.iter().map(|pose| *pose.swept.pose.mating());
+    let poses = runs[0]
+        .poses
+        .iter()
+        .map(|pose| *pose.simulated.pose.mating());
     let right = poses.filter(|mating| mating.flank == Side::Right);
     let mut count = 0;
     for (mating, point) in right.zip(&course.lines[0].points) {

@@ -38,7 +38,10 @@ fn left_flank_poses_are_of_the_same_assembly() {
         }
         let runs = revolution(&study, METHOD, &tick).unwrap();
         let assembly = &runs[0].run.assembly;
-        let matings = runs[0].poses.iter().map(|pose| *pose.swept.pose.mating());
+        let matings = runs[0]
+            .poses
+            .iter()
+            .map(|pose| *pose.simulated.pose.mating());
         let (right, left): (Vec<Mating>, Vec<Mating>) =
             matings.partition(|mating| mating.flank == Side::Right);
         assert_eq!((right.len(), left.len()), (44 * 16, 44 * 16));
@@ -82,7 +85,7 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
     let curve = over_distance(&pair, binding, METHOD, &tick).unwrap();
     let range = &ranges[0];
     assert_eq!(ranges.len(), 1);
-    let least = range.all.least.unwrap().pose.swept.backlash.unwrap();
+    let least = range.all.least.unwrap().pose.simulated.backlash.unwrap();
     assert!((1e3 * least - found).abs() < 1e-6);
     let middle = &curve.points[20];
     assert!((middle.center_distance - range.center_distance).abs() < 1e-9);

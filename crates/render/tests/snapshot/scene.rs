@@ -33,7 +33,7 @@ fn the_points_of_a_contact_lie_on_both_outlines() {
             let lost = lost_motion(&assembly, &at);
             let scene = Scene::new(&assembly, &at, &lost);
             assert_eq!(scene.drawn(), FreePlacement::AtContact(flank));
-            for meeting in scene.meetings() {
+            for meeting in scene.contacts() {
                 let outline = |member| {
                     scene
                         .placed(member)

@@ -165,7 +165,7 @@ fn an_overlap_has_the_area_that_counting_finds() {
         let solved = find(name);
         let scene = solved.scene();
         let meeting = scene
-            .meetings()
+            .contacts()
             .iter()
             .find(|meeting| meeting.gap < 0.0)
             .unwrap();
@@ -207,7 +207,7 @@ fn overlaps_of_a_tenth_of_a_micrometre_and_of_a_tenth_of_a_millimetre_have_their
         let solved = Solved::new("thin", assembly, pose);
         let scene = solved.scene();
         let mut seen = 0;
-        for meeting in scene.meetings().iter().filter(|one| one.gap < 0.0) {
+        for meeting in scene.contacts().iter().filter(|one| one.gap < 0.0) {
             let depth = -meeting.gap;
             let [wheel, pinion] = [
                 (meeting.contact.wheel.radius, Member::Wheel),
@@ -265,17 +265,17 @@ fn the_tip_on_the_fillet_is_shown_as_what_it_is() {
     );
     for words in [
         "wheel 1 tip on pinion 1 fillet",
-        "tip that met",
-        "fillet that met",
+        "touching tip",
+        "touching fillet",
         "form circle",
         "base tangent point",
     ] {
         assert!(has(words), "{words}");
     }
-    assert!(!has("involute that met"));
+    assert!(!has("touching involute"));
     let plain = read(&find("solved 44/44 tight").draw()).texts;
     let words: Vec<_> = plain.iter().map(|(text, _)| text.as_str()).collect();
-    assert!(words.contains(&"involute that met") && !words.contains(&"form circle"));
+    assert!(words.contains(&"touching involute") && !words.contains(&"form circle"));
 }
 
 /// A small perfect pair with play.

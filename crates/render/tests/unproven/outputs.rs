@@ -37,7 +37,7 @@ const FOUND: [&str; 10] = [
 /// The value of the exact method that would be the least of all, as texts print µm.
 fn doubtful(runs: &[ComparedRun], decimals: usize) -> String {
     let poses = runs[0].poses.iter();
-    let doubts = poses.filter_map(|pose| unproven(&pose.swept)?.exact);
+    let doubts = poses.filter_map(|pose| unproven(&pose.simulated)?.exact);
     let least = doubts.reduce(f64::min).unwrap();
     assert!(least < runs[0].summary().min.unwrap());
     format!("{:.decimals$}", least * 1e3)
@@ -73,7 +73,7 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
         let run = &json["runs"][0];
         let mut count = 0;
         for (written, pose) in run["poses"].as_array().unwrap().iter().zip(&runs[0].poses) {
-            let Some(doubt) = unproven(&pose.swept) else {
+            let Some(doubt) = unproven(&pose.simulated) else {
                 assert_ne!(written["status"], "unproven");
                 assert!(written.get("unproven").is_none() && written["j_wt_um"].is_number());
                 continue;
@@ -115,7 +115,7 @@ fn csv_has_empty_cells_and_columns_of_doubt() {
     assert_eq!(rows.len(), 160);
     for (row, pose) in rows.iter().zip(&runs[0].poses) {
         let cell = |name: &str| &row[headers.iter().position(|header| header == name).unwrap()];
-        let doubt = unproven(&pose.swept);
+        let doubt = unproven(&pose.simulated);
         assert_eq!(cell("status") == "unproven", doubt.is_some());
         assert_eq!(
             cell("unproven_reason"),
@@ -126,7 +126,7 @@ fn csv_has_empty_cells_and_columns_of_doubt() {
         let end = |end: usize| {
             !["unproven_range_min_reason", "unproven_range_max_reason"].map(cell)[end].is_empty()
         };
-        assert!((0..2).all(|at| end(at) == pose.swept.is_end_unproven(at)));
+        assert!((0..2).all(|at| end(at) == pose.simulated.is_end_unproven(at)));
     }
 }
 
@@ -275,9 +275,9 @@ fn a_picture_draws_no_contact_and_says_why() {
     let svg = snapshot(&Snapshot {
         title: "t",
         assembly: &run.run.assembly,
-        pose: &pose.swept.pose,
+        pose: &pose.simulated.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
-        found: pose.swept.found.as_ref(),
+        found: pose.simulated.found.as_ref(),
         section: None,
     });
     assert!(

@@ -71,7 +71,7 @@ fn search<T>(
 }
 
 pub(super) fn matings_of(run: &ComparedRun) -> impl Iterator<Item = Mating> + '_ {
-    run.poses.iter().map(|pose| *pose.swept.pose.mating())
+    run.poses.iter().map(|pose| *pose.simulated.pose.mating())
 }
 
 /// `matings`, each once.

@@ -44,11 +44,11 @@ fn a_far_corner_is_asked_for_where_the_free_tip_circle_may_be() {
                 let square = locked.at(ProfilePart::Tip, far).point.norm_sqr();
                 let found = posed.far_corner_reaches(solver, posed.places(step).0);
                 let expected = (low..=high).contains(&square);
-                let told = format!("{k} {step}: {square} of {low} to {high}, {found:?}");
-                assert_eq!(found.is_some(), expected, "{told}");
+                let case = format!("{k} {step}: {square} of {low} to {high}, {found:?}");
+                assert_eq!(found.is_some(), expected, "{case}");
                 assert!(
                     found.is_none_or(|found| (found - square).abs() < 1e-10),
-                    "{told}"
+                    "{case}"
                 );
                 within += i32::from(expected);
                 nearer += i32::from(square < low);

@@ -306,11 +306,11 @@ mod tests {
                                 let Some(met) = met(dip, distance, there, 0.06) else {
                                     continue;
                                 };
-                                let told = format!(
+                                let case = format!(
                                     "{:?} {part} ± {play} at {distance}: {met} {}",
                                     dip.tip, bounds[end]
                                 );
-                                assert!(bounds[end] <= met + 1e-5, "{told}");
+                                assert!(bounds[end] <= met + 1e-5, "{case}");
                                 compared[usize::from(dip.tip == Tip::Free)] += 1;
                             }
                         }

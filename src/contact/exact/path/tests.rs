@@ -57,9 +57,9 @@ fn steps_on_the_line_are_those_whose_rolls_are() {
             let holds: Vec<i64> = all
                 .filter(|&step| posed.on_path(posed.rolls(&line, &posed.pair(step)), plays))
                 .collect();
-            let told = format!("{plays:?}: {holds:?} of {steps:?}");
-            assert!(holds.iter().all(|step| steps.contains(step)), "{told}");
-            assert!(steps.count() <= holds.len() + 2, "{told}");
+            let case = format!("{plays:?}: {holds:?} of {steps:?}");
+            assert!(holds.iter().all(|step| steps.contains(step)), "{case}");
+            assert!(steps.count() <= holds.len() + 2, "{case}");
             on += holds.len();
             none += usize::from(holds.is_empty());
         }

@@ -57,18 +57,18 @@ fn the_change_of_slope_lies_within_its_bounds() {
                             .map(|share| change_of_slope(&placed, low + share * length))
                             .into();
                         for change in &here {
-                            let told = format!("{teeth} {part:?} {free}: {least} {change} {most}");
+                            let case = format!("{teeth} {part:?} {free}: {least} {change} {most}");
                             let off = 1e-6 * change.abs().max(1.0);
-                            assert!(least <= change + off && *change <= most + off, "{told}");
+                            assert!(least <= change + off && *change <= most + off, "{case}");
                         }
                         if parts == 400 {
                             // By the first order of all that the bounds are made of: the arc's turn, and the length of its radii.
                             let (low, high, _) = arc.slope.unwrap();
                             let wide = (high - low) * (1.0 + here[1].abs())
                                 / high.abs().max(low.abs()).cos().powi(4);
-                            let told =
+                            let case =
                                 format!("{teeth} {part:?} {free}: {least} {here:?} {most} {wide}");
-                            assert!(most - least <= 8.0 * wide, "{told}");
+                            assert!(most - least <= 8.0 * wide, "{case}");
                             through_zero += i32::from(low < 0.0 && high > 0.0);
                             seen[k][free] += 1;
                         }

@@ -76,12 +76,12 @@ impl GaugedGear<'_> {
         }
     }
 
-    /// A warning where the face of a helical gear is too short for the spans read, and the file has not told so of its own.
+    /// A warning where the face of a helical gear is too short for the spans read, and the file itself did not warn.
     pub fn short_face(&self) -> Option<String> {
         let k = self.gauged.spans.as_ref().ok()?.teeth;
         let stated = self.spec.thickness.statement.span.as_ref();
-        let told = stated.is_some_and(|span| span.teeth == k);
-        let k = (!told).then_some(k);
+        let warned = stated.is_some_and(|span| span.teeth == k);
+        let k = (!warned).then_some(k);
         short_for_span(self.spec.face_mm, self.name, self.gear, k)
     }
 }

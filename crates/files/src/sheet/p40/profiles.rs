@@ -4,6 +4,7 @@ use super::super::header::Header;
 use super::super::wanted::TraceRow;
 use super::content::{P40, PROFILES};
 use crate::data_file::DataFile;
+use crate::numbers::ascii;
 use crate::problems::Problems;
 
 /// The profiles of a curve file. Their values stand at equal steps of the roll length, from the diameter at which the measurement starts
@@ -61,9 +62,9 @@ pub fn read(
         let radius = 0.5 * mm;
         if !same || radius < base || radius > 1e9 {
             let reason = format!(
-                "where the profiles were measured: {}, allowed is one diameter of both flanks, from the base circle on, {:.4} mm",
+                "where the profiles were measured: {}, allowed is one diameter of both flanks, from the base circle on, {} mm",
                 file.bare(&format!("{:?} mm", said.numbers)),
-                2.0 * base
+                ascii(2.0 * base, 4)
             );
             return wrong(
                 said.line,
@@ -108,10 +109,10 @@ pub fn read(
     let holes = values.filter(|(_, value)| value.is_none()).count();
     let mut header = p40.header.clone();
     let words = format!(
-        "{}; of the profiles {holes} values were not measured; they are read at equal steps of roll length, {:.4} to {:.4} mm, which the file does not say",
+        "{}; of the profiles {holes} values were not measured; they are read at equal steps of roll length, {} to {} mm, which the file does not say",
         p40.unused(PROFILES),
-        ends[0],
-        ends[1]
+        ascii(ends[0], 4),
+        ascii(ends[1], 4)
     );
     header.left_unused(file, &words);
     Some((rows, header))

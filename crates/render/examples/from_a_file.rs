@@ -1,6 +1,6 @@
 //! Reads a pair file, finds its worst pose and draws it.
 //!
-//! `cargo run --release --example from_a_file -- fixtures/karba_44x44.toml > worst.svg`
+//! `cargo run --release -p gearlash-render --example from_a_file -- fixtures/karba_44x44.toml > worst.svg`
 
 use gearlash::analysis::outcome::Outcome;
 use gearlash::analysis::{Analysis, Plan};
@@ -22,9 +22,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         snapshot(&Snapshot {
             title: &study.title,
             assembly: &run.assembly,
-            pose: &worst.pose.swept.pose,
+            pose: &worst.pose.simulated.pose,
             material: run.material,
-            found: worst.pose.swept.found.as_ref(),
+            found: worst.pose.simulated.found.as_ref(),
             section: None,
         })
     );

@@ -1,0 +1,318 @@
+//! Example values with every key explained in the words of the schema: the files to start from.
+
+use super::pair_schema;
+use serde_json::Value;
+use std::collections::HashSet;
+
+/// Where words stand behind a short value.
+const COLUMN: usize = 31;
+/// Where a line of words ends.
+const WIDTH: usize = 132;
+/// Bytes of what is said of a key that stands in one row with another.
+const SHORT: usize = 40;
+
+/// `examples` as a pair file in which each key is explained where it first stands.
+///
+/// They are TOML without words: a preface in comments, then tables and values, several of a key if need be; what is no more than an
+/// example stands behind a `#`. Order, words, choices and defaults are those of the schema ([`pair_schema`]); what it does not know
+/// is left out.
+pub fn explained(examples: &str) -> String {
+    let (preface, examples) = examples.split_once("\n\n").unwrap_or(("", examples));
+    let schema: Value = serde_json::from_str(&pair_schema()).unwrap_or_default();
+    let mut writer = Writer {
+        examples: Example::all(examples),
+        words: Words {
+            schema: &schema,
+            said: HashSet::new(),
+        },
+        text: format!("{preface}\n\n"),
+    };
+    writer.table("", &schema);
+    writer.text
+}
+
+/// A value, or the heading of a table, of the examples.
+struct Example<'e> {
+    /// The table, dotted; empty at the top.
+    table: &'e str,
+    /// The key in it, dotted; empty of a heading.
+    key: &'e str,
+    line: &'e str,
+    value: Value,
+    /// `#` where it is no more than an example.
+    mark: &'static str,
+}
+
+impl Example<'_> {
+    fn all(lines: &str) -> Vec<Example<'_>> {
+        let mut table = "";
+        let lines = lines.lines().filter(|line| !line.is_empty());
+        let read = lines.map(|line| {
+            let (stated, mark) = match line.strip_prefix("# ") {
+                Some(stated) => (stated, "#"),
+                None => (line, ""),
+            };
+            if let Some(name) = stated.strip_prefix('[') {
+                table = name.trim_end_matches(']');
+            }
+            let (key, _) = stated.split_once(" = ").unwrap_or_default();
+            let file: toml::Table = stated.parse().unwrap_or_default();
+            let file = serde_json::to_value(file).unwrap_or_default();
+            let value = key.split('.').fold(&file, |value, key| &value[key]).clone();
+            Example {
+                table,
+                key,
+                line,
+                value,
+                mark,
+            }
+        });
+        read.collect()
+    }
+}
+
+struct Writer<'s, 'e> {
+    examples: Vec<Example<'e>>,
+    words: Words<'s>,
+    text: String,
+}
+
+impl<'s> Writer<'s, '_> {
+    /// Writes the values of a table, then the tables in it.
+    fn table(&mut self, table: &str, node: &'s Value) {
+        let keys = self.words.keys(node);
+        for (name, node) in &keys {
+            for example in &self.examples {
+                let mut path = example.key.split('.');
+                if example.table == table && path.next() == Some(name) {
+                    let below = |(_, node), key| {
+                        self.words
+                            .keys(node)
+                            .into_iter()
+                            .find(|(name, _)| *name == key)
+                    };
+                    let words = match path.try_fold((*name, *node), below) {
+                        Some((name, node)) => self.words.of(name, node, &example.value),
+                        None => continue,
+                    };
+                    line(&mut self.text, example, &words);
+                }
+            }
+        }
+        for (name, node) in keys {
+            let inner = match table {
+                "" => name.to_owned(),
+                _ => format!("{table}.{name}"),
+            };
+            for heading in self
+                .examples
+                .iter()
+                .filter(|example| example.key.is_empty() && example.table == inner)
+            {
+                let words = self.words.of(name, node, &Value::Null);
+                self.text.push('\n');
+                line(&mut self.text, heading, &words);
+            }
+            let inside = format!("{inner}.");
+            if self
+                .examples
+                .iter()
+                .any(|example| example.table == inner || example.table.starts_with(&inside))
+            {
+                self.table(&inner, node);
+            }
+        }
+    }
+}
+
+/// Appends a line and its words: behind it, those of the keys in it below.
+fn line(text: &mut String, example: &Example, words: &[String]) {
+    let mut start = example.line;
+    let length = start.chars().count();
+    for (row, words) in words.iter().enumerate() {
+        let fits = length + 3 + words.chars().count() <= WIDTH;
+        let column = match row {
+            0 if words.is_empty() => continue,
+            0 if fits => COLUMN.max(length + 2),
+            _ => COLUMN,
+        };
+        if row == 0 && column < length + 2 || row == 1 && start == example.line {
+            text.push_str(start);
+            text.push('\n');
+            start = example.mark;
+        }
+        let mut line = String::new();
+        for word in words.split_whitespace() {
+            if column + 2 + line.chars().count() + word.chars().count() > WIDTH {
+                text.push_str(&format!("{start:<column$}#{line}\n"));
+                line.clear();
+                start = example.mark;
+            }
+            line.push(' ');
+            line.push_str(word);
+        }
+        text.push_str(&format!("{start:<column$}#{line}\n"));
+        start = example.mark;
+    }
+    if start == example.line {
+        text.push_str(start);
+        text.push('\n');
+    }
+}
+
+/// The words of a schema, each once.
+struct Words<'s> {
+    schema: &'s Value,
+    said: HashSet<String>,
+}
+
+impl<'s> Words<'s> {
+    /// What `value` of the key `name` means; then, each by itself, what the keys in it do.
+    fn of(&mut self, name: &str, node: &'s Value, value: &Value) -> Vec<String> {
+        let mut words = Vec::new();
+        for node in self.meant(node, value) {
+            let description = node["description"].as_str().unwrap_or_default();
+            if !self.said.insert(format!("{name}: {description}")) {
+                continue;
+            }
+            words.push(in_a_row(description));
+            let choices: Vec<(&str, &str)> = members(node, "oneOf")
+                .filter_map(|one| Some((one["const"].as_str()?, one["description"].as_str()?)))
+                .collect();
+            let is_said = choices
+                .iter()
+                .all(|(choice, _)| description.contains(choice));
+            if choices.len() > 1 && !is_said {
+                let each = choices.iter();
+                words.extend(
+                    each.map(|(choice, meaning)| format!("\"{choice}\": {}", in_a_row(meaning))),
+                );
+            }
+            match node.get("default") {
+                Some(default) if default == value => words.push("the default".to_owned()),
+                Some(default) if !default.is_object() => words.push(format!("default: {default}")),
+                _ => {}
+            }
+        }
+        words.retain(|words| !words.is_empty());
+        let mut rows = vec![words.join("; ")];
+        let tables = || value.as_array().into_iter().flatten().chain([value]);
+        let mut is_short = false;
+        for (key, node) in self.keys(node) {
+            for value in tables().filter_map(|table| table.get(key)) {
+                let inner = self.of(key, node, value);
+                for (row, words) in inner
+                    .into_iter()
+                    .enumerate()
+                    .filter(|(_, words)| !words.is_empty())
+                {
+                    let words = if row == 0 {
+                        format!("{key}: {words}")
+                    } else {
+                        words
+                    };
+                    let was_short = std::mem::replace(
+                        &mut is_short,
+                        words.len() < SHORT && !words.contains(';'),
+                    );
+                    match rows.last_mut() {
+                        Some(last) if was_short && is_short => last.push_str(&format!("; {words}")),
+                        _ => rows.push(words),
+                    }
+                }
+            }
+        }
+        rows
+    }
+
+    /// `node`, and that of its alternatives which `value` is.
+    fn meant(&self, node: &'s Value, value: &Value) -> Vec<&'s Value> {
+        let node = match node.get("description") {
+            Some(_) => node,
+            None => self
+                .inner(node)
+                .next()
+                .filter(|_| node.get("allOf").is_some())
+                .unwrap_or(node),
+        };
+        let mut meant = vec![node];
+        if node.get("anyOf").is_some() {
+            let alternative = self.inner(node).find(|inner| self.fits(inner, value));
+            meant.extend(
+                alternative
+                    .into_iter()
+                    .flat_map(|inner| self.meant(inner, value)),
+            );
+        }
+        meant
+    }
+
+    /// Whether `value` is of the kind of `node`.
+    fn fits(&self, node: &Value, value: &Value) -> bool {
+        let of_type = |names: &[&str]| names.iter().any(|name| node["type"] == **name);
+        let inside = || self.inner(node).any(|inner| self.fits(inner, value));
+        let own = match value {
+            Value::Number(_) => of_type(&["number", "integer"]),
+            Value::String(_) => {
+                of_type(&["string"]) || members(node, "oneOf").any(|one| one["const"] == *value)
+            }
+            Value::Array(_) => of_type(&["array"]),
+            Value::Object(table) => {
+                of_type(&["object"])
+                    && table
+                        .keys()
+                        .all(|key| node["properties"].get(key).is_some())
+            }
+            _ => false,
+        };
+        own || inside()
+    }
+
+    /// The keys of a table, or of a list of tables, in order.
+    fn keys(&self, node: &'s Value) -> Vec<(&'s str, &'s Value)> {
+        let mut keys = Vec::new();
+        let own = node["properties"].as_object().into_iter().flatten();
+        keys.extend(own.map(|(key, node)| (&key[..], node)));
+        for inner in self.inner(node).chain(node.get("items")) {
+            for (key, node) in self.keys(inner) {
+                if keys.iter().all(|(known, _)| *known != key) {
+                    keys.push((key, node));
+                }
+            }
+        }
+        keys
+    }
+
+    /// What a node refers to, and its alternatives.
+    fn inner(&self, node: &'s Value) -> impl Iterator<Item = &'s Value> {
+        let named = node["$ref"]
+            .as_str()
+            .map(|name| name.trim_start_matches('#'));
+        let named = named.and_then(|name| self.schema.pointer(name));
+        named
+            .into_iter()
+            .chain(members(node, "allOf"))
+            .chain(members(node, "anyOf"))
+    }
+}
+
+fn members<'s>(node: &'s Value, list: &str) -> impl Iterator<Item = &'s Value> {
+    node[list].as_array().into_iter().flatten()
+}
+
+/// A sentence as a part of a row of them.
+fn in_a_row(sentence: &str) -> String {
+    let sentence = sentence.trim_end_matches('.');
+    let word = sentence.split([' ', ':', ',']).next().unwrap_or_default();
+    let plain = word == "A" || word.len() > 1 && word.chars().skip(1).all(char::is_lowercase);
+    match plain {
+        true => sentence
+            .chars()
+            .next()
+            .into_iter()
+            .flat_map(char::to_lowercase)
+            .chain(sentence.chars().skip(1))
+            .collect(),
+        false => sentence.to_owned(),
+    }
+}

@@ -1,0 +1,3 @@
+//! Nothing to do: see `Cargo.toml`.
+
+fn main() {}

@@ -142,3 +142,16 @@ fn tips_that_meet_between_all_sections_touch() {
     let complaints: Vec<String> = poses.into_par_iter().flat_map(against_grazing).collect();
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
+
+/// Any poses whose tips hardly reach each other. Source: single sections.
+#[test]
+fn no_section_is_tighter_than_the_face_of_tips_that_hardly_meet() {
+    let complaints: Vec<String> = (0..150u64)
+        .into_par_iter()
+        .filter_map(|number| {
+            let drawn = Drawn::of(Teeth::Helical, Some(Depth::Grazing), 3, number);
+            against(number, (drawn.assembly, drawn.mating), PLACES)
+        })
+        .collect();
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}

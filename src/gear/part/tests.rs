@@ -1,20 +1,38 @@
 use super::*;
-use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Modification, Relief, Trace};
+use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Hand, Modification, Relief, Trace};
 
-/// All kinds of curves: undercut and `h_0 < 0` included, and a straight flank.
-fn parts() -> Vec<(String, Part)> {
+/// Undercut, ordinary and with `h_0 < 0`.
+fn gears(helix_deg: f64) -> [(String, Gear); 3] {
     let gears = [(9, -0.1), (44, 0.0), (200, 1.2)].map(|(teeth, shift)| {
+        let plain = GearDesign::plain(teeth, 2.0);
         let design = GearDesign {
             profile_shift: shift,
-            ..GearDesign::plain(teeth, 2.0)
+            basic_data: match helix_deg > 0.0 {
+                true => plain
+                    .basic_data
+                    .with_helix(helix_deg.to_radians(), Hand::Right)
+                    .unwrap(),
+                false => plain.basic_data,
+            },
+            ..plain
         };
-        (teeth, Gear::nominal(design).unwrap())
+        (
+            format!("{teeth} at {helix_deg}°"),
+            Gear::nominal(design).unwrap(),
+        )
     });
     assert!(gears.each_ref().map(|(_, gear)| gear.is_undercut()) == [true, false, false]);
-    let straight = gears[1].1.with_straight_flanks(0.02, 0.05).unwrap();
-    let all = gears.into_iter().chain([(0, straight)]);
-    let parts = all.flat_map(|(teeth, gear)| {
-        ProfilePart::ALL.map(|part| (format!("{teeth} {}", part.name()), gear.part(part).clone()))
+    gears
+}
+
+/// All kinds of curves, those of helical gears and a straight flank included.
+fn parts() -> Vec<(String, Part)> {
+    let gears = [0.0, 15.0, 33.0].map(gears);
+    let straight = gears[0][1].1.with_straight_flanks(0.02, 0.05).unwrap();
+    let straight = ("straight".to_owned(), straight);
+    let all = gears.into_iter().flatten().chain([straight]);
+    let parts = all.flat_map(|(which, gear)| {
+        ProfilePart::ALL.map(|part| (format!("{which} {}", part.name()), gear.part(part).clone()))
     });
     let modified = gears_with_profiles().into_iter().flat_map(|(what, built)| {
         let flank = built.profile(crate::gear::Side::Right, 1);

@@ -148,6 +148,10 @@ fn the_tool_touches_what_it_leaves_and_covers_none_of_it() {
         let profile = Profile::new(&gear);
         let what = format!("{:?}", gear.design());
         undercut += u32::from(gear.is_undercut());
+        let fillet = gear.fillet();
+        assert!((fillet.depth() - cutting.centre[1]).abs() < 1e-12, "{what}");
+        assert!((fillet.tip_round() - cutting.round).abs() < 1e-12, "{what}");
+        assert_eq!(fillet.is_elliptic(), cutting.cos_beta < 1.0, "{what}");
         for part in [
             ProfilePart::Involute,
             ProfilePart::Fillet,

@@ -82,11 +82,37 @@ fn a_fillet_that_turns_back_is_refused() {
     assert!(refused.iter().all(|count| *count > 5), "{refused:?}");
 }
 
-/// Fillets of helical gears as a tool cuts them: ordinary, undercut, the centre of the round outside the pitch line, steep, of few teeth whose
-/// fillets bulge, of great gears, and with a sharp tool.
-fn elliptic() -> Vec<Fillet> {
+/// The shift from which on no fillet turns back, to the last bit, is that from which `S` has no place below 0. Source: `S` at 200 000 places of the fillet
+/// of that shift, least of them next to none.
+#[test]
+fn the_border_of_turning_back_is_where_the_speed_is_next_to_none() {
+    for helix in [0.0, 8.0] {
+        let basic_data = basic(3, 5f64.to_radians(), helix);
+        let rack = BasicRack::new(0.1, 0.8, 0.6).unwrap();
+        let at = |x_e: f64| Fillet::new(&basic_data, &rack, x_e);
+        // Refused at one end, and not at the other.
+        let places = (0..40).map(|k| 0.15 + 0.005 * f64::from(k));
+        let refused = places.into_iter().filter(|x_e| at(*x_e).is_err());
+        let low = refused.fold(f64::NEG_INFINITY, f64::max);
+        let border = bisect(low, low + 0.005, |x_e| at(x_e).is_err());
+        let fillet = at(border).unwrap();
+        // (As far as the tool's round reaches: undercut takes off the rest.)
+        let end = FRAC_PI_2 - basic_data.transverse_pressure_angle();
+        let speeds = (0..=200_000).map(|k| fillet.speed(end * f64::from(k) / 2e5));
+        let least = speeds.fold(f64::INFINITY, f64::min);
+        assert!(least >= 0.0 && least < 1e-6, "{helix}: {least:e}");
+    }
+}
+
+/// Fillets as a tool cuts them, the first of spur gears: ordinary, undercut, the centre of the round outside the pitch line, steep, of few teeth
+/// whose fillets bulge, of great gears, and with a sharp tool.
+fn cut() -> Vec<Fillet> {
     let mut fillets = Vec::new();
     for (teeth, helix, x_e, dedendum, round) in [
+        (27, 0.0, 0.1, 1.25, 0.38),
+        (9, 0.0, 0.0, 1.25, 0.3),
+        (200, 0.0, 1.2, 1.25, 0.38),
+        (4, 0.0, 1.1, 1.25, 0.4),
         (27, 10.0, 0.0, 1.25, 0.38),
         (9, 25.0, -0.1, 1.25, 0.38),
         (200, 33.0, 1.2, 1.25, 0.38),
@@ -120,7 +146,7 @@ fn differences(fillet: &Fillet, gamma: f64) -> (f64, f64) {
 /// Source: differences of points and normals, which `tests/models/rack_positions.rs` holds against the tool.
 #[test]
 fn speed_and_turn_of_a_stretch_are_enclosed() {
-    for (which, fillet) in elliptic().into_iter().enumerate() {
+    for (which, fillet) in cut().into_iter().enumerate() {
         let at = |k: u32, n: u32| fillet.end * f64::from(k) / f64::from(n);
         for k in 0..12 {
             let (low, high) = (at(k, 12), at(k + 1, 12));
@@ -152,8 +178,12 @@ fn speed_and_turn_of_a_stretch_are_enclosed() {
                 }
                 let (d, w) = fillet.spread(near.0, near.1);
                 let half = 0.5 * (near.1 - near.0);
+                // (What a spur gear's spread says takes `h_0` by its amount.)
+                let exact = fillet.is_elliptic() || fillet.depth >= 0.0;
+                let off = [d / half - s, w / half - q.abs()];
                 assert!(
-                    (d / half - s).abs() < 2.0 * room && (w / half - q.abs()).abs() < 2.0 * room
+                    !exact || off.iter().all(|off| off.abs() < 2.0 * room),
+                    "{which}"
                 );
                 match fillet.convexity(near.0, near.1) {
                     Some((least, most)) => {
@@ -162,7 +192,7 @@ fn speed_and_turn_of_a_stretch_are_enclosed() {
                         let room = 4.0 * room * (1.0 + hollow.abs()) / s;
                         assert!((least - hollow).abs() < room && (most - hollow).abs() < room);
                     }
-                    None => assert!(q < room || s < room, "{which} {gamma}: {q} {s}"),
+                    None => assert!(!exact || q < room || s < room, "{which} {gamma}: {q} {s}"),
                 }
             }
         }
@@ -172,8 +202,8 @@ fn speed_and_turn_of_a_stretch_are_enclosed() {
 /// The second derivative's parts across and along the tangent are no greater from 0 up to `γ` than the bend at `γ` allows, and where the helix is next
 /// to none the bend is the circle's. Source: differences, as above.
 #[test]
-fn the_bend_of_an_elliptic_fillet_is_enough() {
-    for (which, fillet) in elliptic().into_iter().enumerate() {
+fn the_bend_of_a_fillet_is_enough() {
+    for (which, fillet) in cut().into_iter().enumerate() {
         let at = |k: u32| fillet.end * f64::from(k) / 40.0;
         let (mut across, mut along) = (0f64, 0f64);
         for k in 0..=40 {
@@ -198,9 +228,9 @@ fn the_bend_of_an_elliptic_fillet_is_enough() {
 /// The greatest radius of curvature from a place up, and the greatest angle to the radius, are those of 2000 points, or up to a 16th above (64 stretches
 /// bound them): ∞ where a fillet bulges.
 #[test]
-fn the_greatest_of_an_elliptic_fillet_are_those_of_its_points() {
+fn the_greatest_of_a_fillet_are_those_of_its_points() {
     let mut bulging = 0;
-    for (which, fillet) in elliptic().into_iter().enumerate() {
+    for (which, fillet) in cut().into_iter().enumerate() {
         for from in [0.0, 0.3, 0.8] {
             let start = from * fillet.end;
             let all = (0..=2000).map(|k| start + (fillet.end - start) * f64::from(k) / 2e3);
@@ -235,7 +265,7 @@ fn the_greatest_of_an_elliptic_fillet_are_those_of_its_points() {
 /// The pitch point lies where point and normal say: `L` along the normal from the point. Source: both.
 #[test]
 fn the_normal_passes_through_the_pitch_point() {
-    for fillet in elliptic() {
+    for fillet in cut() {
         for fillet in [
             fillet,
             fillet.turned(0.3),

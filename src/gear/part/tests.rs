@@ -237,3 +237,16 @@ fn bend_and_curvature_bound_the_curve() {
         }
     }
 }
+
+/// The spread of a circle's stretch is half its arc, and half the angle it turns by. Source: length of an arc.
+#[test]
+fn a_circle_spreads_by_half_its_arc() {
+    for convex in [true, false] {
+        let circle = Circle::new(Point2::new(30.0, 2.0), 4.0, convex);
+        for (low, high) in [(0.3, 1.4), (-2.0, 0.7), (1.0, 1.0)] {
+            let (reach, turn) = circle.spread(low, high);
+            assert!((turn - 0.5 * (high - low)).abs() < 1e-15);
+            assert!((reach - 2.0 * (high - low)).abs() < 1e-14);
+        }
+    }
+}

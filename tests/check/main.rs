@@ -6,6 +6,7 @@ mod classes;
 mod directions;
 mod distances;
 mod failed;
+mod lands;
 mod onset;
 mod outlines;
 mod play_free;

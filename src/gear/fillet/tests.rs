@@ -266,9 +266,12 @@ fn the_greatest_of_a_fillet_are_those_of_its_points() {
 #[test]
 fn the_normal_passes_through_the_pitch_point() {
     for fillet in cut() {
+        let turned = fillet.turned(0.3);
+        let way = UnitComplex::new(0.3) * fillet.point(0.2) - turned.point(0.2);
+        assert!(way.norm() < 1e-13 * fillet.radius);
         for fillet in [
             fillet,
-            fillet.turned(0.3),
+            turned,
             Fillet {
                 lean: 0.0,
                 ..fillet

@@ -238,7 +238,7 @@ fn bend_and_curvature_bound_the_curve() {
     }
 }
 
-/// The spread of a circle's stretch is half its arc, and half the angle it turns by. Source: length of an arc.
+/// The spread of a circle's stretch is half its arc, and half the angle it turns by. Source: length and curvature of an arc.
 #[test]
 fn a_circle_spreads_by_half_its_arc() {
     for convex in [true, false] {
@@ -247,6 +247,10 @@ fn a_circle_spreads_by_half_its_arc() {
             let (reach, turn) = circle.spread(low, high);
             assert!((turn - 0.5 * (high - low)).abs() < 1e-15);
             assert!((reach - 2.0 * (high - low)).abs() < 1e-14);
+            // The normal turns by 1 on a length of 4, along the way that has the metal on its left.
+            let bulges = if convex { 0.25 } else { -0.25 };
+            assert_eq!(circle.convexity(low, high), Some((bulges, bulges)));
+            assert_eq!(circle.curvature(low, high), Some(0.25));
         }
     }
 }

@@ -7,6 +7,7 @@ mod directions;
 mod distances;
 mod failed;
 mod lands;
+mod map;
 mod onset;
 mod outlines;
 mod play_free;
@@ -17,6 +18,7 @@ mod population_worst;
 mod tips;
 mod uncertainty;
 mod undercut;
+mod verdict;
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -296,3 +296,6 @@ fn tangent_rotations(posed: &PosedFlanks, sum: f64) -> Option<[f64; 2]> {
     let towards = (locked * free.conj()).arg();
     Some([towards + beside, towards - beside])
 }
+
+#[cfg(test)]
+mod tests;

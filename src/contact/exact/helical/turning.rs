@@ -200,3 +200,6 @@ fn crossings(one: (C, f64), other: (C, f64)) -> Option<[C; 2]> {
     let aside = square.sqrt();
     Some([aside, -aside].map(|aside| one.0 + unit * C::new(along, aside)))
 }
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -169,7 +169,7 @@ impl Fillet {
     /// or more means that both fillets of a tooth cross: it is cut off.
     ///
     /// `P' = i n S` turns by `S n·P/|P|²`, and `n·P = r cos γ − L`. With `c = cos γ` it is 0 where `r c² − ρ c − h_0 = 0`;
-    /// the greatest angle lies there or at an end.
+    /// at the lesser `γ` of both the angle is greatest, if not at an end; at the other it is least.
     pub fn neck(&self) -> f64 {
         if self.lean > 0.0 {
             return self.elliptic_neck();
@@ -177,19 +177,16 @@ impl Fillet {
         let (r, round, depth) = (self.radius, self.tip_round, self.depth);
         // Without a real root NaN, which is in no range.
         let root = (round * round + 4.0 * r * depth).sqrt();
-        let still = [round + root, round - root].map(|twice| (twice / (2.0 * r)).acos());
+        let still = ((round + root) / (2.0 * r)).acos();
         let angle = |gamma: f64| {
             let point = self.point(gamma);
             point.y.atan2(point.x)
         };
-        let inside = still
-            .into_iter()
-            .filter(|gamma| (0.0..=self.end).contains(gamma));
-        inside
-            .chain([self.end])
-            .fold(self.root_angle, |greatest, gamma| {
-                greatest.max(angle(gamma))
-            })
+        let ends = self.root_angle.max(angle(self.end));
+        match (0.0..=self.end).contains(&still) {
+            true => ends.max(angle(still)),
+            false => ends,
+        }
     }
 
     /// Polar angle `arg E` of the generating pitch point at `gamma`, rad.

@@ -6,6 +6,8 @@ mod classes;
 mod directions;
 mod distances;
 mod failed;
+mod lands;
+mod map;
 mod onset;
 mod outlines;
 mod play_free;
@@ -16,6 +18,7 @@ mod population_worst;
 mod tips;
 mod uncertainty;
 mod undercut;
+mod verdict;
 
 #[path = "../common/mod.rs"]
 mod common;

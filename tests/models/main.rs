@@ -13,3 +13,4 @@ mod limits;
 mod line_of_action;
 mod properties;
 mod published;
+mod rack_positions;

@@ -108,11 +108,11 @@ impl Fillet {
             let (sin, cos) = gamma.sin_cos();
             self.radius * cos - self.depth / cos - self.round(sin)
         };
+        // Where it rises through 0 the angle is least.
         let still = (0..STRETCHES).filter_map(|k| {
             let (low, high) = (at(k), at(k + 1));
-            let rises = ahead(low) < ahead(high);
-            let crosses = (ahead(low) < 0.0) != (ahead(high) < 0.0);
-            crosses.then(|| super::bisect(low, high, |gamma| (ahead(gamma) < 0.0) == rises))
+            let falls = ahead(low) > 0.0 && ahead(high) <= 0.0;
+            falls.then(|| super::bisect(low, high, |gamma| ahead(gamma) > 0.0))
         });
         still
             .chain([self.end])

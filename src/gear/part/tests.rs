@@ -1,20 +1,38 @@
 use super::*;
-use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Modification, Relief, Trace};
+use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Hand, Modification, Relief, Trace};
 
-/// All kinds of curves: undercut and `h_0 < 0` included, and a straight flank.
-fn parts() -> Vec<(String, Part)> {
+/// Undercut, ordinary and with `h_0 < 0`.
+fn gears(helix_deg: f64) -> [(String, Gear); 3] {
     let gears = [(9, -0.1), (44, 0.0), (200, 1.2)].map(|(teeth, shift)| {
+        let plain = GearDesign::plain(teeth, 2.0);
         let design = GearDesign {
             profile_shift: shift,
-            ..GearDesign::plain(teeth, 2.0)
+            basic_data: match helix_deg > 0.0 {
+                true => plain
+                    .basic_data
+                    .with_helix(helix_deg.to_radians(), Hand::Right)
+                    .unwrap(),
+                false => plain.basic_data,
+            },
+            ..plain
         };
-        (teeth, Gear::nominal(design).unwrap())
+        (
+            format!("{teeth} at {helix_deg}°"),
+            Gear::nominal(design).unwrap(),
+        )
     });
     assert!(gears.each_ref().map(|(_, gear)| gear.is_undercut()) == [true, false, false]);
-    let straight = gears[1].1.with_straight_flanks(0.02, 0.05).unwrap();
-    let all = gears.into_iter().chain([(0, straight)]);
-    let parts = all.flat_map(|(teeth, gear)| {
-        ProfilePart::ALL.map(|part| (format!("{teeth} {}", part.name()), gear.part(part).clone()))
+    gears
+}
+
+/// All kinds of curves, those of helical gears and a straight flank included.
+fn parts() -> Vec<(String, Part)> {
+    let gears = [0.0, 15.0, 33.0].map(gears);
+    let straight = gears[0][1].1.with_straight_flanks(0.02, 0.05).unwrap();
+    let straight = ("straight".to_owned(), straight);
+    let all = gears.into_iter().flatten().chain([straight]);
+    let parts = all.flat_map(|(which, gear)| {
+        ProfilePart::ALL.map(|part| (format!("{which} {}", part.name()), gear.part(part).clone()))
     });
     let modified = gears_with_profiles().into_iter().flat_map(|(what, built)| {
         let flank = built.profile(crate::gear::Side::Right, 1);
@@ -216,6 +234,23 @@ fn bend_and_curvature_bound_the_curve() {
                 // The points' polygon is shorter than the curve by far less than a thousandth.
                 assert!(turned <= curvature * length * 1.001 + 1e-15, "{what}");
             }
+        }
+    }
+}
+
+/// The spread of a circle's stretch is half its arc, and half the angle it turns by. Source: length and curvature of an arc.
+#[test]
+fn a_circle_spreads_by_half_its_arc() {
+    for convex in [true, false] {
+        let circle = Circle::new(Point2::new(30.0, 2.0), 4.0, convex);
+        for (low, high) in [(0.3, 1.4), (-2.0, 0.7), (1.0, 1.0)] {
+            let (reach, turn) = circle.spread(low, high);
+            assert!((turn - 0.5 * (high - low)).abs() < 1e-15);
+            assert!((reach - 2.0 * (high - low)).abs() < 1e-14);
+            // The normal turns by 1 on a length of 4, along the way that has the metal on its left.
+            let bulges = if convex { 0.25 } else { -0.25 };
+            assert_eq!(circle.convexity(low, high), Some((bulges, bulges)));
+            assert_eq!(circle.curvature(low, high), Some(0.25));
         }
     }
 }

@@ -285,3 +285,6 @@ pub(super) fn tip_ends<'a>(posed: &'a PosedFlanks<'a>) -> [[Edge<'a>; 2]; 2] {
         ],
     ]
 }
+
+#[cfg(test)]
+mod tests;

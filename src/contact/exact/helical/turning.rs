@@ -296,3 +296,6 @@ impl Crossing {
         })
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -1,0 +1,256 @@
+//! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations.
+//!
+//! From the crate come what a pose is and where it puts a tooth; where lands end follows from the drawing and from closed forms.
+
+use super::*;
+use gearlash::gear::Pitch;
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// The involute function of the pressure angle at a radius.
+fn inv(base: f64, radius: f64) -> f64 {
+    let tan = ((radius / base).powi(2) - 1.0).sqrt();
+    tan - tan.atan()
+}
+
+/// A gear of the pair at a pose: its outline's centre, and the lands of each tooth, from one direction to another.
+struct Lands {
+    centre: [f64; 2],
+    /// Radius of the tips, and ends of each, tooth 1 first.
+    tip: f64,
+    tips: Vec<[f64; 2]>,
+    /// Radius of the roots, and the ends of each; its number is that of the tooth clockwise of it.
+    root: f64,
+    roots: Vec<[f64; 2]>,
+}
+
+fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
+    let built = pair.gear(member);
+    let (gear, design) = (built.gear(), built.gear().design());
+    let (data, rack) = (&design.basic_data, &design.rack);
+    let (z, module, tan) = (data.teeth(), data.module(), data.pressure_angle().tan());
+    let reference = 0.5 * module * f64::from(z);
+    let base = reference * data.pressure_angle().cos();
+    let half_base = |gear: &Gear| gear.base_thickness() / (2.0 * gear.base_radius());
+    // In the middle of the mean teeth's backlash: p_w − s_w1 − s_w2 on the operating pitch circles, half of it on either side.
+    let pose = Pose::new(pair, mating);
+    let operating = |one: Member| {
+        let sum: u32 = Member::BOTH.iter().map(|m| pair.teeth(*m)).sum();
+        pair.center_distance() * f64::from(pair.teeth(one)) / f64::from(sum)
+    };
+    let thickness = |one: Member| {
+        let gear = pair.gear(one).gear();
+        2.0 * operating(one) * (half_base(gear) - inv(gear.base_radius(), operating(one)))
+    };
+    let free = pair.free();
+    let pitch = 2.0 * PI * operating(free) / f64::from(pair.teeth(free));
+    let play = pitch - thickness(Member::Wheel) - thickness(Member::Pinion);
+    let rotation = match member == free {
+        // A right flank touches at the clockwise end.
+        true => {
+            let way = if mating.flank == Side::Right {
+                1.0
+            } else {
+                -1.0
+            };
+            pose.free_rotation() + way * 0.5 * play / operating(free)
+        }
+        false => pose.locked_rotation(),
+    };
+    let tooth_1 = pair.mate_direction(member) + rotation;
+    let centre = pair.axis(member) + built.displacement(tooth_1);
+    let direction = |tooth: u32| tooth_1 + built.tooth_angle(f64::from(tooth));
+    let tip = gear.tip_radius();
+    let half_tip = half_base(gear) - inv(base, tip);
+    let tips = (1..=z).map(|tooth| {
+        let [right, left] = [Side::Right, Side::Left].map(|side| built.flank_offset(side, tooth));
+        [
+            direction(tooth) + right - half_tip,
+            direction(tooth) + left + half_tip,
+        ]
+    });
+    // The tool's shift from the thickness at the reference circle, m (π/2 + 2 x tan α), and half the flat of its tip.
+    let shift = (2.0 * reference * (half_base(gear) - inv(base, reference)) / module - 0.5 * PI)
+        / (2.0 * tan);
+    let round = rack.root_radius();
+    let flat = FRAC_PI_4 - (rack.dedendum() - round) * tan - round / data.pressure_angle().cos();
+    let half_root = PI / f64::from(z) - flat * module / reference;
+    let roots = (1..=z).map(|tooth| {
+        let next = built.counter_clockwise(tooth, 1);
+        let start = direction(tooth) + built.flank_offset(Side::Left, tooth) + half_root;
+        let end =
+            direction(tooth) + 2.0 * PI / f64::from(z) + built.flank_offset(Side::Right, next)
+                - half_root;
+        if start <= end {
+            [start, end]
+        } else {
+            [0.5 * (start + end); 2]
+        }
+    });
+    Lands {
+        centre: [centre.x, centre.y],
+        tip,
+        tips: tips.collect(),
+        root: reference - (rack.dedendum() - shift) * module,
+        roots: roots.collect(),
+    }
+}
+
+/// Distance of a point from an arc about `centre`.
+fn from_arc(point: [f64; 2], centre: [f64; 2], radius: f64, [start, end]: [f64; 2]) -> f64 {
+    let (x, y) = (point[0] - centre[0], point[1] - centre[1]);
+    let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
+    let off = y.atan2(x) - middle;
+    let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
+    let nearest = middle + off.clamp(-half, half);
+    (x - radius * nearest.cos()).hypot(y - radius * nearest.sin())
+}
+
+/// The least distance of a tip of `member` from a root of its mate at a mating, by `points` of each tip: negative below the root circle.
+fn nearest(pair: &GearPair, member: Member, mating: Mating, points: u32) -> (f64, [u32; 2]) {
+    let (tips, roots) = (
+        lands(pair, member, mating),
+        lands(pair, member.mate(), mating),
+    );
+    let mut least = (f64::INFINITY, [0; 2]);
+    for (tip, [start, end]) in (1..).zip(&tips.tips) {
+        for k in 0..=points {
+            let at = start + (end - start) * f64::from(k) / f64::from(points);
+            let point = [
+                tips.centre[0] + tips.tip * at.cos(),
+                tips.centre[1] + tips.tip * at.sin(),
+            ];
+            let deep = (point[0] - roots.centre[0]).hypot(point[1] - roots.centre[1]) - roots.root;
+            if deep > least.0 {
+                continue;
+            }
+            for (root, ends) in (1..).zip(&roots.roots) {
+                // In the root circle all is metal.
+                let apart = match deep <= 0.0 {
+                    true => deep,
+                    false => from_arc(point, roots.centre, roots.root, *ends),
+                };
+                if apart < least.0 {
+                    least = (apart, [tip, root]);
+                }
+            }
+        }
+    }
+    least
+}
+
+fn built(
+    teeth: u32,
+    face: Face,
+    [shift, round, eccentricity, pitch]: [f64; 4],
+    thick: f64,
+) -> AsBuilt {
+    let wave = |start: u32| (0..teeth).map(move |k| pitch * f64::from((k * 7919 + start) % 1000));
+    let deviations = Deviations {
+        pitch: Some(Pitch::from_cumulative(
+            &wave(17).collect::<Vec<_>>(),
+            &wave(443).collect::<Vec<_>>(),
+        )),
+        per_tooth: (0..teeth).map(|k| thick * f64::from(k * 7 % 5)).collect(),
+        eccentricity,
+        high_tooth: 2.7,
+        ..Deviations::default()
+    };
+    let design = GearDesign {
+        profile_shift: shift,
+        rack: BasicRack::new(1.0, 1.25, round).unwrap(),
+        ..design(teeth, 2.0)
+    };
+    AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
+}
+
+/// Source: 60 points of each tip at any rotation looked at are no nearer, and 4000 points at the mating that is named are as near.
+#[test]
+fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
+    let alpha = 20f64.to_radians();
+    let full = (FRAC_PI_4 - 1.25 * alpha.tan()) / (1.0 / alpha.cos() - alpha.tan());
+    for (case, (teeth, more, distance, locked)) in [
+        ([13, 9], [0.3, 0.38, 0.1, 4e-5], 22.9, Member::Wheel),
+        ([11, 15], [0.0, 0.25, 0.3, 1e-4], 26.9, Member::Pinion),
+        ([12, 8], [0.2, full, 0.06, 2e-5], 20.9, Member::Wheel),
+        // Tips stand in roots.
+        ([12, 9], [0.1, 0.3, 0.2, 3e-5], 20.3, Member::Pinion),
+        // Without runout the same distance comes again at each pitch but for what flanks stand off.
+        ([9, 12], [0.2, 0.2, 0.0, 5e-5], 22.1, Member::Wheel),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let thick = if case == 2 { 0.02 } else { 0.0 };
+        let wheel = built(teeth[0], Face::Front, more, thick);
+        let pinion = built(
+            teeth[1],
+            Face::Back,
+            [more[0], more[1], 0.6 * more[2], more[3]],
+            thick,
+        );
+        let pair = GearPair::with_locked(wheel, pinion, distance, locked).unwrap();
+        for (member, flank) in [(Member::Wheel, Side::Right), (Member::Pinion, Side::Left)] {
+            let start = Mating {
+                flank,
+                ..mating(2, 3)
+            };
+            let found = radial_clearance(&pair, member, &[start]).unwrap();
+            let of_locked = pair.teeth(locked);
+            // At 120 rotations of each pitch, and between those beside the nearest.
+            let at = |pitches: f64| nearest(&pair, member, start.onward(&pair, pitches), 60).0;
+            let all = (0..of_locked * 120).map(|k| f64::from(k) / 120.0);
+            let (_, mut best) = all
+                .map(|pitches| (at(pitches), pitches))
+                .min_by(|one, other| one.0.total_cmp(&other.0))
+                .unwrap();
+            let mut step = 1.0 / 120.0;
+            for _ in 0..6 {
+                let beside = (-10..=10).map(|k| best + 0.1 * step * f64::from(k));
+                best = beside.min_by(|a, b| at(*a).total_cmp(&at(*b))).unwrap();
+                step *= 0.1;
+            }
+            let off = at(best) - found.distance;
+            assert!(
+                off > -1e-9 && off < 1e-3,
+                "{case} {member:?}: {off:e}, {found:?}"
+            );
+            let phased = Mating {
+                fraction: 0.4,
+                ..start
+            };
+            assert_eq!(radial_clearance(&pair, member, &[phased]), Some(found));
+            let (there, _) = nearest(&pair, member, found.mating, 4000);
+            assert!(
+                (there - found.distance).abs() < 1e-6,
+                "{case} {member:?}: {there} {found:?}"
+            );
+            let own = lands(&pair, member, found.mating);
+            let mate = lands(&pair, member.mate(), found.mating);
+            // The teeth that are named have it.
+            let [from, to] = own.tips[found.tip_tooth as usize - 1];
+            let points = (0..=4000).map(|k| from + (to - from) * f64::from(k) / 4e3);
+            let named = points.map(|at| {
+                let point = [
+                    own.centre[0] + own.tip * at.cos(),
+                    own.centre[1] + own.tip * at.sin(),
+                ];
+                match found.distance < 0.0 {
+                    true => {
+                        (point[0] - mate.centre[0]).hypot(point[1] - mate.centre[1]) - mate.root
+                    }
+                    false => from_arc(
+                        point,
+                        mate.centre,
+                        mate.root,
+                        mate.roots[found.root_tooth as usize - 1],
+                    ),
+                }
+            });
+            let named = named.fold(f64::INFINITY, f64::min);
+            assert!(
+                (named - found.distance).abs() < 1e-6,
+                "{case} {member:?}: {named} {found:?}"
+            );
+        }
+    }
+}

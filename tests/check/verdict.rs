@@ -1,0 +1,290 @@
+//! What a verdict says of its runs, beside the words of what it says: runs of one pair, their extremes set by hand.
+
+use super::*;
+use gearlash::analysis::assembles_from::AssemblesFrom;
+use gearlash::analysis::extremes::{WIDTH, extremes_of_phase, run_count};
+use gearlash::analysis::meshes_to::MeshesTo;
+use gearlash::analysis::requirement::{Limits, Quantity};
+use gearlash::analysis::verdict::{Requirement, Verdict as Said};
+use gearlash::contact::{Doubt, Status};
+use gearlash::gear::Pitch;
+
+fn run() -> RunExtremes {
+    let run = extremes_of(&eccentric(113.0, [(0.01, 1.0), (0.02, 3.0)], 31));
+    assert!(run.is_proven() && run.status == Status::Clear);
+    run
+}
+
+/// A run with this bracket of the least, its lower end attained.
+fn with_least(run: &RunExtremes, [low, high]: [f64; 2]) -> RunExtremes {
+    let mut run = run.clone();
+    let least = run.least.as_mut().unwrap();
+    (least.low, least.high, least.pose.swept.backlash) = (low, high, Some(low));
+    run
+}
+
+fn with_status(run: &RunExtremes, status: Status) -> RunExtremes {
+    RunExtremes {
+        status,
+        ..run.clone()
+    }
+}
+
+fn said(runs: &[RunExtremes]) -> Said<'_> {
+    Said::new(runs, &Vec::new(), None, Vec::new())
+}
+
+/// Jammed or out of mesh it does not assemble, nor with all of the bracket below 0; with its lower end not below 0 by more than brackets are wide it does,
+/// if that end holds; else nothing is known.
+#[test]
+fn a_run_assembles_by_the_bracket_of_its_least() {
+    let run = run();
+    for (bracket, assembles) in [
+        ([0.1, 0.1], Some(true)),
+        ([0.0, 0.0], Some(true)),
+        ([-0.5 * WIDTH, 0.5 * WIDTH], Some(true)),
+        ([-WIDTH, 0.0], Some(true)),
+        ([-2.0 * WIDTH, 0.0], None),
+        ([-0.1, 0.1], None),
+        ([-0.1, -1e-9], Some(false)),
+    ] {
+        let one = with_least(&run, bracket);
+        assert_eq!(one.assembles(), assembles, "{bracket:?}");
+        assert_eq!(
+            with_status(&one, Status::Interference).assembles(),
+            assembles
+        );
+        for (doubt, holds) in [
+            (Doubt::Effort, true),
+            (Doubt::SecondOrder, true),
+            (Doubt::Profile, true),
+            (Doubt::Unbounded, false),
+            (Doubt::OffInvolute, false),
+            (Doubt::ContactLost, false),
+        ] {
+            let mut doubted = one.clone();
+            doubted.least.as_mut().unwrap().doubt = Some(doubt);
+            // What is found below 0 is there whatever else is.
+            let known = assembles.filter(|assembles| holds || !assembles);
+            assert_eq!(doubted.assembles(), known, "{bracket:?} {doubt:?}");
+            assert!(!doubted.is_proven() && doubted.least.unwrap().holds() == holds);
+        }
+        for status in [Status::Jammed, Status::NoContact] {
+            assert_eq!(with_status(&one, status).assembles(), Some(false));
+        }
+    }
+    let none = RunExtremes { least: None, ..run };
+    assert_eq!(none.assembles(), None);
+    let doubted = |run: &RunExtremes| {
+        let mut run = run.clone();
+        run.greatest.as_mut().unwrap().doubt = Some(Doubt::Effort);
+        run.is_proven()
+    };
+    assert!(!doubted(&none));
+}
+
+/// All assemble, or one does not, or nothing is proven; and of nothing that was run nothing is.
+#[test]
+fn a_pair_assembles_if_every_run_does() {
+    let run = run();
+    let yes = with_least(&run, [0.1, 0.1]);
+    let no = with_least(&run, [-0.1, -0.1]);
+    let unknown = with_least(&run, [-0.1, 0.1]);
+    for (runs, assembles) in [
+        (vec![], None),
+        (vec![&yes], Some(true)),
+        (vec![&yes, &yes], Some(true)),
+        (vec![&yes, &unknown], None),
+        (vec![&unknown, &no], Some(false)),
+        (vec![&no, &yes], Some(false)),
+    ] {
+        let runs: Vec<RunExtremes> = runs.into_iter().cloned().collect();
+        assert_eq!(said(&runs).assembles(), assembles);
+        let state = match assembles {
+            Some(true) => Verdict::Pass,
+            Some(false) => Verdict::Fail,
+            None => Verdict::Unproven,
+        };
+        assert_eq!(said(&runs).state(), state);
+        let most = if runs.is_empty() { 0 } else { 44 * 31 };
+        assert_eq!(said(&runs).matings(), most);
+    }
+}
+
+/// Of those that differ by less than brackets are wide the first, else that with the least, or the greatest, backlash.
+#[test]
+fn the_foremost_run_is_the_first_of_equals() {
+    let run = run();
+    let at = |low: f64| {
+        let mut run = with_least(&run, [low, low]);
+        run.greatest.as_mut().unwrap().pose.swept.backlash = Some(low);
+        run
+    };
+    let which = |backlashes: &[f64], is_max: bool| {
+        let runs: Vec<RunExtremes> = backlashes.iter().map(|low| at(*low)).collect();
+        let said = said(&runs);
+        let found = if is_max {
+            said.greatest()
+        } else {
+            said.least()
+        };
+        let found = found.unwrap().0;
+        runs.iter()
+            .position(|run| std::ptr::eq(run, found))
+            .unwrap()
+    };
+    let little = 0.9 * WIDTH;
+    assert_eq!(which(&[0.2, 0.1, 0.3], false), 1);
+    assert_eq!(which(&[0.2, 0.1, 0.3], true), 2);
+    assert_eq!(which(&[0.1 + little, 0.1, 0.3], false), 0);
+    assert_eq!(which(&[0.3, 0.1, 0.3 + little], true), 0);
+    assert_eq!(which(&[0.1 + 1.1 * WIDTH, 0.1, 0.3], false), 1);
+    assert_eq!(which(&[-0.3, -0.2, -0.3 - 1.1 * WIDTH], false), 2);
+    // Without what a pose has the middle of the bracket is meant.
+    let mut open = with_least(&run, [0.1, 0.3]);
+    let least = open.least.as_mut().unwrap();
+    least.pose.swept.backlash = None;
+    assert!((least.found() - 0.2).abs() < 1e-15);
+    // The worst is the least, or before it a jammed pose.
+    let runs = [at(0.2), at(0.1)];
+    let worst = said(&runs).worst().unwrap();
+    assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.swept.backlash == Some(0.1));
+    let jammed = extremes_of(&eccentric(110.0, [(0.01, 1.0), (0.02, 3.0)], 31));
+    assert_eq!(jammed.status, Status::Jammed);
+    let runs = [at(0.2), jammed];
+    let worst = said(&runs).worst().unwrap();
+    assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.swept.backlash.is_none());
+}
+
+/// The greatest distance that a run begins to assemble from, of those that do not; the least that one is in mesh up to, of those that are not. None where
+/// one has none.
+#[test]
+fn distances_are_of_all_runs_that_fail() {
+    let run = run();
+    let failing = |high: Option<f64>| RunExtremes {
+        assembles_from: high.map(|high| AssemblesFrom {
+            low: high - WIDTH,
+            high,
+            doubt: None,
+            mating: mating(1, 1),
+        }),
+        ..with_status(&run, Status::Jammed)
+    };
+    let apart = |low: Option<f64>| RunExtremes {
+        meshes_to: low.map(|low| MeshesTo {
+            low,
+            high: low + WIDTH,
+            doubt: None,
+        }),
+        ..with_status(&run, Status::NoContact)
+    };
+    let (clear, other) = (run.clone(), apart(Some(140.0)));
+    let from = |runs: &[RunExtremes]| said(runs).assembles_from().map(|from| from.high);
+    let to = |runs: &[RunExtremes]| said(runs).meshes_to().map(|to| to.low);
+    let [near, far, never] = [Some(133.0), Some(134.0), None].map(failing);
+    assert_eq!(
+        from(&[near.clone(), far.clone(), clear.clone()]),
+        Some(134.0)
+    );
+    assert_eq!(
+        from(&[far.clone(), near.clone(), other.clone()]),
+        Some(134.0)
+    );
+    assert_eq!(from(&[far.clone(), never]), None);
+    assert_eq!(from(&[clear.clone(), other.clone()]), None);
+    assert_eq!(
+        from(&[with_least(&failing(Some(133.0)), [-0.1, -0.1])]),
+        Some(133.0)
+    );
+    assert_eq!(
+        to(&[apart(Some(141.0)), other.clone(), near.clone()]),
+        Some(140.0)
+    );
+    assert_eq!(
+        to(&[other.clone(), apart(Some(141.0)), clear.clone()]),
+        Some(140.0)
+    );
+    assert_eq!(to(&[other, apart(None)]), None);
+    assert_eq!(to(&[near, clear]), None);
+}
+
+/// A limit inside a bracket is straddled, at its end or beside it not; what reaches beyond is not kept.
+#[test]
+fn a_limit_inside_a_bracket_is_straddled() {
+    let runs = [with_least(&run(), [0.1, 0.2])];
+    for (min, unmet, straddles) in [
+        (0.05, false, false),
+        (0.1, false, false),
+        (0.15, true, true),
+        (0.2, true, false),
+        (0.3, true, false),
+    ] {
+        let limits = Limits {
+            min: Some(min),
+            max: None,
+        };
+        let required = vec![(Quantity::OperatingBacklash, limits)];
+        let said = Said::new(&runs, &required, None, Vec::new());
+        let found = said.unmet.first().map(|unmet| unmet.straddles);
+        assert_eq!(found, unmet.then_some(straddles), "{min}");
+        let kept = if unmet {
+            Requirement::NotMet
+        } else {
+            Requirement::Met
+        };
+        assert_eq!(said.requirement, kept);
+    }
+    assert_eq!(said(&runs).requirement, Requirement::None);
+    let names = [Requirement::None, Requirement::Met, Requirement::NotMet].map(Requirement::name);
+    assert_eq!(names, ["none", "met", "not_met"]);
+}
+
+/// Runs of a study: one for all phases where a gear has like teeth, else one for each that its matings are of; a run of one phase is what the search of
+/// that phase finds. Source: least common multiples.
+#[test]
+fn a_study_has_a_run_for_each_phase_that_differs() {
+    let gear = |teeth: u32, face, pitch_um: f64, eccentricity| {
+        let wave: Vec<f64> = (0..teeth)
+            .map(|k| 1e-3 * pitch_um * f64::from(k * 7 % 5))
+            .collect();
+        let deviations = Deviations {
+            pitch: (pitch_um > 0.0).then(|| Pitch::from_cumulative(&wave, &wave)),
+            eccentricity,
+            high_tooth: 2.0,
+            ..Deviations::default()
+        };
+        AsBuilt::new(
+            Gear::nominal(design(teeth, 2.0)).unwrap(),
+            face,
+            &deviations,
+        )
+        .unwrap()
+    };
+    for (pitches, eccentricity, like, phases) in [
+        // 24 and 18 teeth meet in 72 of 432 pairs: six phases.
+        ([3.0, 2.0], 0.01, false, 6),
+        ([3.0, 0.0], 0.0, false, 1),
+        ([0.0, 0.0], 0.0, true, 1),
+    ] {
+        let wheel = gear(24, Face::Front, pitches[0], eccentricity);
+        let pinion = gear(18, Face::Back, pitches[1], eccentricity);
+        let pair = GearPair::new(wheel, pinion, 42.3).unwrap();
+        let mut study = Study::of_pair("phases", &pair, 1);
+        study.sweep = Some(SweepPlan::Matings {
+            matings: (1..=18).map(|tooth| (1, tooth)).collect(),
+            fractions: vec![0.0],
+        });
+        assert_eq!(run_count(&study).unwrap(), phases, "{pitches:?}");
+        let on = || ControlFlow::Continue(());
+        let found = extremes(&study, Method::Exact { certify: false }, &on).unwrap();
+        assert_eq!(found.each.len() as u64, phases);
+        for (k, run) in (1..).zip(&found.each) {
+            assert_eq!(run.has_like_teeth(), like);
+            assert!(!run.any_direction());
+            assert_eq!(run.matings, 72);
+            assert_eq!(run.phase, (phases > 1).then_some((1, k)));
+            let alone = extremes_of_phase(&pair, k, WIDTH).unwrap();
+            assert_eq!(alone.least.unwrap().low, run.least.as_ref().unwrap().low);
+        }
+    }
+}

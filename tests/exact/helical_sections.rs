@@ -193,11 +193,14 @@ fn a_tip_in_a_root_jams_wherever_along_the_face_it_stands() {
         let [from, to] = pair.face();
         let places = (0..=2000).map(|k| from + (to - from) * f64::from(k) / 2000.0);
         let [most, least] = by_sections(&pair, &pose, places).unwrap();
-        let own = [lost.right.unwrap(), lost.left.unwrap()]
-            .map(|contact| beyond(contact.rotation, &pose));
+        // Named is what touches in one section that is jammed by itself.
+        let [right, left] = [lost.right.unwrap(), lost.left.unwrap()];
+        assert_eq!(right.section, left.section, "{state}");
+        let [own, other] = by_sections(&pair, &pose, std::iter::once(right.section)).unwrap();
+        let named = [right, left].map(|contact| beyond(contact.rotation, &pose));
         assert!(
-            most <= own[0] + 1e-12 && least >= own[1] - 1e-12,
-            "{state}: {most} {least} {own:?}"
+            own > other && (named[0] - own).abs() < 1e-12 && (named[1] - other).abs() < 1e-12,
+            "{state}: {own} {other} {named:?}"
         );
         assert!(
             most > least && lost.status() == Status::Jammed,

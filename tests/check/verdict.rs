@@ -19,7 +19,7 @@ fn run() -> RunExtremes {
 fn with_least(run: &RunExtremes, [low, high]: [f64; 2]) -> RunExtremes {
     let mut run = run.clone();
     let least = run.least.as_mut().unwrap();
-    (least.low, least.high, least.pose.swept.backlash) = (low, high, Some(low));
+    (least.low, least.high, least.pose.simulated.backlash) = (low, high, Some(low));
     run
 }
 
@@ -117,7 +117,7 @@ fn the_foremost_run_is_the_first_of_equals() {
     let run = run();
     let at = |low: f64| {
         let mut run = with_least(&run, [low, low]);
-        run.greatest.as_mut().unwrap().pose.swept.backlash = Some(low);
+        run.greatest.as_mut().unwrap().pose.simulated.backlash = Some(low);
         run
     };
     let which = |backlashes: &[f64], is_max: bool| {
@@ -143,17 +143,17 @@ fn the_foremost_run_is_the_first_of_equals() {
     // Without what a pose has the middle of the bracket is meant.
     let mut open = with_least(&run, [0.1, 0.3]);
     let least = open.least.as_mut().unwrap();
-    least.pose.swept.backlash = None;
+    least.pose.simulated.backlash = None;
     assert!((least.found() - 0.2).abs() < 1e-15);
     // The worst is the least, or before it a jammed pose.
     let runs = [at(0.2), at(0.1)];
     let worst = said(&runs).worst().unwrap();
-    assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.swept.backlash == Some(0.1));
+    assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.simulated.backlash == Some(0.1));
     let jammed = extremes_of(&eccentric(110.0, [(0.01, 1.0), (0.02, 3.0)], 31));
     assert_eq!(jammed.status, Status::Jammed);
     let runs = [at(0.2), jammed];
     let worst = said(&runs).worst().unwrap();
-    assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.swept.backlash.is_none());
+    assert!(std::ptr::eq(worst.0, &runs[1]) && worst.2.simulated.backlash.is_none());
 }
 
 /// The greatest distance that a run begins to assemble from, of those that do not; the least that one is in mesh up to, of those that are not. None where

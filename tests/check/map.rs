@@ -33,7 +33,7 @@ fn limits_of_a_map_are_what_they_say() {
         assert_eq!(at("a of the pair"), Some(distance));
         let zero = found.groups[0].zero.clone().unwrap().unwrap();
         assert_eq!(at("zero backlash, measured"), Some(zero.distance));
-        let base = at("tip at base circle, K (8)");
+        let base = at("tip at base circle, K (8)").unwrap();
         let form = at("tip at form circle").unwrap();
         let from = |member: Member, distance: f64| {
             let gear = pair.gear(member).gear();
@@ -45,11 +45,9 @@ fn limits_of_a_map_are_what_they_say() {
             .into_iter()
             .fold(f64::MAX, f64::min);
         assert!(least.abs() < 1e-9, "{least}");
-        if let Some(base) = base {
-            let each = Member::BOTH.map(|member| tip_from_base(&pair, member, base));
-            let least = each.into_iter().fold(f64::MAX, f64::min);
-            assert!(least.abs() < 1e-9, "{least}");
-        }
+        let each = Member::BOTH.map(|member| tip_from_base(&pair, member, base));
+        let least = each.into_iter().fold(f64::MAX, f64::min);
+        assert!(least.abs() < 1e-9, "{least}");
         let clearance = |distance: f64| {
             let each = Member::BOTH.map(|member| {
                 let (tip, root) = (pair.gear(member).gear(), pair.gear(member.mate()).gear());

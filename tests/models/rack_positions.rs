@@ -47,7 +47,7 @@ impl Cutting {
     }
 
     /// From the centre of the tool's tip round, in the normal section: along the pitch line and below it, mm.
-    fn from_centre(&self, point: [f64; 2], phi: f64) -> [f64; 2] {
+    fn off_centre(&self, point: [f64; 2], phi: f64) -> [f64; 2] {
         let [x, y] = self.rolled(point, phi);
         let along = (y - self.radius * phi) * self.cos_beta;
         [along - self.centre[0], self.radius - x - self.centre[1]]
@@ -55,7 +55,7 @@ impl Cutting {
 
     /// Distance of a point from the tool, mm in the normal section; below 0 in the tool.
     fn clear(&self, point: [f64; 2], phi: f64) -> f64 {
-        let [along, deep] = self.from_centre(point, phi);
+        let [along, deep] = self.off_centre(point, phi);
         // The tool's tooth is symmetrical.
         let along = (along + self.centre[0]).abs() - self.centre[0];
         let (sin, cos) = self.alpha.sin_cos();
@@ -71,7 +71,7 @@ impl Cutting {
 
     /// Distance of a point from the tool's tip round, mm in the normal section.
     fn clear_of_round(&self, point: [f64; 2], phi: f64) -> f64 {
-        let [along, deep] = self.from_centre(point, phi);
+        let [along, deep] = self.off_centre(point, phi);
         along.hypot(deep) - self.round
     }
 
@@ -96,7 +96,7 @@ impl Cutting {
     /// How fast the distance from the tip round's centre changes with the roll, times that distance.
     fn slope(&self, point: [f64; 2], phi: f64) -> f64 {
         let [x, y] = self.rolled(point, phi);
-        let [along, deep] = self.from_centre(point, phi);
+        let [along, deep] = self.off_centre(point, phi);
         along * (x - self.radius) * self.cos_beta + deep * y
     }
 }
@@ -186,7 +186,7 @@ fn the_tool_touches_what_it_leaves_and_covers_none_of_it() {
                         false => high = phi,
                     }
                 }
-                let [along, deep] = cutting.from_centre(at, phi);
+                let [along, deep] = cutting.off_centre(at, phi);
                 let gamma = (along * cutting.cos_beta).atan2(deep);
                 assert!((gamma - t).abs() < 1e-9, "{what} {t}: {gamma}");
                 let [out, beside] = cutting.rolled([normal.x, normal.y], phi);

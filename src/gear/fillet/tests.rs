@@ -100,7 +100,7 @@ fn the_border_of_turning_back_is_where_the_speed_is_next_to_none() {
         let end = FRAC_PI_2 - basic_data.transverse_pressure_angle();
         let speeds = (0..=200_000).map(|k| fillet.speed(end * f64::from(k) / 2e5));
         let least = speeds.fold(f64::INFINITY, f64::min);
-        assert!(least >= 0.0 && least < 1e-6, "{helix}: {least:e}");
+        assert!((0.0..1e-6).contains(&least), "{helix}: {least:e}");
     }
 }
 

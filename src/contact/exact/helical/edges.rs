@@ -11,7 +11,7 @@
 //!
 //! These are places to look at, each of one pair of teeth: a section's own method finds what touches there.
 
-use super::roots::{tangent_rotations, tips_on_roots};
+use super::roots::{tangent_rotations, tip_ends, tips_on_roots};
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
@@ -269,21 +269,6 @@ fn tips_on_tips(
             free_turning.places(end, true, (-between).arg(), places);
         }
     }
-}
-
-/// Both ends of the tip lands of the locked and of the free gear.
-pub(super) fn tip_ends<'a>(posed: &'a PosedFlanks<'a>) -> [[Edge<'a>; 2]; 2] {
-    let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
-    [
-        [
-            Edge::corner(locked.tip_corner()),
-            Edge::far(locked, |step| posed.locked(step)),
-        ],
-        [
-            Edge::corner(free.tip_corner()),
-            Edge::far(free, |step| posed.free(step)),
-        ],
-    ]
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@
 //! it stands alike over all of the face where both lands are on the line of centres, from an end of one to an end of one. Beyond, an end of the tip
 //! land touches, the farther from that line the later, until the root land ends.
 
-use super::edges::tip_ends;
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::flank_problem::PosedFlanks;
@@ -58,6 +57,21 @@ pub(super) fn tips_on_roots(
             turnings[0].places(end, true, towards, places);
         }
     }
+}
+
+/// Both ends of the tip lands of the locked and of the free gear.
+pub(super) fn tip_ends<'a>(posed: &'a PosedFlanks<'a>) -> [[Edge<'a>; 2]; 2] {
+    let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
+    [
+        [
+            Edge::corner(locked.tip_corner()),
+            Edge::far(locked, |step| posed.locked(step)),
+        ],
+        [
+            Edge::corner(free.tip_corner()),
+            Edge::far(free, |step| posed.free(step)),
+        ],
+    ]
 }
 
 /// Rotations of the free gear at which circles about both outlines' centres touch, `sum` the sum of their radii: see

@@ -35,7 +35,6 @@ use crate::contact::body::solid_radius;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::{FoundOverFace, OverFace};
 use crate::error::Error;
-use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use facing::{Facing, Floors};
@@ -200,7 +199,7 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
         let facing = Facing::new(assembly, &posed, edges.short);
         let solid = solid_radius(assembly.gear(assembly.free()));
         // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
-        let is_eccentric = posed.free_centre_at(0.0).norm() > 0.0;
+        let is_eccentric = problem.free_off.norm() > 0.0;
         let rounds = if is_eccentric { MOST_ROUNDS } else { 1 };
         let mut last = None;
         for _ in 0..rounds {
@@ -221,19 +220,15 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
                 if self.over.is_solid() {
                     return Ok(());
                 }
+                // What jams may let the free gear farther than what is known.
+                let [tighter, jams] = [false, self.may_jam]
+                    .map(|may_jam| floor(&posed, self.over.known(may_jam), pose));
                 let floors = Floors {
-                    tighter: floor(&posed, self.over.known(false), pose),
-                    jams: floor(&posed, self.over.known(true), pose),
+                    tighter,
+                    jams,
                     solid,
                 };
-                // What jams may let the free gear farther than what is known.
-                let known = self.over.known(self.may_jam);
-                let known = match side {
-                    Side::Right => known[0],
-                    Side::Left => known[1],
-                };
-                let since = -side.sense() * (known - beyond.unwrap_or(0.0));
-                if place.may_hold(since) && facing.may_hold(&place, floors, self.effort) {
+                if facing.may_hold(&place, floors, self.effort) {
                     let section = helical.plane.turned(&assembly.section(place.b));
                     self.look(place.b, &section, place.doubt)?;
                 }

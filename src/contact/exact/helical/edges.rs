@@ -109,8 +109,7 @@ impl Edges {
         if self.short
             && let Some(tooth) = middle_of_path(locked, free, distance)
         {
-            let centre = Edge::corner(C::from(locked.tip_radius));
-            turnings[0].places(&centre, false, between.arg() + tooth, &mut places);
+            turnings[0].places(&Edge::middle(locked), between.arg() + tooth, &mut places);
         }
         let mut take =
             |ahead, behind| tight_places(&turnings, [ahead, behind], stands, &mut places);
@@ -263,10 +262,10 @@ fn tips_on_tips(
         let between = posed.free_centre_at(rotation) - posed.centre;
         let free_turning = Turning::free(assembly, posed, rotation);
         for end in &locked {
-            turnings[0].places(end, true, between.arg(), places);
+            turnings[0].places(end, between.arg(), places);
         }
         for end in &free {
-            free_turning.places(end, true, (-between).arg(), places);
+            free_turning.places(end, (-between).arg(), places);
         }
     }
 }

@@ -7,7 +7,6 @@
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::flank_problem::PosedFlanks;
-use crate::contact::exact::shape::C;
 use crate::pair::GearPair;
 
 /// Adds the places on the face where the tip of a tooth may come to the mate's root: where both lands end together, if the free gear may come there,
@@ -20,14 +19,19 @@ pub(super) fn tips_on_roots(
 ) {
     let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
     let ends = tip_ends(posed);
-    let middles = [locked, free].map(|shape| Edge::corner(C::from(shape.tip_radius)));
+    let middles = [locked, free].map(Edge::middle);
     let roots = [
         Edge::root_end(locked, |step| posed.locked(step)),
         Edge::root_end(free, |step| posed.free(step)),
     ];
-    for (which, tips) in ends.iter().enumerate() {
+    let tips_at = |which: usize, turning: &Turning, direction: f64, places: &mut Vec<Place>| {
+        for tip in ends[which].iter().chain([&middles[which]]) {
+            turning.places(tip, direction, places);
+        }
+    };
+    for which in 0..2 {
         let root = &roots[1 - which];
-        for tip in tips {
+        for tip in &ends[which] {
             let edges = if which == 0 { [tip, root] } else { [root, tip] };
             crossing_places(posed, turnings, edges, stands, (places, effort));
         }
@@ -40,22 +44,14 @@ pub(super) fn tips_on_roots(
                 Turning::free(assembly, posed, rotation),
             ];
             let towards = [between.arg(), (-between).arg()];
-            let tip = &turnings[which];
-            tip.places(&middles[which], false, towards[which], places);
-            for end in tips {
-                tip.places(end, true, towards[which], places);
-            }
-            turnings[1 - which].places(root, true, towards[1 - which], places);
+            tips_at(which, &turnings[which], towards[which], places);
+            turnings[1 - which].places(root, towards[1 - which], places);
         }
     }
     // The free gear is solid about its axis at every rotation, which is where its outline's centre is not.
     let off = posed.problem.free_off.norm();
     if off > 0.0 && posed.centre.norm() - locked.tip_radius < free.root_radius - off {
-        let towards = (-posed.centre).arg();
-        turnings[0].places(&middles[0], false, towards, places);
-        for end in &ends[0] {
-            turnings[0].places(end, true, towards, places);
-        }
+        tips_at(0, &turnings[0], (-posed.centre).arg(), places);
     }
 }
 

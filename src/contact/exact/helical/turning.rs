@@ -68,10 +68,14 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// Adds the places on the face at which `edge` of a tooth has `direction`, rad, and, of an `end`, those on either side: on which of them what
-    /// ends there is met rounding would decide.
-    pub fn places(&self, edge: &Edge, end: bool, direction: f64, places: &mut Vec<Place>) {
-        let sides: &[f64] = if end { &[-BESIDE, BESIDE] } else { &[0.0] };
+    /// Adds the places on the face at which `edge` of a tooth has `direction`, rad: of an end those on either side, for on which of them what ends
+    /// there is met rounding would decide.
+    pub fn places(&self, edge: &Edge, direction: f64, places: &mut Vec<Place>) {
+        let sides: &[f64] = if edge.is_end {
+            &[-BESIDE, BESIDE]
+        } else {
+            &[0.0]
+        };
         for step in self.steps(direction - (edge.beyond)(0)) {
             let b = self.place(direction - (edge.beyond)(step), step);
             let near = sides.iter().map(|beside| b + beside / self.twist);
@@ -81,13 +85,7 @@ impl<'a> Turning<'a> {
 
     /// A place of a pair of teeth, if it is on the face.
     pub fn on_face(&self, step: i64, b: f64, doubt: f64) -> Option<Place> {
-        let farther = f64::INFINITY;
-        let place = Place {
-            step,
-            b,
-            doubt,
-            farther,
-        };
+        let place = Place { step, b, doubt };
         (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
 
@@ -112,21 +110,32 @@ impl<'a> Turning<'a> {
     }
 }
 
-/// An edge that all teeth of a gear have at one radius.
+/// An edge that all teeth of a gear have at one radius, or the middle of their tips.
 pub(super) struct Edge<'a> {
     /// From the gear's own centre, mm.
     pub radius: f64,
     /// Its angle from the centre line of the tooth of a step, rad.
     beyond: Box<dyn Fn(i64) -> f64 + 'a>,
+    /// Whether a curve ends there.
+    is_end: bool,
 }
 
 impl<'a> Edge<'a> {
+    /// The middle of the tip land, on the centre line of the tooth.
+    pub fn middle(shape: &HalfToothShape) -> Edge<'a> {
+        Edge {
+            is_end: false,
+            ..Edge::corner(C::from(shape.tip_radius))
+        }
+    }
+
     /// The corner that stands at `point` of every half tooth.
     pub fn corner(point: C) -> Edge<'a> {
         let angle = point.arg();
         Edge {
             radius: point.norm(),
             beyond: Box::new(move |_| angle),
+            is_end: true,
         }
     }
 
@@ -135,6 +144,7 @@ impl<'a> Edge<'a> {
         Edge {
             radius: shape.tip_radius,
             beyond: Box::new(move |step| half(step).far.arg()),
+            is_end: true,
         }
     }
 
@@ -143,38 +153,25 @@ impl<'a> Edge<'a> {
         Edge {
             radius: shape.root_radius,
             beyond: Box::new(move |step| -half(step).root_end),
+            is_end: true,
         }
     }
 }
 
 /// A place on the face to look at.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact::exact) struct Place {
+pub(super) struct Place {
     /// The pair of teeth that may touch there.
     pub step: i64,
     /// Mm.
     pub b: f64,
     /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
     pub doubt: f64,
-    /// How far beyond where it stands the free gear comes to what is meant to touch there, rad; ∞: not known.
-    farther: f64,
-}
-
-impl Place {
-    /// The same where the free gear comes so much `farther`, rad, to what touches there.
-    fn met(self, farther: f64) -> Place {
-        Place { farther, ..self }
-    }
-
-    /// Whether what touches there may hold the free gear that has been found to stop so much `farther`, rad, since.
-    pub fn may_hold(&self, farther: f64) -> bool {
-        self.farther > farther - DOUBT
-    }
 }
 
 /// Where the free gear stands in the frame of a pose.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact::exact) struct FreeGear {
+pub(super) struct FreeGear {
     /// Rad.
     pub rotation: f64,
     /// Whether something touches there: what touches before does not matter.
@@ -245,8 +242,6 @@ pub(super) fn crossing_places(
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
-            let is_settled = (next - turned).abs() <= DOUBT;
-            let farther = if is_settled { next } else { f64::INFINITY };
             // As far beyond what rounding leaves of it as that comes to.
             let off = 2.0 * unsure;
             let beside = [-BESIDE, BESIDE, -off, off];
@@ -255,8 +250,7 @@ pub(super) fn crossing_places(
                     true => per_turn * beside.abs(),
                     false => 0.0,
                 };
-                let place = locked.on_face(step, b + beside / locked.twist, doubt);
-                places.extend(place.map(|place| place.met(farther)));
+                places.extend(locked.on_face(step, b + beside / locked.twist, doubt));
             }
         }
     }

@@ -43,6 +43,9 @@ impl Sections<'_> {
         for b in self.places.iter().copied().chain(further) {
             let (here, lost_motion) = self.in_section(pose, b, effort)?;
             over.take(b, &here, lost_motion);
+            if over.is_solid() {
+                break;
+            }
         }
         let free = self.assembly.gear(self.assembly.free()).gear();
         let pitch = free.basic_data().angular_pitch();

@@ -14,8 +14,6 @@ pub(super) struct OverFace {
     jam: Option<f64>,
     /// The first that may only seem to be, of an overlap within its bound, mm.
     seems_jammed: Option<f64>,
-    /// Whether nothing was turned at all.
-    jammed: bool,
 }
 
 /// What was found at a pose over a face.
@@ -45,7 +43,6 @@ impl OverFace {
                 _ => (self.jam, self.right, self.left) = (Some(b), None, None),
             }
         }
-        self.jammed |= found.solid && found.right.is_none();
         let turns = |angle: f64| angle - TAU * (angle / TAU).round();
         let right = found.right.map(|contact| turns(contact.rotation - nominal));
         // The left one continues from the right one.
@@ -115,7 +112,8 @@ impl OverFace {
     /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear; `pitch` is its angular pitch, rad.
     pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
         let jam = self.jam.or(self.seems_jammed);
-        if self.jammed {
+        // Jammed whatever touches, so that nothing was turned in that section.
+        if self.jam.is_some() && self.right.is_none() {
             let lost_motion = LostMotion::JAMMED;
             return FoundOverFace { lost_motion, jam };
         }

@@ -73,13 +73,14 @@ impl CutPair {
 /// One assembly, ready to be asked for poses.
 struct Solver<'a> {
     assembly: &'a GearPair,
-    exact: Option<ExactKernel>,
+    kernel: Option<ExactKernel>,
+    /// Whether the kernel only says where along the face of helical gears polygons have to look: what touches first between other sections is
+    /// for it to say.
+    guides: bool,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
     /// In place of both, of helical gears.
     sections: Option<Sections<'a>>,
-    /// Where along the face of helical gears polygons alone have to look: what touches first between other sections is for it to say.
-    guide: Option<ExactKernel>,
     certify: bool,
 }
 
@@ -101,8 +102,8 @@ impl<'a> Solver<'a> {
                 cut: [&cut.wheel, &cut.pinion],
                 places: kernel.sections(),
             }),
-            guide: kernel.clone().filter(|_| !exact),
-            exact: kernel.filter(|_| exact),
+            kernel,
+            guides: !exact,
             certify,
         }
     }
@@ -111,24 +112,24 @@ impl<'a> Solver<'a> {
     fn find(&self, pose: &Pose) -> Result<SolvedPose, Error> {
         // One for all that is done at this pose.
         let effort = Effort::of_pose();
-        let exact = self.exact.as_ref();
-        let exact = exact.map(|kernel| kernel.found_within(pose, &effort));
-        let seen = exact.as_ref().and_then(|found| found.as_ref().ok());
-        let guide = self.guide.as_ref();
-        let guide = guide.map(|kernel| kernel.found_within(pose, &effort));
-        let (guide, lost) = guide.map_or((None, None), |guide| match guide {
-            Ok(found) => (Some(found), None),
-            Err(lost) => (None, Some(lost)),
-        });
-        let polygon = match (&self.sections, lost) {
-            (_, Some(lost)) => Some(Err(lost)),
-            (Some(sections), None) if !self.certify => {
-                Some(sections.lost_motion(pose, seen.or(guide.as_ref()), &effort))
+        let kernel = self.kernel.as_ref();
+        let found = kernel.map(|kernel| kernel.found_within(pose, &effort));
+        let seen = found.as_ref().and_then(|found| found.as_ref().ok());
+        let polygon = match (&self.sections, &self.polygon) {
+            // Without a guide polygons do not know where to look.
+            (Some(sections), _) if !self.certify && (seen.is_some() || !self.guides) => {
+                Some(sections.lost_motion(pose, seen, &effort))
             }
-            _ => {
-                let kernel = self.polygon.as_ref();
-                kernel.map(|kernel| kernel.lost_motion_within(pose, &effort))
-            }
+            (_, kernel) => kernel
+                .as_ref()
+                .map(|kernel| kernel.lost_motion_within(pose, &effort)),
+        };
+        let (exact, polygon) = match self.guides {
+            true => (
+                None,
+                polygon.or_else(|| Some(found?.map(|found| found.lost_motion))),
+            ),
+            false => (found, polygon),
         };
         // What was lost is kept as its reason; anything else ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);

@@ -306,10 +306,7 @@ mod tests {
 
     fn gear(teeth: u32, face: Face, helix: f64, hand: Hand, eccentricity: f64) -> AsBuilt {
         let data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-        let data = match helix > 0.0 {
-            true => data.with_helix(helix, hand).unwrap(),
-            false => data,
-        };
+        let data = data.with_helix(helix, hand).unwrap();
         let deviations = Deviations {
             eccentricity,
             high_tooth: 2.3,

@@ -104,10 +104,7 @@ impl Cutting {
 fn gear(teeth: u32, helix_deg: f64, shift: f64, rack: [f64; 3], alpha_deg: f64) -> Gear {
     let [addendum, dedendum, round] = rack;
     let data = BasicGearData::new(teeth, 2.0, alpha_deg.to_radians()).unwrap();
-    let basic_data = match helix_deg > 0.0 {
-        true => data.with_helix(helix_deg.to_radians(), Hand::Left),
-        false => Ok(data),
-    };
+    let basic_data = data.with_helix(helix_deg.to_radians(), Hand::Left);
     Gear::nominal(GearDesign {
         basic_data: basic_data.unwrap(),
         profile_shift: shift,

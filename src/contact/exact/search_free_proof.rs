@@ -299,12 +299,9 @@ mod tests {
 
     fn teeth(count: u32, helix_deg: f64, profile_shift: f64, round: f64) -> Teeth {
         let basic_data = BasicGearData::new(count, 2.0, 20f64.to_radians()).unwrap();
-        let basic_data = match helix_deg > 0.0 {
-            true => basic_data
-                .with_helix(helix_deg.to_radians(), Hand::Left)
-                .unwrap(),
-            false => basic_data,
-        };
+        let basic_data = basic_data
+            .with_helix(helix_deg.to_radians(), Hand::Left)
+            .unwrap();
         let design = GearDesign {
             basic_data,
             profile_shift,
@@ -334,7 +331,6 @@ mod tests {
             (60, 40.0, 1.0, 0.38),
             (3, 10.0, 1.2, 0.3),
         ] {
-            let beside = if helix > 0.0 { 1.0 / 16.0 } else { 1e-3 };
             let teeth = teeth(count, helix, shift, round);
             let shape = &teeth.shape;
             const STEP: f64 = 1e-6;
@@ -353,14 +349,15 @@ mod tests {
             }
             let flattest = radii.into_iter().fold(0.0, f64::max);
             let radius = |share: f64| mate.shape.base.hypot(flattest * (1.0 + share));
-            assert!(
-                hollow((shape, 0.0), &mate, radius(beside)),
-                "{count} {shift}"
-            );
-            assert!(
-                !hollow((shape, 0.0), &mate, radius(-1e-3)),
-                "{count} {shift}"
-            );
+            let [below, above] = match helix > 0.0 {
+                true => [radius(-1e-3), radius(1.0 / 16.0)],
+                false => [
+                    radius(-1e-3).max(radius(0.0) * (1.0 - 1e-5)),
+                    radius(1e-3).min(radius(0.0) * (1.0 + 1e-5)),
+                ],
+            };
+            assert!(hollow((shape, 0.0), &mate, above), "{count} {shift}");
+            assert!(!hollow((shape, 0.0), &mate, below), "{count} {shift}");
         }
         assert!(bulging > 0);
     }

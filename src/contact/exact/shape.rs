@@ -211,12 +211,9 @@ mod tests {
             (4, 20.0, 20.0, 1.0, 0.4),
         ] {
             let basic = BasicGearData::new(teeth, 1.0, alpha_deg.to_radians()).unwrap();
-            let basic = match helix_deg > 0.0 {
-                true => basic
-                    .with_helix(helix_deg.to_radians(), Hand::Left)
-                    .unwrap(),
-                false => basic,
-            };
+            let basic = basic
+                .with_helix(helix_deg.to_radians(), Hand::Left)
+                .unwrap();
             let design = GearDesign {
                 profile_shift: shift,
                 rack: BasicRack::new(1.0, 1.25, round).unwrap(),

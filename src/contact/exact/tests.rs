@@ -128,7 +128,7 @@ pub(super) fn wild(draws: &mut Draws) -> Option<GearPair> {
     wild.pair(draws)
 }
 
-/// None takes more than a pose may, and few are given up: 5 of 438, whose flanks overlap before a tip jams. Of such poses 29 of 102 were, when
+/// None takes more than a pose may, none is lost before one side of a section has taken its own share, and few are given up: 5 of 438, whose flanks overlap before a tip jams. Of such poses 29 of 102 were, when
 /// the whole section of all teeth that pass the line of centres was looked at, and of jammed ones all the face.
 #[test]
 fn wild_helical_poses_are_found_within_their_effort() {
@@ -142,12 +142,14 @@ fn wild_helical_poses_are_found_within_their_effort() {
         for tooth in 1..=2 {
             let at = mating(tooth, 1, draws.within(0.0, 1.0));
             let (found, used) = kernel.lost_motion_counted(&pair, at);
-            lost += u32::from(found.unwrap().is_none());
+            let found = found.unwrap();
+            let allowed = Effort::of_pose().left();
+            assert!(used <= allowed && (found.is_some() || 2 * used >= allowed));
+            lost += u32::from(found.is_none());
             poses += 1;
             most = most.max(used);
         }
     }
     println!("{poses} poses, {lost} lost, most {most} units");
-    assert!(most <= Effort::of_pose().left());
     assert!(poses > 400 && 50 * lost < poses, "{lost} of {poses}");
 }

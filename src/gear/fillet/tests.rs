@@ -4,10 +4,7 @@ use std::f64::consts::TAU;
 
 fn basic(teeth: u32, alpha: f64, helix_deg: f64) -> BasicGearData {
     let data = BasicGearData::new(teeth, 2.0, alpha).unwrap();
-    match helix_deg > 0.0 {
-        true => data.with_helix(helix_deg.to_radians(), Hand::Left).unwrap(),
-        false => data,
-    }
+    data.with_helix(helix_deg.to_radians(), Hand::Left).unwrap()
 }
 
 /// Source: the greatest polar angle of 20 000 points of each fillet.

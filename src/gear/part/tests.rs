@@ -7,13 +7,10 @@ fn gears(helix_deg: f64) -> [(String, Gear); 3] {
         let plain = GearDesign::plain(teeth, 2.0);
         let design = GearDesign {
             profile_shift: shift,
-            basic_data: match helix_deg > 0.0 {
-                true => plain
-                    .basic_data
-                    .with_helix(helix_deg.to_radians(), Hand::Right)
-                    .unwrap(),
-                false => plain.basic_data,
-            },
+            basic_data: plain
+                .basic_data
+                .with_helix(helix_deg.to_radians(), Hand::Right)
+                .unwrap(),
             ..plain
         };
         (

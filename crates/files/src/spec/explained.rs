@@ -82,19 +82,10 @@ impl<'s> Writer<'s, '_> {
     fn table(&mut self, table: &str, node: &'s Value) {
         let keys = self.words.keys(node);
         for (name, node) in &keys {
-            for example in &self.examples {
-                let mut path = example.key.split('.');
-                if example.table == table && path.next() == Some(name) {
-                    let below = |(_, node), key| {
-                        self.words
-                            .keys(node)
-                            .into_iter()
-                            .find(|(name, _)| *name == key)
-                    };
-                    let words = match path.try_fold((*name, *node), below) {
-                        Some((name, node)) => self.words.of(name, node, &example.value),
-                        None => continue,
-                    };
+            let examples = self.examples.iter().filter(|one| one.table == table);
+            for example in examples.filter(|one| one.key.split('.').next() == Some(name)) {
+                if let Some((key, node)) = self.words.below(name, node, example.key) {
+                    let words = self.words.of(key, node, &example.value);
                     line(&mut self.text, example, &words);
                 }
             }
@@ -104,21 +95,15 @@ impl<'s> Writer<'s, '_> {
                 "" => name.to_owned(),
                 _ => format!("{table}.{name}"),
             };
-            for heading in self
-                .examples
-                .iter()
-                .filter(|example| example.key.is_empty() && example.table == inner)
-            {
+            let headings = self.examples.iter().filter(|one| one.key.is_empty());
+            for heading in headings.filter(|one| one.table == inner) {
                 let words = self.words.of(name, node, &Value::Null);
                 self.text.push('\n');
                 line(&mut self.text, heading, &words);
             }
             let inside = format!("{inner}.");
-            if self
-                .examples
-                .iter()
-                .any(|example| example.table == inner || example.table.starts_with(&inside))
-            {
+            let is_in = |one: &Example| one.table == inner || one.table.starts_with(&inside);
+            if self.examples.iter().any(is_in) {
                 self.table(&inner, node);
             }
         }
@@ -141,18 +126,12 @@ fn line(text: &mut String, example: &Example, words: &[String]) {
             text.push('\n');
             start = example.mark;
         }
-        let mut line = String::new();
-        for word in words.split_whitespace() {
-            if column + 2 + line.chars().count() + word.chars().count() > WIDTH {
-                text.push_str(&format!("{start:<column$}#{line}\n"));
-                line.clear();
-                start = example.mark;
-            }
-            line.push(' ');
-            line.push_str(word);
+        let width = textwrap::Options::new(WIDTH - column - 2)
+            .word_splitter(textwrap::WordSplitter::NoHyphenation);
+        for part in textwrap::wrap(words, width) {
+            text.push_str(&format!("{start:<column$}# {part}\n"));
+            start = example.mark;
         }
-        text.push_str(&format!("{start:<column$}#{line}\n"));
-        start = example.mark;
     }
     if start == example.line {
         text.push_str(start);
@@ -196,33 +175,38 @@ impl<'s> Words<'s> {
         }
         words.retain(|words| !words.is_empty());
         let mut rows = vec![words.join("; ")];
+        rows.extend(together(self.of_keys(node, value)));
+        rows
+    }
+
+    /// What the keys in a value do: of each what it means behind its name, then what follows.
+    fn of_keys(&mut self, node: &'s Value, value: &Value) -> Vec<String> {
+        let mut rows = Vec::new();
         let tables = || value.as_array().into_iter().flatten().chain([value]);
-        let mut is_short = false;
         for (key, node) in self.keys(node) {
             for value in tables().filter_map(|table| table.get(key)) {
-                let inner = self.of(key, node, value);
-                for (row, words) in inner
-                    .into_iter()
-                    .enumerate()
-                    .filter(|(_, words)| !words.is_empty())
-                {
-                    let words = if row == 0 {
-                        format!("{key}: {words}")
-                    } else {
-                        words
-                    };
-                    let was_short = std::mem::replace(
-                        &mut is_short,
-                        words.len() < SHORT && !words.contains(';'),
-                    );
-                    match rows.last_mut() {
-                        Some(last) if was_short && is_short => last.push_str(&format!("; {words}")),
-                        _ => rows.push(words),
-                    }
+                let mut words = self.of(key, node, value);
+                if !words[0].is_empty() {
+                    words[0].insert_str(0, &format!("{key}: "));
                 }
+                rows.extend(words.into_iter().filter(|words| !words.is_empty()));
             }
         }
         rows
+    }
+
+    /// The name and the node of a dotted key, of which `name` is the first part and `node` its node.
+    fn below<'k>(
+        &self,
+        name: &'k str,
+        node: &'s Value,
+        key: &'k str,
+    ) -> Option<(&'k str, &'s Value)> {
+        let mut rest = key.split('.').skip(1);
+        rest.try_fold((name, node), |(_, node), key| {
+            let (_, node) = self.keys(node).into_iter().find(|(name, _)| *name == key)?;
+            Some((key, node))
+        })
     }
 
     /// `node`, and that of its alternatives which `value` is.
@@ -298,6 +282,21 @@ impl<'s> Words<'s> {
 
 fn members<'s>(node: &'s Value, list: &str) -> impl Iterator<Item = &'s Value> {
     node[list].as_array().into_iter().flatten()
+}
+
+/// Short ones that follow each other in one row.
+fn together(words: Vec<String>) -> Vec<String> {
+    let mut rows: Vec<String> = Vec::new();
+    let mut was_short = false;
+    for words in words {
+        let is_short = words.len() < SHORT && !words.contains(';');
+        match rows.last_mut() {
+            Some(last) if was_short && is_short => last.push_str(&format!("; {words}")),
+            _ => rows.push(words),
+        }
+        was_short = is_short;
+    }
+    rows
 }
 
 /// A sentence as a part of a row of them.

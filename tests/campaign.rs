@@ -201,3 +201,11 @@ fn a_tip_land_that_grazes_a_corner_is_not_turned_too_far() {
     let tally = run(None, 1, 712_736, 1, LONGEST);
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
 }
+
+/// A free gear of three teeth that has turned by more than half a turn from where the first pair faces: its gap was taken for one near −π, and
+/// a contact 12° farther out passed for the tightest. One in two million.
+#[test]
+fn a_gap_of_more_than_half_a_turn_is_the_greatest() {
+    let tally = run(None, 29, 637_932, 1, LONGEST);
+    assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
+}

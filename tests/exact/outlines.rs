@@ -3,7 +3,7 @@
 use crate::extremes::random_pair::rough_case;
 use crate::random::Random;
 use crate::straight_sided::straight;
-use crate::wide::drawn::{Depth, Pair};
+use crate::wide::drawn::{Depth, Drawn, Pair};
 use gearlash::analytic::InvolutePair;
 use gearlash::contact::{
     ExactKernel, LostMotion, OutlineCertifier, OutlineKernel, OutlineLostMotion, Status,
@@ -306,4 +306,12 @@ fn polygons_bear_out_that_dense_tips_miss_each_other() {
         let certifier = OutlineCertifier::new(&kernel);
         assert_eq!(certifier.check(&Mating::FIRST, &found), Ok(()), "{apart}");
     }
+}
+
+/// Three free teeth, turned by more than half a turn from where they face the mate (the same pose as in `tests/campaign.rs`).
+#[test]
+fn a_gap_of_more_than_half_a_turn_is_the_greatest() {
+    let drawn = Drawn::new(None, 29, 637_932);
+    let status = agree(&drawn.assembly, drawn.mating).unwrap();
+    assert_eq!(status, Status::Jammed);
 }

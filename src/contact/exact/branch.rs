@@ -4,14 +4,14 @@ use super::candidate::CandidateContact;
 use super::curves::{Curves, SearchExhausted};
 use super::placed::Placed;
 use super::shape::C;
-use crate::contact::gap::{Arc, greatest};
+use crate::contact::gap::{Arc, Origin, greatest};
 use crate::gear::{ProfilePart, smooth};
 
 /// The greatest gap of two half teeth over `curves`, if it exceeds `floor`; `nodes_left`, of which it takes what it needs.
 pub(super) fn search(
     locked: &Placed,
     free: &Placed,
-    origin: C,
+    origin: Origin,
     floor: f64,
     curves: Curves,
     nodes_left: &mut usize,

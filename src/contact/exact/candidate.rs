@@ -2,8 +2,8 @@
 
 use super::placed::Placed;
 use super::shape::C;
-use crate::contact::gap::common_normal;
 pub(super) use crate::contact::gap::slope;
+use crate::contact::gap::{Origin, common_normal};
 use crate::gear::ProfilePart;
 
 /// A common point of a locked and a free half tooth.
@@ -30,7 +30,7 @@ impl CandidateContact {
     pub fn new(
         (locked_half, locked): (&Placed, (ProfilePart, f64)),
         (free_half, free): (&Placed, (ProfilePart, f64)),
-        origin: C,
+        origin: Origin,
         slack: f64,
     ) -> CandidateContact {
         let p = locked_half.at(locked.0, locked.1);
@@ -41,7 +41,7 @@ impl CandidateContact {
         let opposite = || -q.normal * turned / size;
         let (normal, slope) = common_normal(&p, &q, corners, opposite);
         CandidateContact {
-            gap: (turned * origin).arg(),
+            gap: origin.gap(turned),
             slack,
             slope,
             locked,

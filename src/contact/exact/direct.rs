@@ -157,7 +157,7 @@ impl PosedFlanks<'_> {
     pub(super) fn on_lands(&self, curves: Curves, tightest_contacts: &mut TightestContacts) {
         for step in self.steps() {
             let (locked, free) = (self.locked(step), self.free(step));
-            if let Some(candidate) = land_on_land(&locked, &free, self.origin, curves)
+            if let Some(candidate) = land_on_land(&locked, &free, self.origin_of(step), curves)
                 && tightest_contacts.admits(candidate.gap)
             {
                 tightest_contacts.offer(step, candidate);
@@ -245,7 +245,8 @@ impl PosedFlanks<'_> {
             return;
         }
         if let Some(met) = meet(&free, Sense::Free, solver.proof.free_fillet, rho, near) {
-            let candidate = CandidateContact::new((&locked, edge), (&free, met), self.origin, 0.0);
+            let candidate =
+                CandidateContact::new((&locked, edge), (&free, met), self.origin_of(step), 0.0);
             level.offer(self, tightest_contacts, step, candidate);
         }
     }
@@ -271,8 +272,12 @@ impl PosedFlanks<'_> {
                 &locked,
                 (ProfilePart::Tip, locked.range(ProfilePart::Tip).0),
             );
-            let candidate =
-                CandidateContact::new(edge, (&free, (ProfilePart::Tip, met)), self.origin, 0.0);
+            let candidate = CandidateContact::new(
+                edge,
+                (&free, (ProfilePart::Tip, met)),
+                self.origin_of(step),
+                0.0,
+            );
             level.offer(self, tightest_contacts, step, candidate);
         }
     }
@@ -318,7 +323,7 @@ impl PosedFlanks<'_> {
             near,
         ) {
             let edge = (&free, (ProfilePart::Involute, roll));
-            let candidate = CandidateContact::new((&locked, met), edge, self.origin, 0.0);
+            let candidate = CandidateContact::new((&locked, met), edge, self.origin_of(step), 0.0);
             level.offer(self, tightest_contacts, step, candidate);
         }
     }

@@ -12,7 +12,7 @@
 use super::placed::Placed;
 use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
-use crate::contact::gap::rounding;
+use crate::contact::gap::{Origin, rounding};
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Pose};
 use std::f64::consts::PI;
@@ -309,6 +309,15 @@ impl<'a> PosedFlanks<'a> {
             direction: teeth.direction(place),
             far: teeth.far(place),
             root_end: teeth.root_end(place),
+        }
+    }
+
+    /// Whence the gaps of a step count: its free tooth stands so many pitches from that of step 0.
+    #[inline]
+    pub fn origin_of(&self, step: i64) -> Origin {
+        Origin {
+            direction: self.origin,
+            about: step as f64 * self.problem.free.pitch,
         }
     }
 

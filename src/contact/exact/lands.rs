@@ -16,6 +16,7 @@ use super::corner::on_land;
 use super::curves::Curves;
 use super::placed::Placed;
 use super::shape::{C, turn};
+use crate::contact::gap::Origin;
 use crate::gear::ProfilePart::{self, Root, Tip};
 
 /// The pairs of lands that can touch, the locked gear's first. Two roots are always apart.
@@ -35,7 +36,7 @@ pub(super) fn without_lands(curves: Curves) -> Curves {
 pub(super) fn land_on_land(
     locked: &Placed,
     free: &Placed,
-    origin: C,
+    origin: Origin,
     curves: Curves,
 ) -> Option<CandidateContact> {
     LANDS
@@ -55,7 +56,7 @@ fn greatest(
     locked: &Placed,
     free: &Placed,
     (locked_land, free_land): (ProfilePart, ProfilePart),
-    origin: C,
+    origin: Origin,
 ) -> Option<CandidateContact> {
     let candidate = |t: f64, u: f64| {
         CandidateContact::new(

@@ -240,7 +240,7 @@ impl OuterGears {
             if !open.is_empty() && (tips != [true; 2] || stands_in(joint)) {
                 let (locked, free) = (posed.locked(step), posed.free(step));
                 let floor = tightest.level();
-                let (curves, origin) = (without_lands(open), posed.origin);
+                let (curves, origin) = (without_lands(open), posed.origin_of(step));
                 let before = nodes_left;
                 let found = search_pair(&locked, &free, origin, floor, curves, &mut nodes_left);
                 effort.spend((before - nodes_left) as u64);
@@ -326,7 +326,7 @@ impl OuterGears {
         Some(Some(CandidateContact::new(
             (&locked, x),
             (&free, y),
-            posed.origin,
+            posed.origin_of(step),
             0.0,
         )))
     }

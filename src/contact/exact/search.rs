@@ -86,7 +86,7 @@ pub(super) fn over(
         let found = search(
             &locked,
             &posed.free(step),
-            posed.origin,
+            posed.origin_of(step),
             tightest_contacts.level().max(asked.floor),
             curves,
             &mut nodes_left,

@@ -63,7 +63,7 @@ impl PosedFlanks<'_> {
                 (&locked, (ProfilePart::Tip, t)),
                 (&self.free(step), (ProfilePart::Involute, roll)),
             );
-            let candidate = CandidateContact::new(on.0, on.1, self.origin, 0.0);
+            let candidate = CandidateContact::new(on.0, on.1, self.origin_of(step), 0.0);
             if tightest_contacts.admits(candidate.gap) {
                 tightest_contacts.offer(step, candidate);
             }

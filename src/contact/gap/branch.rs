@@ -20,7 +20,7 @@
 //! All bounds come from the distance and turn of the curve from its middle ([`crate::gear::PartCurve::spread`]);
 //! nothing is assumed of the curves' shape.
 
-use super::{C, PlacedCurve, slope};
+use super::{C, Origin, PlacedCurve, slope};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -138,12 +138,12 @@ impl<'a> Arc<'a> {
 
     /// Bounds of the gap with a free arc, rad, from `origin`: a greatest gap is not above the second, and, −∞ where it is not known that they
     /// meet, not below the first.
-    pub fn gap_with(&self, free: &Arc, origin: C) -> (f64, f64) {
+    pub fn gap_with(&self, free: &Arc, origin: Origin) -> (f64, f64) {
         let play = self.swing + free.swing;
-        let middle = (self.middle * free.middle.conj() * origin).arg();
+        let middle = origin.gap(self.middle * free.middle.conj());
         // Beyond half a turn it counts from the other side.
-        if middle.abs() + play >= PI {
-            return (f64::NEG_INFINITY, PI);
+        if (middle - origin.about).abs() + play >= PI {
+            return (f64::NEG_INFINITY, origin.about + PI);
         }
         let meet = self.slope.is_some() && free.slope.is_some();
         let least = if meet {
@@ -274,7 +274,7 @@ pub(in crate::contact) struct CurveContact {
 /// The names of two curves whose search did not end.
 pub(in crate::contact) fn greatest<'a>(
     nodes: &mut Vec<(Arc<'a>, Arc<'a>)>,
-    origin: C,
+    origin: Origin,
     floor: f64,
     nodes_left: &mut usize,
 ) -> Result<Option<CurveContact>, (usize, usize)> {
@@ -298,7 +298,7 @@ pub(in crate::contact) fn greatest<'a>(
         }
         let mut record = |t: f64, u: f64, slack: f64| {
             let points = [locked.placed.at(t), free.placed.at(u)].map(|sample| sample.point);
-            let gap = (points[0] * points[1].conj() * origin).arg();
+            let gap = origin.gap(points[0] * points[1].conj());
             if gap > level {
                 level = gap;
                 best = Some(CurveContact {

@@ -10,6 +10,7 @@ pub(super) use paths::{Path, PathSearch, PlacedRun};
 
 use crate::gear::PartCurve;
 use nalgebra::Complex;
+use std::f64::consts::{PI, TAU};
 
 /// Point or vector of the plane.
 pub(super) type C = Complex<f64>;
@@ -19,6 +20,29 @@ pub(super) type C = Complex<f64>;
 pub(super) fn turn(angle: f64) -> C {
     let (sin, cos) = angle.sin_cos();
     C::new(cos, sin)
+}
+
+/// Whence gaps count.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Origin {
+    /// Direction at rotation 0 of what stands on +x at a gap of 0.
+    pub direction: C,
+    /// No gap is farther from this than half a turn, rad: a free tooth that faces another pair may stand more than that from 0, where
+    /// gears have three or four.
+    pub about: f64,
+}
+
+impl Origin {
+    /// The gap of a locked point `P` and a free one `Q` of one radius, of which `turned` is `P Q*`.
+    #[inline]
+    pub fn gap(self, turned: C) -> f64 {
+        let gap = (turned * self.direction).arg();
+        let off = gap - self.about;
+        match off.abs() <= PI {
+            true => gap,
+            false => gap - TAU * (off / TAU).round(),
+        }
+    }
 }
 
 /// A point of a curve, mm, and the unit normal there, out of the metal.

@@ -4,10 +4,10 @@
 //! the first descent. A pair is dropped where the runs have no radius in common, or the locked one is behind the free one.
 
 use super::boxes::{Boxes, Inside, Rectangle};
-use super::{Arc, C, CurveContact, MOST_NODES, greatest, turn};
+use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
 
-/// Below this gap, rad, nothing is ruled out by rectangles: the gap of a pair seen within 120° of each other (see [`Rectangle::is_near`]) might be
-/// below −π, and count as one near π.
+/// Below this gap, rad, from what gaps are about nothing is ruled out by rectangles: that of a pair seen within 120° of each other
+/// (see [`Rectangle::is_near`]) might be below −π, and count as one near π.
 const LEAST_LEVEL: f64 = -1.0;
 
 /// Rounding of rectangles where a pose puts them, of the greatest length in them: positions are within 16 ε of it, as [`super::rounding`]
@@ -68,7 +68,7 @@ struct Pair {
 
 /// A search over pairs of paths, whose greatest gap so far rules out the rest.
 pub(in crate::contact) struct PathSearch<'a> {
-    origin: C,
+    origin: Origin,
     /// Whether rectangles rule anything out.
     prunes: bool,
     /// Rounding of lengths, mm, and of their squares, mm².
@@ -88,13 +88,13 @@ pub(in crate::contact) struct PathSearch<'a> {
 
 impl<'a> PathSearch<'a> {
     /// For gaps from `origin` above `floor`, first near `guess` where there is no floor; `size` is the greatest length in them, mm.
-    pub fn new(origin: C, size: f64, floor: f64, guess: f64) -> PathSearch<'a> {
+    pub fn new(origin: Origin, size: f64, floor: f64, guess: f64) -> PathSearch<'a> {
         PathSearch {
             origin,
             prunes: true,
             rounding: ROUNDING * size,
             squared_rounding: ROUNDING * size * size,
-            turned: origin.conj() * turn(if floor.is_finite() { floor } else { guess }),
+            turned: origin.direction.conj() * turn(if floor.is_finite() { floor } else { guess }),
             level: floor,
             nodes_left: MOST_NODES,
             pairs: 0,
@@ -115,6 +115,11 @@ impl<'a> PathSearch<'a> {
     /// So many nodes are left of those it had.
     pub fn nodes_left(&self) -> u64 {
         self.nodes_left as u64
+    }
+
+    /// Of what follows no gap is farther from this than half a turn.
+    pub fn set_about(&mut self, gap: f64) {
+        self.origin.about = gap;
     }
 
     /// The same with nothing ruled out by rectangles.
@@ -222,7 +227,7 @@ impl<'a> PathSearch<'a> {
             return None;
         }
         let near = || locked.rectangle.is_near(&free.rectangle, self.turned);
-        let is_near = is_near || self.level >= LEAST_LEVEL && near();
+        let is_near = is_near || self.level - self.origin.about >= LEAST_LEVEL && near();
         let over = locked
             .rectangle
             .beyond(&free.rectangle, self.turned, self.rounding);
@@ -251,7 +256,7 @@ impl<'a> PathSearch<'a> {
         let found = found.map_err(|_| Spent)?;
         if let Some(meeting) = &found {
             self.level = meeting.gap;
-            self.turned = self.origin.conj() * turn(self.level);
+            self.turned = self.origin.direction.conj() * turn(self.level);
         }
         Ok(found)
     }

@@ -14,7 +14,7 @@ mod teeth;
 
 use super::effort::Effort;
 use super::exact::lens_half;
-use super::gap::{C, CurveContact, Inside, PathSearch, common_normal, rounding, turn};
+use super::gap::{C, CurveContact, Inside, Origin, PathSearch, common_normal, rounding, turn};
 use super::lost_motion::Framed;
 use super::outline_contact::{
     NotBorneOut, OutlineContact, OutlineLostMotion, OutlineTouch, Region, SearchExhausted,
@@ -270,7 +270,10 @@ impl SideKernel<'_> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
         // Gaps count from the nominal rotation.
-        let origin = turn(-free_rotation);
+        let origin = Origin {
+            direction: turn(-free_rotation),
+            about: 0.0,
+        };
         let still = Frame {
             centre: self.free.displacement,
             direction: C::ONE,
@@ -283,6 +286,8 @@ impl SideKernel<'_> {
         for teeth in self.facing(pair, mating, rotation) {
             let [locked_tooth, free_tooth] = teeth;
             let locked = LockedHalf::new(&self.locked, locked_tooth, locked_frame);
+            let towards = self.free.angle(free_tooth) + free_rotation;
+            search.set_about(TAU * (towards / TAU).round() - towards);
             let found = search.greatest(&locked, &self.still[free_tooth as usize - 1]);
             let found = found.map_err(|_| self.unsettled(pair, teeth))?;
             best = found.map(|meeting| (meeting, teeth)).or(best);

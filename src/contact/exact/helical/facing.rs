@@ -67,18 +67,21 @@ impl<'a> Facing<'a> {
         let roots = Curves::of(ProfilePart::Root);
         [(roots, floors.jams), (self.curves, floors.tighter)]
             .into_iter()
-            .any(|(curves, floor)| self.is_tighter([&locked, &free], curves, floor, effort))
+            .any(|(curves, floor)| {
+                self.is_tighter(at.step, [&locked, &free], curves, floor, effort)
+            })
     }
 
     /// Whether a gap of `curves` may exceed `floor`, rad.
     fn is_tighter(
         &self,
+        step: i64,
         [locked, free]: [&Placed<'a>; 2],
         curves: Curves,
         floor: f64,
         effort: &Effort,
     ) -> bool {
-        let origin = self.posed.origin;
+        let origin = self.posed.origin_of(step);
         let on_lands = land_on_land(locked, free, origin, curves);
         if on_lands.is_some_and(|candidate| candidate.gap > floor) {
             return true;

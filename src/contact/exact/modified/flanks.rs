@@ -72,7 +72,7 @@ impl PosedFlanks<'_> {
         let candidate = CandidateContact::new(
             (&locked, (ProfilePart::Involute, x)),
             (&free, (ProfilePart::Involute, y)),
-            self.origin,
+            self.origin_of(pair.step),
             0.0,
         );
         if over || free_over {

@@ -70,14 +70,15 @@ impl PosedFlanks<'_> {
     ) -> Option<Option<CandidateContact>> {
         let (locked, free) = (self.locked(step), self.free(step));
         let size = 2.0 * self.problem.distance;
-        let mut search = PathSearch::new(self.origin, size, floor, guess).within(effort.left());
+        let origin = self.origin_of(step);
+        let mut search = PathSearch::new(origin, size, floor, guess).within(effort.left());
         let most = search.nodes_left();
         let found = search.greatest(&FlankPath::new(locked), &FlankPath::new(free));
         effort.spend(most - search.nodes_left());
         let part = ProfilePart::Involute;
         Some(found.ok()?.map(|found| {
             let on = ((part, found.locked.1), (part, found.free.1));
-            CandidateContact::new((&locked, on.0), (&free, on.1), self.origin, found.slack)
+            CandidateContact::new((&locked, on.0), (&free, on.1), origin, found.slack)
         }))
     }
 }

@@ -169,7 +169,7 @@ impl PosedFlanks<'_> {
             task.takes(&heights, &middle)?;
             heights.over(&middle, None, &mut task)?;
             let higher = heights.summit(task.best.take()?, near)?;
-            let mut best = self.touch(&halves, &higher)?;
+            let mut best = self.touch(step, &halves, &higher)?;
             let mut moved = best.gap - gap;
             // At its own gap it is elsewhere, by the square of which its gap is less.
             for _ in 0..3 {
@@ -178,7 +178,7 @@ impl PosedFlanks<'_> {
                 }
                 let heights = at(best.gap);
                 let look = heights.look(best.locked.1)?;
-                let again = self.touch(&halves, &heights.summit(look, near)?)?;
+                let again = self.touch(step, &halves, &heights.summit(look, near)?)?;
                 moved = again.gap - best.gap;
                 best = again;
             }
@@ -209,7 +209,12 @@ impl PosedFlanks<'_> {
     }
 
     /// The gap at a place of the locked flank, or at the free flank's end where it ends there.
-    fn touch(&self, (locked, free): &(Placed, Placed), look: &Look) -> Option<CandidateContact> {
+    fn touch(
+        &self,
+        step: i64,
+        (locked, free): &(Placed, Placed),
+        look: &Look,
+    ) -> Option<CandidateContact> {
         let part = ProfilePart::Involute;
         let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();
         let (low, high) = free.range(part);
@@ -227,7 +232,8 @@ impl PosedFlanks<'_> {
         let slack = 2.0 * ROUNDING * (self.problem.distance + locked.shape.base + free.shape.base);
         let slack = slack * self.problem.per_free_base;
         meets.then(|| {
-            CandidateContact::new((locked, (part, x)), (free, (part, y)), self.origin, slack)
+            let origin = self.origin_of(step);
+            CandidateContact::new((locked, (part, x)), (free, (part, y)), origin, slack)
         })
     }
 }

@@ -12,7 +12,7 @@ use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::lands::{land_on_land, without_lands};
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::turn;
-use crate::contact::gap::MOST_NODES;
+use crate::contact::gap::{MOST_NODES, Origin};
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 
@@ -67,21 +67,24 @@ impl<'a> Facing<'a> {
         let roots = Curves::of(ProfilePart::Root);
         [(roots, floors.jams), (self.curves, floors.tighter)]
             .into_iter()
-            .any(|(curves, floor)| {
-                self.is_tighter(at.step, [&locked, &free], curves, floor, effort)
-            })
+            .any(|(curves, floor)| self.is_tighter(at, [&locked, &free], curves, floor, effort))
     }
 
     /// Whether a gap of `curves` may exceed `floor`, rad.
     fn is_tighter(
         &self,
-        step: i64,
+        at: &Place,
         [locked, free]: [&Placed<'a>; 2],
         curves: Curves,
         floor: f64,
         effort: &Effort,
     ) -> bool {
-        let origin = self.posed.origin_of(step);
+        let here = self.posed.origin_of(at.step);
+        // There the free tooth is wound on.
+        let origin = Origin {
+            about: here.about - self.twists[1] * at.b,
+            ..here
+        };
         let on_lands = land_on_land(locked, free, origin, curves);
         if on_lands.is_some_and(|candidate| candidate.gap > floor) {
             return true;

@@ -5,6 +5,7 @@
 use super::*;
 use formats::{FORMATS, Format, pitch_lists};
 use mutant::{Choice, mutant};
+use rayon::prelude::*;
 
 /// Reads `count` mutants of a table of `teeth` teeth; the numbers of errors and of right data.
 fn run(format: &Format, teeth: u32, count: usize) -> (usize, usize) {
@@ -87,7 +88,7 @@ pub fn check(name: &str, of_the_file: &[&str], problem: &Problem, right: bool) {
 /// Ten thousand mutants of each format.
 #[test]
 fn garbled_tables() {
-    for format in &FORMATS {
+    FORMATS.par_iter().for_each(|format| {
         let (errors, right) = run(format, 17, 10_000);
         assert_eq!(errors + right, 10_001);
         assert!(
@@ -95,20 +96,20 @@ fn garbled_tables() {
             "{}: {errors} errors, {right} right",
             format.name
         );
-    }
+    });
 }
 
 /// The same mistakes among 10 000 lines.
 #[test]
 fn garbled_tables_of_ten_thousand_lines() {
-    for format in &FORMATS {
+    FORMATS.par_iter().for_each(|format| {
         let (errors, right) = run(format, 10_000, 200);
         assert!(
             errors > 50 && right > 5,
             "{}: {errors} errors, {right} right",
             format.name
         );
-    }
+    });
 }
 
 /// A zip archive checks itself: garbled bytes are an error, or the data are as before.

@@ -30,6 +30,12 @@ impl Curves {
         Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
+    /// Those of these that are also among `others`.
+    pub fn among(self, others: Curves) -> Curves {
+        let one = |locked: usize, free: usize| self.0[locked][free] && others.0[locked][free];
+        Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
+    }
+
     pub fn has(self, locked: ProfilePart, free: ProfilePart) -> bool {
         self.0[locked as usize][free as usize]
     }

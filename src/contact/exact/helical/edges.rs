@@ -14,11 +14,13 @@
 use super::roots::{tangent_rotations, tip_ends, tips_on_roots};
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
+use crate::contact::exact::curves::Curves;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::line::Line;
 use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
+use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 use std::f64::consts::PI;
 
@@ -109,7 +111,8 @@ impl Edges {
         if self.short
             && let Some(tooth) = middle_of_path(locked, free, distance)
         {
-            turnings[0].places(&Edge::middle(locked), between.arg() + tooth, &mut places);
+            let places = (Curves::ALL, &mut places);
+            turnings[0].places(&Edge::middle(locked), between.arg() + tooth, places);
         }
         let mut take =
             |ahead, behind| tight_places(&turnings, [ahead, behind], stands, &mut places);
@@ -258,14 +261,15 @@ fn tips_on_tips(
             }
         }
     }
+    let tips = Curves::of(ProfilePart::Tip);
     for rotation in touching {
         let between = posed.free_centre_at(rotation) - posed.centre;
         let free_turning = Turning::free(assembly, posed, rotation);
         for end in &locked {
-            turnings[0].places(end, between.arg(), places);
+            turnings[0].places(end, between.arg(), (tips, places));
         }
         for end in &free {
-            free_turning.places(end, (-between).arg(), places);
+            free_turning.places(end, (-between).arg(), (tips, places));
         }
     }
 }

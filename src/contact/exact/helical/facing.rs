@@ -65,7 +65,8 @@ impl<'a> Facing<'a> {
             return true;
         }
         let roots = Curves::of(ProfilePart::Root);
-        [(roots, floors.jams), (self.curves, floors.tighter)]
+        let curves = self.curves.among(at.curves);
+        [(roots, floors.jams), (curves, floors.tighter)]
             .into_iter()
             .any(|(curves, floor)| self.is_tighter(at, [&locked, &free], curves, floor, effort))
     }

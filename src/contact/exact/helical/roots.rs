@@ -6,7 +6,9 @@
 
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
+use crate::contact::exact::curves::Curves;
 use crate::contact::exact::flank_problem::PosedFlanks;
+use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 
 /// Adds the places on the face where the tip of a tooth may come to the mate's root: where both lands end together, if the free gear may come there,
@@ -24,9 +26,11 @@ pub(super) fn tips_on_roots(
         Edge::root_end(locked, |step| posed.locked(step)),
         Edge::root_end(free, |step| posed.free(step)),
     ];
+    // What touches the mate's flank farther out is tightest elsewhere.
+    let deep = Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet));
     let tips_at = |which: usize, turning: &Turning, direction: f64, places: &mut Vec<Place>| {
         for tip in ends[which].iter().chain([&middles[which]]) {
-            turning.places(tip, direction, places);
+            turning.places(tip, direction, (deep, places));
         }
     };
     for which in 0..2 {
@@ -45,7 +49,7 @@ pub(super) fn tips_on_roots(
             ];
             let towards = [between.arg(), (-between).arg()];
             tips_at(which, &turnings[which], towards[which], places);
-            turnings[1 - which].places(root, towards[1 - which], places);
+            turnings[1 - which].places(root, towards[1 - which], (deep, places));
         }
     }
     // The free gear is solid about its axis at every rotation, which is where its outline's centre is not.

@@ -1,6 +1,7 @@
 //! Where along the face edges of the teeth stand, and where two of them cross.
 
 use crate::contact::Effort;
+use crate::contact::exact::curves::Curves;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::{C, HalfToothShape};
@@ -68,9 +69,9 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// Adds the places on the face at which `edge` of a tooth has `direction`, rad: of an end those on either side, for on which of them what ends
-    /// there is met rounding would decide.
-    pub fn places(&self, edge: &Edge, direction: f64, places: &mut Vec<Place>) {
+    /// Adds the places on the face at which `edge` of a tooth has `direction`, rad, where `curves` may touch tightest: of an end those on
+    /// either side, for on which of them what ends there is met rounding would decide.
+    pub fn places(&self, edge: &Edge, direction: f64, (curves, places): (Curves, &mut Vec<Place>)) {
         let sides: &[f64] = if edge.is_end {
             &[-BESIDE, BESIDE]
         } else {
@@ -79,13 +80,21 @@ impl<'a> Turning<'a> {
         for step in self.steps(direction - (edge.beyond)(0)) {
             let b = self.place(direction - (edge.beyond)(step), step);
             let near = sides.iter().map(|beside| b + beside / self.twist);
-            places.extend(near.filter_map(|b| self.on_face(step, b, 0.0)));
+            places.extend(near.filter_map(|b| {
+                let place = self.on_face(step, b, 0.0)?;
+                Some(Place { curves, ..place })
+            }));
         }
     }
 
     /// A place of a pair of teeth, if it is on the face.
     pub fn on_face(&self, step: i64, b: f64, doubt: f64) -> Option<Place> {
-        let place = Place { step, b, doubt };
+        let place = Place {
+            step,
+            b,
+            doubt,
+            curves: Curves::ALL,
+        };
         (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
 
@@ -167,6 +176,8 @@ pub(super) struct Place {
     pub b: f64,
     /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
     pub doubt: f64,
+    /// The pairs of curves, but roots, that may touch tightest there.
+    pub curves: Curves,
 }
 
 /// Where the free gear stands in the frame of a pose.

@@ -134,3 +134,6 @@ impl OverFace {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

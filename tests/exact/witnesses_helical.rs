@@ -155,3 +155,71 @@ fn no_section_is_tighter_than_the_face_of_tips_that_hardly_meet() {
         .collect();
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
+
+/// Poses of the helical campaign of a seed whose tightest, or whose jam, stands between the sections that hold the tightest of all pairs of involutes.
+/// Of the last, edges cross where rounding leaves unsure, and the bound says so.
+const BETWEEN: [(Option<Depth>, u64, u64); 15] = [
+    (None, 2, 4),
+    (None, 2, 12),
+    (None, 2, 439),
+    (None, 3, 44),
+    (Some(Depth::OnRoot), 2, 7),
+    (Some(Depth::OnRoot), 2, 12),
+    (Some(Depth::OnRoot), 2, 421),
+    (Some(Depth::OnRoot), 2, 652),
+    (Some(Depth::OnRoot), 2, 862),
+    (Some(Depth::OnRoot), 3, 1566),
+    (Some(Depth::OnRoot), 3, 2781),
+    (Some(Depth::OnRoot), 3, 4274),
+    (Some(Depth::Grazing), 2, 1),
+    (Some(Depth::Grazing), 2, 241),
+    (Some(Depth::Grazing), 3, 1502),
+];
+
+/// Sections looked at for one that jams.
+const JAMS: u32 = 2000;
+
+/// Whether the section at `b`, mm, jams by itself, by more than what is known of its overlap.
+fn surely_jams(pair: &GearPair, pose: &Pose, b: f64) -> bool {
+    let here = pose.in_section(pair, b);
+    let found = ExactKernel::new(&pair.section(b)).lost_motion(&here);
+    let found = found.unwrap();
+    let overlap = found
+        .right
+        .zip(found.left)
+        .map(|(right, left)| right.rotation - left.rotation);
+    let is_known = overlap
+        .zip(found.error())
+        .is_none_or(|(one, bound)| one > bound);
+    found.status() == Status::Jammed && is_known
+}
+
+/// What speaks against what is said of jams: a section that jams in a pose that does not, or one that is named and does not jam.
+fn against_jam(pair: &GearPair, mating: Mating) -> Option<String> {
+    let pose = Pose::new(pair, mating);
+    let found = ExactKernel::new(pair).lost_motion(&pose).unwrap();
+    if found.solid {
+        let named = found.right?.section;
+        return (!surely_jams(pair, &pose, named)).then(|| format!("{named} does not jam"));
+    }
+    let [from, to] = pair.face();
+    let mut places = (0..=JAMS).map(|k| from + (to - from) * f64::from(k) / f64::from(JAMS));
+    let jam = places.find(|&b| surely_jams(pair, &pose, b))?;
+    Some(format!("{jam} jams, {found:?}"))
+}
+
+/// Source: single sections, as above; of those that jam by themselves 2001.
+#[test]
+fn what_touches_or_jams_between_the_sections_of_these_is_found() {
+    let complaints: Vec<String> = BETWEEN
+        .par_iter()
+        .flat_map_iter(|&(depth, seed, index)| {
+            let drawn = Drawn::of(Teeth::Helical, depth, seed, index);
+            let jam = against_jam(&drawn.assembly, drawn.mating);
+            let jam = jam.map(|what| format!("{depth:?} {seed} {index}: {what}"));
+            let tighter = against(index, (drawn.assembly, drawn.mating), 200);
+            [jam, tighter].into_iter().flatten()
+        })
+        .collect();
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}

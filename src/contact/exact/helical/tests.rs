@@ -70,3 +70,31 @@ fn places_that_are_left_out_change_nothing() {
     }
     println!("{sections} sections");
 }
+
+/// Over a face no more is known of a contact than in its own section. Source: the section's own method, without what looks along the face.
+#[test]
+fn a_face_knows_no_more_of_a_contact_than_its_section() {
+    let mut draws = Draws(9);
+    let mut contacts = 0;
+    while contacts < 60 {
+        let Some(pair) = wild(&mut draws) else {
+            continue;
+        };
+        let pose = Pose::new(&pair, mating(1, 1, draws.within(0.0, 1.0)));
+        let kernel = ExactKernel::new(&pair);
+        let Ok(found) = kernel.found_within(&pose, &Effort::of_pose()) else {
+            continue;
+        };
+        let found = found.lost_motion;
+        for (side, contact) in [found.right, found.left].into_iter().enumerate() {
+            let Some(contact) = contact else { continue };
+            let here = pose.in_section(&pair, contact.section);
+            let section = kernel.section.turned(&pair.section(contact.section));
+            let alone = section.lost_motion(&here, Wanted::all(&Effort::endless()));
+            let alone = alone.unwrap();
+            let alone = [alone.right, alone.left][side].unwrap();
+            assert!(contact.error >= alone.error, "{contact:?} {alone:?}");
+            contacts += 1;
+        }
+    }
+}

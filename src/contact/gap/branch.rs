@@ -365,17 +365,17 @@ pub(in crate::contact) fn greatest<'a>(
             true => locked.cut().map(|arc| (arc, free)),
             false => free.cut().map(|arc| (locked, arc)),
         };
-        let [first, second] = halves.map(|(locked, free)| {
-            let bound = locked.gap_with(&free, origin).1;
-            (bound, locked.meets(&free) && bound > level, (locked, free))
+        let bounds = halves.each_ref().map(|(locked, free)| {
+            let meets = locked.meets(free);
+            meets.then(|| locked.gap_with(free, origin).1)
         });
         // The half that may have the greater gap last, where it is taken first: where a curve runs round the axis the gap grows along it.
-        let ordered = match first.0 > second.0 {
-            true => [second, first],
-            false => [first, second],
+        let order: [usize; 2] = match bounds[0] > bounds[1] {
+            true => [1, 0],
+            false => [0, 1],
         };
-        let open = ordered.into_iter().filter(|half| half.1);
-        nodes.extend(open.map(|half| half.2));
+        let is_open = |&half: &usize| bounds[half].is_some_and(|bound| bound > level);
+        nodes.extend(order.into_iter().filter(is_open).map(|half| halves[half]));
     }
     *nodes_left = nodes_left.saturating_sub(steps.take() / STEPS_A_NODE);
     Ok(best)

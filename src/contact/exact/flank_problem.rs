@@ -243,11 +243,11 @@ impl<'a> PosedFlanks<'a> {
             return 0..0;
         };
         let per_pitch = self.problem.per_pitch;
-        // Never more than once round. The cast cuts towards zero: at worst a tooth too many.
-        let half = (self.problem.locked.count() - 1) / 2;
+        // Never more than once round: a pair met twice would touch a turn farther on. The cast cuts towards zero: at worst a tooth too many.
+        let count = self.problem.locked.count();
         let first = ((low - self.ahead) * per_pitch) as i64;
         let last = ((high - self.ahead) * per_pitch) as i64;
-        first.max(-half)..last.min(half + 1) + 1
+        first.max(-((count - 1) / 2))..last.min(count / 2) + 1
     }
 
     /// The same teeth at the same steps, the locked gear turned on by `angle`, rad, in this (mirrored) frame.
@@ -312,7 +312,7 @@ impl<'a> PosedFlanks<'a> {
         }
     }
 
-    /// Whence the gaps of a step count: its free tooth stands so many pitches from that of step 0.
+    /// Where the gaps of a step are counted from: its free tooth faces the mate at a gap of so many pitches.
     #[inline]
     pub fn origin_of(&self, step: i64) -> Origin {
         Origin {

@@ -22,13 +22,13 @@ pub(super) fn turn(angle: f64) -> C {
     C::new(cos, sin)
 }
 
-/// Whence gaps count.
+/// Where gaps are counted from.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Origin {
     /// Direction at rotation 0 of what stands on +x at a gap of 0.
     pub direction: C,
-    /// No gap is farther from this than half a turn, rad: a free tooth that faces another pair may stand more than that from 0, where
-    /// gears have three or four.
+    /// Gaps are given within half a turn of this, rad: where the free tooth faces the mate. Of gears of three teeth a neighbouring tooth may
+    /// touch more than half a turn from 0.
     pub about: f64,
 }
 

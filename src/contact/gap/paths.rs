@@ -117,11 +117,6 @@ impl<'a> PathSearch<'a> {
         self.nodes_left as u64
     }
 
-    /// Of what follows no gap is farther from this than half a turn.
-    pub fn set_about(&mut self, gap: f64) {
-        self.origin.about = gap;
-    }
-
     /// The same with nothing ruled out by rectangles.
     pub fn of_all(self) -> PathSearch<'a> {
         PathSearch {

@@ -286,8 +286,6 @@ impl SideKernel<'_> {
         for teeth in self.facing(pair, mating, rotation) {
             let [locked_tooth, free_tooth] = teeth;
             let locked = LockedHalf::new(&self.locked, locked_tooth, locked_frame);
-            let towards = self.free.angle(free_tooth) + free_rotation;
-            search.set_about(TAU * (towards / TAU).round() - towards);
             let found = search.greatest(&locked, &self.still[free_tooth as usize - 1]);
             let found = found.map_err(|_| self.unsettled(pair, teeth))?;
             best = found.map(|meeting| (meeting, teeth)).or(best);

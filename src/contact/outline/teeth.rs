@@ -48,11 +48,6 @@ impl<'a> SideTeeth<'a> {
         &self.boxes[tooth as usize - 1]
     }
 
-    /// Direction of a tooth at rotation 0, rad.
-    pub fn angle(&self, tooth: u32) -> f64 {
-        -self.side.sense() * self.gear.tooth_angle(f64::from(tooth))
-    }
-
     /// The number of the tooth `steps` counter-clockwise of `tooth` in this frame.
     pub fn beside(&self, tooth: u32, steps: i64) -> u32 {
         let index = i64::from(tooth) - 1 + self.ascending * steps;

@@ -20,7 +20,6 @@ use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::line::Line;
 use crate::contact::exact::shape::{C, HalfToothShape};
 use crate::contact::exact::teeth::reduced;
-use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 use std::f64::consts::PI;
 
@@ -261,15 +260,14 @@ fn tips_on_tips(
             }
         }
     }
-    let tips = Curves::of(ProfilePart::Tip);
     for rotation in touching {
         let between = posed.free_centre_at(rotation) - posed.centre;
         let free_turning = Turning::free(assembly, posed, rotation);
         for end in &locked {
-            turnings[0].places(end, between.arg(), (tips, places));
+            turnings[0].places(end, between.arg(), (Curves::ALL, places));
         }
         for end in &free {
-            free_turning.places(end, (-between).arg(), (tips, places));
+            free_turning.places(end, (-between).arg(), (Curves::ALL, places));
         }
     }
 }

@@ -81,7 +81,7 @@ impl<'a> Facing<'a> {
         effort: &Effort,
     ) -> bool {
         let here = self.posed.origin_of(at.step);
-        // There the free tooth is wound on.
+        // Wound on by so much, the free tooth faces the mate at a gap of so much less.
         let origin = Origin {
             about: here.about - self.twists[1] * at.b,
             ..here

@@ -26,8 +26,11 @@ pub(super) fn tips_on_roots(
         Edge::root_end(locked, |step| posed.locked(step)),
         Edge::root_end(free, |step| posed.free(step)),
     ];
-    // What touches the mate's flank farther out is tightest elsewhere.
-    let deep = Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet));
+    // What touches the mate's flank farther out is tightest elsewhere; where nothing holds the free gear yet, anything may.
+    let deep = match stands.is_held {
+        true => Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet)),
+        false => Curves::ALL,
+    };
     let tips_at = |which: usize, turning: &Turning, direction: f64, places: &mut Vec<Place>| {
         for tip in ends[which].iter().chain([&middles[which]]) {
             turning.places(tip, direction, (deep, places));

@@ -176,7 +176,7 @@ pub(super) struct Place {
     pub b: f64,
     /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
     pub doubt: f64,
-    /// The pairs of curves, but roots, that may touch tightest there.
+    /// The pairs of curves that may touch tightest there, beside roots, which are asked about everywhere.
     pub curves: Curves,
 }
 

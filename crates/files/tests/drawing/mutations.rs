@@ -3,6 +3,7 @@
 use super::*;
 use mutant::{Choice, mutant};
 use std::ops::Range;
+use std::time::Instant;
 
 /// Whether an error says where: a line, a point, or that it is of the whole file.
 fn has_place(error: &DrawingError) -> bool {
@@ -32,7 +33,13 @@ fn run(ending: &str, text: &str, geometry: &[Range<usize>], options: &Options) {
     let mut choice = Choice(text.len() as u64);
     for number in 0..10_000 {
         let bytes = mistaken(text.as_bytes(), &mut choice);
+        let start = Instant::now();
         let read = read(Path::new(&name), &bytes, options);
+        assert!(
+            start.elapsed().as_secs_f64() < 1.0,
+            "{number}: {:?}",
+            start.elapsed()
+        );
         let pairs = || bytes.iter().zip(text.as_bytes());
         let before = pairs().take_while(|(a, b)| a == b).count();
         let rest = bytes.len().min(text.len()) - before;

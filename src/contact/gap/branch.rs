@@ -267,8 +267,7 @@ pub(in crate::contact) struct CurveContact {
 
 /// The greatest gap over pairs of a locked and a free curve, if it exceeds `floor`.
 ///
-/// `origin` is the free gear's direction from which gaps count, so that they are small angles; `nodes_left`,
-/// of which it takes what it needs.
+/// Gaps count from `origin`; of `nodes_left` it takes what it needs.
 ///
 /// # Errors
 /// The names of two curves whose search did not end.

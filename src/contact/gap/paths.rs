@@ -6,8 +6,8 @@
 use super::boxes::{Boxes, Inside, Rectangle};
 use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
 
-/// Below this gap, rad, from what gaps are about nothing is ruled out by rectangles: that of a pair seen within 120° of each other
-/// (see [`Rectangle::is_near`]) might be below −π, and count as one near π.
+/// Farther below what gaps are about, rad, nothing is ruled out by rectangles: the gap of a pair seen within 120° of each other (see
+/// [`Rectangle::is_near`]) might be more than half a turn below that, and count as one a turn above.
 const LEAST_LEVEL: f64 = -1.0;
 
 /// Rounding of rectangles where a pose puts them, of the greatest length in them: positions are within 16 ε of it, as [`super::rounding`]

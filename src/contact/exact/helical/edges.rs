@@ -14,7 +14,6 @@
 use super::roots::{tangent_rotations, tip_ends, tips_on_roots};
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
-use crate::contact::exact::curves::Curves;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::line::Line;
@@ -110,8 +109,7 @@ impl Edges {
         if self.short
             && let Some(tooth) = middle_of_path(locked, free, distance)
         {
-            let places = (Curves::ALL, &mut places);
-            turnings[0].places(&Edge::middle(locked), between.arg() + tooth, places);
+            places.extend(turnings[0].places(&Edge::middle(locked), between.arg() + tooth));
         }
         let mut take =
             |ahead, behind| tight_places(&turnings, [ahead, behind], stands, &mut places);
@@ -264,10 +262,10 @@ fn tips_on_tips(
         let between = posed.free_centre_at(rotation) - posed.centre;
         let free_turning = Turning::free(assembly, posed, rotation);
         for end in &locked {
-            turnings[0].places(end, between.arg(), (Curves::ALL, places));
+            places.extend(turnings[0].places(end, between.arg()));
         }
         for end in &free {
-            free_turning.places(end, (-between).arg(), (Curves::ALL, places));
+            places.extend(free_turning.places(end, (-between).arg()));
         }
     }
 }

@@ -64,38 +64,37 @@ impl<'a> Facing<'a> {
         if locked.least_land_radius() < floors.solid {
             return true;
         }
-        let roots = Curves::of(ProfilePart::Root);
-        let curves = self.curves.among(at.curves);
-        [(roots, floors.jams), (curves, floors.tighter)]
-            .into_iter()
-            .any(|(curves, floor)| self.is_tighter(at, [&locked, &free], curves, floor, effort))
-    }
-
-    /// Whether a gap of `curves` may exceed `floor`, rad.
-    fn is_tighter(
-        &self,
-        at: &Place,
-        [locked, free]: [&Placed<'a>; 2],
-        curves: Curves,
-        floor: f64,
-        effort: &Effort,
-    ) -> bool {
         let here = self.posed.origin_of(at.step);
         // Wound on by so much, the free tooth faces the mate at a gap of so much less.
         let origin = Origin {
             about: here.about - self.twists[1] * at.b,
             ..here
         };
-        let on_lands = land_on_land(locked, free, origin, curves);
-        if on_lands.is_some_and(|candidate| candidate.gap > floor) {
-            return true;
-        }
-        let most = effort.left().min(MOST_NODES as u64) as usize;
-        let mut left = most;
-        let curves = without_lands(curves);
-        let found = search(locked, free, origin, floor, curves, &mut left);
-        effort.spend((most - left) as u64);
-        // What is not settled is looked at.
-        found.map_or(true, |found| found.is_some())
+        let roots = Curves::of(ProfilePart::Root);
+        let curves = self.curves.among(at.curves);
+        [(roots, floors.jams), (curves, floors.tighter)]
+            .into_iter()
+            .any(|(curves, floor)| is_tighter([&locked, &free], origin, curves, floor, effort))
     }
+}
+
+/// Whether a gap of `curves` may exceed `floor`, rad.
+fn is_tighter(
+    [locked, free]: [&Placed; 2],
+    origin: Origin,
+    curves: Curves,
+    floor: f64,
+    effort: &Effort,
+) -> bool {
+    let on_lands = land_on_land(locked, free, origin, curves);
+    if on_lands.is_some_and(|candidate| candidate.gap > floor) {
+        return true;
+    }
+    let most = effort.left().min(MOST_NODES as u64) as usize;
+    let mut left = most;
+    let curves = without_lands(curves);
+    let found = search(locked, free, origin, floor, curves, &mut left);
+    effort.spend((most - left) as u64);
+    // What is not settled is looked at.
+    found.map_or(true, |found| found.is_some())
 }

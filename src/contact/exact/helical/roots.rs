@@ -27,13 +27,14 @@ pub(super) fn tips_on_roots(
         Edge::root_end(free, |step| posed.free(step)),
     ];
     // What touches the mate's flank farther out is tightest elsewhere; where nothing holds the free gear yet, anything may.
-    let deep = match stands.is_held {
+    let curves = match stands.is_held {
         true => Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet)),
         false => Curves::ALL,
     };
+    let deep = |place: Place| Place { curves, ..place };
     let tips_at = |which: usize, turning: &Turning, direction: f64, places: &mut Vec<Place>| {
         for tip in ends[which].iter().chain([&middles[which]]) {
-            turning.places(tip, direction, (deep, places));
+            places.extend(turning.places(tip, direction).map(deep));
         }
     };
     for which in 0..2 {
@@ -52,7 +53,8 @@ pub(super) fn tips_on_roots(
             ];
             let towards = [between.arg(), (-between).arg()];
             tips_at(which, &turnings[which], towards[which], places);
-            turnings[1 - which].places(root, towards[1 - which], (deep, places));
+            let root = turnings[1 - which].places(root, towards[1 - which]);
+            places.extend(root.map(deep));
         }
     }
     // The free gear is solid about its axis at every rotation, which is where its outline's centre is not.

@@ -69,22 +69,20 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// Adds the places on the face at which `edge` of a tooth has `direction`, rad, where `curves` may touch tightest: of an end those on
-    /// either side, for on which of them what ends there is met rounding would decide.
-    pub fn places(&self, edge: &Edge, direction: f64, (curves, places): (Curves, &mut Vec<Place>)) {
+    /// The places on the face at which `edge` of a tooth has `direction`, rad: of an end those on either side, for on which of them what ends
+    /// there is met rounding would decide.
+    pub fn places(&self, edge: &Edge, direction: f64) -> impl Iterator<Item = Place> {
         let sides: &[f64] = if edge.is_end {
             &[-BESIDE, BESIDE]
         } else {
             &[0.0]
         };
-        for step in self.steps(direction - (edge.beyond)(0)) {
+        let steps = self.steps(direction - (edge.beyond)(0));
+        steps.flat_map(move |step| {
             let b = self.place(direction - (edge.beyond)(step), step);
-            let near = sides.iter().map(|beside| b + beside / self.twist);
-            places.extend(near.filter_map(|b| {
-                let place = self.on_face(step, b, 0.0)?;
-                Some(Place { curves, ..place })
-            }));
-        }
+            let near = sides.iter().map(move |beside| b + beside / self.twist);
+            near.filter_map(move |b| self.on_face(step, b, 0.0))
+        })
     }
 
     /// A place of a pair of teeth, if it is on the face.

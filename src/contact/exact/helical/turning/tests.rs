@@ -120,12 +120,12 @@ fn no_place_on_the_face_is_left_out() {
                 let direction = 0.17 * f64::from(k) - 3.3;
                 let edge = Edge::corner(turn(0.06) * 20.0);
                 let (mut found, mut ends) = (Vec::new(), Vec::new());
-                turning.places(&edge, direction, (Curves::ALL, &mut ends));
+                ends.extend(turning.places(&edge, direction));
                 let middle = Edge {
                     is_end: false,
                     ..edge
                 };
-                turning.places(&middle, direction, (Curves::ALL, &mut found));
+                found.extend(turning.places(&middle, direction));
                 let steps = turning.steps(direction - 0.06);
                 let [from, to] = turning.face;
                 let mut expected = Vec::new();

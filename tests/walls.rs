@@ -52,9 +52,10 @@ const BELOW_POPULATION: [&str; 8] = [
 ];
 
 /// Sources of the packages, below the root.
-const PACKAGES: [&str; 5] = [
+const PACKAGES: [&str; 6] = [
     "src",
     "crates/files/src",
+    "crates/results/src",
     "crates/render/src",
     "crates/cli/src",
     "crates/python/src",

@@ -13,9 +13,9 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::verdict::Requirement;
 use gearlash_files::outlines::Drawings;
-use gearlash_files::verdict::sentence;
 use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
-use gearlash_render::checked::{self, CheckedPair};
+use gearlash_results::checked::{self, CheckedPair};
+use gearlash_results::verdict::sentence;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -194,9 +194,9 @@ fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<
     };
     let text = match args.format {
         Format::Text => {
-            gearlash_render::text::check::text(study, &verdict, diagnosis, &args.screen.screen())
+            gearlash_results::text::check::text(study, &verdict, diagnosis, &args.screen.screen())
         }
-        Format::Json => gearlash_files::results::checks_json(file, diagnosis, &verdict)
+        Format::Json => gearlash_results::checks_json(file, diagnosis, &verdict)
             .map_err(Error::unwritable("the checks"))?,
         Format::Junit | Format::Github | Format::Markdown => String::new(),
     };

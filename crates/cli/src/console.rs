@@ -6,7 +6,7 @@
 use crate::error::Error;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use gearlash_render::text::Screen;
+use gearlash_results::text::Screen;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -9,7 +9,7 @@ use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::numbers::rounded;
 use gearlash_files::rexs::RexsBacklash;
-use gearlash_files::verdict::sentence;
+use gearlash_results::verdict::sentence;
 use std::path::PathBuf;
 use std::process::ExitCode;
 

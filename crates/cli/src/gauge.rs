@@ -11,11 +11,9 @@ use super::studies;
 use crate::error::Error;
 use gearlash::gauge::{Settings, gauge, pose_count};
 use gearlash::gear::AsBuilt;
-use gearlash_files::results::gauge::{
-    GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
-};
 use gearlash_files::{AnyGears, GearEntry};
 use gearlash_render::gauge::{charts, missing, page, text};
+use gearlash_results::gauge::{GaugedGear, csv_files, json, possible_files, stem, teeth_csv};
 use std::path::PathBuf;
 use std::process::ExitCode;
 

@@ -5,7 +5,7 @@ use super::rexs::{self, RexsArgs};
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash_files::import::{self, Content, Imported, Kind, Options};
-use gearlash_render::text::imported;
+use gearlash_results::text::imported;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 

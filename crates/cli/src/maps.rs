@@ -8,7 +8,7 @@ use gearlash::analysis::outlines::{OUTLINE_MAP_ROWS, OutlineMap, OutlineRun, Tur
 use gearlash::analysis::study::{Material, Study};
 use gearlash::pair::Member;
 use gearlash_files::OutlinePairFile;
-use gearlash_files::outlines::outline_map_csv;
+use gearlash_results::outlines::outline_map_csv;
 
 /// A map of one material.
 pub(super) struct DrawnMap {
@@ -71,7 +71,7 @@ pub(super) fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnM
         Ok(DrawnMap {
             material,
             svg: gearlash_render::map_picture(&map, &study.title, &caption),
-            csv: gearlash_files::results::map_csv(&map).map_err(Error::unwritable("the map"))?,
+            csv: gearlash_results::map_csv(&map).map_err(Error::unwritable("the map"))?,
         })
     });
     maps.collect()

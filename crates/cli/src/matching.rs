@@ -7,8 +7,9 @@ use super::tolerance::Format;
 use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
 use gearlash_files::matching::{MatchFile, MatchPart, MatchResult, read_match};
-use gearlash_render::text::Screen;
-use gearlash_render::{match_map, text};
+use gearlash_render::match_map;
+use gearlash_results::text;
+use gearlash_results::text::Screen;
 use std::path::PathBuf;
 use std::process::ExitCode;
 

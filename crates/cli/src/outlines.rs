@@ -10,9 +10,9 @@ use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
 use gearlash::analysis::verdict::Requirement;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
-use gearlash_files::outlines::{sentence, to_csv, to_json};
-use gearlash_render::checked::CheckedPair;
-use gearlash_render::text;
+use gearlash_results::checked::CheckedPair;
+use gearlash_results::outlines::{sentence, to_csv, to_json};
+use gearlash_results::text;
 use std::path::Path;
 use std::process::ExitCode;
 

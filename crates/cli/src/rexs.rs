@@ -4,7 +4,7 @@ use super::console::{guard, print};
 use super::target::Target;
 use crate::error::Error;
 use gearlash_files::rexs::{RexsFile, RexsPair, RexsStage};
-use gearlash_render::text::{Screen, rexs};
+use gearlash_results::text::{Screen, rexs};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 

@@ -17,9 +17,10 @@ use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_bloc
 use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::pair::GearPair;
-use gearlash_files::{AnyPair, OutlinePairFile, ResultWriter, distance_refused};
+use gearlash_files::{AnyPair, OutlinePairFile, distance_refused};
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
+use gearlash_results::ResultWriter;
 use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -107,7 +108,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     match (args.results.format, &mut folder) {
         (Format::Text, _) => {
             let measured = measured.matings(study);
-            print(&gearlash_render::simulation_table(
+            print(&gearlash_results::text::simulation(
                 study,
                 &verdict,
                 &runs,

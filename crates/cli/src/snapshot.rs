@@ -199,7 +199,7 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         (true, ..) => {
             let runs = outlines::runs(&file, &MethodArgs::default())?;
             unproven = analysis::outlines::unproven(&runs);
-            tell(&gearlash_files::outlines::sentence(&file.study, &runs));
+            tell(&gearlash_results::outlines::sentence(&file.study, &runs));
             analysis::outlines::worst(&runs).map(|(run, pose)| {
                 (
                     run.pair.clone(),

@@ -8,7 +8,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::PoseResult;
 use gearlash_files::distance_refused;
-use gearlash_files::verdict::sentence;
+use gearlash_results::verdict::sentence;
 
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given; says the verdict on standard
 /// error, and returns the worst pose (asked for by the option `asked`): jammed, or with the least backlash. Its run comes with it, and how many extremes are not proven.

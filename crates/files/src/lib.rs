@@ -6,19 +6,13 @@
 //! and whose findings are put into words (`findings`). Nothing here computes what a gear is.
 //!
 //! ```no_run
-//! use gearlash::analysis::{Analysis, Plan};
-//! use gearlash::contact::Method;
 //! use std::path::Path;
 //!
 //! let pair = gearlash_files::read(Path::new("fixtures/karba_44x44.toml"))?;
 //! for warning in &pair.warnings {
 //!     eprintln!("{warning}");
 //! }
-//! let plan = Plan::new(&pair.study, Method::Exact { certify: true }).with_extremes();
-//! let analysis = Analysis::silently(&plan)?;
-//! let verdict = analysis.verdict();
-//! println!("{}", gearlash_files::verdict::sentence(&verdict));
-//! println!("{}", gearlash_files::result_file(&pair, &analysis.runs, &verdict).to_csv()?);
+//! println!("{} poses", pair.study.pose_count());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -61,7 +55,6 @@ mod profile;
 mod read;
 mod readings;
 mod require;
-pub mod results;
 pub mod rexs;
 mod runout;
 mod said_once;
@@ -81,7 +74,6 @@ pub mod tolerance;
 mod tolerance_table;
 mod uncertainty;
 mod unmodelled;
-pub mod verdict;
 
 use node::Node;
 use pair_file::PairTables;
@@ -102,6 +94,7 @@ pub fn named(path: &Path) -> &Path {
 
 pub use error::{InputError, Problem};
 pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
+pub use helix::short_for_span;
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use outline_file::{OutlineFile, OutlineFormat};
 pub use outlines::OutlinePairFile;
@@ -109,7 +102,6 @@ pub use pair_slips::in_tolerance as tolerance_slip;
 pub use part_error::PartError;
 pub use parts::Parts;
 pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
-pub use results::{ResultFile, ResultWriter, result_file};
 pub use shards::MOST_SHARDS;
 pub use sources::Sources;
 pub use spec::{explained, gear_schema, pair_schema};

@@ -4,7 +4,8 @@
 //! Neither has a negative zero. Lengths come in mm; what says µm in its name multiplies by 1000. Results for
 //! programs are not written here: JSON and CSV hold the shortest text that reads back to the same f64.
 
-use gearlash::pair::BacklashUnit;
+use gearlash::analysis::requirement::Quantity;
+use gearlash::pair::{BacklashUnit, Member, arcmin};
 
 /// What stands where there is no value.
 pub const NONE: &str = "–";
@@ -87,6 +88,23 @@ pub fn trimmed(value: f64, least: usize, most: usize) -> String {
 /// A centre distance as it was stated: three decimals, or as many as it has, up to nine. Fewer could make two of them equal.
 pub fn stated_distance(mm: f64) -> String {
     trimmed(mm, 3, 9)
+}
+
+/// Name and unit of a quantity, how many of the unit one mm (rad) is, and decimals.
+pub fn unit_of(quantity: Quantity) -> (&'static str, &'static str, f64, usize) {
+    match quantity {
+        Quantity::OperatingBacklash => ("j_wt", "µm", 1e3, 2),
+        Quantity::ReferenceBacklash => ("j_t", "µm", 1e3, 2),
+        Quantity::NormalBacklash => ("j_bn", "µm", 1e3, 2),
+        Quantity::RadialBacklash => ("j_r", "µm", 1e3, 2),
+        Quantity::LostMotion(Member::Wheel) => {
+            ("lost motion of the wheel", "arcmin", arcmin(1.0), 3)
+        }
+        Quantity::LostMotion(Member::Pinion) => {
+            ("lost motion of the pinion", "arcmin", arcmin(1.0), 3)
+        }
+        Quantity::RadialClearance => ("radial clearance", "mm", 1.0, 4),
+    }
 }
 
 /// `value` to the nearest of so many decimals; never −0.

@@ -7,7 +7,7 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::extremes as cycle;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
-use gearlash_files::results::{checks_json, extremes_json};
+use gearlash_results::{checks_json, extremes_json};
 use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };

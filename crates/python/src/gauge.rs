@@ -4,7 +4,7 @@ use crate::call::work;
 use crate::error::error;
 use crate::gear::Gear;
 use gearlash::gauge::{Settings, gauge as measure};
-use gearlash_files::results::gauge::{GaugedGear, json};
+use gearlash_results::gauge::{GaugedGear, json};
 use pyo3::prelude::*;
 
 /// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses a pitch: a tuple in Python.

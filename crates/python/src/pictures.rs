@@ -9,9 +9,9 @@ use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::{MeshSection, Method};
 use gearlash::gear::Inspection;
-use gearlash_files::verdict::in_short;
 use gearlash_render::Snapshot;
 use gearlash_render::chart::{self, Heading};
+use gearlash_results::verdict::in_short;
 use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };

@@ -9,7 +9,7 @@ use gearlash::contact::{CutPair, ExactKernel, Method, Status, sweep_blocks};
 use gearlash::error::Error;
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use gearlash_files::results::pose_json;
+use gearlash_results::pose_json;
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

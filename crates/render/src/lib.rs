@@ -1,4 +1,4 @@
-//! Pictures, pages and text tables. Nothing here computes anything about gears: it takes results and draws them.
+//! Pictures and pages. Nothing here computes anything about gears: it takes results and draws them.
 //!
 //! ```
 //! use gearlash::analysis::study::Material;
@@ -24,17 +24,13 @@
 //! ```
 
 pub mod chart;
-pub mod checked;
-pub mod comparison;
 pub mod gauge;
-mod junit;
 mod kit;
 mod map;
 mod match_map;
 mod pose_name;
 mod report;
 mod snapshot;
-pub mod text;
 mod tolerance;
 pub mod viewer;
 
@@ -47,5 +43,4 @@ pub use report::{
 pub use snapshot::{
     Snapshot, animation, exaggerated, outline_difference, outline_snapshot, snapshot,
 };
-pub use text::simulation as simulation_table;
 pub use tolerance::{Pictures, pictures as tolerance_pictures};

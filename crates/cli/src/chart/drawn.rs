@@ -19,8 +19,8 @@ use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
-use gearlash_files::verdict::{in_short, sentence};
 use gearlash_render::chart::{self, Heading};
+use gearlash_results::verdict::{in_short, sentence};
 
 /// The file of a map.
 pub(super) const MAP: &str = "chart_map.svg";

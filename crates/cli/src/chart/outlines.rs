@@ -10,8 +10,8 @@ use crate::outlines::runs;
 use crate::target::Target;
 use gearlash::analysis::outlines::unproven;
 use gearlash_files::OutlinePairFile;
-use gearlash_files::outlines::sentence;
 use gearlash_render::chart;
+use gearlash_results::outlines::sentence;
 use std::process::ExitCode;
 
 /// Runs the command.

@@ -5,8 +5,10 @@ use crate::console::{guard, print, warn};
 use crate::error::{Error, exit_code};
 use crate::outlines::is_drawing;
 use crate::target::Target;
-use gearlash_files::outlines::{TwoDrawings, comparison_json, difference_csv};
-use gearlash_render::{outline_difference, text};
+use gearlash_files::outlines::TwoDrawings;
+use gearlash_render::outline_difference;
+use gearlash_results::outlines::{comparison_json, difference_csv};
+use gearlash_results::text;
 use std::process::ExitCode;
 
 /// Runs the command of two drawings.

@@ -7,10 +7,9 @@ use crate::gears::{GearName, MaterialName, one_only};
 use crate::results::Format;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::gauge_outline;
-use gearlash_files::outlines::{
-    GaugedOutline, OutlineGearEntry, OutlineGearsFile, gauged_csv, gauged_json,
-};
+use gearlash_files::outlines::{OutlineGearEntry, OutlineGearsFile};
 use gearlash_render::gauge::outlines as text;
+use gearlash_results::outlines::{GaugedOutline, gauged_csv, gauged_json};
 use std::process::ExitCode;
 
 /// Runs the command.

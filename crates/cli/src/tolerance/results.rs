@@ -8,8 +8,8 @@ use crate::parts::WHOLE;
 use clap::ValueEnum;
 use gearlash::population::WORST;
 use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file, worst_name};
-use gearlash_render::text::Screen;
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
+use gearlash_results::text::Screen;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -108,7 +108,7 @@ pub(crate) fn tell_result(
         files.push((name, text.map_err(Error::unwritable("the result"))?));
     }
     match format {
-        Format::Text => print(&gearlash_render::text::tolerance(result, screen))?,
+        Format::Text => print(&gearlash_results::text::tolerance(result, screen))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }

@@ -2,8 +2,8 @@
 
 use super::part::{MatchPart, status};
 use crate::characters;
+use crate::characters::csv_text;
 use crate::numbers::{fixed, rounded, shortest};
-use crate::results::csv_text;
 use crate::tolerance::Limit;
 use gearlash::matching::{Expected, Fit, Matrix};
 use serde_json::{Value, json};

@@ -1,7 +1,6 @@
 //! What is required beside `j_wt`, in the units that are reported.
 
-use crate::numbers::{rounded, shortest};
-use crate::verdict::unit_of;
+use crate::numbers::{rounded, shortest, unit_of};
 use gearlash::analysis::requirement::Quantity;
 use gearlash::population::Requirement;
 use serde::{Deserialize, Serialize};

@@ -4,8 +4,8 @@ use super::part::Part;
 use super::result::{ToleranceResult, convergence};
 use super::sentence::{phases_of_limits, sentence};
 use super::worst::worst_name;
+use crate::characters::csv_text;
 use crate::numbers::rounded;
-use crate::results::csv_text;
 use gearlash::population::{
     CONFIDENCE, Contributions, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES, Share,
     SpreadStatistics,

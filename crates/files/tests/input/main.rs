@@ -6,7 +6,6 @@ mod mutations;
 mod poses;
 mod published;
 mod thickness;
-mod verdict;
 
 use gearlash::analysis::study::Material;
 use gearlash::pair::Member;

@@ -12,7 +12,7 @@ use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_files::results::gauge::{GaugedGear, Reading, page_name};
+use gearlash_results::gauge::{GaugedGear, Reading, page_name};
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes

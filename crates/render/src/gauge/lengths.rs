@@ -1,7 +1,7 @@
 //! Lengths with their least, mean and greatest reading: the rows of the text, the charts of each less its mean.
 
 use gearlash::gauge::OverPins;
-use gearlash_files::results::gauge::{GaugedGear, Reading};
+use gearlash_results::gauge::{GaugedGear, Reading};
 
 /// One length, mm.
 pub(super) struct Length {

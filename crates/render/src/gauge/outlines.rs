@@ -1,12 +1,12 @@
 //! Spans and pins read on outlines, as a short table of each gear.
 
 use super::text::tooth_by_tooth;
-use crate::text::{Column, Screen, Table};
 use gearlash::contact::{OutlineTouch, Region};
 use gearlash::gauge::OverPins;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use gearlash_files::outlines::GaugedOutline;
+use gearlash_results::outlines::GaugedOutline;
+use gearlash_results::text::{Column, Screen, Table};
 use std::fmt::Write;
 
 const LEGEND: &str = "

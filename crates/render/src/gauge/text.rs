@@ -1,7 +1,6 @@
 //! What the gauges read, as a short table of each gear.
 
 use super::lengths::lengths;
-use crate::text::{Column, Screen, Table};
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{
     Eccentricity, FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading, Unmeasured,
@@ -9,10 +8,8 @@ use gearlash::gauge::{
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use gearlash_files::results::{
-    self,
-    gauge::{GaugedGear, by_tooth},
-};
+use gearlash_results::gauge::{GaugedGear, by_tooth};
+use gearlash_results::text::{Column, Screen, Table};
 use std::fmt::Write;
 
 /// The text `gauge` prints on `screen`; with `by_position` every reading tooth by tooth, too.
@@ -288,7 +285,7 @@ fn position_table(gauged: &GaugedGear) -> String {
 }
 
 /// A row a tooth of the columns that have cells.
-pub(super) fn tooth_by_tooth(teeth: u32, columns: &[(&str, results::Column)]) -> String {
+pub(super) fn tooth_by_tooth(teeth: u32, columns: &[(&str, gearlash_results::Column)]) -> String {
     let shown = || {
         columns
             .iter()

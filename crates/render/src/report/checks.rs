@@ -3,10 +3,10 @@
 use super::marks::mark;
 use super::page::Page;
 use super::phrases::{j_wt, plain, study};
-use crate::text::check::{doubts, governing, measured, unit};
 use gearlash::analysis::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, stated_distance};
+use gearlash_results::text::check::{doubts, governing, measured, unit};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {

@@ -8,7 +8,7 @@ use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
 use gearlash_files::numbers::{NONE, trimmed, um};
-use gearlash_files::verdict::doubt;
+use gearlash_results::verdict::doubt;
 use maud::{Markup, PreEscaped, html};
 
 /// Whether a page has this section.

@@ -4,7 +4,7 @@ use super::page::Page;
 use super::phrases::{plain, pose};
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash_files::numbers::stated_distance;
-use gearlash_files::results::doubts;
+use gearlash_results::doubts;
 use maud::{Markup, html};
 
 /// Poses up to this many are listed one by one (tuned: a screen).

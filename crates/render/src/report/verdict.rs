@@ -5,12 +5,12 @@ use super::marks::{mark, marked};
 use super::page::Page;
 use super::phrases::{band, j_wt, touching, with_symbols};
 use super::{cycle, unproven};
-use crate::text::check::governing;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
 use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash_files::numbers::{stated_distance, um};
-use gearlash_files::verdict::sentence;
+use gearlash_results::text::check::governing;
+use gearlash_results::verdict::sentence;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {

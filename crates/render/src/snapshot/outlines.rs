@@ -17,7 +17,7 @@ use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{bound_um, trimmed, um};
-use gearlash_files::outlines::region_words;
+use gearlash_results::outlines::region_words;
 use nalgebra::Point2;
 use svg::node::element::{Group, SVG};
 

@@ -1,8 +1,9 @@
 //! Parts of a run of `gearlash tolerance` whose numbers someone has edited: a named error, or a result.
 
 use gearlash_files::tolerance::{Part, ToleranceResult, histogram_csv, read_tolerance, worst_file};
-use gearlash_render::text::Screen;
-use gearlash_render::{ToleranceReport, text, tolerance_pictures, tolerance_report};
+use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
+use gearlash_results::text;
+use gearlash_results::text::Screen;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::Value;

@@ -4,8 +4,8 @@ use super::{CERTIFIED, Case};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Verdict, diagnose};
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::contact::{Method, PoseClass};
-use gearlash_files::results::checks_json;
-use gearlash_render::text::{Screen, check};
+use gearlash_results::checks_json;
+use gearlash_results::text::{Screen, check};
 use serde_json::Value;
 
 /// Those that are measured over the poses.

@@ -5,10 +5,11 @@ use super::super::stated::{high_tooth, runout, thickness};
 use super::OutlineReport;
 use gearlash::outline::OutlineGear;
 use gearlash_files::numbers::{bound_um, fixed, shortest, stated_distance, trimmed};
-use gearlash_files::outlines::{DrawingRead, looks_like};
+use gearlash_files::outlines::DrawingRead;
 use gearlash_files::spec::{
     CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlineSpec, PointsKind,
 };
+use gearlash_results::outlines::looks_like;
 use maud::{Markup, html};
 
 pub(super) fn section(report: &OutlineReport) -> Markup {

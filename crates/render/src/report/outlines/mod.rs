@@ -19,7 +19,7 @@ use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{NONE, bound_um, fixed, stated_distance, um};
-use gearlash_files::outlines::{region_words, summary};
+use gearlash_results::outlines::{region_words, summary};
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances whose curves stand in the page (tuned: as of gears by their data).

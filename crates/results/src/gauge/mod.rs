@@ -1,0 +1,158 @@
+//! What the gauges read, as JSON and CSV.
+
+mod json;
+mod readings;
+
+use super::table::{Cell, Column, Table, Unit};
+use gearlash::analysis::study::Material;
+use gearlash::gauge::Gauged;
+use gearlash::gear::AsBuilt;
+use gearlash_files::short_for_span;
+use gearlash_files::spec::GearSpec;
+use gearlash_files::{GaugedTables, NoGearFile, gauged_file};
+
+pub use json::json;
+pub(crate) use json::{json_of, of};
+pub use readings::{Reading, by_tooth};
+
+/// One gear in one material and what the gauges read on it.
+#[derive(Debug)]
+pub struct GaugedGear<'a> {
+    /// Title of the file.
+    pub title: &'a str,
+    /// `wheel`, `pinion` or `gear`.
+    pub name: &'static str,
+    /// Which thickness.
+    pub material: Material,
+    /// The gear.
+    pub gear: &'a AsBuilt,
+    /// Its table as understood.
+    pub spec: &'a GearSpec,
+    /// The readings.
+    pub gauged: Gauged,
+}
+
+impl GaugedGear<'_> {
+    /// How its files begin: `gauge_wheel`, with the material where there are two.
+    pub fn stem(&self) -> String {
+        stem(self.name, self.material)
+    }
+
+    /// Its gear file: name and content.
+    ///
+    /// # Errors
+    /// Where the readings do not say enough for one.
+    pub fn gear_file(&self) -> Result<(String, String), NoGearFile> {
+        let stem = self.stem();
+        let tables = GaugedTables {
+            spans: Reading::Spans.csv(&stem),
+            pitch: Reading::PitchOwn.csv(&stem),
+        };
+        let text = gauged_file(self.title, &self.words(), self.spec, &self.gauged, tables)?;
+        Ok((gear_file_name(&stem), text))
+    }
+
+    /// The gear in a few words.
+    pub fn words(&self) -> String {
+        let basic_data = self.gear.gear().basic_data();
+        format!(
+            "{}, {} teeth, module {} mm{}, material {}",
+            self.name,
+            basic_data.teeth(),
+            basic_data.module(),
+            self.helix(),
+            self.material.name()
+        )
+    }
+
+    /// Helix angle and hand, after a comma; empty of a spur gear.
+    pub fn helix(&self) -> String {
+        match (
+            self.gear.gear().basic_data().hand(),
+            self.spec.helix_angle_deg,
+        ) {
+            (Some(hand), Some(degrees)) => format!(", β {degrees}° {}", hand.name()),
+            _ => String::new(),
+        }
+    }
+
+    /// A warning where the face of a helical gear is too short for the spans read, and the file itself did not warn.
+    pub fn short_face(&self) -> Option<String> {
+        let k = self.gauged.spans.as_ref().ok()?.teeth;
+        let stated = self.spec.thickness.statement.span.as_ref();
+        let warned = stated.is_some_and(|span| span.teeth == k);
+        let k = (!warned).then_some(k);
+        short_for_span(self.spec.face_mm, self.name, self.gear, k)
+    }
+}
+
+/// How the files of the gear called `name` begin: `gauge_wheel`, with the material where there are two.
+pub fn stem(name: &str, material: Material) -> String {
+    match material {
+        Material::AsMeasured => format!("gauge_{name}"),
+        material => format!("gauge_{name}_{}", material.name()),
+    }
+}
+
+/// The gear file of the gear of `stem`.
+pub fn gear_file_name(stem: &str) -> String {
+    format!("{stem}.toml")
+}
+
+/// The page of all charts of the gear of `stem`.
+pub fn page_name(stem: &str) -> String {
+    format!("{stem}.html")
+}
+
+/// Every name that a run could write for the gear of `stem`.
+pub fn possible_files(stem: &str) -> Vec<String> {
+    let readings = Reading::ALL.into_iter();
+    readings
+        .flat_map(|reading| [reading.csv(stem), reading.svg(stem)])
+        .chain([gear_file_name(stem), page_name(stem)])
+        .collect()
+}
+
+/// The CSV files of one gear: name and content. What could not be measured has none.
+///
+/// # Errors
+/// None that readings can cause; the writer's otherwise.
+pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Error> {
+    let tables = Reading::ALL.into_iter().filter_map(|reading| {
+        let table = reading.file_table(&gauged.gauged)?;
+        Some((reading.csv(&gauged.stem()), table))
+    });
+    tables
+        .map(|(name, table)| Ok((name, table.to_csv()?)))
+        .collect()
+}
+
+/// All readings by tooth of several gears, a row a tooth; what could not be measured is left empty.
+///
+/// # Errors
+/// As [`csv_files`].
+pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
+    let tables: Vec<Table> = gears.iter().map(all_by_tooth).collect();
+    Table::all_to_csv(&tables)
+}
+
+fn all_by_tooth(gauged: &GaugedGear) -> Table {
+    let teeth = gauged.gear.gear().basic_data().teeth();
+    let same = |name, word: &'static str| {
+        let cells = vec![Cell::from(word); teeth as usize];
+        Column::new(name, Unit::None, cells)
+    };
+    let readings = by_tooth(&gauged.gauged).into_iter();
+    let columns = [
+        same("gear", gauged.name),
+        same("material", gauged.material.name()),
+        Column::new("tooth", Unit::None, 1..=teeth),
+    ];
+    Table {
+        name: "teeth",
+        columns: columns
+            .into_iter()
+            .chain(readings.map(|(_, column)| column))
+            .collect(),
+    }
+}

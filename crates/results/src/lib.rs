@@ -1,0 +1,42 @@
+//! Results of gearlash as data and as text: JSON, CSV, terminal tables, Markdown and JUnit, and the words of a verdict.
+//!
+//! Keys are those of the interface, with units in their names. Nothing here computes anything about gears.
+//!
+//! ```no_run
+//! use gearlash::analysis::{Analysis, Plan};
+//! use gearlash::contact::Method;
+//! use std::path::Path;
+//!
+//! let pair = gearlash_files::read(Path::new("fixtures/karba_44x44.toml"))?;
+//! let plan = Plan::new(&pair.study, Method::Exact { certify: true }).with_extremes();
+//! let analysis = Analysis::silently(&plan)?;
+//! let verdict = analysis.verdict();
+//! println!("{}", gearlash_results::verdict::sentence(&verdict));
+//! println!("{}", gearlash_results::result_file(&pair, &analysis.runs, &verdict).to_csv()?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod checked;
+mod checks;
+pub mod comparison;
+mod comparison_json;
+mod csv_row;
+pub mod gauge;
+mod json;
+mod junit;
+mod notes;
+pub mod outlines;
+mod records;
+mod summary;
+mod table;
+pub mod text;
+pub mod verdict;
+mod verdict_json;
+mod written;
+
+pub use checks::{checks_json, map_csv};
+pub use comparison_json::{ComparedPair, comparison_json};
+pub use records::doubts;
+pub use table::{Cell, Column, Table, Unit};
+pub use verdict_json::{extremes_json, pose_json};
+pub use written::{ResultFile, ResultWriter, result_file};

@@ -1,0 +1,175 @@
+//! The checks of a pair as text.
+
+use super::layout::{Column, Screen, Table, Tone};
+use super::verdict::first_lines;
+use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
+use gearlash::analysis::study::Study;
+use gearlash::analysis::verdict::Verdict as CycleVerdict;
+use gearlash::pair::Member;
+use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
+use std::fmt::Write;
+
+/// As text on `screen`: each check once, at its worst centre distance and material.
+pub fn text(
+    study: &Study,
+    verdict: &CycleVerdict,
+    diagnosis: &Diagnosis,
+    screen: &Screen,
+) -> String {
+    let mut text = first_lines(&study.title, verdict, screen);
+    let several = diagnosis.groups.len() > 1;
+    let mut columns = vec![
+        Column::new("verdict"),
+        Column::new("check").left().broken(),
+        Column::new("gear").left(),
+    ];
+    if several {
+        columns.extend(["a mm", "material"].map(|heading| Column::new(heading).spare(2)));
+    }
+    columns.extend([
+        Column::new("formula").spare(1),
+        Column::new("outlines"),
+        Column::new("limit"),
+        Column::new("margin"),
+        Column::new("").left(),
+        Column::new("").left().below(),
+    ]);
+    let mut rows = Table::new(columns);
+    for (group, check) in governing(diagnosis) {
+        let mut row = vec![
+            screen.toned(tone(check.verdict), check.verdict.name()),
+            check.title.to_owned(),
+            check.gear.map_or("", Member::name).to_owned(),
+        ];
+        if several {
+            row.push(stated_distance(group.assembly.center_distance()));
+            row.push(group.material.name().to_owned());
+        }
+        row.push(ascii(check.analytic, 4));
+        row.push(measured(check, |value| ascii(value, 4)));
+        row.extend([check.limit, check.margin].map(|value| ascii(value, 4)));
+        row.push(unit(check.unit).to_owned());
+        row.push(check.note.clone());
+        rows.add(row);
+    }
+    text += &rows.text(screen);
+    if several {
+        text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
+    }
+    for reason in doubts(diagnosis) {
+        let word = screen.toned(Tone::Doubtful, "UNPROVEN");
+        let _ = writeln!(text, "\n{word}: {reason}.");
+    }
+    text += &contact(diagnosis);
+    screen.fold(&text)
+}
+
+fn tone(verdict: Verdict) -> Tone {
+    match verdict {
+        Verdict::Pass => Tone::Good,
+        Verdict::Warn | Verdict::Unproven => Tone::Doubtful,
+        Verdict::Fail => Tone::Bad,
+    }
+}
+
+/// Each check of the gravest verdict, then of the least margin, the first of equals.
+pub fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
+    let mut governing: Vec<(&Group, &Check)> = Vec::new();
+    for group in &diagnosis.groups {
+        for check in &group.checks {
+            let same = |known: &&mut (&Group, &Check)| {
+                known.1.id == check.id && known.1.gear == check.gear
+            };
+            match governing.iter_mut().find(same) {
+                None => governing.push((group, check)),
+                Some(known) => {
+                    let graver = check.verdict > known.1.verdict;
+                    let closer = check.verdict == known.1.verdict && check.margin < known.1.margin;
+                    if graver || closer {
+                        *known = (group, check);
+                    }
+                }
+            }
+        }
+    }
+    governing
+}
+
+fn contact(diagnosis: &Diagnosis) -> String {
+    let count = &diagnosis.contact;
+    let classes: Vec<String> = count
+        .classes
+        .iter()
+        .map(|(class, poses)| format!("{} {poses}", class.name()))
+        .collect();
+    let mut text = format!("\n{} poses: {}.\n", count.poses(), classes.join(", "));
+    if let Some(loss) = &count.loss {
+        let worst = &loss.worst;
+        let mating = worst.pose.mating();
+        let _ = writeln!(
+            text,
+            "Backlash j_wt by formula minus that on the outlines: least {}, mean {}, greatest {} µm.",
+            um_ascii(loss.least, 3),
+            um_ascii(loss.mean, 3),
+            um_ascii(worst.loss, 3),
+        );
+        // What shows as 0.000 µm is no loss.
+        if worst.loss >= 5e-7 {
+            let _ = writeln!(
+                text,
+                "Largest loss at mating {},{} {} +{}, a {} mm, {}: formula {} µm, outlines {} µm; wheel tooth {} {} (radius {} mm) on pinion tooth {} {} (radius {} mm), {} flanks.",
+                mating.wheel_tooth,
+                mating.pinion_tooth,
+                mating.flank.name(),
+                ascii(mating.fraction, 4),
+                stated_distance(worst.assembly.center_distance()),
+                worst.material.name(),
+                um_ascii(worst.backlash + worst.loss, 3),
+                um_ascii(worst.backlash, 3),
+                worst.contact.wheel.tooth,
+                worst.contact.wheel.curve.name(),
+                ascii(worst.contact.wheel.radius, 3),
+                worst.contact.pinion.tooth,
+                worst.contact.pinion.curve.name(),
+                ascii(worst.contact.pinion.radius, 3),
+                worst.side.name(),
+            );
+        }
+    }
+    text + match diagnosis.verdict() {
+        Verdict::Pass => "Every check passes.\n",
+        Verdict::Warn => "No check fails.\n",
+        Verdict::Unproven => {
+            "No check fails, but some are unproven: whether they pass is not known.\n"
+        }
+        Verdict::Fail => "A check fails.\n",
+    }
+}
+
+/// Why checks are not proven, each reason once.
+pub fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+    let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    let mut doubts = Vec::new();
+    for reason in checks.filter_map(|check| check.unproven.as_deref()) {
+        if !doubts.contains(&reason) {
+            doubts.push(reason);
+        }
+    }
+    doubts
+}
+
+/// The measured value as `shown`, or that it is not proven.
+pub fn measured(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
+    match (&check.unproven, check.measured) {
+        (Some(_), None) => "unproven".to_owned(),
+        (_, measured) => shown(measured),
+    }
+}
+
+/// A check's unit as it is shown.
+pub fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "1" => "",
+        unit => unit,
+    }
+}

@@ -1,0 +1,86 @@
+//! How far two outlines of one gear differ, as text.
+
+use super::layout::{Column, Screen, Table, Tone};
+use super::verdict::heading;
+use crate::outlines::{difference_sentence, turn_words};
+use gearlash::outline::Deviation;
+use gearlash_files::numbers::{ascii, bound_um, signed_um, um_ascii};
+use gearlash_files::outlines::ComparedOutlines;
+
+/// As text on `screen`, judged by `tolerance_um` where there is one.
+pub fn text(compared: &ComparedOutlines, tolerance_um: Option<f64>, screen: &Screen) -> String {
+    let [a, b] = &compared.files;
+    let verdict = tolerance_um.map(|tolerance| match compared.passes(tolerance_um) {
+        true => (
+            Tone::Good,
+            format!("Agree within {tolerance} µm + error bound: "),
+        ),
+        false => (
+            Tone::Bad,
+            format!("DIFFER by more than {tolerance} µm + error bound: "),
+        ),
+    });
+    let sentence = difference_sentence(compared);
+    let title = format!("A {a} and B {b}");
+    let mut text = match verdict {
+        Some((tone, words)) => heading(&title, tone, &(words + &sentence), screen),
+        None => heading(
+            &title,
+            Tone::Doubtful,
+            &sentence,
+            &Screen {
+                colour: false,
+                ..*screen
+            },
+        ),
+    };
+    let found = &compared.difference;
+    let mut places = Table::new([
+        Column::new("").left(),
+        Column::new("µm"),
+        Column::new("tooth of A"),
+        Column::new("x mm"),
+        Column::new("y mm"),
+        Column::new("radius mm"),
+    ]);
+    let mut add = |name: &str, at: &Deviation| {
+        let place = compared.in_drawing(at);
+        places.add(vec![
+            name.to_owned(),
+            signed_um(at.beyond, 2),
+            at.tooth.to_string(),
+            ascii(place.x, 4),
+            ascii(place.y, 4),
+            ascii(at.point.coords.norm(), 4),
+        ]);
+    };
+    add("greatest", &found.greatest);
+    add("least", &found.least);
+    let mut drawings = Table::new([
+        Column::new("").left(),
+        Column::new("teeth"),
+        Column::new("root diameter mm"),
+        Column::new("tip diameter mm"),
+        Column::new("centre mm").left(),
+        Column::new("within µm"),
+    ]);
+    for (k, name) in ["A", "B"].into_iter().enumerate() {
+        let (gear, centre) = (&compared.gears[k], compared.centres[k]);
+        drawings.add(vec![
+            name.to_owned(),
+            gear.teeth().to_string(),
+            ascii(2.0 * gear.root_radius(), 4),
+            ascii(2.0 * gear.tip_radius(), 4),
+            format!("{}, {}", ascii(centre.x, 4), ascii(centre.y, 4)),
+            um_ascii(gear.bound(), 4),
+        ]);
+    }
+    text += &format!(
+        "{}\n{}\n{}\nPlus: B has more material. Places are in A's drawing; each deviation is within {} µm.\n",
+        places.text(screen),
+        drawings.text(screen),
+        turn_words(compared),
+        bound_um(found.bound)
+    );
+    screen.fold(&text)
+}

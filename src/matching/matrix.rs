@@ -6,7 +6,7 @@ use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
 use crate::population::{Assembly, Outcome, OutcomeKind, Requirement, Standing};
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 
 /// Distances from what is wanted beyond this are not told apart, mm: more than teeth differ.
 const FARTHEST: f64 = 100.0;
@@ -92,18 +92,11 @@ impl Matrix {
         terms: &Terms,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Matrix, Error> {
-        let all = 0..wheels.len() * pinions.len();
-        let cells = Matrix::cells(wheels, pinions, terms, all, tick)?;
-        Ok(Matrix {
-            wheels: wheels.len(),
-            pinions: pinions.len(),
-            cells,
-            phases: phase_count(wheels, pinions)?,
-            thicknesses: Matrix::thicknesses(wheels, pinions),
-        })
+        let cells = Matrix::cells(wheels, pinions, terms, tick)?;
+        Ok(Matrix::of_cells(wheels, pinions, cells)?)
     }
 
-    /// What stands at `places` of their matrix, counted from 0 wheel by wheel: a part of it, which does not depend on the others.
+    /// The cells of their matrix, wheel by wheel. A cell depends on its own two gears alone.
     ///
     /// # Errors
     /// As [`Matrix::new`].
@@ -111,13 +104,11 @@ impl Matrix {
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
         terms: &Terms,
-        places: Range<usize>,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Vec<PairFit>, Error> {
         let phases = phase_count(wheels, pinions)?;
-        let count = pinions.len().max(1);
-        let gears = places
-            .filter_map(|place| Some((wheels.get(place / count)?, pinions.get(place % count)?)));
+        let pairs = |wheel| pinions.iter().map(move |pinion| (wheel, pinion));
+        let gears = wheels.iter().flat_map(pairs);
         let cells = parallel::map(gears, |(wheel, pinion)| {
             Error::if_stopped(tick())?;
             PairFit::new(wheel, pinion, phases, terms)
@@ -125,28 +116,31 @@ impl Matrix {
         cells.into_iter().collect()
     }
 
-    /// The matrix of all `cells`, wheel by wheel, of gears of these mean base tooth thicknesses, mm, in so many assembly `phases`; `None` where
-    /// there are not as many as wheels times pinions.
+    /// The matrix of these gears whose `cells`, wheel by wheel, are known.
+    ///
+    /// # Errors
+    /// Another number of cells than wheels times pinions; as [`Matrix::new`].
     pub fn of_cells(
-        thicknesses: [Vec<f64>; 2],
-        phases: u32,
+        wheels: &[AsBuilt],
+        pinions: &[AsBuilt],
         cells: Vec<PairFit>,
-    ) -> Option<Matrix> {
-        let [wheels, pinions] = [0, 1].map(|kind: usize| thicknesses[kind].len());
-        (wheels.checked_mul(pinions) == Some(cells.len())).then_some(Matrix {
-            wheels,
-            pinions,
+    ) -> Result<Matrix, GearError> {
+        if wheels.len() * pinions.len() != cells.len() {
+            return Err(GearError::OutOfRange {
+                what: "number of cells of a matrix",
+                value: cells.len() as f64,
+                allowed: "wheels times pinions",
+            });
+        }
+        Ok(Matrix {
+            wheels: wheels.len(),
+            pinions: pinions.len(),
             cells,
-            phases,
-            thicknesses,
-        })
-    }
-
-    /// Mean base tooth thickness of each wheel and of each pinion, mm.
-    pub fn thicknesses(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> [Vec<f64>; 2] {
-        [wheels, pinions].map(|gears| {
-            let thickness = gears.iter().map(|gear| gear.gear().base_thickness());
-            thickness.collect()
+            phases: phase_count(wheels, pinions)?,
+            thicknesses: [wheels, pinions].map(|gears| {
+                let thickness = gears.iter().map(|gear| gear.gear().base_thickness());
+                thickness.collect()
+            }),
         })
     }
 
@@ -177,7 +171,7 @@ impl Matrix {
 ///
 /// # Errors
 /// A gear of another number of teeth.
-pub fn phase_count(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> Result<u32, GearError> {
+fn phase_count(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> Result<u32, GearError> {
     let teeth = |gear: &AsBuilt| gear.gear().basic_data().teeth();
     let counts = [wheels, pinions].map(|gears| gears.first().map_or(1, teeth));
     for (gears, count) in [wheels, pinions].into_iter().zip(counts) {

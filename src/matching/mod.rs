@@ -4,8 +4,8 @@
 //! the most within what is required and, among those, come nearest to a wanted backlash. Beside it stand what random pairing and thickness
 //! classes would come to ([`Matrix::at_random`], [`Matrix::by_classes`]). Needs the feature `matching`.
 //!
-//! A cell of the matrix is an assembly of a [population](crate::population) a phase. `gearlash-files` (`matching`) reads the folders, does a part of
-//! the matrix block by block and writes the result.
+//! A cell of the matrix is an assembly of a [population](crate::population) a phase. `gearlash-files` (`matching`) reads the folders and writes the
+//! result.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
@@ -37,4 +37,4 @@ mod matrix;
 
 pub use assignment::{Assignment, MOST_EXACT};
 pub use classes::{Expected, MOST_CLASSES};
-pub use matrix::{Fit, Matrix, PairFit, Terms, phase_count};
+pub use matrix::{Fit, Matrix, PairFit, Terms};

@@ -16,18 +16,42 @@ pub struct Assembly {
 /// How an assembly ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum OutcomeKind {
-    /// Some backlash at every pose.
+    /// Backlash at every pose.
     Clear,
-    /// Less than none at a pose.
+    /// Negative backlash at a pose.
     Interference,
-    /// A pose at which teeth stand across each other.
+    /// A pose at which a tip sits in a root: no free rotation.
     Jammed,
-    /// A pose at which nothing touches.
-    OutOfMesh,
-    /// No extreme was found.
+    /// A pose out of mesh: nothing touches.
+    NoContact,
+    /// No extreme found.
     Unproven,
-    /// The numbers drawn are of no gear, or of no pair.
+    /// Numbers that no gear or no pair has.
     Impossible,
+}
+
+impl OutcomeKind {
+    /// All of them, in the order of their codes.
+    pub const ALL: [OutcomeKind; 6] = [
+        OutcomeKind::Clear,
+        OutcomeKind::Interference,
+        OutcomeKind::Jammed,
+        OutcomeKind::NoContact,
+        OutcomeKind::Unproven,
+        OutcomeKind::Impossible,
+    ];
+
+    /// The word for it in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            OutcomeKind::Clear => "clear",
+            OutcomeKind::Interference => "interference",
+            OutcomeKind::Jammed => "jammed",
+            OutcomeKind::NoContact => "no_contact",
+            OutcomeKind::Unproven => "unproven",
+            OutcomeKind::Impossible => "impossible",
+        }
+    }
 }
 
 /// The backlash of one assembly over its whole mesh cycle.
@@ -137,7 +161,7 @@ impl Outcome {
     pub(crate) fn with_far(&self, far: &Outcome) -> Outcome {
         let kind = match (self.kind, far.kind) {
             (OutcomeKind::Jammed, _) => OutcomeKind::Jammed,
-            (_, OutcomeKind::OutOfMesh | OutcomeKind::Impossible) => far.kind,
+            (_, OutcomeKind::NoContact | OutcomeKind::Impossible) => far.kind,
             (near, _) => near,
         };
         Outcome {
@@ -170,7 +194,7 @@ impl Outcome {
                 Status::Clear => OutcomeKind::Clear,
                 Status::Interference => OutcomeKind::Interference,
                 Status::Jammed => OutcomeKind::Jammed,
-                Status::NoContact => OutcomeKind::OutOfMesh,
+                Status::NoContact => OutcomeKind::NoContact,
                 Status::Unproven => OutcomeKind::Unproven,
             },
             least: found.least.map(|least| least.low),

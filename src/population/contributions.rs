@@ -1,4 +1,4 @@
-//! What each scatter contributes to the variance of the least and of the greatest backlash.
+//! The contribution of each scatter to the variance of the least and of the greatest backlash.
 //!
 //! Sobol's indices of independent quantities `x_1 … x_k`: of the variance `V` of `f`, the share that the mean of `f` at a given `x_i`
 //! has (first order: by `x_i` alone), and the share that is left on average where all but `x_i` are given (total: with all that it does
@@ -15,39 +15,45 @@
 
 use super::factor::Factor;
 use super::members::Population;
-use super::sample::{SampleError, in_chunks};
-use super::spread::{Overflow, TENTHS_NM_PER_MM, tenths};
+use super::row::{TENTHS_NM_PER_MM, tenths};
+use super::sample::chunks;
+use super::spread::Overflow;
 use super::stream::{Draw, Run};
 use crate::error::Error;
 use crate::parallel;
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 
-/// Groups of rows that the standard errors come from: row `j` is of group `j` modulo so many.
+/// Groups of rows that the standard errors come from: row `j` belongs to group `j` modulo this.
 pub const GROUPS: usize = 32;
 
-/// Rows that one core takes at a time.
-const CHUNK: u64 = 8;
+/// Rows that one core takes at a time: one tick each.
+pub const ROWS_CHUNK: u64 = 8;
+
+/// Rows that are in memory at a time (tuned: enough for many threads, some 100 kB).
+const BLOCK: u64 = 1024;
+
+/// Why there are no contributions.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ContributionsError {
+    /// A calculation failed, or was interrupted.
+    #[error(transparent)]
+    Error(#[from] Error),
+    /// The sums are too large.
+    #[error(transparent)]
+    Overflow(#[from] Overflow),
+}
 
 /// Sums over the rows of a group, of one extreme in tenths of a nanometre.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct GroupSums {
+struct GroupSums {
     /// Rows of which every assembly has the extreme.
-    pub rows: u64,
+    rows: u64,
     /// Rows without.
-    pub left_out: u64,
+    left_out: u64,
     /// `Σ f(A)`, `Σ f(B)`, `Σ f(A)²`, `Σ f(B)²`, `Σ f(A) f(B)`.
-    pub samples: [i128; 5],
+    samples: [i128; 5],
     /// `Σ f(AB_i)`, `Σ f(AB_i)²`, `Σ f(B) f(AB_i)`, `Σ f(A) f(AB_i)` of each quantity.
-    pub factors: Vec<[i128; 4]>,
-}
-
-/// Sums over rows of the samples, which add up to those over all.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ContributionSums {
-    /// Of the least `j_wt`, group by group.
-    pub least: Vec<GroupSums>,
-    /// Of the greatest.
-    pub greatest: Vec<GroupSums>,
+    factors: Vec<[i128; 4]>,
 }
 
 /// A number with its standard error.
@@ -59,7 +65,7 @@ pub struct Estimate {
     pub error: f64,
 }
 
-/// What one quantity contributes to the variance.
+/// The contribution of one quantity to the variance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contribution {
     /// Which.
@@ -79,37 +85,6 @@ pub struct Contributions {
     pub left_out: u64,
     /// In the order of [`Population::factors`]; empty where nothing varies or too few rows are left.
     pub each: Vec<Contribution>,
-}
-
-impl ContributionSums {
-    /// Over no rows, of so many quantities.
-    pub fn new(factors: usize) -> ContributionSums {
-        let group = GroupSums {
-            factors: vec![[0; 4]; factors],
-            ..GroupSums::default()
-        };
-        ContributionSums {
-            least: vec![group.clone(); GROUPS],
-            greatest: vec![group; GROUPS],
-        }
-    }
-
-    /// Adds the sums over other rows.
-    ///
-    /// # Errors
-    /// [`Overflow`].
-    pub fn add(&mut self, other: &ContributionSums) -> Result<(), Overflow> {
-        let groups = self.least.iter_mut().chain(&mut self.greatest);
-        for (group, other) in groups.zip(other.least.iter().chain(&other.greatest)) {
-            group.add(other)?;
-        }
-        Ok(())
-    }
-
-    /// What they say of the least and of the greatest `j_wt`.
-    pub fn contributions(&self, factors: &[Factor]) -> [Contributions; 2] {
-        [&self.least, &self.greatest].map(|groups| Contributions::of(groups, factors))
-    }
 }
 
 impl GroupSums {
@@ -167,7 +142,7 @@ impl GroupSums {
         let [a, b, aa, bb, ab] = self.samples;
         let mean = a.checked_add(b)? as f64 / (2.0 * n);
         let variance = aa.checked_add(bb)? as f64 / (2.0 * n) - mean * mean;
-        // Of lengths in tenths of a nanometre rounding alone leaves 1/12.
+        // Rounding to tenths of a nanometre alone leaves 1/12.
         if !(variance > 1.0) {
             return None;
         }
@@ -233,92 +208,91 @@ impl Contributions {
     }
 }
 
-/// Least and greatest of an assembly.
-type Both = [Option<f64>; 2];
+/// Least and greatest `j_wt` of an assembly, tenths of a nanometre.
+type Both = [Option<i64>; 2];
 
 /// `f` of A, of B, and of each AB_i.
-fn row<T>(
-    factors: &[Factor],
-    of: impl Fn(&dyn Fn(Factor) -> Run) -> Result<T, Error>,
-) -> Result<(T, T, Vec<T>), Error> {
-    let mixed = factors.iter().map(|&one| {
-        of(&|factor| match factor == one {
-            true => Run::Second,
-            false => Run::First,
+struct Evaluated {
+    a: Both,
+    b: Both,
+    mixed: Vec<Both>,
+}
+
+impl Evaluated {
+    /// Row `number` of both samples.
+    fn new(population: &Population, seed: u64, number: u64) -> Result<Evaluated, Error> {
+        let both = |run: &dyn Fn(Factor) -> Run| -> Result<Both, Error> {
+            let draw = |factor| Draw {
+                seed,
+                run: run(factor),
+                number,
+            };
+            match population.assembled(&draw) {
+                Ok(assembly) => {
+                    let found = assembly.outcome()?;
+                    Ok([found.least, found.greatest].map(|mm| mm.map(tenths)))
+                }
+                Err(_) => Ok([None; 2]),
+            }
+        };
+        let mixed = population.factors().iter().map(|&one| {
+            both(&|factor| {
+                if factor == one {
+                    Run::Second
+                } else {
+                    Run::First
+                }
+            })
+        });
+        Ok(Evaluated {
+            a: both(&|_| Run::First)?,
+            b: both(&|_| Run::Second)?,
+            mixed: mixed.collect::<Result<_, Error>>()?,
         })
-    });
-    Ok((
-        of(&|_| Run::First)?,
-        of(&|_| Run::Second)?,
-        mixed.collect::<Result<_, Error>>()?,
-    ))
-}
-
-/// Adds one row to both extremes' groups.
-fn count(
-    sums: &mut ContributionSums,
-    number: u64,
-    (a, b, mixed): &(Both, Both, Vec<Both>),
-) -> Result<(), Overflow> {
-    let group = (number % GROUPS as u64) as usize;
-    for (end, groups) in [&mut sums.least, &mut sums.greatest]
-        .into_iter()
-        .enumerate()
-    {
-        let length = |both: &Both| both[end].map(tenths);
-        let mixed: Option<Vec<i64>> = mixed.iter().map(length).collect();
-        let row = length(a).zip(length(b)).zip(mixed);
-        groups[group].count(row.map(|((a, b), mixed)| (a, b, mixed)))?;
     }
-    Ok(())
+
+    /// The values of the least (0) or the greatest (1); `None` where an assembly lacks it.
+    fn of_extreme(&self, end: usize) -> Option<(i64, i64, Vec<i64>)> {
+        let mixed: Option<Vec<i64>> = self.mixed.iter().map(|both| both[end]).collect();
+        Some((self.a[end]?, self.b[end]?, mixed?))
+    }
 }
 
-/// The sums over the rows `numbers`, from 1, of both samples with `seed`: two assemblies a row and one for each quantity. `tick` as in
-/// [`super::sample()`].
+/// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`: two assemblies a row and one for
+/// each quantity. `tick` is called once every [`ROWS_CHUNK`] rows, from any thread; where it breaks, the work ends.
 ///
 /// # Errors
-/// As [`super::sample()`].
-pub fn contribution_sums(
+/// [`ContributionsError`].
+pub fn contributions(
     population: &Population,
     seed: u64,
-    numbers: Range<u64>,
+    rows: u64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<ContributionSums, SampleError> {
+) -> Result<[Contributions; 2], ContributionsError> {
     let factors = population.factors();
-    let both = |number: u64, run: &dyn Fn(Factor) -> Run| {
-        let draw = |factor| Draw {
-            seed,
-            run: run(factor),
-            number,
-        };
-        match population.assembled(&draw) {
-            Ok(assembly) => assembly
-                .outcome()
-                .map(|found| [found.least, found.greatest]),
-            Err(_) => Ok([None; 2]),
-        }
+    let group = GroupSums {
+        factors: vec![[0; 4]; factors.len()],
+        ..GroupSums::default()
     };
-    let chunks = parallel::map(
-        in_chunks(&numbers, CHUNK),
-        |chunk| -> Result<_, SampleError> {
+    let mut sums = [vec![group.clone(); GROUPS], vec![group; GROUPS]];
+    for block in chunks(&(1..rows + 1), BLOCK) {
+        let evaluated = parallel::map(chunks(&block, ROWS_CHUNK), |chunk| {
             Error::if_stopped(tick())?;
-            let mut sums = ContributionSums::new(factors.len());
-            for number in chunk {
-                let row = row(factors, |run| both(number, run))?;
-                count(&mut sums, number, &row)?;
+            let rows = chunk.map(|number| Evaluated::new(population, seed, number));
+            rows.collect::<Result<Vec<Evaluated>, Error>>()
+        });
+        let evaluated = evaluated.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        for (number, row) in block.zip(evaluated.iter().flatten()) {
+            for (end, groups) in sums.iter_mut().enumerate() {
+                groups[(number % GROUPS as u64) as usize].count(row.of_extreme(end))?;
             }
-            Ok(sums)
-        },
-    );
-    let mut sums = ContributionSums::new(factors.len());
-    for chunk in chunks {
-        sums.add(&chunk?)?;
+        }
     }
-    Ok(sums)
+    Ok(sums.map(|groups| Contributions::of(&groups, factors)))
 }
 
 impl Estimate {
-    /// Whether `value` lies within so many standard errors, and the rounding of lengths, of it.
+    /// Whether `value` differs by no more than `errors` standard errors and the rounding of lengths.
     pub fn admits(&self, value: f64, errors: f64) -> bool {
         (self.value - value).abs() <= errors * self.error + 1.0 / TENTHS_NM_PER_MM
     }

@@ -1,13 +1,12 @@
-//! A population of gear pairs: what scatters from one assembly to the next, and what comes of it.
+//! A population of gear pairs: what scatters from one assembly to the next, and the statistics of many assemblies.
 //!
-//! A [`Population`] is a pair and the [`Scatter`] of its numbers; [`Population::assembly`] draws one, whose proven extremes over the whole
-//! mesh cycle are its [`Outcome`]. [`sample`] draws many and adds them up in a [`Tally`] of integers: whichever way the
-//! numbers of the assemblies are cut and put together again, the sums are the same. [`Statistics`] are read off it. Beside it stand
-//! the worst case and the root sum of squares ([`limit_cases`]), and what each scatter contributes ([`contribution_sums`]).
+//! A [`Population`] is a pair and the [`Scatter`] of its numbers. [`Population::assembly`] draws one assembly, whose proven extremes over the
+//! whole mesh cycle are its [`Outcome`]. [`Sample::rows`] draws any range of them, a [`Row`] each. A [`Tally`] sums rows in whole numbers, in
+//! any order, and [`Statistics`] are read off it. Beside it stand the worst case and the root sum of squares ([`limit_cases`]), and the
+//! [`contributions`] of each scatter, from samples of their own.
 //!
-//! An assembly is a function of seed and number alone (`stream`). Its extremes are compared with what is required ([`Requirement`], by the
-//! quantities of [`crate::analysis::requirement`]). `gearlash-files` (`tolerance`) reads a population, does a part block by block, keeps parts,
-//! checks and merges them, and writes the result of the whole.
+//! An assembly is a function of seed and number alone (`stream`). Its extremes are compared with the limits of a [`Requirement`], by the
+//! quantities of [`crate::analysis::requirement`]. `gearlash-files` (`tolerance`) reads a population and files of rows, and writes results.
 //!
 //! Nothing here knows a file: a measured gear is an [`AsBuilt`](crate::gear::AsBuilt) as any other.
 //!
@@ -16,7 +15,7 @@
 //! # use gearlash::pair::GearPair;
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
-//! use gearlash::population::{Population, Requirement, Sample, Scatter, Scatters, Statistics, sample};
+//! use gearlash::population::{Population, Requirement, Sample, Scatter, Scatters, Statistics, Tally};
 //! use std::ops::ControlFlow;
 //!
 //! let pair = GearPair::new(wheel, pinion, 40.1)?;
@@ -24,8 +23,11 @@
 //! let population = Population::new(pair, Scatters { center_distance, ..Scatters::default() })?;
 //! // At least 60 µm.
 //! let requirement = Requirement::new(Some(0.06), None);
-//! let all = Sample { population: &population, requirement, seed: 1, total: 200 };
-//! let tally = sample(&all, 1..201, &|| ControlFlow::Continue(()))?;
+//! let sample = Sample { population: &population, requirement, seed: 1 };
+//! let mut tally = Tally::default();
+//! for row in sample.rows(1..201, &|| ControlFlow::Continue(()))? {
+//!     tally.count(&row, 200)?;
+//! }
 //! let statistics = Statistics::of(&tally, &requirement);
 //! assert!(statistics.below.share > 0.0 && statistics.below.high < 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -37,6 +39,7 @@ mod factor;
 mod limit_cases;
 mod members;
 mod requirement;
+mod row;
 mod sample;
 mod scatter;
 mod scatters;
@@ -47,16 +50,17 @@ mod tally;
 
 pub use assembly::{Assembly, Outcome, OutcomeKind};
 pub use contributions::{
-    Contribution, ContributionSums, Contributions, Estimate, GROUPS, GroupSums, contribution_sums,
+    Contribution, Contributions, ContributionsError, Estimate, GROUPS, ROWS_CHUNK, contributions,
 };
 pub use factor::Factor;
 pub use limit_cases::{LimitCases, PITCH_LIMIT_SIGMAS, limit_cases};
 pub use members::Population;
 pub use requirement::{Requirement, Standing};
-pub use sample::{CHUNK, Sample, SampleError, outcomes, sample};
+pub use row::{Row, TENTHS_NM_PER_MM};
+pub use sample::{CHUNK, Sample};
 pub use scatter::{LIMIT_SHARE, LIMIT_SIGMAS, Scatter, ScatterError};
 pub use scatters::{GearScatter, PopulationError, Scatters};
-pub use spread::{BIN_TENTHS_NM, Overflow, Spread, TENTHS_NM_PER_MM};
+pub use spread::{BIN_TENTHS_NM, Overflow, Spread};
 pub use statistics::{CONFIDENCE, QUANTILES, Share, SpreadStatistics, Statistics};
 pub use stream::{Draw, Run};
 pub use tally::{Counts, STRETCHES, Tally, WORST};

@@ -1,7 +1,7 @@
-//! What each assembly must keep, and how one stands to it.
+//! The limits that each assembly must keep, and how one stands to them.
 
 use super::assembly::{Assembly, Outcome, OutcomeKind};
-use super::spread::tenths;
+use super::row::tenths;
 use crate::analysis::extremes::WIDTH;
 use crate::analysis::requirement::{Limits, Quantity, Requirements};
 use crate::pair::GearPair;
@@ -9,7 +9,7 @@ use crate::pair::GearPair;
 /// Quantities beside `j_wt` that can be limited.
 const OTHERS: [Quantity; 6] = Quantity::BESIDE_OPERATING_BACKLASH;
 
-/// What each assembly must keep over its whole mesh cycle: `j_wt`, mm, and what else a pair can be held to ([`Quantity`]), each as
+/// The limits that each assembly must keep over its whole mesh cycle: `j_wt`, mm, and what else a pair can be held to ([`Quantity`]), each as
 /// [`Verdict`](crate::analysis::verdict::Verdict) judges it: with play in the bearings the least with the axes pressed together, the greatest with
 /// them apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,8 +25,8 @@ pub struct Standing {
     pub below: bool,
     /// Whether something exceeds its greatest.
     pub above: bool,
-    /// How much is left to the nearest limit, tenths of a nanometre (of a lost motion on the operating pitch circle): the worst have the least.
-    /// `None`: of no gear, or nothing found.
+    /// Distance to the nearest limit, tenths of a nanometre (a lost motion counts on the operating pitch circle). `None` without a limit
+    /// or a value.
     pub(super) margin: Option<i64>,
 }
 
@@ -62,7 +62,7 @@ impl Requirement {
         self.backlash.max
     }
 
-    /// What is limited beside `j_wt`.
+    /// The limits of other quantities than `j_wt`.
     pub fn others(&self) -> impl Iterator<Item = (Quantity, Limits)> {
         let each = OTHERS.into_iter().zip(self.others);
         each.filter(|(_, limits)| *limits != Limits::default())
@@ -85,7 +85,7 @@ impl Requirement {
         );
         let (jammed, apart) = (
             outcome.kind == OutcomeKind::Jammed,
-            outcome.kind == OutcomeKind::OutOfMesh,
+            outcome.kind == OutcomeKind::NoContact,
         );
         let below = outcome.least.zip(self.lower());
         let below = below.map(|(least, lower)| least - lower);
@@ -110,15 +110,11 @@ impl Requirement {
         Standing {
             below: jammed || beyond(least),
             above: apart || beyond(greatest),
-            margin: match (nothing, jammed || apart) {
-                (true, _) => None,
-                (false, true) => Some(i64::MIN),
-                (false, false) => margin,
-            },
+            margin: margin.filter(|_| !nothing),
         }
     }
 
-    /// What the least `j_wt` is held against: where no backlash has a least, no interference that is proven.
+    /// The lower limit of the least `j_wt`: where no backlash has a least, no interference that is proven.
     fn lower(&self) -> Option<f64> {
         let mut others = self.others();
         let is_limited = others.any(|(quantity, limits)| {

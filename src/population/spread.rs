@@ -1,73 +1,53 @@
-//! How one length is spread over a population, in sums of integers: the order in which they are added does not matter.
+//! How one length is spread over a population, in sums of whole numbers: their order does not matter.
 
 use std::collections::BTreeMap;
 
-/// Lengths are counted in tenths of a nanometre: a tenth of the bracket that a proven extreme has.
-pub const TENTHS_NM_PER_MM: f64 = 1e7;
-
-/// Width of a bin of the histogram.
+/// Width of a bin of the histogram, tenths of a nanometre.
 pub const BIN_TENTHS_NM: i64 = 100;
 
-/// Sums that no longer fit: lengths of metres, or more assemblies than anyone draws.
+/// Sums that 128 bits do not hold: lengths of metres, or more assemblies than anyone draws.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the sums over the population do not fit 128 bits")]
 pub struct Overflow;
 
-/// One length over a population. Lengths inside are whole tenths of a nanometre.
+/// One length over a population, in whole tenths of a nanometre.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Spread {
-    /// How many have a length.
+    /// Number of assemblies that have the length.
     pub count: u64,
-    /// Sums of its first to fourth powers.
-    pub sums: [i128; 4],
-    /// How many in each bin of [`BIN_TENTHS_NM`] that has any: bin `b` is from `b` widths up to, not including, `b + 1`.
+    /// Sum of the lengths.
+    pub sum: i128,
+    /// Sum of their squares.
+    pub squares: i128,
+    /// Count of each bin of [`BIN_TENTHS_NM`] that is not empty: bin `b` reaches from `b` widths up to, not including, `b + 1`.
     pub histogram: BTreeMap<i64, u64>,
-    /// The least, and the first assembly that has it.
+    /// The least length, and the first assembly that has it.
     pub least: Option<(i64, u64)>,
-    /// The greatest, and the first assembly that has it.
+    /// The greatest length, and the first assembly that has it.
     pub greatest: Option<(i64, u64)>,
 }
 
-/// `mm` in whole tenths of a nanometre.
-pub(super) fn tenths(mm: f64) -> i64 {
-    // Beyond what i64 holds the cast saturates, and the fourth power overflows.
-    (mm * TENTHS_NM_PER_MM).round() as i64
-}
-
 impl Spread {
-    /// The spread of the length `mm` of assembly `number` alone.
-    pub(super) fn of_one(mm: f64, number: u64) -> Result<Spread, Overflow> {
-        let length = tenths(mm);
-        let wide = i128::from(length);
-        let power = |n| wide.checked_pow(n).ok_or(Overflow);
-        Ok(Spread {
-            count: 1,
-            sums: [wide, power(2)?, power(3)?, power(4)?],
-            histogram: BTreeMap::from([(length.div_euclid(BIN_TENTHS_NM), 1)]),
-            least: Some((length, number)),
-            greatest: Some((length, number)),
-        })
-    }
-
-    /// Adds the spread of other assemblies.
+    /// Adds the `length` of assembly `number`.
     ///
     /// # Errors
     /// [`Overflow`].
-    pub fn add(&mut self, other: &Spread) -> Result<(), Overflow> {
-        self.count = self.count.checked_add(other.count).ok_or(Overflow)?;
-        for (sum, other) in self.sums.iter_mut().zip(other.sums) {
-            *sum = sum.checked_add(other).ok_or(Overflow)?;
-        }
-        for (&bin, count) in &other.histogram {
-            *self.histogram.entry(bin).or_default() += count;
-        }
-        self.least = [self.least, other.least].into_iter().flatten().min();
-        // Of equals the first assembly.
-        let key = |&(length, number): &(i64, u64)| (length, std::cmp::Reverse(number));
-        self.greatest = [self.greatest, other.greatest]
-            .into_iter()
-            .flatten()
-            .max_by_key(key);
+    pub fn count(&mut self, length: i64, number: u64) -> Result<(), Overflow> {
+        let wide = i128::from(length);
+        self.count += 1;
+        self.sum = self.sum.checked_add(wide).ok_or(Overflow)?;
+        self.squares = self.squares.checked_add(wide * wide).ok_or(Overflow)?;
+        *self
+            .histogram
+            .entry(length.div_euclid(BIN_TENTHS_NM))
+            .or_default() += 1;
+        let one = (length, number);
+        self.least = Some(self.least.map_or(one, |least| least.min(one)));
+        self.greatest = Some(self.greatest.map_or(one, |greatest| {
+            // The first assembly among equals.
+            let is_greater = (length, greatest.1) > (greatest.0, number);
+            if is_greater { one } else { greatest }
+        }));
         Ok(())
     }
 }

@@ -1,11 +1,12 @@
-//! What the sums over a population say: shares, spread, capability.
+//! Statistics of a population from its sums: shares, spread, capability.
 
 use super::requirement::Requirement;
-use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
+use super::row::TENTHS_NM_PER_MM;
+use super::spread::{BIN_TENTHS_NM, Spread};
 use super::tally::Tally;
 use statrs::function::beta::beta_reg;
 
-/// Of the intervals of shares.
+/// Confidence of the intervals of shares.
 pub const CONFIDENCE: f64 = 0.95;
 
 /// Shares of the population below the quantiles that are reported: of a normal one its mean ± 3 σ, ± 2 σ, and the mean.
@@ -18,9 +19,9 @@ pub struct Share {
     pub count: u64,
     /// Their share of it.
     pub share: f64,
-    /// With [`CONFIDENCE`] that of the population is no less.
+    /// Lower end of the share of the population, with [`CONFIDENCE`].
     pub low: f64,
-    /// And no more.
+    /// Upper end.
     pub high: f64,
 }
 
@@ -101,11 +102,11 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// What `tally` says under the `requirement` that it was made with.
+    /// The statistics of `tally`, whose rows were compared with `requirement`.
     pub fn of(tally: &Tally, requirement: &Requirement) -> Statistics {
         let total = tally.counts.total();
         let least = SpreadStatistics::of(&tally.least, tally.counts.jammed, 0);
-        let greatest = SpreadStatistics::of(&tally.greatest, 0, tally.counts.out_of_mesh);
+        let greatest = SpreadStatistics::of(&tally.greatest, 0, tally.counts.no_contact);
         let positive = |sigma: Option<f64>| sigma.filter(|sigma| *sigma > 0.0);
         let sigmas = [positive(least.sigma), positive(greatest.sigma)];
         let [low, high] = [requirement.min(), requirement.max()];
@@ -133,11 +134,11 @@ impl Statistics {
 }
 
 impl SpreadStatistics {
-    /// Of `spread`, beside which so many have less, and so many more, than any length.
+    /// The statistics of `spread`, where `lower` assemblies count as less than any length and `higher` as more.
     fn of(spread: &Spread, lower: u64, higher: u64) -> SpreadStatistics {
         let mm = |length: f64| length / TENTHS_NM_PER_MM;
         let n = spread.count as f64;
-        let [sum, squares, ..] = spread.sums;
+        let (sum, squares) = (spread.sum, spread.squares);
         let mean = (spread.count > 0).then(|| mm(sum as f64 / n));
         // n Σx² − (Σx)², exact where it fits.
         let deviations = i128::from(spread.count)
@@ -229,8 +230,7 @@ mod tests {
     fn moments_and_quantiles_of_whole_numbers() {
         let mut spread = Spread::default();
         for k in 1..=1000 {
-            let one = Spread::of_one(f64::from(k) / 1000.0, u64::from(k as u32)).unwrap();
-            spread.add(&one).unwrap();
+            spread.count(10_000 * k as i64, k).unwrap();
         }
         let found = SpreadStatistics::of(&spread, 0, 0);
         assert!((found.mean.unwrap() - 0.5005).abs() < 1e-15);

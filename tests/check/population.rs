@@ -5,13 +5,22 @@
 use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, involute, thickness as shop};
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::{
-    ContributionSums, Draw, Factor, GearScatter, Population, Requirement, Run, Sample, Scatter,
-    Scatters, Statistics, Tally, contribution_sums, sample,
+    Draw, Factor, GearScatter, Population, Requirement, Run, Sample, Scatter, Scatters, Statistics,
+    Tally, contributions,
 };
 use std::ops::ControlFlow;
 
 pub(super) fn go_on() -> ControlFlow<()> {
     ControlFlow::Continue(())
+}
+
+/// The sums over the assemblies 1 to `total`.
+pub(super) fn sums(sample: &Sample, total: u64) -> Tally {
+    let mut tally = Tally::default();
+    for row in sample.rows(1..total + 1, &go_on).unwrap() {
+        tally.count(&row, total).unwrap();
+    }
+    tally
 }
 
 pub(super) fn gear(teeth: u32, face: Face) -> AsBuilt {
@@ -88,9 +97,8 @@ fn the_interval_holds_the_closed_form_as_often_as_it_says() {
             population: &population,
             requirement,
             seed,
-            total: 400,
         };
-        let tally = sample(&all, 1..401, &go_on).unwrap();
+        let tally = sums(&all, 400);
         let below = Statistics::of(&tally, &requirement).below;
         below.low <= 0.05 && 0.05 <= below.high
     });
@@ -118,9 +126,8 @@ fn spread_of_thickness_is_the_closed_form() {
             population: &population,
             requirement,
             seed: 3,
-            total: 4000,
         };
-        let tally = sample(&all, 1..4001, &go_on).unwrap();
+        let tally = sums(&all, 4000);
         let found = Statistics::of(&tally, &requirement).least;
         let slope = (closed_form(132.1, [0.0; 2]) - closed_form(132.1, [0.01, 0.0])) / 0.01;
         let sigma = slope * sigma;
@@ -157,8 +164,7 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
     let sum: f64 = parts.iter().sum();
     let (mut inside, mut all) = (0, 0);
     for seed in 0..50 {
-        let sums = contribution_sums(&population, seed, 1..513, &go_on).unwrap();
-        let [least, greatest] = sums.contributions(population.factors());
+        let [least, greatest] = contributions(&population, seed, 512, &go_on).unwrap();
         for found in [least, greatest] {
             assert_eq!((found.rows, found.left_out, found.each.len()), (512, 0, 3));
             for (one, part) in found.each.iter().zip(parts) {
@@ -194,49 +200,46 @@ fn the_direction_of_whole_gears_contributes() {
     let wheel = Member::Wheel;
     let factors = [Factor::Runout(wheel), Factor::Gear(wheel)];
     assert_eq!(population.factors(), factors);
-    let sums = contribution_sums(&population, 1, 1..257, &go_on).unwrap();
-    for found in sums.contributions(&factors) {
+    for found in contributions(&population, 1, 256, &go_on).unwrap() {
         let [direction, which] = [found.each[0], found.each[1]];
         assert!(direction.total.admits(1.0, 5.0) && direction.first.admits(1.0, 5.0));
         assert_eq!(which.total.value, 0.0);
     }
 }
 
-/// Sums however cut, on any number of threads, forwards and backwards.
+/// Rows however cut, counted backwards, on any number of threads.
 #[test]
-fn sums_do_not_depend_on_how_they_were_cut() {
+fn sums_do_not_depend_on_how_their_rows_were_cut() {
     let population = everything();
-    let requirement = Requirement::new(Some(0.05), Some(0.4));
     let all = Sample {
         population: &population,
-        requirement,
+        requirement: Requirement::new(Some(0.05), Some(0.4)),
         seed: 11,
-        total: 200,
     };
-    let whole = sample(&all, 1..201, &go_on).unwrap();
+    let whole = sums(&all, 200);
     assert!(
         whole.outside > 0 && whole.outside < 200,
         "{}",
         whole.outside
     );
-    let contributions = contribution_sums(&population, 11, 1..41, &go_on).unwrap();
+    let contributed = contributions(&population, 11, 40, &go_on).unwrap();
     for cuts in [3u64, 7, 64] {
         let mut tally = Tally::default();
-        let mut sums = ContributionSums::new(population.factors().len());
         for k in (0..cuts).rev() {
-            let part = 1 + 200 * k / cuts..1 + 200 * (k + 1) / cuts;
-            tally.add(&sample(&all, part, &go_on).unwrap()).unwrap();
-            let rows = 1 + 40 * k / cuts..1 + 40 * (k + 1) / cuts;
-            let part = contribution_sums(&population, 11, rows, &go_on).unwrap();
-            sums.add(&part).unwrap();
+            let range = 1 + 200 * k / cuts..1 + 200 * (k + 1) / cuts;
+            for row in all.rows(range, &go_on).unwrap().iter().rev() {
+                tally.count(row, 200).unwrap();
+            }
         }
-        assert_eq!((&tally, &sums), (&whole, &contributions), "{cuts}");
+        assert_eq!(tally, whole, "{cuts}");
     }
     for threads in [1, 2, 7] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         let pool = pool.build().unwrap();
-        let tally = pool.install(|| sample(&all, 1..201, &go_on).unwrap());
+        let tally = pool.install(|| sums(&all, 200));
         assert_eq!(tally, whole, "{threads}");
+        let again = pool.install(|| contributions(&population, 11, 40, &go_on).unwrap());
+        assert_eq!(again, contributed, "{threads}");
     }
 }
 

@@ -1,11 +1,11 @@
 //! What is drawn of a population: as often and as wide as it says, and nothing that cannot be.
 
-use super::population::{closed_form, everything, gear, go_on, normal, of_thickness, pair};
+use super::population::{closed_form, everything, gear, normal, of_thickness, pair, sums};
 use gearlash::gear::{Face, Side};
 use gearlash::pair::Member;
 use gearlash::population::{
     Draw, Factor, GearScatter, Population, PopulationError, Requirement, Run, Sample, Scatter,
-    Scatters, sample,
+    Scatters,
 };
 
 /// Closed on the circle, flanks apart, the standard deviation of the single values within four standard errors.
@@ -50,9 +50,8 @@ fn impossible_gears_are_counted() {
         population: &population,
         requirement,
         seed: 2,
-        total: 100,
     };
-    let tally = sample(&all, 1..101, &go_on).unwrap();
+    let tally = sums(&all, 100);
     let first = tally.first_impossible.unwrap();
     assert!(population.assembly(all.draw(first)).is_err());
     assert!((20..80).contains(&tally.counts.impossible));
@@ -83,9 +82,8 @@ fn whole_gears_are_drawn_alike() {
         population: &population,
         requirement,
         seed: 2,
-        total: 900,
     };
-    let tally = sample(&all, 1..901, &go_on).unwrap();
+    let tally = sums(&all, 900);
     assert!((tally.below as f64 - 300.0).abs() < 5.0 * 200f64.sqrt());
     let both = Scatters {
         wheel: GearScatter {

@@ -55,7 +55,6 @@ fn no_assembly_is_worse_than_the_worst_case() {
         population: &population,
         requirement,
         seed: 5,
-        total: 500,
     };
     for number in 1..=500 {
         let (found, _) = all.outcome(number).unwrap();
@@ -118,7 +117,6 @@ fn the_worst_case_is_that_of_all_phases() {
         population: &population,
         requirement,
         seed: 5,
-        total: 300,
     };
     for number in 1..=300 {
         let (found, _) = sample.outcome(number).unwrap();

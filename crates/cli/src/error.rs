@@ -2,7 +2,6 @@
 
 use gearlash::error::GearError;
 use gearlash_files::InputError;
-use gearlash_files::PartError;
 use gearlash_files::characters;
 use gearlash_render::PictureError;
 use std::fmt::Display;
@@ -21,9 +20,6 @@ pub enum Error {
     /// A command-line value that does not suit the file.
     #[error("{0}")]
     Usage(String),
-    /// Parts that make no whole run.
-    #[error(transparent)]
-    Part(#[from] PartError),
     /// A result that is not proven, or that the pair does not have, and so is not written.
     #[error(
         "nothing is written, because least and greatest backlash are not both there and proven: {0}"

@@ -18,12 +18,10 @@ mod init;
 mod man;
 mod maps;
 mod matching;
-mod merge;
 mod method;
 mod outline;
 mod outlines;
 mod output;
-mod parts;
 mod pictures;
 mod poses;
 mod progress;
@@ -85,7 +83,6 @@ enum Command {
     Gauge(gauge::Args),
     Outline(outline::Args),
     Tolerance(tolerance::Args),
-    Merge(merge::Args),
     Match(matching::Args),
     Chart(chart::Args),
     Report(report::Args),
@@ -137,7 +134,6 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Completions(args) => completions::run(&args),
         Command::Man(args) => man::run(&args),
         Command::Tolerance(args) => tolerance::run(&args),
-        Command::Merge(args) => merge::run(&args),
         Command::Match(args) => matching::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Report(args) => report::run(&args),

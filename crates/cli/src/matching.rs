@@ -1,16 +1,14 @@
 //! `gearlash match`: which measured wheel goes with which pinion, and which teeth meet.
 
-use super::console::{ScreenArgs, guard, print, print_note, tell, warn};
-use super::parts::{Kept, WHOLE, shard};
+use super::console::{ScreenArgs, guard, print, tell, warn};
 use super::progress::Progress;
 use super::tolerance::Format;
 use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
-use gearlash_files::matching::{MatchFile, MatchPart, MatchResult, read_match};
+use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_render::match_map;
 use gearlash_results::text;
-use gearlash_results::text::Screen;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Files of a result.
@@ -21,8 +19,7 @@ const FILES: [&str; 3] = ["match.json", "matrix.csv", "match.svg"];
 /// Every wheel with every pinion in every assembly phase, each proven over its whole mesh cycle at the centre distances of the pair file; then
 /// the assignment with the most pairs within [require] and, among those, the nearest to the wanted backlash. Prints the pairs with the pinion
 /// tooth that meets wheel tooth 1, the gears left over, and what random pairing and thickness classes would come to; writes match.json,
-/// matrix.csv and match.svg to DIR. Interrupted, it keeps what is done in DIR/part.json; the same command goes on from there. Exit code 1 where a gear is
-/// left over that had a mate.
+/// matrix.csv and match.svg to DIR. Exit code 1 where a gear is left over that had a mate.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON) of centre distance, bearings and [require]
@@ -36,13 +33,10 @@ pub(super) struct Args {
     /// Wanted backlash in µm, from which a pair is to stray least over its mesh cycle [default: the middle of [require], or its one limit]
     #[arg(long, value_name = "UM", value_parser = target, allow_negative_numbers = true)]
     target_um: Option<f64>,
-    /// Part K of N of all wheels with pinions alone, to DIR/part_K_of_N.json: gearlash merge puts all together
-    #[arg(long, value_name = "K/N", value_parser = shard)]
-    shard: Option<[u64; 2]>,
     /// Folder for results [default: out/<file stem>; with --format json or csv none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// What to print
+    /// Format of the printed result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
@@ -59,11 +53,19 @@ fn target(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let own = Path::new("out").join(
+        gearlash_files::named(&args.pair)
+            .file_stem()
+            .unwrap_or_default(),
+    );
+    let folder = args.format.folder(args.output.as_deref(), &own);
+    guard_folders(args, folder.as_deref())?;
     let folders = [args.wheels.as_path(), args.pinions.as_path()];
     let wanted = args.target_um.map(|um| 1e-3 * um);
     let file = read_match(&args.pair, folders, wanted)
         .map_err(|errors| Error::Several(errors.into_iter().map(Error::Input).collect()))?;
-    guard(&file.pair.sources)?;
+    let sources = &file.pair.sources;
+    guard(sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
     for (kind, lines) in [
@@ -74,62 +76,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             .iter()
             .for_each(|line| tell(&format!("{kind}: {line}")));
     }
-    let own = PathBuf::from("out").join(&file.pair.stem);
-    let named = args.output.as_deref();
-    let folder = args.format.folder(named, &own, args.shard);
-    let shard = args.shard.unwrap_or([1, 1]);
-    let sources = &file.pair.sources;
-    let whole = folder.as_ref().filter(|_| args.shard.is_none());
-    let prepared = whole.map(|folder| OutputFolder::prepare(folder, sources, is_own));
+    let prepared = folder.map(|folder| OutputFolder::prepare(&folder, sources, is_own));
     let prepared = prepared.transpose()?;
-    let mut kept = folder
-        .as_ref()
-        .map(|folder| Kept::new(folder, args.shard, sources));
-    let begun = file.part(shard)?;
-    let part = match &kept {
-        Some(kept) => kept.found(begun),
-        None => begun,
-    };
-    let part = work(&file, part, kept.as_mut())?;
-    if let (Some(kept), Some(_)) = (&kept, args.shard) {
-        print_note(&kept.finish(&part, shard)?)?;
-        return Ok(ExitCode::SUCCESS);
-    }
-    tell_match(part, prepared, args.format, &args.screen.screen())
-}
-
-/// Does all of `part` that is left, and keeps what is done from time to time.
-fn work(
-    file: &MatchFile,
-    mut part: MatchPart,
-    mut kept: Option<&mut Kept>,
-) -> Result<MatchPart, Error> {
-    let [all, done] = part.progress();
-    let bar = Progress::of(all - done, "pairs");
-    while file.go_on(&mut part, &|| bar.tick())? {
-        let [all, done] = part.progress();
-        if let Some(kept) = kept.as_mut().filter(|_| done < all) {
-            kept.keep(&part)?;
-        }
-    }
-    Ok(part)
-}
-
-/// Whether a matching may write a file called `name`.
-pub(super) fn is_own(name: &str) -> bool {
-    FILES.contains(&name) || name == WHOLE
-}
-
-/// Prints what the whole `part` comes to and writes it to `folder`, where there is one.
-pub(super) fn tell_match(
-    part: MatchPart,
-    folder: Option<OutputFolder>,
-    format: Format,
-    screen: &Screen,
-) -> Result<ExitCode, Error> {
-    let result = MatchResult::of(part)
-        .ok_or("a part of it is not done")
-        .map_err(Error::unwritable("the result"))?;
+    let result = matched(&file)?;
     let json = result.to_json();
     let matrix = result
         .matrix_csv()
@@ -140,11 +89,48 @@ pub(super) fn tell_match(
         (second, matrix.clone()),
         (third, match_map(&result)),
     ];
-    match format {
-        Format::Text => print(&text::matched(&result, screen))?,
+    match args.format {
+        Format::Text => print(&text::matched(&result, &args.screen.screen()))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&matrix)?,
     }
-    format.write(folder, &files)?;
+    args.format.write(prepared, &files)?;
     Ok(exit_code(result.is_complete()))
+}
+
+/// An error where both kinds of gears are those of one folder, or results in `output` would be read as gears by the next run.
+fn guard_folders(args: &Args, output: Option<&Path>) -> Result<(), Error> {
+    let real = |path: &Path| path.canonicalize().ok();
+    let [wheels, pinions] = [&args.wheels, &args.pinions].map(|path| real(path));
+    if wheels.is_some() && wheels == pinions {
+        return Err(Error::Usage(format!(
+            "--wheels and --pinions are one folder, {}: each gear would be matched with itself; put wheels and pinions into two folders",
+            args.wheels.display()
+        )));
+    }
+    let Some(output) = output else {
+        return Ok(());
+    };
+    for (name, folder) in [("--wheels", wheels), ("--pinions", pinions)] {
+        if folder.is_some() && folder == real(output) {
+            return Err(Error::Usage(format!(
+                "-o {}: this is the folder of {name}, and the next run would read the results as gears; name another folder with -o",
+                output.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Every wheel with every pinion, and the assignment.
+fn matched(file: &MatchFile) -> Result<MatchResult, Error> {
+    let (wheels, pinions) = (file.wheels.len(), file.pinions.len());
+    let bar = Progress::of((wheels * pinions) as u64, "pairs");
+    let cells = file.cells(0..wheels, &|| bar.tick())?;
+    Ok(MatchResult::new(file, cells)?)
+}
+
+/// Whether a matching may write a file called `name`.
+fn is_own(name: &str) -> bool {
+    FILES.contains(&name)
 }

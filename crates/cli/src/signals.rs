@@ -10,12 +10,17 @@ use crate::error::Error;
 use crate::output;
 use std::sync::{Mutex, PoisonError};
 
-/// What an interrupted command has kept, and how to go on.
+/// What an interrupted command leaves, and how to go on.
 static HINT: Mutex<Option<String>> = Mutex::new(None);
 
-/// From here on an interrupted command has kept that, in words.
-pub(super) fn has_kept(hint: String) {
-    *HINT.lock().unwrap_or_else(PoisonError::into_inner) = Some(hint);
+/// Writes a piece of a file that an interrupted command leaves: a signal waits for its end. `write` returns how to go on from there.
+///
+/// # Errors
+/// Those of `write`.
+pub(super) fn keep<E>(write: impl FnOnce() -> Result<Option<String>, E>) -> Result<(), E> {
+    let mut hint = HINT.lock().unwrap_or_else(PoisonError::into_inner);
+    *hint = write()?;
+    Ok(())
 }
 
 /// From here on a signal ends the process tidily, with 128 + its number as shells count.
@@ -26,12 +31,15 @@ pub(super) fn handle() {
 
 fn end(code: i32) -> ! {
     progress::clear();
+    // Held to the end: no other thread writes any more.
+    let hint = HINT.lock().unwrap_or_else(PoisonError::into_inner);
     let ended = output::abandon();
-    let hint = HINT.lock().unwrap_or_else(PoisonError::into_inner).take();
-    tell(&match ended.written() {
-        _ if hint.is_some() => format!("error: interrupted; {}", hint.unwrap_or_default()),
-        false => format!("error: {}", Error::INTERRUPTED),
-        true => "error: interrupted; what had been written before is complete".to_owned(),
+    tell(&match &*hint {
+        Some(hint) => format!("error: interrupted; {hint}"),
+        None if ended.written() => {
+            "error: interrupted; what had been written before is complete".to_owned()
+        }
+        None => format!("error: {}", Error::INTERRUPTED),
     });
     // With the hold on what is unfinished: no other thread writes any more.
     std::process::exit(code)

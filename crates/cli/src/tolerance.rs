@@ -1,33 +1,32 @@
-//! `gearlash tolerance`: what share of a population meets its requirement, and what it depends on.
+//! `gearlash tolerance`: the share of a population that meets its requirement, and what it depends on.
 
-mod earlier;
-mod parquet;
 mod results;
 mod rows;
 
 use super::console::{ScreenArgs, guard, print_note, warn};
-use super::parts::{Kept, shard};
 use super::progress::Progress;
 use crate::error::Error;
 use crate::output::OutputFolder;
-use gearlash::population::{CHUNK, SampleError};
+use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Tally};
+use gearlash_files::Sources;
 use gearlash_files::tolerance::{
-    BlockError, MOST_ASSEMBLIES, Part, ToleranceFile, ToleranceResult, read_tolerance,
+    BLOCK, MOST_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
 };
+use results::{guard_worst, is_own, tell_result};
 use rows::RowsFile;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-pub(super) use earlier::guard as guard_earlier;
-pub(super) use results::{Format, is_own, tell_result};
+pub(super) use results::Format;
 
-/// Draw assemblies as [tolerance] of the pair file says, and find what share of them misses [require]
+/// Draw assemblies as [tolerance] of the pair file says, and find the share of them that misses [require]
 ///
-/// Each assembly's least and greatest backlash are proven over its whole mesh cycle, and held against all that [require] states. Prints shares of a
-/// million with their intervals of 95 %, the spread, worst case and root sum of squares, and what each tolerance contributes; writes result.json, result.csv,
+/// The least and greatest backlash of each assembly are proven over its whole mesh cycle, and compared with all that [require] states. Prints shares of a
+/// million with their 95 % intervals, the spread, worst case and root sum of squares, and what each tolerance contributes. Writes result.json, result.csv,
 /// histogram.csv, pictures, index.html and the ten worst assemblies as pair files to DIR, over those of an earlier run. An assembly depends on the seed
-/// and its number alone: any number of threads and shards gives the same bytes. Interrupted, it keeps what is done in DIR/part.json; the same
-/// command goes on from there. Exit code 1 where more miss the requirement than max_ppm allows.
+/// and its number alone: any number of threads, and rows computed anywhere, give the same bytes. Exit code 1 where more miss the requirement than max_ppm
+/// allows.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON) with [tolerance], - for standard input
@@ -35,20 +34,22 @@ pub(super) struct Args {
     /// Folder for results [default: out/<file stem>; with --format json or csv none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// How many assemblies, in place of the pair file's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
+    /// Number of assemblies, in place of the pair file's
+    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
     assemblies: Option<u64>,
     /// Another seed than the pair file's
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(0..=u64::from(u32::MAX)))]
     seed: Option<u64>,
-    /// Part K of N of the run alone, to DIR/part_K_of_N.json: gearlash merge puts all together
-    #[arg(long, value_name = "K/N", value_parser = shard)]
-    shard: Option<[u64; 2]>,
-    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet, over rows alone and never those of another part; such a run begins
-    /// anew where it was interrupted
-    #[arg(long, value_name = "FILE")]
+    /// Write a new file with a row for each assembly. An interrupted run leaves whole rows, and prints the command that goes on
+    #[arg(long, value_name = "FILE.csv")]
     rows: Option<PathBuf>,
-    /// What to print
+    /// Compute the rows of M assemblies from number N on, and no statistics
+    #[arg(long, value_name = "N", requires = "rows", conflicts_with_all = ["output", "format"], value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
+    first: Option<u64>,
+    /// Draw nothing: give the statistics of the rows in these files, which together have every assembly once. * and ? stand for letters of a name
+    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ["rows", "first"])]
+    from_rows: Vec<PathBuf>,
+    /// Format of the printed result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
@@ -58,88 +59,123 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let file = read_tolerance(&args.pair)?;
-    guard(&file.pair.sources)?;
+    let mut sources = file.pair.sources.clone();
+    let rows_files = rows::expanded(&args.from_rows)?;
+    rows_files.iter().for_each(|path| sources.add(path));
+    guard(&sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
-    let assemblies = args.assemblies.unwrap_or(file.tolerance.assemblies.into());
-    let seed = args.seed.unwrap_or(file.tolerance.seed.into());
-    let shard = args.shard.unwrap_or([1, 1]);
-    if shard[1] > assemblies {
-        return Err(Error::Usage(format!(
-            "--shard: {assemblies} assemblies do not make {} parts; take fewer",
-            shard[1]
-        )));
+    if let Some(first) = args.first {
+        return range(args, &file, first);
     }
+    let run = ToleranceRun::new(&file, &args.pair, args.assemblies, args.seed)?;
     let own = Path::new("out").join(&file.pair.stem);
-    let (named, sources) = (args.output.as_deref(), &file.pair.sources);
-    let folder = args.format.folder(named, &own, args.shard);
-    let mut kept = folder
-        .as_ref()
-        .map(|folder| Kept::new(folder, args.shard, sources));
-    let whole = folder.as_ref().filter(|_| args.shard.is_none());
-    let prepared = whole.map(|folder| OutputFolder::prepare(folder, sources, is_own));
-    let mut prepared = prepared.transpose()?;
-    let begun = file.part(assemblies, seed, shard)?;
-    let rows = args.rows.as_deref();
-    if let Some(folder) = whole {
-        guard_earlier(folder, &begun.head, rows)?;
-    }
-    let results = whole.map(PathBuf::as_path).zip(prepared.as_mut());
-    let first = begun.head.numbers().start;
-    let rows = rows.map(|path| RowsFile::begin(path, first, &file.pair.sources, results));
-    let rows = rows.transpose()?;
-    let mut part = match (&rows, &kept) {
-        (None, Some(kept)) => kept.found(begun),
-        _ => begun,
+    let folder = args.format.folder(args.output.as_deref(), &own);
+    let prepared = prepare(folder.as_deref(), &sources)?;
+    let tally = if rows_files.is_empty() {
+        let numbers = 1..run.assemblies() + 1;
+        let rows = args.rows.as_deref();
+        if let (Some(folder), Some(rows)) = (&folder, rows) {
+            rows::guard_results(rows, folder)?;
+        }
+        let rows = rows.map(|path| RowsFile::begin(path, &run, numbers.clone(), true));
+        draw(&run, numbers, rows.transpose()?)?
+    } else {
+        rows::read(&run, &rows_files)?
     };
-    work(&file, &mut part, kept.as_mut(), rows)?;
-    if let (Some(kept), Some(_)) = (&kept, args.shard) {
-        print_note(&kept.finish(&part, shard)?)?;
-        return Ok(ExitCode::SUCCESS);
+    if let Some(reason) = run.too_many_impossible(&tally) {
+        return Err(Error::Usage(reason.to_string()));
     }
-    let result = ToleranceResult::of(part);
+    let bar = Progress::of(run.contribution_rows().div_ceil(ROWS_CHUNK), "steps");
+    bar.now("contributions");
+    let result = run.result(tally, &|| bar.tick());
+    drop(bar);
+    let result = result.map_err(|error| match error {
+        ContributionsError::Error(error) => Error::Run(error),
+        ContributionsError::Overflow(error) => Error::Usage(error.to_string()),
+    })?;
     tell_result(&result, prepared, args.format, &args.screen.screen())
 }
 
-/// Does all of `part` that is left, and keeps what is done from time to time.
-fn work(
-    file: &ToleranceFile,
-    part: &mut Part,
-    mut kept: Option<&mut Kept>,
+/// The rows of `args.assemblies` from number `first` on, by default up to the last of the pair file.
+fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<ExitCode, Error> {
+    let all = u64::from(file.tolerance.assemblies);
+    let rest = (all + 1).checked_sub(first).filter(|rest| *rest > 0);
+    let count = args.assemblies.or(rest).ok_or_else(|| {
+        Error::Usage(format!(
+            "--first {first}: the pair file has {all} assemblies; state with --assemblies how many are computed"
+        ))
+    })?;
+    let end = first + count;
+    if end > MOST_ASSEMBLIES + 1 {
+        return Err(Error::Usage(format!(
+            "--first {first} --assemblies {count}: ends at assembly {}; the last one is {MOST_ASSEMBLIES}",
+            end - 1
+        )));
+    }
+    let run = ToleranceRun::new(file, &args.pair, Some(all.max(end - 1)), args.seed)?;
+    // Required by --first.
+    let path = args.rows.as_deref().unwrap_or(Path::new("rows.csv"));
+    let rows = RowsFile::begin(path, &run, first..end, false)?;
+    draw(&run, first..end, Some(rows))?;
+    let path = gearlash_files::characters::plain(&path.display().to_string());
+    print_note(&format!("{path}: assemblies {first} to {}\n", end - 1))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Draws the assemblies `numbers`: their sums, and their `rows` in a file.
+fn draw(
+    run: &ToleranceRun,
+    numbers: Range<u64>,
     mut rows: Option<RowsFile>,
-) -> Result<(), Error> {
-    let steps = |length: u64, done: u64, chunk: u64| length.saturating_sub(done).div_ceil(chunk);
-    let length = |range: std::ops::Range<u64>| range.end - range.start;
-    let left = steps(length(part.head.numbers()), part.done.assemblies, CHUNK)
-        + steps(length(part.head.rows()), part.done.rows, 8);
-    let bar = Progress::of(left, "steps");
-    loop {
-        let numbers = length(part.head.numbers());
-        bar.now(match part.done.assemblies < numbers {
-            true => "assemblies",
-            false => "contributions",
-        });
-        let mut take = rows.as_mut().map(|rows| |each: &[_]| rows.take(each));
-        let take = take.as_mut().map(|take| take as &mut dyn FnMut(&[_]) -> _);
-        let went_on = file
-            .go_on(part, take, &|| bar.tick())
-            .map_err(|error| match error {
-                BlockError::Sample(SampleError::Error(error)) => Error::Run(error),
-                BlockError::Sample(other) => Error::Usage(other.to_string()),
-                BlockError::Rows(source) => Error::Printing(source),
-            })?;
-        if let Some(reason) = file.too_many_impossible(part) {
-            return Err(Error::Usage(reason.to_string()));
+) -> Result<Tally, Error> {
+    let bar = Progress::of((numbers.end - numbers.start).div_ceil(CHUNK), "steps");
+    bar.now("assemblies");
+    let mut tally = RowsTally::new(run);
+    let mut from = numbers.start;
+    let drawn = loop {
+        let block = from..(from + BLOCK).min(numbers.end);
+        if block.is_empty() {
+            break Ok(());
         }
-        if !went_on {
-            break;
+        from = block.end;
+        let drawn = run.rows(block, &|| bar.tick());
+        let drawn = match drawn {
+            Ok(drawn) => drawn,
+            Err(error) => break Err(Error::Run(error)),
+        };
+        let counted = drawn.iter().try_for_each(|row| tally.add(row));
+        if let Err(error) = counted {
+            break Err(Error::Usage(error.to_string()));
         }
-        if let Some(kept) = kept.as_mut().filter(|_| rows.is_none())
-            && !part.is_done()
-        {
-            kept.keep(part)?;
+        if let Some(reason) = run.too_many_impossible(tally.tally()) {
+            break Err(Error::Usage(reason.to_string()));
+        }
+        if let Some(rows) = &mut rows {
+            rows.write(&drawn)?;
+        }
+    };
+    drop(bar);
+    match (drawn, rows) {
+        (Ok(()), rows) => {
+            rows.map_or(Ok(()), RowsFile::finish)?;
+            Ok(tally.into_tally())
+        }
+        (Err(error), rows) => {
+            if let Some(rows) = rows {
+                rows.remove();
+            }
+            Err(error)
         }
     }
-    drop(bar);
-    rows.map_or(Ok(()), RowsFile::finish)
+}
+
+/// The folder at `path`, which holds no pair file of the user's own in the place of a result.
+fn prepare(path: Option<&Path>, sources: &Sources) -> Result<Option<OutputFolder>, Error> {
+    let Some(path) = path else {
+        return Ok(None);
+    };
+    let folder = OutputFolder::prepare(path, sources, is_own)?;
+    guard_worst(path)?;
+    Ok(Some(folder))
 }

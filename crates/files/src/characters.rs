@@ -38,6 +38,17 @@ pub fn plain(text: &str) -> String {
     plain
 }
 
+/// `text` as a cell of CSV: [`plain`], and no formula. A spreadsheet takes a cell that begins with `=`, `+`, `-` or `@` for one; an apostrophe before it
+/// makes it text.
+pub fn cell(text: &str) -> String {
+    let cell = plain(text);
+    if cell.trim_start().starts_with(['=', '+', '-', '@']) {
+        format!("'{cell}")
+    } else {
+        cell
+    }
+}
+
 /// Characters of a line of an error message: a path as long as Linux allows (4096 bytes) and what is said of it. Nothing should
 /// come near it; where something does, the line is cut visibly.
 const LONGEST_LINE: usize = 6000;
@@ -161,6 +172,22 @@ mod tests {
             "a # #[error]b # #vso[task.x] ### #[c] ## [d] #1 ##2"
         );
         assert_eq!(plain("gear::wheel"), "gear::wheel");
+    }
+
+    /// The signs are those of OWASP, "CSV Injection".
+    #[test]
+    fn no_cell_is_a_formula() {
+        for (text, wanted) in [
+            ("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"),
+            (" @SUM(A1)", "' @SUM(A1)"),
+            ("\t-1", "' -1"),
+            ("+1", "'+1"),
+            ("::error::x", ": :error::x"),
+            ("\u{1b}[31mred", " [31mred"),
+            ("w-1", "w-1"),
+        ] {
+            assert_eq!(cell(text), wanted);
+        }
     }
 
     #[test]

@@ -35,9 +35,14 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(extremes::extremes, module)?)?;
     module.add_function(wrap_pyfunction!(extremes::check, module)?)?;
     module.add_function(wrap_pyfunction!(gauge::gauge, module)?)?;
-    module.add_function(wrap_pyfunction!(population::tolerance_part, module)?)?;
+    module.add(
+        "OUTCOMES",
+        gearlash::population::OutcomeKind::ALL.map(|kind| kind.name()),
+    )?;
+    module.add_function(wrap_pyfunction!(population::tolerance_assemblies, module)?)?;
+    module.add_function(wrap_pyfunction!(population::tolerance_rows, module)?)?;
     module.add_function(wrap_pyfunction!(population::tolerance_result, module)?)?;
-    module.add_function(wrap_pyfunction!(population::match_part, module)?)?;
+    module.add_function(wrap_pyfunction!(population::match_cells, module)?)?;
     module.add_function(wrap_pyfunction!(population::match_result, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::snapshot, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::over_teeth, module)?)?;

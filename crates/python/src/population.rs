@@ -1,142 +1,315 @@
-//! Populations and matchings: parts of a run, their sum, and which gears go together.
+//! Populations and matchings: rows of any range, the statistics of rows, and which gears go together.
 
 use crate::call::work;
 use crate::error::{error, input};
-use gearlash::population::SampleError;
-use gearlash_files::matching::{MatchPart, MatchResult, read_match};
+use gearlash::error::Error;
+use gearlash::matching::{Fit, PairFit};
+use gearlash::population::{ContributionsError, Outcome, OutcomeKind, Row};
+use gearlash_files::InputError;
+use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_files::tolerance::{
-    BlockError, MOST_ASSEMBLIES, Part, ToleranceResult, read_tolerance,
+    BLOCK, MOST_ASSEMBLIES, RowsHead, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
+    tenths_to_um, um_to_tenths,
 };
-use gearlash_files::{MOST_SHARDS, PartError};
+use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
 
 /// The farthest that a wanted backlash may lie from 0, µm, as that of the command.
 const MOST_TARGET_UM: f64 = 1e5;
 
-/// Part `k` of `n` of the run that `[tolerance]` of the pair file at `path` asks for, as the text of a part's file, and the warnings of the files.
+/// Version, hash of the input, seed, first assembly and count.
+type Head = (String, String, u64, u64, u64);
+
+/// The columns of rows.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Columns<'py> {
+    assembly: PyReadonlyArray1<'py, u64>,
+    outcome: PyReadonlyArray1<'py, u8>,
+    least_um: PyReadonlyArray1<'py, f64>,
+    greatest_um: PyReadonlyArray1<'py, f64>,
+    proven: PyReadonlyArray1<'py, bool>,
+    below: PyReadonlyArray1<'py, bool>,
+    above: PyReadonlyArray1<'py, bool>,
+    margin_um: PyReadonlyArray1<'py, f64>,
+}
+
+impl Columns<'_> {
+    /// The rows; `None` where a column is shorter than another, or a value is none of a row.
+    fn rows(&self) -> Option<Vec<Row>> {
+        let length = |um: f64| match um.is_nan() {
+            true => Some(None),
+            false => um_to_tenths(um).map(Some),
+        };
+        let count = self.assembly.as_array().len();
+        let row = |index: usize| {
+            Some(Row {
+                number: *self.assembly.get(index).filter(|number| **number > 0)?,
+                kind: *OutcomeKind::ALL.get(usize::from(*self.outcome.get(index)?))?,
+                least: length(*self.least_um.get(index)?)?,
+                greatest: length(*self.greatest_um.get(index)?)?,
+                is_proven: *self.proven.get(index)?,
+                is_below: *self.below.get(index)?,
+                is_above: *self.above.get(index)?,
+                margin: length(*self.margin_um.get(index)?)?,
+            })
+        };
+        (0..count).map(row).collect()
+    }
+}
+
+fn read(py: Python<'_>, path: &Path) -> PyResult<ToleranceFile> {
+    let file = py.detach(|| read_tolerance(path));
+    file.map_err(|reason| input(py, &reason))
+}
+
+fn run<'a>(
+    py: Python<'_>,
+    file: &'a ToleranceFile,
+    path: &'a Path,
+    assemblies: Option<u64>,
+    seed: Option<u64>,
+) -> PyResult<ToleranceRun<'a>> {
+    if let Some(count) = assemblies.filter(|count| !(1..=MOST_ASSEMBLIES).contains(count)) {
+        let allowed = format!("{count} assemblies: allowed are 1 … {MOST_ASSEMBLIES}");
+        return Err(error(py, allowed));
+    }
+    let run = py.detach(|| ToleranceRun::new(file, path, assemblies, seed));
+    run.map_err(|reason| error(py, reason))
+}
+
+fn warnings(file: &ToleranceFile) -> Vec<String> {
+    [&file.pair.warnings[..], &file.warnings].concat()
+}
+
+/// Number of assemblies that the pair file at `path` states.
 #[pyfunction]
-#[pyo3(signature = (path, assemblies, seed, shard, threads=None))]
-pub fn tolerance_part(
+pub fn tolerance_assemblies(py: Python<'_>, path: PathBuf) -> PyResult<u64> {
+    Ok(read(py, &path)?.tolerance.assemblies.into())
+}
+
+/// The rows of `count` assemblies from `first` on: header, columns, and the warnings of the files. Without a count: up to the last of the pair file.
+#[pyfunction]
+#[pyo3(signature = (path, first, count, seed, threads=None))]
+pub fn tolerance_rows<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    first: u64,
+    count: Option<u64>,
+    seed: Option<u64>,
+    threads: Option<usize>,
+) -> PyResult<(Head, Bound<'py, PyDict>, Vec<String>)> {
+    let file = read(py, &path)?;
+    let all = u64::from(file.tolerance.assemblies);
+    let count = count.unwrap_or((all + 1).saturating_sub(first));
+    let end = first.checked_add(count);
+    let end = end.filter(|end| first > 0 && count > 0 && *end <= MOST_ASSEMBLIES + 1);
+    let Some(end) = end else {
+        let reason = format!(
+            "{count} assemblies from {first} on: allowed are one at least, from 1 up to {MOST_ASSEMBLIES}"
+        );
+        return Err(error(py, reason));
+    };
+    let run = run(py, &file, &path, Some(all.max(end - 1)), seed)?;
+    let rows = work(py, threads, |tick| run.rows(first..end, tick))?;
+    let mut tally = RowsTally::new(&run);
+    let counted = rows.iter().try_for_each(|row| tally.add(row));
+    counted.map_err(|reason| error(py, reason))?;
+    if let Some(reason) = run.too_many_impossible(tally.tally()) {
+        return Err(error(py, reason));
+    }
+    let columns = PyDict::new(py);
+    let um = |length: fn(&Row) -> Option<i64>| -> Vec<f64> {
+        let each = rows.iter().map(length);
+        each.map(|tenths| tenths.map_or(f64::NAN, tenths_to_um))
+            .collect()
+    };
+    let is = |flag: fn(&Row) -> bool| -> Vec<bool> { rows.iter().map(flag).collect() };
+    let numbers: Vec<u64> = rows.iter().map(|row| row.number).collect();
+    let codes: Vec<u8> = rows.iter().map(|row| row.kind as u8).collect();
+    columns.set_item("assembly", numbers.into_pyarray(py))?;
+    columns.set_item("outcome", codes.into_pyarray(py))?;
+    columns.set_item("least_um", um(|row| row.least).into_pyarray(py))?;
+    columns.set_item("greatest_um", um(|row| row.greatest).into_pyarray(py))?;
+    columns.set_item("proven", is(|row| row.is_proven).into_pyarray(py))?;
+    columns.set_item("below", is(|row| row.is_below).into_pyarray(py))?;
+    columns.set_item("above", is(|row| row.is_above).into_pyarray(py))?;
+    columns.set_item("margin_um", um(|row| row.margin).into_pyarray(py))?;
+    let head = run.head(first, count);
+    let head = (head.version, head.input_sha256, head.seed, first, count);
+    Ok((head, columns, warnings(&file)))
+}
+
+/// The result of a run as the JSON of `gearlash tolerance`, and the warnings of the files: of the given rows, or of rows that it draws itself.
+#[pyfunction]
+#[pyo3(signature = (path, assemblies, seed, rows=None, threads=None))]
+pub fn tolerance_result(
     py: Python<'_>,
     path: PathBuf,
     assemblies: Option<u64>,
     seed: Option<u64>,
-    shard: (u64, u64),
+    rows: Option<Vec<(Head, Columns<'_>)>>,
     threads: Option<usize>,
 ) -> PyResult<(String, Vec<String>)> {
-    let file = py.detach(|| read_tolerance(&path));
-    let file = file.map_err(|reason| input(py, &reason))?;
-    let assemblies = assemblies.unwrap_or(file.tolerance.assemblies.into());
-    let seed = seed.unwrap_or(file.tolerance.seed.into());
-    let (k, n) = shard;
-    let is_run = (1..=MOST_ASSEMBLIES).contains(&assemblies);
-    if !is_run || k == 0 || k > n || n > assemblies || n > MOST_SHARDS {
-        return Err(error(
-            py,
-            format!(
-                "part {k} of {n} of {assemblies} assemblies: parts from 1 on are allowed, as many as assemblies and {MOST_SHARDS} at most, and up to {MOST_ASSEMBLIES} assemblies"
-            ),
-        ));
-    }
-    let done = work(py, threads, |tick| {
-        let mut part = file.part(assemblies, seed, [k, n])?;
-        loop {
-            let went_on = file.go_on(&mut part, None, tick);
-            if let Some(reason) = file.too_many_impossible(&part) {
-                return Ok(Err(reason.to_string()));
-            }
-            match went_on {
-                Ok(true) => (),
-                Ok(false) => return Ok(Ok(part)),
-                Err(BlockError::Sample(SampleError::Error(reason))) => return Err(reason),
-                Err(other) => return Ok(Err(other.to_string())),
-            }
+    let file = read(py, &path)?;
+    let run = run(py, &file, &path, assemblies, seed)?;
+    let mut tally = RowsTally::new(&run);
+    let tally = if let Some(rows) = rows {
+        for (index, (head, columns)) in rows.iter().enumerate() {
+            let name = format!("rows[{index}]");
+            let (version, input_sha256, seed, first, count) = head.clone();
+            let head = RowsHead {
+                version,
+                input_sha256,
+                seed,
+                first,
+                count,
+            };
+            let begun = tally.begin(&name, &head);
+            begun.map_err(|reason| input(py, &reason))?;
+            let rows = columns.rows().ok_or_else(|| {
+                error(
+                    py,
+                    format!("{name}: a column is too short, or has a value that no row has"),
+                )
+            })?;
+            let counted = rows.iter().try_for_each(|row| tally.add(row));
+            counted.map_err(|reason| error(py, reason))?;
         }
-    })?;
-    let part = done.map_err(|reason| error(py, reason))?;
-    let warnings = [&file.pair.warnings[..], &file.warnings].concat();
-    Ok((part.to_json(), warnings))
-}
-
-/// The result of all `parts` of one run, in any order, as the JSON of `gearlash tolerance`.
-#[pyfunction]
-pub fn tolerance_result(py: Python<'_>, parts: Vec<String>) -> PyResult<String> {
-    let part = Part::merged(named(py, &parts, Part::from_json)?);
-    let part = part.map_err(|reason| error(py, reason))?;
-    if let Some(reason) = part.too_many_impossible() {
-        return Err(error(py, reason.to_string()));
+        tally.finish().map_err(|reason| input(py, &reason))?
+    } else {
+        let all = run.assemblies();
+        let drawn = work(py, threads, |tick| {
+            for first in (1..=all).step_by(BLOCK as usize) {
+                let rows = run.rows(first..(first + BLOCK).min(all + 1), tick)?;
+                let counted = rows.iter().try_for_each(|row| tally.add(row));
+                if let Err(reason) = counted {
+                    return Ok(Err(reason.to_string()));
+                }
+                if run.too_many_impossible(tally.tally()).is_some() {
+                    break;
+                }
+            }
+            Ok(Ok(tally.into_tally()))
+        })?;
+        drawn.map_err(|reason| error(py, reason))?
+    };
+    if let Some(reason) = run.too_many_impossible(&tally) {
+        return Err(error(py, reason));
     }
-    Ok(ToleranceResult::of(part).to_json())
+    let result = work(py, threads, |tick| match run.result(tally, tick) {
+        Ok(result) => Ok(Ok(result)),
+        Err(ContributionsError::Error(reason)) => Err(reason),
+        Err(ContributionsError::Overflow(reason)) => Ok(Err(reason.to_string())),
+    })?;
+    let result = result.map_err(|reason| error(py, reason))?;
+    Ok((result.to_json(), warnings(&file)))
 }
 
-/// Part `k` of `n` of all wheels with pinions of two folders, as the text of a part's file, and the warnings of the files.
-#[pyfunction]
-#[pyo3(signature = (path, wheels, pinions, target_um, shard, threads=None))]
-pub fn match_part(
-    py: Python<'_>,
-    path: PathBuf,
-    wheels: PathBuf,
-    pinions: PathBuf,
-    target_um: Option<f64>,
-    shard: (u64, u64),
-    threads: Option<usize>,
-) -> PyResult<(String, Vec<String>)> {
-    let folders: [&Path; 2] = [&wheels, &pinions];
-    if let Some(um) = target_um
-        && !(um.abs() <= MOST_TARGET_UM)
-    {
-        return Err(error(
-            py,
-            format!(
+/// A wheel with a pinion: pinion tooth of the best phase, outcome, least and greatest backlash, mm, whether both are proven, whether it meets the
+/// requirement, and how many phases do.
+type Cell = (u32, u8, Option<f64>, Option<f64>, bool, bool, u32);
+
+fn cell(found: &PairFit) -> Cell {
+    let Fit {
+        pinion_tooth,
+        outcome,
+        meets,
+        ..
+    } = found.best;
+    let kind = outcome.kind as u8;
+    let (least, greatest) = (outcome.least, outcome.greatest);
+    let proven = outcome.is_proven;
+    (
+        pinion_tooth,
+        kind,
+        least,
+        greatest,
+        proven,
+        meets,
+        found.meeting,
+    )
+}
+
+fn pair_fit(cell: &Cell, file: &MatchFile) -> Option<PairFit> {
+    let &(pinion_tooth, kind, least, greatest, is_proven, meets, meeting) = cell;
+    let outcome = Outcome {
+        kind: *OutcomeKind::ALL.get(usize::from(kind))?,
+        least,
+        greatest,
+        is_proven,
+    };
+    Some(PairFit {
+        best: Fit::of(pinion_tooth, outcome, meets, file.terms.wanted()),
+        meeting,
+    })
+}
+
+/// A pair file, the folders of wheels and pinions, and the wanted backlash, µm: a tuple in Python.
+#[derive(FromPyObject)]
+pub struct MatchInput(PathBuf, PathBuf, PathBuf, Option<f64>);
+
+impl MatchInput {
+    fn read(&self, py: Python<'_>) -> PyResult<MatchFile> {
+        let MatchInput(path, wheels, pinions, target_um) = self;
+        if let Some(um) = target_um.filter(|um| !(um.abs() <= MOST_TARGET_UM)) {
+            let reason = format!(
                 "target_um is {um}: a number of µm between -{MOST_TARGET_UM} and {MOST_TARGET_UM} is needed"
-            ),
-        ));
-    }
-    let wanted = target_um.map(|um| 1e-3 * um);
-    let file = py.detach(|| read_match(&path, folders, wanted));
-    let file = file.map_err(|reasons| match &reasons[..] {
-        [only] => input(py, only),
-        _ => {
-            let lines: Vec<String> = reasons.iter().flat_map(|reason| reason.lines()).collect();
-            error(py, lines.join("\n"))
+            );
+            return Err(error(py, reason));
         }
-    })?;
-    let (k, n) = shard;
-    if k == 0 || k > n || n > MOST_SHARDS {
-        return Err(error(
-            py,
-            format!("part {k} of {n}: parts from 1 on are allowed, {MOST_SHARDS} at most"),
-        ));
+        let wanted = target_um.map(|um| 1e-3 * um);
+        let file = py.detach(|| read_match(path, [wheels, pinions], wanted));
+        file.map_err(|reasons| match &reasons[..] {
+            [only] => input(py, only),
+            _ => {
+                let lines = reasons.iter().flat_map(InputError::lines);
+                error(py, lines.collect::<Vec<String>>().join("\n"))
+            }
+        })
     }
-    let part = work(py, threads, |tick| {
-        let mut part = file.part([k, n])?;
-        while file.go_on(&mut part, tick)? {}
-        Ok(part)
+}
+
+/// Block `k` (from 0) of `n` of the wheels, each with every pinion: the hash of the input, the cells, and the warnings of the files.
+#[pyfunction]
+#[pyo3(signature = (files, block, threads=None))]
+pub fn match_cells(
+    py: Python<'_>,
+    files: MatchInput,
+    block: (usize, usize),
+    threads: Option<usize>,
+) -> PyResult<(String, Vec<Cell>, Vec<String>)> {
+    let file = files.read(py)?;
+    let (k, n) = block;
+    let wheels = file.wheels.len();
+    let end = |k: usize| (wheels as u128 * k as u128 / n.max(1) as u128) as usize;
+    let wheels = end(k)..end(k + 1);
+    let found = work(py, threads, |tick| {
+        let cells = file.cells(wheels, tick)?;
+        Ok::<_, Error>(cells.iter().map(cell).collect())
     })?;
     let warnings = [&file.pair.warnings[..], &file.warnings, &file.gear_warnings].concat();
-    Ok((part.to_json(), warnings))
+    Ok((file.input_sha256(), found, warnings))
 }
 
-/// Which gears go together, of all `parts` of one matching in any order, as the JSON of `gearlash match`.
+/// Which gears go together, from the cells of all blocks in their order, as the JSON of `gearlash match`.
 #[pyfunction]
-pub fn match_result(py: Python<'_>, parts: Vec<String>) -> PyResult<String> {
-    let part = MatchPart::merged(named(py, &parts, MatchPart::from_json)?);
-    let part = part.map_err(|reason| error(py, reason))?;
-    let result = MatchResult::of(part).ok_or_else(|| error(py, "a part of it is not done"))?;
-    Ok(result.to_json())
-}
-
-/// Each part with its place as the name of its file.
-fn named<P>(
+pub fn match_result(
     py: Python<'_>,
-    parts: &[String],
-    read: fn(&str, &str) -> Result<P, PartError>,
-) -> PyResult<Vec<(String, P)>> {
-    let each = parts.iter().enumerate().map(|(index, text)| {
-        let name = format!("parts[{index}]");
-        Ok((name.clone(), read(&name, text)?))
-    });
-    let each: Result<Vec<_>, PartError> = each.collect();
-    each.map_err(|reason| error(py, reason))
+    files: MatchInput,
+    blocks: Vec<(String, Vec<Cell>)>,
+) -> PyResult<String> {
+    let file = files.read(py)?;
+    let own = file.input_sha256();
+    if let Some(index) = blocks.iter().position(|(input, _)| *input != own) {
+        let reason = format!("blocks[{index}] is of another pair file or of other gears");
+        return Err(error(py, reason));
+    }
+    let cells = blocks.iter().flat_map(|(_, cells)| cells);
+    let cells: Option<Vec<PairFit>> = cells.map(|cell| pair_fit(cell, &file)).collect();
+    let cells = cells.ok_or_else(|| error(py, "a cell has an outcome that no pair has"))?;
+    let result = MatchResult::new(&file, cells);
+    Ok(result.map_err(|reason| error(py, reason))?.to_json())
 }

@@ -9,6 +9,7 @@ from typing import Any
 
 import gearlash
 import gearlash.dask
+import numpy as np
 import pytest
 from conftest import command
 
@@ -70,7 +71,7 @@ def test_a_wanted_backlash_that_is_none_is_refused(
         gearlash.match(pair, tmp_path, tmp_path, target_um=target)
 
 
-def test_draws_of_no_gear_stop_a_part(pair: Path, tmp_path: Path) -> None:
+def test_draws_of_no_gear_stop_a_run(pair: Path, tmp_path: Path) -> None:
     """Teeth of 9 mm more: half of the draws are of no gear, and the first is named with its reason."""
     text = pair.read_text(encoding="utf-8")
     file = tmp_path / "thick.toml"
@@ -101,33 +102,64 @@ def cluster(request: pytest.FixtureRequest) -> Iterator[object]:
         yield client
 
 
-@pytest.mark.parametrize("shards", [1, 7])
+def test_rows_are_those_of_the_command(pair: Path, tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    file = tmp_path / "rows.csv"
+    command("tolerance", pair, "--first", 31, "--assemblies", 50, "--rows", file, "-q")
+    rows = gearlash.tolerance_rows(pair, first=31, assemblies=50)
+    frame = rows.to_pandas()
+    read = pandas.read_csv(file, comment="#")
+    assert list(frame.columns) == list(read.columns) and len(rows) == len(read) == 50
+    for name in ("assembly", "least_um", "greatest_um", "margin_um", "proven", "below", "above"):
+        assert np.array_equal(frame[name], read[name]), name
+    assert list(frame["outcome"]) == list(read["outcome"])
+    assert rows.assembly.dtype == np.uint64 and rows.least_um.dtype == np.float64
+
+
+def test_rows_give_the_statistics(pair: Path, whole: dict[str, object]) -> None:
+    ranges = [(401, 200), (1, 250), (251, 150)]
+    rows = [gearlash.tolerance_rows(pair, first=low, assemblies=n) for low, n in ranges]
+    assert gearlash.tolerance(pair, assemblies=600, rows=rows).record == whole
+    for given, message in (
+        (rows[1:], "rows are missing, of 600 assemblies: assemblies 401 to 600"),
+        ([*rows, rows[0]], r"rows are there twice: .* in rows\[3\] and rows\[0\]"),
+        ([gearlash.tolerance_rows(pair, assemblies=600, seed=5)], "another run: seed 5"),
+    ):
+        with pytest.raises(gearlash.GearlashError, match=message):
+            gearlash.tolerance(pair, assemblies=600, rows=given)
+    for first, count in ((0, 5), (1, 0), (2**63, 2**63)):
+        with pytest.raises(gearlash.GearlashError, match="one at least"):
+            gearlash.tolerance_rows(pair, first=first, assemblies=count)
+
+
+@pytest.mark.parametrize("ranges", [1, 3, 7])
 def test_a_cluster_comes_to_the_same(
-    cluster: object, pair: Path, whole: dict[str, object], shards: int
+    cluster: object, pair: Path, whole: dict[str, object], ranges: int
 ) -> None:
-    found = gearlash.dask.tolerance(cluster, pair, shards=shards, assemblies=600)
+    found = gearlash.dask.tolerance(cluster, pair, ranges=ranges, assemblies=600)
     assert json.dumps(found.record) == json.dumps(whole)
 
 
 def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -> None:
     with local_cluster(True) as cluster, distributed.Client(cluster) as client:
         victim = next(iter(client.run(os.getpid).values()))
-        # Its first part kills the worker's process, once: the file says that it has been done.
+        # Its first range kills the worker's process, once: the file says that it has been done.
         mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-killed-{os.getpid()}")
 
-        def deadly(shard: int) -> tuple[str, list[str]]:
+        def deadly(first: int) -> tuple[gearlash.Rows, list[str]]:
             if os.getpid() == victim and not os.path.exists(mark):
                 Path(mark).touch()
                 os.kill(victim, signal.SIGKILL)
-            return gearlash.dask._part(os.fspath(pair), 600, None, (shard, 8), 1)
+            return gearlash.dask._rows(os.fspath(pair), (first, 75), None, 1)
 
         try:
-            parts = client.gather(client.map(deadly, range(1, 9), pure=False))
+            found = client.gather(client.map(deadly, range(1, 600, 75), pure=False))
             assert os.path.exists(mark)
         finally:
             Path(mark).unlink(missing_ok=True)
-    found = json.loads(gearlash._core.tolerance_result([text for text, _ in parts]))
-    assert json.dumps(found) == json.dumps(whole)
+    rows = [each for each, _ in found]
+    result = gearlash.tolerance(pair, assemblies=600, rows=rows)
+    assert json.dumps(result.record) == json.dumps(whole)
 
 
 MATCHED = (DOCS / "matching.toml", DOCS / "wheels", DOCS / "pinions")
@@ -140,29 +172,31 @@ def test_gears_are_matched_as_by_the_command(cluster: object, tmp_path: Path) ->
     assert found.to_json() == command(*words, "--format", "json")
     assert found.to_json() == (tmp_path / "out" / "match.json").read_text(encoding="utf-8")
     assert len(found.pairs) == 6 and all(pair.least_um >= 80 for pair in found.pairs)
-    for shards in (1, 7, 64):
-        assert gearlash.dask.match(cluster, *MATCHED, shards=shards).to_json() == found.to_json()
+    for blocks in (1, 3, 7, 64):
+        assert gearlash.dask.match(cluster, *MATCHED, blocks=blocks).to_json() == found.to_json()
 
 
 def test_a_worker_killed_while_gears_are_matched_changes_nothing() -> None:
     whole = gearlash.match(*MATCHED)
-    file, wheels, pinions = (os.fspath(path) for path in MATCHED)
+    path, wheels, pinions = (os.fspath(path) for path in MATCHED)
+    files = path, wheels, pinions, None
     with local_cluster(True) as cluster, distributed.Client(cluster) as client:
         victim = next(iter(client.run(os.getpid).values()))
         mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-matched-{os.getpid()}")
 
-        def deadly(shard: int) -> tuple[str, list[str]]:
+        def deadly(block: int) -> Any:
             if os.getpid() == victim and not os.path.exists(mark):
                 Path(mark).touch()
                 os.kill(victim, signal.SIGKILL)
-            return gearlash.dask._match_part(file, (wheels, pinions), None, (shard, 8), 1)
+            return gearlash._core.match_cells(files, (block, 6), 1)
 
         try:
-            parts = client.gather(client.map(deadly, range(1, 9), pure=False))
+            found = client.gather(client.map(deadly, range(6), pure=False))
             assert os.path.exists(mark)
         finally:
             Path(mark).unlink(missing_ok=True)
-    assert gearlash._core.match_result([text for text, _ in parts]) == whole.to_json()
+    blocks = [(input_hash, cells) for input_hash, cells, _ in found]
+    assert gearlash._core.match_result(files, blocks) == whole.to_json()
 
 
 def test_results_are_tables(pair: Path) -> None:
@@ -200,28 +234,13 @@ def test_warnings_are_the_commands(tmp_path: Path, cluster: object) -> None:
             call(MATCHED[0], wheels, MATCHED[2])
 
 
-def test_parts_of_another_run_are_named(pair: Path) -> None:
-    part, _ = gearlash.dask._part(os.fspath(pair), 20, None, (1, 2), None)
-    other, _ = gearlash.dask._part(os.fspath(pair), 20, 5, (2, 2), None)
-    with pytest.raises(gearlash.GearlashError, match="is of another run"):
-        gearlash._core.tolerance_result([part, other])
-    with pytest.raises(gearlash.GearlashError, match="missing: 2"):
-        gearlash._core.tolerance_result([part])
-    with pytest.raises(gearlash.GearlashError, match="name each part once"):
-        gearlash._core.tolerance_result([part, part])
-
-
-def test_parts_of_another_matching_are_named() -> None:
-    file, wheels, pinions = (os.fspath(path) for path in MATCHED)
-    parts = [
-        gearlash.dask._match_part(file, (wheels, pinions), um, (k, 2), None)[0]
-        for k, um in ((1, None), (2, None), (2, 100.0))
-    ]
-    with pytest.raises(gearlash.GearlashError, match="is of another run than .*: input"):
-        gearlash._core.match_result([parts[0], parts[2]])
-    with pytest.raises(gearlash.GearlashError, match="missing: 2"):
-        gearlash._core.match_result(parts[:1])
-    with pytest.raises(gearlash.GearlashError, match="name each part once"):
-        gearlash._core.match_result([parts[0], parts[0]])
-    with pytest.raises(gearlash.GearlashError, match="is no part of a run"):
-        gearlash._core.match_result([parts[0], "{}"])
+def test_blocks_of_another_matching_are_named() -> None:
+    path, wheels, pinions = (os.fspath(path) for path in MATCHED)
+    files = path, wheels, pinions, None
+    first, other = (
+        gearlash._core.match_cells((path, wheels, pinions, um), (0, 2))[:2] for um in (None, 100.0)
+    )
+    with pytest.raises(gearlash.GearlashError, match=r"blocks\[1\] is of another pair file"):
+        gearlash._core.match_result(files, [first, other])
+    with pytest.raises(gearlash.GearlashError, match="number of cells of a matrix"):
+        gearlash._core.match_result(files, [first])

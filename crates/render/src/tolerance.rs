@@ -1,7 +1,7 @@
 //! Pictures of a population.
 
 use crate::chart::{Chart, Heading, PictureError, population};
-use gearlash_files::tolerance::{ToleranceResult, convergence, shares};
+use gearlash_files::tolerance::{ToleranceResult, shares};
 
 /// Pictures of a run, each an SVG element.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +19,7 @@ pub struct Pictures {
 /// # Errors
 /// None for a run of at least one assembly.
 pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
-    let about = &result.part.about;
+    let about = &result.about;
     // What contributes is a picture of its own.
     let first = shares(result);
     let heading = |prefix| Heading {
@@ -42,7 +42,7 @@ pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
         histogram: population::histogram(&heading("histogram"), result)
             .ok()
             .map(svg),
-        convergence: population::convergence(&heading("convergence"), &convergence(&result.part))
+        convergence: population::convergence(&heading("convergence"), &result.convergence())
             .map(svg)?,
         contributions: population::contributions(&contributions, found)
             .ok()

@@ -4,7 +4,7 @@ use super::ending::unfinished;
 use super::failed;
 use super::folder::{Made, guard};
 use super::replace::clear_dead;
-use super::temporary::{NewFile, Temporary};
+use super::temporary::Temporary;
 use crate::error::Error;
 use gearlash_files::Sources;
 use std::fs::OpenOptions;
@@ -75,29 +75,6 @@ impl OutputFile {
         })
     }
 
-    /// Begins to write it piece by piece: what is written first is flushed, then [`GrowingFile::finish`] puts it in its place.
-    ///
-    /// # Errors
-    /// [`Error::Usage`] of a pipe or a device, which has no place; [`Error::Output`].
-    pub fn begin(self) -> Result<(NewFile, GrowingFile), Error> {
-        let Place::File { path, made } = self.place else {
-            return Err(Error::Usage(format!(
-                "{}: this is no file; name one",
-                self.named.display()
-            )));
-        };
-        let begun = Temporary::new_in(folder_of(&path))
-            .and_then(|temporary| Ok((temporary.create(NEW)?, temporary)));
-        let (file, temporary) = begun.map_err(failed(&self.named))?;
-        let growing = GrowingFile {
-            named: self.named,
-            path,
-            made,
-            temporary,
-        };
-        Ok((file, growing))
-    }
-
     /// Writes `content` in one piece.
     ///
     /// # Errors
@@ -119,30 +96,6 @@ impl OutputFile {
                 .and_then(|mut file| file.write_all(content.as_bytes()))
                 .map_err(&failed),
         }
-    }
-}
-
-/// A file that is written piece by piece; nobody sees it until all of it is there.
-pub struct GrowingFile {
-    named: PathBuf,
-    path: PathBuf,
-    made: Made,
-    temporary: Temporary,
-}
-
-impl GrowingFile {
-    /// Puts what was written to the place of what was there.
-    ///
-    /// # Errors
-    /// [`Error::Output`]; what was there stays.
-    pub fn finish(mut self) -> Result<(), Error> {
-        let mut list = unfinished();
-        let renamed = std::fs::rename(self.temporary.path().join(NEW), &self.path);
-        renamed.map_err(failed(&self.named))?;
-        list.set_written();
-        drop(list);
-        self.made.keep();
-        Ok(())
     }
 }
 

@@ -19,7 +19,7 @@ mod replace;
 mod temporary;
 
 pub use ending::abandon;
-pub use file::{GrowingFile, OutputFile};
+pub use file::OutputFile;
 pub use folder::OutputFolder;
 pub use temporary::NewFile;
 

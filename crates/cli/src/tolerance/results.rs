@@ -1,23 +1,24 @@
-//! What a whole run is printed and written as, by the command that drew it and by the one that put its parts together.
+//! The result of a run: printed, and written to a folder.
 
 use crate::console::{print, print_note};
 use crate::date::today;
 use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
-use crate::parts::WHOLE;
 use clap::ValueEnum;
 use gearlash::population::WORST;
-use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file, worst_name};
+use gearlash_files::tolerance::{
+    ToleranceResult, histogram_csv, is_worst_file, worst_file, worst_name,
+};
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
 use gearlash_results::text::Screen;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 const HISTOGRAM: &str = "histogram.svg";
 const CONVERGENCE: &str = "convergence.svg";
 const CONTRIBUTIONS: &str = "contributions.svg";
-const FILES: [&str; 8] = [
-    WHOLE,
+const FILES: [&str; 7] = [
     "result.json",
     "result.csv",
     "histogram.csv",
@@ -38,15 +39,9 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Where results go: text is the short form of files, the others are the result itself, and are files where a folder is named. A `shard` is always one.
-    pub(crate) fn folder(
-        self,
-        named: Option<&Path>,
-        own: &Path,
-        shard: Option<[u64; 2]>,
-    ) -> Option<PathBuf> {
+    /// The folder for results: the `named` one. Where none is named, text goes to the command's `own` folder, and the other formats write no files.
+    pub(crate) fn folder(self, named: Option<&Path>, own: &Path) -> Option<PathBuf> {
         match self {
-            _ if shard.is_some() => Some(named.unwrap_or(own).to_path_buf()),
             Format::Text => Some(named.unwrap_or(own).to_path_buf()),
             Format::Json | Format::Csv => named.map(Path::to_path_buf),
         }
@@ -74,6 +69,23 @@ pub(crate) fn is_own(name: &str) -> bool {
     FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
 }
 
+/// An error where the results in `folder` would replace a pair file that no run has written.
+pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
+    for path in (0..WORST).map(|index| folder.join(worst_name(index))) {
+        let is_own = match std::fs::read_to_string(&path) {
+            Ok(text) => is_worst_file(&text),
+            Err(error) => error.kind() == ErrorKind::NotFound,
+        };
+        if !is_own {
+            return Err(Error::Usage(format!(
+                "{}: would be replaced, and is not as gearlash tolerance wrote it; rename it, or name another folder with -o",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Prints `result` and writes it to `folder`, where there is one.
 pub(crate) fn tell_result(
     result: &ToleranceResult,
@@ -93,7 +105,7 @@ pub(crate) fn tell_result(
     let mut files = vec![
         ("result.json".to_owned(), json.clone()),
         ("result.csv".to_owned(), csv.clone()),
-        ("histogram.csv".to_owned(), histogram_csv(&result.part)),
+        ("histogram.csv".to_owned(), histogram_csv(result)),
         ("index.html".to_owned(), page),
         (CONVERGENCE.to_owned(), pictures.convergence),
     ];
@@ -103,7 +115,7 @@ pub(crate) fn tell_result(
     ] {
         files.extend(picture.map(|picture| (name.to_owned(), picture)));
     }
-    for (index, worst) in result.part.worst.iter().enumerate() {
+    for (index, worst) in result.worst.iter().enumerate() {
         let (name, text) = worst_file(index, worst);
         files.push((name, text.map_err(Error::unwritable("the result"))?));
     }

@@ -1,216 +1,221 @@
-//! Each assembly of a run as a row of CSV or Parquet, and what a file that may be one of rows holds.
+//! Files of rows: the one that a run writes, and those that statistics are read from.
 
-use super::parquet::ParquetRows;
 use super::results::is_own;
 use crate::error::Error;
-use crate::output::{GrowingFile, NewFile, OutputFile, OutputFolder};
-use gearlash::population::{Outcome, OutcomeKind, Standing};
-use gearlash_files::Sources;
-use gearlash_files::numbers::rounded;
-use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::record::RowAccessor;
-use std::fs::File;
-use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Write};
+use crate::signals;
+use gearlash::population::{Row, Tally};
+use gearlash_files::tolerance::{RowsTally, ToleranceRun, named, row_line, shell_word};
+use std::fs::{File, OpenOptions};
+use std::io::{ErrorKind, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Bytes written at a time (tuned).
-const PIECE: usize = 1 << 16;
-/// The first line of a longer file of rows is not looked for (tuned: the headings and a row).
-const LONGEST_LINE: u64 = 256;
-
-/// The columns.
-const HEADINGS: &str = "assembly,outcome,least_um,greatest_um,proven";
-
-/// The rows so far; nobody sees them until all are there.
-pub(super) struct RowsFile {
-    /// As the user calls it.
+/// A new file of rows, which grows block by block.
+pub(super) struct RowsFile<'a> {
     path: PathBuf,
-    /// The number of the first assembly.
-    first: u64,
-    /// `None` where they go to the folder of the results.
-    own: Option<GrowingFile>,
-    file: RowsWriter,
+    file: File,
+    /// Whether it is a file, no pipe or device.
+    is_file: bool,
+    /// Bytes of whole rows.
+    length: u64,
+    /// The assemblies that are still to be written.
+    left: Range<u64>,
+    run: &'a ToleranceRun<'a>,
+    /// Whether statistics of these rows follow.
+    is_whole: bool,
 }
 
-enum RowsWriter {
-    Csv(BufWriter<NewFile>),
-    Parquet(Box<ParquetRows<NewFile>>),
+fn wrong(path: &Path, reason: impl std::fmt::Display) -> Error {
+    Error::Usage(format!("--rows {}: {reason}", path.display()))
 }
 
-impl RowsFile {
-    /// Begins the file at `path` with the assemblies from number `first` on: in the folder of the `results`, or by itself, beside the files of
-    /// other parts.
+impl<'a> RowsFile<'a> {
+    /// Begins the file at `path` with the header of the assemblies `numbers`.
+    ///
+    /// # Errors
+    /// [`Error::Usage`]: there is a file already, or it cannot be written.
     pub fn begin(
         path: &Path,
-        first: u64,
-        sources: &Sources,
-        results: Option<(&Path, &mut OutputFolder)>,
-    ) -> Result<RowsFile, Error> {
-        let wrong = |reason: &str| Error::Usage(format!("--rows {}: {reason}", path.display()));
-        let is = |ending| path.extension().is_some_and(|found| found == ending);
-        if !(is("csv") || is("parquet")) {
+        run: &'a ToleranceRun<'a>,
+        numbers: Range<u64>,
+        is_whole: bool,
+    ) -> Result<RowsFile<'a>, Error> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        if ending.is_some_and(|ending| ending == "parquet") {
             return Err(wrong(
-                "rows are written as CSV or Parquet; name a file that ends in .csv or .parquet",
+                path,
+                "Parquet is gone: rows are CSV, which pandas, polars and DuckDB convert; name a file that ends in .csv",
             ));
         }
-        let parent = match path.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
+        let found = std::fs::metadata(path).ok();
+        let is_file = found.as_ref().is_none_or(|found| found.is_file());
+        if found.is_some_and(|found| found.is_dir()) {
+            return Err(wrong(path, "this is a folder; name a file in it"));
+        }
+        let opened = if is_file {
+            let folder = path.parent().filter(|one| !one.as_os_str().is_empty());
+            let made = folder.map_or(Ok(()), std::fs::create_dir_all);
+            made.and_then(|()| OpenOptions::new().write(true).create_new(true).open(path))
+        } else {
+            OpenOptions::new().write(true).open(path)
         };
-        let real = |path: &Path| path.canonicalize().ok();
-        let results =
-            results.filter(|(folder, _)| real(folder).is_some() && real(folder) == real(parent));
-        let (own, file) = match results {
-            Some((_, results)) => {
-                let name = path.file_name().and_then(|name| name.to_str());
-                let name = name.ok_or_else(|| {
-                    wrong("in the folder of the results a name is UTF-8; take another name, or another folder")
-                })?;
-                // Some file systems know no capital letters.
-                if is_own(&name.to_ascii_lowercase()) {
-                    return Err(wrong(&format!(
-                        "the results themselves have a file called {name} there; take another name"
-                    )));
-                }
-                replaceable(path, first)?;
-                (None, results.create(name)?)
-            }
-            None => {
-                let prepared = OutputFile::prepare(path, sources)?;
-                replaceable(path, first)?;
-                let (file, own) = prepared.begin()?;
-                (Some(own), file)
-            }
-        };
-        let failed = |source| Error::Output {
+        let file = opened.map_err(|error| match error.kind() {
+            ErrorKind::AlreadyExists => wrong(
+                path,
+                "there is such a file, and rows never replace one; name a new file",
+            ),
+            _ => wrong(path, format!("cannot be written: {error}")),
+        })?;
+        let head = run.head(numbers.start, numbers.end - numbers.start);
+        let mut rows = RowsFile {
             path: path.to_path_buf(),
-            source,
+            file,
+            is_file,
+            length: 0,
+            left: numbers,
+            run,
+            is_whole,
         };
-        let file = match is("parquet") {
-            true => ParquetRows::new(file).map(|rows| RowsWriter::Parquet(Box::new(rows))),
-            false => {
-                let mut file = BufWriter::with_capacity(PIECE, file);
-                let begun = writeln!(file, "{HEADINGS}");
-                begun.map(|()| RowsWriter::Csv(file))
-            }
-        };
-        Ok(RowsFile {
-            path: path.to_path_buf(),
-            first,
-            own,
-            file: file.map_err(failed)?,
+        rows.append(&head.lines(), 0)?;
+        Ok(rows)
+    }
+
+    /// Adds `rows`, the next assemblies.
+    ///
+    /// # Errors
+    /// [`Error::Usage`], after which the file has the whole rows from before.
+    pub fn write(&mut self, rows: &[Row]) -> Result<(), Error> {
+        let text: String = rows.iter().map(row_line).collect();
+        self.append(&text, rows.len() as u64)
+    }
+
+    /// Appends `text`, the rows of `count` assemblies. A signal waits for its end, and then prints how to go on.
+    fn append(&mut self, text: &str, count: u64) -> Result<(), Error> {
+        signals::keep(|| {
+            let written = self.file.write_all(text.as_bytes());
+            written.map_err(|error| self.failed(&error))?;
+            self.length += text.len() as u64;
+            self.left.start += count;
+            Ok(self.is_file.then(|| self.how_to_go_on()))
         })
     }
 
-    /// Adds a row each.
-    pub fn take(&mut self, each: &[(u64, Outcome, Standing)]) -> std::io::Result<()> {
-        let um = |mm: Option<f64>| mm.map(|mm| rounded(1e3 * mm, 4));
-        let text = |um: Option<f64>| um.map_or(String::new(), |um| um.to_string());
-        for (number, outcome, _) in each {
-            let word = word(outcome.kind);
-            let both = [outcome.least, outcome.greatest].map(um);
-            match &mut self.file {
-                RowsWriter::Parquet(rows) => rows.add(*number, word, both, outcome)?,
-                RowsWriter::Csv(file) => {
-                    let [least, greatest] = both.map(text);
-                    let proven = outcome.is_proven;
-                    writeln!(file, "{number},{word},{least},{greatest},{proven}")?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Puts the file in its place.
+    /// Brings the file to the disk.
+    ///
+    /// # Errors
+    /// As [`RowsFile::write`].
     pub fn finish(self) -> Result<(), Error> {
-        match self.file {
-            RowsWriter::Csv(mut file) => file.flush(),
-            RowsWriter::Parquet(rows) => rows.finish().and_then(|mut file| file.flush()),
+        let done = if self.is_file {
+            self.file.sync_all()
+        } else {
+            Ok(())
+        };
+        done.map_err(|error| self.failed(&error))
+    }
+
+    /// Removes the file.
+    pub fn remove(self) {
+        if self.is_file {
+            // A file that cannot be removed has whole rows.
+            let _ = std::fs::remove_file(&self.path);
         }
-        .map_err(Error::Printing)?;
-        match self.own {
-            Some(own) => {
-                // Another part may have been done meanwhile.
-                replaceable(&self.path, self.first)?;
-                own.finish()
+    }
+
+    /// The error of a write that failed; whole rows stay.
+    fn failed(&self, error: &std::io::Error) -> Error {
+        let reason = format!("cannot be written: {error}");
+        if self.length == 0 || !self.is_file {
+            if self.is_file {
+                let _ = std::fs::remove_file(&self.path);
             }
-            None => Ok(()),
+            return wrong(&self.path, format!("{reason}; name a file on another disk"));
         }
+        let _ = self.file.set_len(self.length);
+        wrong(&self.path, format!("{reason}; {}", self.how_to_go_on()))
     }
-}
 
-/// An error where the file at `path` holds something else than rows from number `first` on.
-fn replaceable(path: &Path, first: u64) -> Result<(), Error> {
-    let wrong = |reason: String| Err(Error::Usage(format!("--rows {}: {reason}", path.display())));
-    match rows_at(path) {
-        RowsAt::Rows(number) if number != first && number != 0 => wrong(format!(
-            "holds the rows of another part, from assembly {number} on, and this one begins with {first}; name a file of its own for each part"
-        )),
-        RowsAt::Other => {
-            wrong("holds no rows of gearlash, and would be lost; name another file".to_owned())
+    /// The rows that the file holds, and the commands that compute the rest.
+    fn how_to_go_on(&self) -> String {
+        let path = shell_word(&self.path);
+        let next = self.left.start;
+        let from = |files: &str| format!("`{}`", self.run.statistics_command(files));
+        if self.left.is_empty() {
+            let all = format!("all rows are in {path}");
+            return if self.is_whole {
+                format!("{all}: {} gives their statistics", from(&path))
+            } else {
+                all
+            };
         }
-        RowsAt::Nothing | RowsAt::Rows(_) => Ok(()),
+        let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
+        let rest = self.path.with_file_name(format!("{stem}_{next}.csv"));
+        let command = self.run.rows_command(self.left.clone(), &rest);
+        let mut text =
+            format!("the rows before assembly {next} are in {path}: go on with `{command}`");
+        if self.is_whole {
+            text += &format!(", then {}", from(&format!("{path} {}", shell_word(&rest))));
+        }
+        text
     }
 }
 
-/// What a file that may be one of rows holds.
-pub(super) enum RowsAt {
-    /// There is none.
-    Nothing,
-    /// Rows of assemblies, the first of which has this number; 0: of none.
-    Rows(u64),
-    /// Something else.
-    Other,
-}
-
-/// What the file at `path` holds.
-pub(super) fn rows_at(path: &Path) -> RowsAt {
-    let file = match File::open(path) {
-        Ok(file) => file,
-        Err(error) if error.kind() == ErrorKind::NotFound => return RowsAt::Nothing,
-        Err(_) => return RowsAt::Other,
+/// An error where rows at `path` would take the place of a result in `folder`.
+pub(super) fn guard_results(path: &Path, folder: &Path) -> Result<(), Error> {
+    let parent = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
     };
-    let is = |ending| path.extension().is_some_and(|found| found == ending);
-    let first = match (is("csv"), is("parquet")) {
-        (true, _) => of_csv(file),
-        (_, true) => of_parquet(file),
-        _ => None,
-    };
-    first.map_or(RowsAt::Other, RowsAt::Rows)
+    let real = |path: &Path| path.canonicalize().ok();
+    // Some file systems know no capital letters.
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if is_own(&name.to_ascii_lowercase()) && real(parent).is_some_and(|at| Some(at) == real(folder))
+    {
+        return Err(wrong(
+            path,
+            format!("the results themselves have a file called {name} there; take another name"),
+        ));
+    }
+    Ok(())
 }
 
-fn of_csv(file: File) -> Option<u64> {
-    let mut lines = BufReader::new(std::io::Read::take(file, LONGEST_LINE)).lines();
-    let headings = lines.next()?.ok()?;
-    if headings != HEADINGS {
-        return None;
+/// The files that `names` stand for.
+///
+/// # Errors
+/// [`Error::Usage`] of a name that no file has.
+pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
+    let mut files = Vec::new();
+    for name in names {
+        // A name with a star may be that of a file.
+        if name.is_file() {
+            files.push(name.clone());
+            continue;
+        }
+        let found = named(Path::new(""), &name.to_string_lossy());
+        if let Some(fault) = found.faults.first() {
+            return Err(Error::Usage(format!("--from-rows {fault}")));
+        }
+        if found.files.is_empty() {
+            return Err(Error::Usage(format!(
+                "--from-rows {}: no such file; name files that gearlash tolerance --rows wrote",
+                name.display()
+            )));
+        }
+        files.extend(found.files);
     }
-    match lines.next() {
-        None => Some(0),
-        Some(row) => row.ok()?.split(',').next()?.parse().ok(),
-    }
+    Ok(files)
 }
 
-fn of_parquet(file: File) -> Option<u64> {
-    let read = SerializedFileReader::new(file).ok()?;
-    let schema = read.metadata().file_metadata().schema_descr_ptr();
-    let names: Vec<&str> = schema.columns().iter().map(|one| one.name()).collect();
-    if names.join(",") != HEADINGS {
-        return None;
-    }
-    match read.get_row_iter(None).ok()?.next() {
-        None => Some(0),
-        Some(row) => u64::try_from(row.ok()?.get_long(0).ok()?).ok(),
-    }
-}
-
-fn word(kind: OutcomeKind) -> &'static str {
-    match kind {
-        OutcomeKind::Clear => "clear",
-        OutcomeKind::Interference => "interference",
-        OutcomeKind::Jammed => "jammed",
-        OutcomeKind::OutOfMesh => "out_of_mesh",
-        OutcomeKind::Unproven => "unproven",
-        OutcomeKind::Impossible => "impossible",
+/// The sums over the rows in `files`, which have every assembly of `run` once.
+///
+/// # Errors
+/// [`Error::Input`] of each file that cannot be used, or of the rows as a whole.
+pub(super) fn read(run: &ToleranceRun, files: &[PathBuf]) -> Result<Tally, Error> {
+    let mut rows = RowsTally::new(run);
+    let added = files.iter().map(|path| rows.add_file(path));
+    let mut errors: Vec<Error> = added.filter_map(Result::err).map(Error::Input).collect();
+    match errors.len() {
+        0 => Ok(rows.finish()?),
+        1 => Err(errors.remove(0)),
+        _ => Err(Error::Several(errors)),
     }
 }

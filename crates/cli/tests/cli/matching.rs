@@ -207,3 +207,30 @@ fn every_requirement_decides_which_gears_go_together() {
         "0 of 2 pairs keep radial clearance 0.9 mm or more",
     ));
 }
+
+/// On any number of threads, printed and written.
+#[test]
+fn any_number_of_threads_gives_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for (kind, count) in [("w", 5u32), ("p", 4)] {
+        for k in 0..count {
+            let (less, runout) = (40.0 + 9.0 * f64::from(k), 7.0 * f64::from(k % 3));
+            gear(&here.join(kind), &format!("g{k}.toml"), less, runout);
+        }
+    }
+    pair(here, "[require]\nj_wt_um = { min = 100, max = 130 }\n");
+    let on = |threads: &str| {
+        let mut command = gearlash(here);
+        command.env("RAYON_NUM_THREADS", threads);
+        command
+            .args(MATCH.split(' '))
+            .args(["-o", "out", "--format", "json"]);
+        let printed = command.output().unwrap().stdout;
+        assert_eq!(printed, fs::read(here.join("out/match.json")).unwrap());
+        ["match.json", "matrix.csv", "match.svg"]
+            .map(|name| fs::read(here.join("out").join(name)).unwrap())
+    };
+    let wanted = on("1");
+    assert!(on("2") == wanted && on("7") == wanted);
+}

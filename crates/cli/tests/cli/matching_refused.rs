@@ -192,3 +192,57 @@ fn warnings_of_the_gear_files_are_reported() {
     let wanted = "warning: drawn.toml: tolerance.wheel.gears: w/1.toml and 1 more: gear.pitch";
     assert!(told.contains(wanted), "{told}");
 }
+
+/// A gear file name becomes a cell: it acts on no terminal, log or spreadsheet.
+#[cfg(unix)]
+#[test]
+fn names_of_gears_act_on_no_terminal_log_or_spreadsheet() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for name in ["=1+1.toml", "::error::x.toml", "\u{1b}[31mred.toml"] {
+        gear(&here.join("w"), name, 40.0, 0.0);
+    }
+    gear(&here.join("p"), "@p.toml", 40.0, 0.0);
+    pair(here, "");
+    // Two wheels are left over, which have no mate: exit 0.
+    matched(here).success();
+    let matrix = fs::read_to_string(here.join("out/matrix.csv")).unwrap();
+    let words = MATCH.split(' ').chain(["--format", "csv"]);
+    let printed = gearlash(here).args(words).output().unwrap();
+    assert_eq!(printed.stdout, matrix.as_bytes());
+    let cells: Vec<&str> = matrix.lines().skip(1).collect();
+    assert!(cells[0].starts_with(" [31mred,'@p,"), "{matrix}");
+    assert!(cells[1].starts_with(": :error::x,'@p,"), "{matrix}");
+    assert!(cells[2].starts_with("'=1+1,'@p,"), "{matrix}");
+}
+
+/// Results among the gears would be gears of the next run, and a gear of both folders would be its own mate.
+#[test]
+fn folders_of_gears_take_no_results_and_are_two() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for kind in ["w", "p"] {
+        gear(&here.join(kind), "1.toml", 40.0, 0.0);
+    }
+    pair(here, "");
+    let refused = |words: &str, wanted: &str| {
+        let mut command = gearlash(here);
+        let ended = command.args(words.split(' ')).assert().code(2);
+        ended.stdout("").stderr(predicates::str::contains(wanted));
+    };
+    refused(
+        &format!("{MATCH} -o w"),
+        "-o w: this is the folder of --wheels",
+    );
+    refused(
+        &format!("{MATCH} -o w/../p --format json"),
+        "this is the folder of --pinions",
+    );
+    refused(
+        "match pair.toml --wheels w --pinions ./w",
+        "--wheels and --pinions are one folder, w",
+    );
+    for kind in ["w", "p"] {
+        assert_eq!(files(&here.join(kind)), ["1.toml"]);
+    }
+}

@@ -1,4 +1,4 @@
-//! What `gearlash tolerance` and `gearlash merge` must not pass over: bands, gears, kept parts, draws of no gear.
+//! What `gearlash tolerance` must not pass over: bands, gears, requirements.
 
 use super::tolerance::{PAIR, pair, tolerance};
 use super::*;
@@ -82,43 +82,6 @@ fn what_stands_among_measured_gears_is_reported() {
     assert_eq!(code, Some(2), "{told}");
     assert!(told.contains("1.json and "), "{told}");
     assert!(told.contains("1.toml: two files of one gear"), "{told}");
-}
-
-/// Each part has fewer than may be, all together more.
-#[test]
-fn a_merge_names_the_first_draw_of_no_gear() {
-    let folder = empty_folder();
-    let scatter = "thickness = { scatter = \"table\", values_um = [0, 0, 0, 3000] }";
-    let thickness = "thickness = { scatter = \"uniform\" }";
-    let most = ("seed = 7", "seed = 7\nmax_impossible = 0.2");
-    with(folder.path(), &[(thickness, scatter), most]);
-    for k in [1, 2] {
-        let part = format!("tolerance pair.toml --shard {k}/2 -o p");
-        let (code, _, told) = tolerance(folder.path(), &part);
-        assert_eq!(code, Some(0), "{told}");
-    }
-    let merge = "merge p/part_1_of_2.json p/part_2_of_2.json -o m";
-    let (code, printed, told) = tolerance(folder.path(), merge);
-    assert_eq!((code, printed.as_str()), (Some(2), ""), "{told}");
-    let told = told.replace('\n', " ");
-    assert!(
-        told.contains("of the first 300 draws are of no gear"),
-        "{told}"
-    );
-    assert!(told.contains("the first is assembly 4"), "{told}");
-}
-
-#[test]
-fn a_damaged_part_is_done_again_with_a_note() {
-    let folder = empty_folder();
-    pair(folder.path());
-    std::fs::create_dir(folder.path().join("o")).unwrap();
-    std::fs::write(folder.path().join("o/part.json"), "{\"format\":").unwrap();
-    let (code, _, told) = tolerance(folder.path(), "tolerance pair.toml -o o");
-    assert_eq!(code, Some(0), "{told}");
-    let told = told.replace('\n', " ");
-    let wanted = "o/part.json: what was kept there cannot be gone on from, and is done again: this is no part";
-    assert!(told.contains(wanted), "{told}");
 }
 
 /// `check` of a pair judges `j_bn`, lost motion and radial clearance, and so does a population: at one centre distance of spur gears a limit of

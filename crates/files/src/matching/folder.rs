@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// The gear files of `folder`, those with the ending `.toml` or `.json`, in the order of their names.
 ///
-/// What cannot be read, has such an ending and is no file, or has the name of another but for the ending, is one of `errors`.
+/// An entry that cannot be read, is no file, or has the name of another gear becomes one of `errors`.
 pub fn gear_files(folder: &Path, errors: &mut Vec<InputError>) -> Vec<PathBuf> {
     let unreadable = |reason: &io::Error| {
         problem(
@@ -43,7 +43,7 @@ pub fn gear_files(folder: &Path, errors: &mut Vec<InputError>) -> Vec<PathBuf> {
         }
         None => true,
     });
-    errors.extend(alike(&files));
+    errors.extend(same_names(&files));
     files
 }
 
@@ -65,7 +65,7 @@ fn no_file(path: &Path) -> Option<String> {
 }
 
 /// Files whose gears would have the name of another's.
-fn alike(files: &[PathBuf]) -> Vec<InputError> {
+fn same_names(files: &[PathBuf]) -> Vec<InputError> {
     let mut names: BTreeMap<OsString, &Path> = BTreeMap::new();
     let mut errors = Vec::new();
     for path in files {

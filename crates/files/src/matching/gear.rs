@@ -19,7 +19,7 @@ pub struct NamedGear {
     pub name: String,
     /// The gear; in the middle of a band of thickness.
     pub gear: AsBuilt,
-    /// What its file says, as understood.
+    /// Its file as understood.
     pub spec: GearSpec,
 }
 
@@ -33,7 +33,7 @@ pub struct ReadGear {
     pub band: Option<String>,
     /// Warnings about its file.
     pub warnings: Vec<String>,
-    /// What was found to be in order.
+    /// Notes on its file.
     pub remarks: Vec<String>,
 }
 
@@ -109,7 +109,7 @@ fn in_utf8(name: &OsStr) -> String {
     text.collect()
 }
 
-/// What gears must have alike to take each other's place, where they differ: key, value of `gear`, value of `own`.
+/// The values in which a gear differs from one whose place it takes: key, value of `gear`, value of `own`.
 fn differences<'a>(
     gear: &'a GearSpec,
     own: &'a GearSpec,
@@ -126,7 +126,7 @@ fn differences<'a>(
     both.filter_map(|((key, found), (_, wanted))| (found != wanted).then_some((key, found, wanted)))
 }
 
-/// What is wrong with a pair at this temperature, if anything.
+/// The problem of a pair at another temperature than the reference.
 pub fn warm(temperature_c: Option<f64>) -> Option<Problem> {
     let celsius = temperature_c.filter(|celsius| *celsius != REFERENCE_C)?;
     Some(Problem {

@@ -5,13 +5,17 @@ use super::gear::{NamedGear, one, thickness_key, warm};
 use crate::error::{InputError, Problem};
 use crate::read::PairFile;
 use crate::said_once::SaidOnce;
-use gearlash::error::GearError;
-use gearlash::matching::Terms;
+use crate::tolerance::{Tick, sha256};
+use gearlash::error::{Error, GearError};
+use gearlash::gear::AsBuilt;
+use gearlash::matching::{Matrix, PairFit, Terms};
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::Requirement;
+use serde_json::json;
+use std::ops::Range;
 use std::path::Path;
 
-/// What is to be matched.
+/// The gears that are matched, and how they are put together.
 #[derive(Debug, Clone)]
 pub struct MatchFile {
     /// The pair: centre distance, bearings, requirement.
@@ -20,13 +24,13 @@ pub struct MatchFile {
     pub wheels: Vec<NamedGear>,
     /// In the order of their names.
     pub pinions: Vec<NamedGear>,
-    /// How they are put together.
+    /// The terms on which they are put together.
     pub terms: Terms,
     /// Warnings beside those of the pair.
     pub warnings: Vec<String>,
     /// Warnings of the gears' own files, each with the first file that it is of.
     pub gear_warnings: Vec<String>,
-    /// What was found to be in order of them, likewise.
+    /// Notes on the gears' own files, each with the first file that it is of.
     pub gear_remarks: Vec<String>,
 }
 
@@ -137,7 +141,35 @@ fn ends_of(
 }
 
 impl MatchFile {
-    /// What each pair must keep.
+    /// Every pinion with each of the `wheels`, counted from 0: their cells of the matrix, wheel by wheel. `tick` is called for each pair.
+    ///
+    /// # Errors
+    /// As [`Matrix::cells`].
+    pub fn cells(&self, wheels: Range<usize>, tick: Tick) -> Result<Vec<PairFit>, Error> {
+        let (all, pinions) = self.gears();
+        let wheels = all.get(wheels).unwrap_or_default();
+        Matrix::cells(wheels, &pinions, &self.terms, tick)
+    }
+
+    /// Wheels and pinions.
+    pub(super) fn gears(&self) -> (Vec<AsBuilt>, Vec<AsBuilt>) {
+        let gears = |named: &[NamedGear]| named.iter().map(|one| one.gear.clone()).collect();
+        (gears(&self.wheels), gears(&self.pinions))
+    }
+
+    /// The hash of the pair as understood, of each gear with its name, and of the wanted backlash.
+    pub fn input_sha256(&self) -> String {
+        let mut spec = self.pair.spec.clone();
+        spec.tolerance = None;
+        let gears = [&self.wheels, &self.pinions].map(|gears| {
+            let each = gears.iter().map(|one| (&one.name, &one.spec));
+            each.collect::<Vec<_>>()
+        });
+        let wanted = self.terms.wanted();
+        sha256(&json!({ "pair": spec, "gears": gears, "wanted": wanted }).to_string())
+    }
+
+    /// The limits that each pair must keep.
     pub fn requirement(&self) -> &Requirement {
         &self.terms.requirement
     }

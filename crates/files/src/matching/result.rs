@@ -1,11 +1,12 @@
 //! Which gears go together: as a sentence, JSON and CSV.
 
-use super::part::{MatchPart, status};
+use super::read::MatchFile;
 use crate::characters;
 use crate::characters::csv_text;
 use crate::numbers::{fixed, rounded, shortest};
-use crate::tolerance::Limit;
-use gearlash::matching::{Expected, Fit, Matrix};
+use crate::tolerance::{Limit, limits};
+use gearlash::error::GearError;
+use gearlash::matching::{Expected, Fit, Matrix, PairFit};
 use serde_json::{Value, json};
 
 /// A pair that was made.
@@ -19,7 +20,7 @@ pub struct MatchedPair {
     pub fit: Fit,
 }
 
-/// What came of a matching.
+/// The result of a matching.
 #[derive(Debug, Clone)]
 pub struct MatchResult {
     /// Title of the pair file.
@@ -30,7 +31,7 @@ pub struct MatchResult {
     pub matrix: Matrix,
     /// The pairs that were made, in the order of the wheels.
     pub pairs: Vec<MatchedPair>,
-    /// The same by their places in the matrix.
+    /// The pairs by their places in the matrix.
     pub places: Vec<(usize, usize)>,
     /// Whether no other assignment is better.
     pub is_best: bool,
@@ -42,17 +43,27 @@ pub struct MatchResult {
     pub by_classes: Option<(usize, Expected)>,
     /// Least and greatest backlash allowed, and the wanted one, mm.
     pub limits: [Option<f64>; 2],
-    /// What else is required.
+    /// Limits of other quantities.
     pub others: Vec<Limit>,
     /// Wanted, mm.
     pub wanted: f64,
 }
 
 impl MatchResult {
-    /// The assignment of a whole matching; `None` where it is not all done.
-    pub fn of(part: MatchPart) -> Option<MatchResult> {
-        let (about, matrix) = part.matrix()?;
-        let names = about.names;
+    /// The assignment of the gears of `file`, whose matrix has these `cells`, wheel by wheel.
+    ///
+    /// # Errors
+    /// Another number of cells than wheels times pinions.
+    pub fn new(file: &MatchFile, cells: Vec<PairFit>) -> Result<MatchResult, GearError> {
+        let (wheels, pinions) = file.gears();
+        let matrix = Matrix::of_cells(&wheels, &pinions, cells)?;
+        let names = [&file.wheels, &file.pinions].map(|gears| {
+            gears
+                .iter()
+                .map(|gear| gear.name.clone())
+                .collect::<Vec<_>>()
+        });
+        let requirement = file.requirement();
         let assignment = matrix.assign();
         let pairs = assignment.pairs.iter().filter_map(|&(wheel, pinion)| {
             Some(MatchedPair {
@@ -79,13 +90,13 @@ impl MatchResult {
             let left = each.filter(|(place, _)| !taken[kind].contains(place));
             left.map(|(_, name)| name.clone()).collect()
         });
-        Some(MatchResult {
-            title: about.title,
+        Ok(MatchResult {
+            title: file.pair.study.title.clone(),
             at_random: matrix.at_random(),
             by_classes: matrix.by_classes(),
-            limits: about.limits_mm,
-            others: about.others,
-            wanted: about.wanted_mm,
+            limits: [requirement.min(), requirement.max()],
+            others: limits(requirement),
+            wanted: file.terms.wanted(),
             is_best: assignment.is_best,
             places: assignment.pairs,
             names,
@@ -202,12 +213,12 @@ impl MatchResult {
                 };
                 let outcome = meeting.best.outcome;
                 writer.write_record([
-                    wheel_name.clone(),
-                    pinion_name.clone(),
+                    characters::cell(wheel_name),
+                    characters::cell(pinion_name),
                     meeting.best.pinion_tooth.to_string(),
                     um(outcome.least),
                     um(outcome.greatest),
-                    status(outcome.kind).to_owned(),
+                    outcome.kind.name().to_owned(),
                     meeting.meeting.to_string(),
                     u8::from(self.places.binary_search(&(wheel, pinion)).is_ok()).to_string(),
                 ])?;

@@ -1,14 +1,13 @@
-//! What is required beside `j_wt`, in the units that are reported.
+//! Limits of other quantities than `j_wt`, in the units of results.
 
 use crate::numbers::{rounded, shortest, unit_of};
-use gearlash::analysis::requirement::Quantity;
 use gearlash::population::Requirement;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// A quantity that is limited, with its limits in its unit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Limit {
-    /// Such as `j_bn`.
+    /// Name, such as `j_bn`.
     pub quantity: String,
     /// Its unit.
     pub unit: String,
@@ -18,7 +17,7 @@ pub struct Limit {
     pub max: Option<f64>,
 }
 
-/// What `requirement` limits beside `j_wt`.
+/// The limits of `requirement` on other quantities than `j_wt`.
 pub fn limits(requirement: &Requirement) -> Vec<Limit> {
     let each = requirement.others().map(|(quantity, limits)| {
         let (name, unit, per, _) = unit_of(quantity);
@@ -48,17 +47,4 @@ pub fn in_words(j_wt: Option<f64>, others: &[Limit], is_max: bool) -> Option<Str
     });
     let each: Vec<String> = own.into_iter().chain(others).collect();
     (!each.is_empty()).then(|| each.join(" or "))
-}
-
-impl Limit {
-    /// Whether there is such a quantity, with such limits.
-    pub(super) fn is_one(&self) -> bool {
-        let mut all = Quantity::BESIDE_OPERATING_BACKLASH.into_iter();
-        let is_known = all.any(|quantity| {
-            let (name, unit, ..) = unit_of(quantity);
-            (name, unit) == (self.quantity.as_str(), self.unit.as_str())
-        });
-        let mut ends = [self.min, self.max].into_iter().flatten();
-        is_known && ends.all(|end| end.abs() <= 1e8)
-    }
 }

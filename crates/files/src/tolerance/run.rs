@@ -1,162 +1,221 @@
-//! One part of a population's run, block by block.
+//! A run: a population, a seed and a number of assemblies.
 
+use super::impossible::TooManyImpossible;
 use super::limit::limits;
-use super::part::{About, Part, cases};
-use super::part_head::{PartHead, Progress};
 use super::population::ToleranceFile;
-use crate::shards::sha256;
+use super::result::{About, ToleranceResult};
+use super::rows::RowsHead;
+use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
-    Factor, Outcome, Sample, SampleError, Scatter, Standing, Tally, contribution_sums, limit_cases,
-    outcomes, sample,
+    ContributionsError, Factor, Row, Sample, Scatter, Statistics, Tally, contributions, limit_cases,
 };
 use serde_json::json;
 use std::ops::{ControlFlow, Range};
+use std::path::Path;
 
-/// Assemblies of a block, after which a part can be kept.
-const BLOCK: u64 = 2048;
+/// Assemblies between two steps: after each the rows are written (tuned: some seconds on two cores, and enough for many threads).
+pub const BLOCK: u64 = 2048;
 
-/// Rows of a block.
-const ROWS: u64 = 256;
+/// Told that a step of the work begins; a break ends the work.
+pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
 
-/// Takes what came of each assembly of a block, in order.
-pub type Rows<'a> = &'a mut dyn FnMut(&[(u64, Outcome, Standing)]) -> std::io::Result<()>;
-
-/// Why a block was not done.
-#[derive(Debug, thiserror::Error)]
-pub enum BlockError {
-    /// As the library says.
-    #[error(transparent)]
-    Sample(#[from] SampleError),
-    /// What came of the assemblies cannot be written.
-    #[error(transparent)]
-    Rows(#[from] std::io::Error),
+/// A population of a pair file with the seed and the number of assemblies of a run.
+#[derive(Debug)]
+pub struct ToleranceRun<'a> {
+    file: &'a ToleranceFile,
+    path: &'a Path,
+    seed: u64,
+    assemblies: u64,
+    input_sha256: String,
+    about: About,
 }
 
-impl ToleranceFile {
-    /// Part `shard` (`k` of `n`) of a run of so many `assemblies`, nothing of it done.
+impl<'a> ToleranceRun<'a> {
+    /// The run of the `file` read from `path`, with its own seed and number of assemblies where none is given.
     ///
     /// # Errors
     /// As [`limit_cases`].
-    pub fn part(&self, assemblies: u64, seed: u64, shard: [u64; 2]) -> Result<Part, Error> {
-        let whole = Progress {
-            assemblies,
-            rows: u64::from(self.tolerance.contribution_rows),
-        };
-        let factors = self.population.factors();
-        let without_end = factors.iter().filter(|factor| self.has_no_end(**factor));
+    pub fn new(
+        file: &'a ToleranceFile,
+        path: &'a Path,
+        assemblies: Option<u64>,
+        seed: Option<u64>,
+    ) -> Result<ToleranceRun<'a>, Error> {
+        let factors = file.population.factors();
+        let without_end = factors.iter().filter(|factor| has_no_end(file, **factor));
+        let cases = limit_cases(&file.population)?;
         let about = About {
-            title: self.pair.spec.title.clone(),
-            min_mm: self.requirement.min(),
-            max_mm: self.requirement.max(),
-            others: limits(&self.requirement),
-            max_ppm: self.tolerance.max_ppm,
-            max_impossible: self.tolerance.max_impossible,
-            quantities: factors
-                .iter()
-                .map(|factor| factor.name().to_owned())
-                .collect(),
-            without_end: without_end.map(|factor| factor.name().to_owned()).collect(),
-            limit_cases: cases(limit_cases(&self.population)?),
+            title: file.pair.spec.title.clone(),
+            min_mm: file.requirement.min(),
+            max_mm: file.requirement.max(),
+            others: limits(&file.requirement),
+            max_ppm: file.tolerance.max_ppm,
+            quantities: factors.iter().map(|factor| factor.name()).collect(),
+            without_end: without_end.map(|factor| factor.name()).collect(),
+            limit_cases: cases.map(|found| [found.mean, found.worst, found.root_sum_of_squares]),
         };
-        let head = PartHead::new(self.sha256(), seed, whole, shard);
-        Ok(Part::new(head, about))
+        Ok(ToleranceRun {
+            path,
+            seed: seed.unwrap_or(file.tolerance.seed.into()),
+            assemblies: assemblies.unwrap_or(file.tolerance.assemblies.into()),
+            input_sha256: input_sha256(file),
+            about,
+            file,
+        })
     }
 
-    /// Whether a quantity has no limits of its own.
-    fn has_no_end(&self, factor: Factor) -> bool {
-        let scatters = self.population.scatters();
-        let open = |scatter: &Option<Scatter>| {
-            scatter
-                .as_ref()
-                .is_some_and(|scatter| !scatter.is_bounded())
-        };
-        match factor {
-            Factor::Thickness(member) => open(&scatters.of(member).thickness),
-            Factor::Thicknesses => {
-                open(&scatters.wheel.thickness) || open(&scatters.pinion.thickness)
-            }
-            Factor::Runout(member) => open(&scatters.of(member).runout),
-            Factor::Pitch(_) => true,
-            Factor::PerTooth(member) => open(&scatters.of(member).per_tooth),
-            Factor::CenterDistance => open(&scatters.center_distance),
-            Factor::BearingPlay => open(&scatters.bearing_play),
-            Factor::Gear(_) | Factor::Phase => false,
+    /// Number of assemblies, from 1 on.
+    pub fn assemblies(&self) -> u64 {
+        self.assemblies
+    }
+
+    /// The pair file.
+    pub(super) fn path(&self) -> &Path {
+        self.path
+    }
+
+    /// Rows of the samples for contributions.
+    pub fn contribution_rows(&self) -> u64 {
+        self.file.tolerance.contribution_rows.into()
+    }
+
+    /// The header of the rows of `count` assemblies from `first` on.
+    pub fn head(&self, first: u64, count: u64) -> RowsHead {
+        RowsHead {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            input_sha256: self.input_sha256.clone(),
+            seed: self.seed,
+            first,
+            count,
         }
     }
 
-    /// The hash of what the run is about: the pair as understood but for how much of it is drawn, and each whole gear.
-    fn sha256(&self) -> String {
-        let mut spec = self.pair.spec.clone();
-        if let Some(tolerance) = &mut spec.tolerance {
-            (tolerance.assemblies, tolerance.seed) = (0, 0);
-        }
-        let gears = self.measured.each_ref();
-        let gears = gears.map(|gears| gears.iter().map(|one| &one.spec).collect::<Vec<_>>());
-        sha256(&json!({ "pair": spec, "gears": gears }).to_string())
+    /// The command that writes the rows of the assemblies `numbers` to `file`.
+    pub fn rows_command(&self, numbers: Range<u64>, file: &Path) -> String {
+        let (first, count) = (numbers.start, numbers.end - numbers.start);
+        let file = shell_word(file);
+        format!(
+            "{} --first {first} --assemblies {count} --rows {file}",
+            self.command()
+        )
     }
 
-    /// Does the next block of `part`, and says whether there was one. `rows` takes what comes of each assembly; `tick` is called once every
-    /// [`CHUNK`](gearlash::population::CHUNK) assemblies, and once every eight rows of the contributions.
+    /// The command that gives the statistics of the rows in `files`, words of a shell.
+    pub fn statistics_command(&self, files: &str) -> String {
+        let own = u64::from(self.file.tolerance.assemblies);
+        let mut command = self.command();
+        if self.assemblies != own {
+            command += &format!(" --assemblies {}", self.assemblies);
+        }
+        format!("{command} --from-rows {files}")
+    }
+
+    fn command(&self) -> String {
+        let path = shell_word(self.path);
+        let own = u64::from(self.file.tolerance.seed);
+        if self.seed == own {
+            format!("gearlash tolerance {path}")
+        } else {
+            format!("gearlash tolerance {path} --seed {}", self.seed)
+        }
+    }
+
+    /// The rows of the assemblies `numbers`. `tick` is called once every [`CHUNK`](gearlash::population::CHUNK) assemblies.
     ///
     /// # Errors
-    /// [`BlockError`]; `part` is then as it was.
-    pub fn go_on(
-        &self,
-        part: &mut Part,
-        rows: Option<Rows<'_>>,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<bool, BlockError> {
-        let of = self.sample(part);
-        if let Some(numbers) = next(part.head.numbers(), part.done.assemblies, BLOCK) {
-            let count = numbers.end - numbers.start;
-            let tally = match rows {
-                None => sample(&of, numbers, tick)?,
-                Some(rows) => {
-                    let each = outcomes(&of, numbers, tick)?;
-                    rows(&each)?;
-                    let mut tally = Tally::default();
-                    for (number, outcome, standing) in &each {
-                        let counted = tally.count(outcome, standing, *number, of.total);
-                        counted.map_err(SampleError::from)?;
-                    }
-                    tally
-                }
-            };
-            part.tally.add(&tally).map_err(SampleError::from)?;
-            part.done.assemblies += count;
-            return Ok(true);
-        }
-        if let Some(rows) = next(part.head.rows(), part.done.rows, ROWS) {
-            let count = rows.end - rows.start;
-            let sums = contribution_sums(&self.population, of.seed, rows, tick)?;
-            part.sums.add(&sums).map_err(SampleError::from)?;
-            part.done.rows += count;
-            return Ok(true);
-        }
-        if part.worst.len() < part.tally.worst.len() {
-            let each = part.tally.worst.iter().map(|&one| self.worst(&of, one));
-            part.worst = each
-                .collect::<Result<_, Error>>()
-                .map_err(SampleError::from)?;
-            return Ok(true);
-        }
-        Ok(false)
+    /// As [`Sample::rows`].
+    pub fn rows(&self, numbers: Range<u64>, tick: Tick) -> Result<Vec<Row>, Error> {
+        self.sample().rows(numbers, tick)
     }
 
-    /// What `part` is a part of.
-    pub(super) fn sample(&self, part: &Part) -> Sample<'_> {
+    /// More assemblies that no gear has than are allowed, in the rows that are summed in `tally`.
+    pub fn too_many_impossible(&self, tally: &Tally) -> Option<TooManyImpossible> {
+        let why = |number| {
+            let drawn = self.file.population.assembly(self.sample().draw(number));
+            drawn.err().map(|error| error.to_string())
+        };
+        TooManyImpossible::find(
+            tally,
+            self.assemblies,
+            self.file.tolerance.max_impossible,
+            why,
+        )
+    }
+
+    /// The result of the run, whose rows are summed in `tally`. The contributions come from samples of their own: `tick` is called once every
+    /// [`ROWS_CHUNK`](gearlash::population::ROWS_CHUNK) rows of these.
+    ///
+    /// # Errors
+    /// [`ContributionsError`].
+    pub fn result(self, tally: Tally, tick: Tick) -> Result<ToleranceResult, ContributionsError> {
+        let population = &self.file.population;
+        let found = contributions(population, self.seed, self.contribution_rows(), tick)?;
+        let sample = self.sample();
+        let worst = tally.worst.iter().map(|&(_, number)| {
+            let worst = self.file.worst(&sample, number)?;
+            Ok(worst)
+        });
+        Ok(ToleranceResult {
+            worst: worst.collect::<Result<_, Error>>()?,
+            statistics: Statistics::of(&tally, &self.file.requirement),
+            contributions: found,
+            tally,
+            about: self.about,
+            version: env!("CARGO_PKG_VERSION"),
+            input_sha256: self.input_sha256,
+            seed: self.seed,
+            assemblies: self.assemblies,
+        })
+    }
+
+    fn sample(&self) -> Sample<'a> {
         Sample {
-            population: &self.population,
-            requirement: self.requirement,
-            seed: part.head.seed,
-            total: part.head.assemblies,
+            population: &self.file.population,
+            requirement: self.file.requirement,
+            seed: self.seed,
         }
     }
 }
 
-/// The next `length` of `range`, of which so many are done.
-fn next(range: Range<u64>, done: u64, length: u64) -> Option<Range<u64>> {
-    let start = range.start + done;
-    (start < range.end).then(|| start..(start + length).min(range.end))
+/// `path` as one word of a shell.
+pub fn shell_word(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@%".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        text
+    } else {
+        format!("'{}'", text.replace('\'', "'\\''"))
+    }
+}
+
+/// Whether the scatter of `factor` has no limits of its own.
+fn has_no_end(file: &ToleranceFile, factor: Factor) -> bool {
+    let scatters = file.population.scatters();
+    let open = |scatter: &Option<Scatter>| {
+        scatter
+            .as_ref()
+            .is_some_and(|scatter| !scatter.is_bounded())
+    };
+    match factor {
+        Factor::Thickness(member) => open(&scatters.of(member).thickness),
+        Factor::Thicknesses => open(&scatters.wheel.thickness) || open(&scatters.pinion.thickness),
+        Factor::Runout(member) => open(&scatters.of(member).runout),
+        Factor::Pitch(_) => true,
+        Factor::PerTooth(member) => open(&scatters.of(member).per_tooth),
+        Factor::CenterDistance => open(&scatters.center_distance),
+        Factor::BearingPlay => open(&scatters.bearing_play),
+        Factor::Gear(_) | Factor::Phase => false,
+    }
+}
+
+/// The hash of the pair as understood, without seed and number of assemblies, and of each whole gear.
+fn input_sha256(file: &ToleranceFile) -> String {
+    let mut spec = file.pair.spec.clone();
+    if let Some(tolerance) = &mut spec.tolerance {
+        (tolerance.assemblies, tolerance.seed) = (0, 0);
+    }
+    let gears = file.measured.each_ref();
+    let gears = gears.map(|gears| gears.iter().map(|one| &one.spec).collect::<Vec<_>>());
+    sha256(&json!({ "pair": spec, "gears": gears }).to_string())
 }

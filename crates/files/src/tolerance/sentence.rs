@@ -1,31 +1,30 @@
 //! A run in one sentence: what a production manager and a designer ask.
 
 use super::limit::in_words;
-use super::part::Part;
-use super::result::ToleranceResult;
+use super::result::{About, ToleranceResult};
 use crate::numbers::{rounded, shortest};
 use gearlash::population::{Contributions, Factor, Share};
 
-/// What `result` says: what share misses the requirement, with its interval, and what most of the spread comes from.
+/// The sentence of `result`: the share that misses the requirement, with its interval, and the quantity that most of the spread comes from.
 ///
 /// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
 pub fn sentence(result: &ToleranceResult) -> String {
-    let about = &result.part.about;
+    let about = &result.about;
     let least = in_words(about.min_mm, &about.others, false);
     let most = in_words(about.max_mm, &about.others, true);
     let mut text = shares(result);
-    // Of what is asked for: the least, or the greatest where that alone is limited.
+    // The extreme that is limited: the least, or the greatest where that alone is.
     let greatest = least.is_none() && most.is_some();
     if let Some(most) = largest(&result.contributions[usize::from(greatest)]) {
         text += &format!("; {most}");
     }
-    let counts = &result.part.tally.counts;
+    let counts = &result.tally.counts;
     for (count, what) in [
         (counts.jammed, "jammed"),
-        (counts.out_of_mesh, "out of mesh"),
+        (counts.no_contact, "out of mesh"),
         (counts.impossible, "of no gear"),
         (counts.unproven, "without a result"),
-        (result.part.tally.doubtful, "in a wide bracket"),
+        (result.tally.doubtful, "in a wide bracket"),
     ] {
         if count > 0 {
             text += &format!("; {count} {what}");
@@ -62,9 +61,9 @@ pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
     })
 }
 
-/// What share of `result` misses the requirement, to either side: the beginning of its sentence.
+/// The shares of `result` that miss the requirement, to either side: the beginning of its sentence.
 pub fn shares(result: &ToleranceResult) -> String {
-    let (about, statistics) = (&result.part.about, &result.statistics);
+    let (about, statistics) = (&result.about, &result.statistics);
     let least = in_words(about.min_mm, &about.others, false);
     let below = least.map_or("do not assemble".to_owned(), |least| {
         format!("below {least}")
@@ -77,16 +76,16 @@ pub fn shares(result: &ToleranceResult) -> String {
 }
 
 /// Why there is no worst case; `None` where there is one.
-pub fn without_worst_case(part: &Part) -> Option<&'static str> {
-    let none = part.about.limit_cases.is_none();
+pub fn without_worst_case(about: &About) -> Option<&'static str> {
+    let none = about.limit_cases.is_none();
     none.then_some("No worst case: whole gears that were measured have no limits.")
 }
 
-/// Of which assembly phases worst case and root sum of squares are; `None` where the phase does not scatter.
-pub fn phases_of_limits(part: &Part) -> Option<&'static str> {
+/// The assembly phases that worst case and root sum of squares are of; `None` where the phase does not scatter.
+pub fn phases_of_limits(about: &About) -> Option<&'static str> {
     let phase = Factor::Phase.name();
-    let scatters = part.about.quantities.iter().any(|name| name == phase);
-    (scatters && part.about.limit_cases.is_some()).then_some(
+    let scatters = about.quantities.contains(&phase);
+    (scatters && about.limit_cases.is_some()).then_some(
         "At the mean, worst case and root sum of squares: each in the assembly phase where it is the worst.",
     )
 }

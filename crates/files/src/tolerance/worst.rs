@@ -1,7 +1,6 @@
 //! One assembly of a population as a pair file.
 
 use super::population::ToleranceFile;
-use crate::shards::sha256;
 use crate::spec::{
     BearingClearanceSpec, CenterDistanceSpec, Either, FaceName, GearSpec, PairSpec, PitchAxis,
     PitchKind, PitchSense, PitchSpec, Revolutions, RunoutSpec, StatementSpec, SweepSpec,
@@ -12,21 +11,19 @@ use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash::pair::Member;
 use gearlash::population::{Assembly, Sample};
-use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 
-/// One of the worst assemblies of a part.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// One of the worst assemblies of a run.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
     /// Its number.
     pub number: u64,
-    /// What it has left to the nearer limit, tenths of a nanometre; the least there is where it is jammed or out of mesh.
-    pub margin: i64,
     /// Least `j_wt`, mm.
     pub least_mm: Option<f64>,
     /// Greatest `j_wt`, mm.
     pub greatest_mm: Option<f64>,
-    /// The pair file that is it.
+    /// Its pair file.
     pub pair: Value,
 }
 
@@ -34,7 +31,7 @@ impl Worst {
     /// The pair file, as TOML.
     ///
     /// # Errors
-    /// A table that is none.
+    /// The writer's; a pair file has none.
     pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
         toml::to_string(&self.pair)
     }
@@ -51,8 +48,14 @@ pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::
     (worst_name(index), text.map(|text| signed(&text)))
 }
 
-/// What the first line of such a file says, before the hash of all others.
+/// Begins the first line of such a file; the hash of all other lines follows.
 const WRITTEN: &str = "# written by gearlash tolerance; sha256 of the lines below: ";
+
+/// The SHA-256 of `text` in hexadecimal digits.
+pub fn sha256(text: &str) -> String {
+    let digest = Sha256::digest(text.as_bytes());
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
 
 fn signed(text: &str) -> String {
     format!("{WRITTEN}{}\n{text}", sha256(text))
@@ -66,15 +69,11 @@ pub fn is_worst_file(text: &str) -> bool {
 }
 
 impl ToleranceFile {
-    /// Assembly `number` of `sample`, of which so much is left.
+    /// Assembly `number` of `sample`.
     ///
     /// # Errors
     /// As [`Assembly::outcome`].
-    pub(super) fn worst(
-        &self,
-        sample: &Sample<'_>,
-        (margin, number): (i64, u64),
-    ) -> Result<Worst, Error> {
+    pub(super) fn worst(&self, sample: &Sample<'_>, number: u64) -> Result<Worst, Error> {
         let assembly = self.population.assembly(sample.draw(number))?;
         let found = assembly.outcome()?;
         let title = format!(
@@ -84,7 +83,6 @@ impl ToleranceFile {
         let spec = self.spec_of(&assembly, title);
         Ok(Worst {
             number,
-            margin,
             least_mm: found.least,
             greatest_mm: found.greatest,
             // Plain structs with text keys: nothing of it can fail.

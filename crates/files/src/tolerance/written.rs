@@ -1,7 +1,6 @@
-//! What a whole run comes to, as JSON and CSV.
+//! The result of a run as JSON and CSV.
 
-use super::part::Part;
-use super::result::{ToleranceResult, convergence};
+use super::result::ToleranceResult;
 use super::sentence::{phases_of_limits, sentence};
 use super::worst::worst_name;
 use crate::characters::csv_text;
@@ -24,7 +23,7 @@ fn ppm(share: f64) -> f64 {
 impl ToleranceResult {
     /// The result, which ends in a line end.
     pub fn to_json(&self) -> String {
-        let (about, head, tally) = (&self.part.about, &self.part.head, &self.part.tally);
+        let (about, tally) = (&self.about, &self.tally);
         let statistics = &self.statistics;
         let share = |share: &Share| {
             json!({
@@ -40,7 +39,7 @@ impl ToleranceResult {
                 json!({ "least_um": um(cases[index][0]), "greatest_um": um(cases[index][1]) })
             })
         };
-        let worst = self.part.worst.iter().enumerate().map(|(index, worst)| {
+        let worst = self.worst.iter().enumerate().map(|(index, worst)| {
             json!({
                 "assembly": worst.number,
                 "least_um": um(worst.least_mm),
@@ -48,7 +47,7 @@ impl ToleranceResult {
                 "file": worst_name(index),
             })
         });
-        let course = convergence(&self.part);
+        let course = self.convergence();
         let course = course.iter().map(|point| {
             json!({
                 "assemblies": point.assemblies,
@@ -58,11 +57,11 @@ impl ToleranceResult {
             })
         });
         let result = json!({
-            "gearlash": head.gearlash,
+            "gearlash": self.version,
             "title": about.title,
-            "input_sha256": head.input_sha256,
-            "seed": head.seed,
-            "assemblies": head.assemblies,
+            "input_sha256": self.input_sha256,
+            "seed": self.seed,
+            "assemblies": self.assemblies,
             "sentence": sentence(self),
             "requirement": {
                 "min_um": um(about.min_mm),
@@ -75,7 +74,7 @@ impl ToleranceResult {
                 "clear": counts.clear,
                 "interference": counts.interference,
                 "jammed": counts.jammed,
-                "out_of_mesh": counts.out_of_mesh,
+                "no_contact": counts.no_contact,
                 "unproven": counts.unproven,
                 "impossible": counts.impossible,
                 "bracket_wide": tally.doubtful,
@@ -92,7 +91,7 @@ impl ToleranceResult {
             },
             "limits": {
                 // "worst": each number is of the assembly phase where it is the worst; null where the phase does not scatter.
-                "phase": phases_of_limits(&self.part).map(|_| "worst"),
+                "phase": phases_of_limits(about).map(|_| "worst"),
                 "at_mean": both(0),
                 "worst_case": both(1),
                 "root_sum_of_squares": both(2),
@@ -108,7 +107,7 @@ impl ToleranceResult {
             "worst": worst.collect::<Vec<_>>(),
             "convergence": course.collect::<Vec<_>>(),
         });
-        // Of such values nothing can fail.
+        // Such values never fail.
         serde_json::to_string_pretty(&result).unwrap_or_default() + "\n"
     }
 
@@ -144,7 +143,7 @@ impl ToleranceResult {
         }
         rows.add("cp if normal", statistics.cp, "", [None; 2], None);
         rows.add("cpk if normal", statistics.cpk, "", [None; 2], None);
-        if let Some(cases) = self.part.about.limit_cases {
+        if let Some(cases) = self.about.limit_cases {
             for (case, name) in cases
                 .iter()
                 .zip(["at mean", "worst case", "root sum of squares"])
@@ -201,8 +200,8 @@ impl Rows {
 }
 
 /// The histogram: lower end of each bin, µm, and how many have their least and their greatest there.
-pub fn histogram_csv(part: &Part) -> String {
-    let tally = &part.tally;
+pub fn histogram_csv(result: &ToleranceResult) -> String {
+    let tally = &result.tally;
     let mut text = "from_um,least,greatest\n".to_owned();
     let (least, greatest) = (&tally.least.histogram, &tally.greatest.histogram);
     let bins: std::collections::BTreeSet<i64> =

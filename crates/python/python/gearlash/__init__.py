@@ -18,7 +18,16 @@ from gearlash._gauged import Gauged
 from gearlash._gear import Gear
 from gearlash._pair import Pair, read
 from gearlash._picture import Picture
-from gearlash._population import Matched, MatchedPair, Share, Tolerance, match, tolerance
+from gearlash._population import (
+    Matched,
+    MatchedPair,
+    Rows,
+    Share,
+    Tolerance,
+    match,
+    tolerance,
+    tolerance_rows,
+)
 from gearlash._poses import Contact, Flank, Pose, Poses, Status
 
 __all__ = [
@@ -40,6 +49,7 @@ __all__ = [
     "Pose",
     "Poses",
     "Problem",
+    "Rows",
     "RunExtremes",
     "Share",
     "Status",
@@ -48,4 +58,5 @@ __all__ = [
     "match",
     "read",
     "tolerance",
+    "tolerance_rows",
 ]

@@ -7,6 +7,11 @@ from numpy.typing import NDArray
 
 __version__: str
 STATUSES: list[str]
+OUTCOMES: list[str]
+
+Head = tuple[str, str, int, int, int]
+MatchFiles = tuple[str, str, str, float | None]
+Cell = tuple[int, int, float | None, float | None, bool, bool, int]
 
 @final
 class Gear:
@@ -68,23 +73,21 @@ def revolution(
 ) -> dict[str, Any]: ...
 def extremes(pair: Pair, threads: int | None = None) -> str: ...
 def check(pair: Pair, threads: int | None = None) -> str: ...
-def tolerance_part(
+def tolerance_assemblies(path: str) -> int: ...
+def tolerance_rows(
+    path: str, first: int, count: int | None, seed: int | None, threads: int | None = None
+) -> tuple[Head, dict[str, NDArray[Any]], list[str]]: ...
+def tolerance_result(
     path: str,
     assemblies: int | None,
     seed: int | None,
-    shard: tuple[int, int],
+    rows: list[tuple[Head, dict[str, NDArray[Any]]]] | None = None,
     threads: int | None = None,
 ) -> tuple[str, list[str]]: ...
-def tolerance_result(parts: list[str]) -> str: ...
-def match_part(
-    path: str,
-    wheels: str,
-    pinions: str,
-    target_um: float | None,
-    shard: tuple[int, int],
-    threads: int | None = None,
-) -> tuple[str, list[str]]: ...
-def match_result(parts: list[str]) -> str: ...
+def match_cells(
+    files: MatchFiles, block: tuple[int, int], threads: int | None = None
+) -> tuple[str, list[Cell], list[str]]: ...
+def match_result(files: MatchFiles, blocks: list[tuple[str, list[Cell]]]) -> str: ...
 def gauge(
     gear: Gear,
     sizes: tuple[int | None, float | None, float | None, int | None, int],

@@ -44,10 +44,52 @@ class Result(Table):
         return self._text
 
 
-class Tolerance(Result):
-    """What came of a population: as ``gearlash tolerance`` says it; ``to_json`` has its ``result.json``.
+class Rows(Table):
+    """Assemblies of a population, one a row.
 
-    As a table (``to_pandas``, ``to_arrow``) what each quantity contributes: the extreme it is about, first order and total with their standard errors.
+    As a table (``to_pandas``, ``to_arrow``) the columns of a file of ``gearlash tolerance --rows``. Lengths are NaN where an assembly has none.
+    """
+
+    def __init__(self, head: _core.Head, arrays: dict[str, np.ndarray[Any, Any]]) -> None:
+        self._head = head
+        self._arrays = arrays
+
+    @property
+    def seed(self) -> int:
+        """The seed."""
+        return self._head[2]
+
+    @property
+    def assembly(self) -> np.ndarray[Any, Any]:
+        """Numbers of the assemblies."""
+        return self._arrays["assembly"]
+
+    @property
+    def least_um(self) -> np.ndarray[Any, Any]:
+        """Least ``j_wt`` over the mesh cycle, µm."""
+        return self._arrays["least_um"]
+
+    @property
+    def greatest_um(self) -> np.ndarray[Any, Any]:
+        """Greatest ``j_wt`` over the mesh cycle, µm."""
+        return self._arrays["greatest_um"]
+
+    def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
+        """Assembly, outcome, least and greatest ``j_wt``, whether they are proven, whether a limit is missed, and what is left to the nearest one, µm."""
+        words = {"outcome": (self._arrays["outcome"], tuple(_core.OUTCOMES))}
+        return {**self._arrays, **words}
+
+    def __len__(self) -> int:
+        return len(self.assembly)
+
+    def __repr__(self) -> str:
+        return f"Rows({len(self)} assemblies from {self._head[3]} on, seed {self.seed})"
+
+
+class Tolerance(Result):
+    """The result of a population, as ``gearlash tolerance`` writes it; ``to_json`` has its ``result.json``.
+
+    As a table (``to_pandas``, ``to_arrow``) what each quantity contributes: the extreme, first order and total with their standard errors.
     """
 
     @property
@@ -153,17 +195,39 @@ class Matched(Result):
         return f"Matched({self.sentence})"
 
 
+def tolerance_rows(
+    path: Path,
+    *,
+    first: int = 1,
+    assemblies: int | None = None,
+    seed: int | None = None,
+    threads: int | None = None,
+) -> Rows:
+    """The rows of ``assemblies`` from number ``first`` on, by default up to the last of the pair file.
+
+    An assembly depends on the seed and its number alone: :func:`tolerance` takes rows computed anywhere.
+    """
+    head, arrays, warned = _core.tolerance_rows(os.fspath(path), first, assemblies, seed, threads)
+    warn(warned)
+    return Rows(head, arrays)
+
+
 def tolerance(
     path: Path,
     *,
     assemblies: int | None = None,
     seed: int | None = None,
+    rows: Iterable[Rows] | None = None,
     threads: int | None = None,
 ) -> Tolerance:
-    """Draws the population that ``[tolerance]`` of a pair file states; ``assemblies`` and ``seed`` in place of the file's."""
-    part, warned = _core.tolerance_part(os.fspath(path), assemblies, seed, (1, 1), threads)
+    """The statistics of the population that ``[tolerance]`` of a pair file states; ``assemblies`` and ``seed`` in place of the file's.
+
+    ``rows`` are those of all its assemblies, in any order; without them they are drawn here.
+    """
+    given = None if rows is None else [(each._head, each._arrays) for each in rows]
+    text, warned = _core.tolerance_result(os.fspath(path), assemblies, seed, given, threads)
     warn(warned)
-    return Tolerance(_core.tolerance_result([part]))
+    return Tolerance(text)
 
 
 def match(
@@ -178,7 +242,7 @@ def match(
 
     ``target_um`` is the backlash from which each pair is to stray least over its mesh cycle, µm; by default the middle of what is required, or its one limit.
     """
-    folders = os.fspath(wheels), os.fspath(pinions)
-    part, warned = _core.match_part(os.fspath(path), *folders, target_um, (1, 1), threads)
+    files = os.fspath(path), os.fspath(wheels), os.fspath(pinions), target_um
+    input_hash, cells, warned = _core.match_cells(files, (0, 1), threads)
     warn(warned)
-    return Matched(_core.match_result([part]))
+    return Matched(_core.match_result(files, [(input_hash, cells)]))

@@ -1,70 +1,66 @@
-"""Populations on a Dask cluster: parts go to its workers, and their sum is what one machine would have found, to the last bit.
+"""Populations and matchings on a Dask cluster, with the results of one machine to the last bit.
 
-Needs ``distributed`` (``pip install gearlash[dask]``). The pair file and what it names must be readable by every worker under the same path.
-A part that is lost with its worker is run again by Dask; parts do not depend on where or when they run.
+Needs ``distributed`` (``pip install gearlash[dask]``). Every worker must read the pair file and the files that it names under the same path.
+An assembly depends on the seed and its number alone, and a cell of a matching on its two gears: what is lost with a worker, Dask computes again.
 """
 
 import os
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from gearlash import _core
-from gearlash._population import Matched, Path, Tolerance, warn
+from gearlash._population import Matched, Path, Rows, Tolerance, warn
 
 if TYPE_CHECKING:
     from distributed import Client
 
-Part = tuple[str, list[str]]
-"""The text of a part's file, and the warnings of what it was read from."""
+
+def _rows(
+    path: str, numbers: tuple[int, int], seed: int | None, threads: int | None
+) -> tuple[Rows, list[str]]:
+    """The rows of so many assemblies from a number on, and the warnings of the files."""
+    first, count = numbers
+    head, arrays, warned = _core.tolerance_rows(path, first, count, seed, threads)
+    return Rows(head, arrays), warned
 
 
-def _part(
-    path: str, assemblies: int | None, seed: int | None, shard: tuple[int, int], threads: int | None
-) -> Part:
-    return _core.tolerance_part(path, assemblies, seed, shard, threads)
+def _gathered(client: "Client", function: Any, items: list[Any], retries: int) -> list[Any]:
+    """What ``function`` returns of each of ``items``, in their order."""
+    futures = client.map(function, items, retries=retries, pure=False)
+    found: list[Any] = client.gather(futures)  # type: ignore[no-untyped-call]
+    return found
 
 
-def _match_part(
-    path: str,
-    folders: tuple[str, str],
-    target_um: float | None,
-    shard: tuple[int, int],
-    threads: int | None,
-) -> Part:
-    return _core.match_part(path, *folders, target_um, shard, threads)
-
-
-def _all(
-    client: "Client", part: Callable[[tuple[int, int]], Part], shards: int, retries: int
-) -> tuple[list[str], list[str]]:
-    """The texts of all parts, and the warnings, which are the same of each."""
-    each = client.map(
-        lambda shard: part((shard, shards)), range(1, shards + 1), retries=retries, pure=False
-    )
-    parts: list[Part] = client.gather(each)  # type: ignore[no-untyped-call]
-    return [text for text, _ in parts], parts[0][1] if parts else []
+def _ranges(total: int, count: int) -> list[tuple[int, int]]:
+    """First assembly and number of assemblies of up to ``count`` ranges of almost equal length."""
+    ends = [total * k // count for k in range(count + 1)]
+    return [(low + 1, high - low) for low, high in zip(ends, ends[1:]) if low < high]
 
 
 def tolerance(
     client: "Client",
     path: Path,
     *,
-    shards: int = 64,
+    ranges: int = 64,
     assemblies: int | None = None,
     seed: int | None = None,
     threads: int | None = 1,
     retries: int = 3,
 ) -> Tolerance:
-    """As :func:`gearlash.tolerance`, in ``shards`` parts on the workers of ``client``, each on ``threads`` threads.
+    """As :func:`gearlash.tolerance`, its rows computed in ``ranges`` on the workers of ``client``, each on ``threads`` threads.
 
-    ``retries`` is how often a part that fails is tried again; one whose worker dies is tried again by Dask as often as it allows.
+    ``retries`` is how often a range that fails is tried again. The contributions come from samples of their own, drawn here on all cores.
     """
+    if ranges < 1:
+        raise ValueError(f"ranges is {ranges}: a number from 1 on is needed")
     whole = os.path.abspath(path)
-    texts, warned = _all(
-        client, lambda shard: _part(whole, assemblies, seed, shard, threads), shards, retries
+    total = _core.tolerance_assemblies(whole) if assemblies is None else assemblies
+    found = _gathered(
+        client, lambda numbers: _rows(whole, numbers, seed, threads), _ranges(total, ranges), retries
     )
+    rows = [(each._head, each._arrays) for each, _ in found]
+    text, warned = _core.tolerance_result(whole, assemblies, seed, rows)
     warn(warned)
-    return Tolerance(_core.tolerance_result(texts))
+    return Tolerance(text)
 
 
 def match(
@@ -73,22 +69,20 @@ def match(
     wheels: Path,
     pinions: Path,
     *,
-    shards: int = 64,
+    blocks: int = 64,
     target_um: float | None = None,
     threads: int | None = 1,
     retries: int = 3,
 ) -> Matched:
-    """As :func:`gearlash.match`, every wheel with every pinion in ``shards`` parts on the workers of ``client``, as :func:`tolerance` does it.
-
-    Which go together is then decided here, by all parts.
-    """
-    whole = os.path.abspath(path)
-    folders = os.path.abspath(wheels), os.path.abspath(pinions)
-    texts, warned = _all(
+    """As :func:`gearlash.match`, with ``blocks`` of the wheels on the workers of ``client``. Which gears go together is decided here."""
+    if blocks < 1:
+        raise ValueError(f"blocks is {blocks}: a number from 1 on is needed")
+    files = os.path.abspath(path), os.path.abspath(wheels), os.path.abspath(pinions), target_um
+    found = _gathered(
         client,
-        lambda shard: _match_part(whole, folders, target_um, shard, threads),
-        shards,
+        lambda k: _core.match_cells(files, (k, blocks), threads),
+        list(range(blocks)),
         retries,
     )
-    warn(warned)
-    return Matched(_core.match_result(texts))
+    warn(found[0][2])
+    return Matched(_core.match_result(files, [(input_hash, cells) for input_hash, cells, _ in found]))

@@ -23,8 +23,8 @@ const BIN_UM: f64 = BIN_TENTHS_NM as f64 / TENTHS_NM_PER_MM * 1e3;
 /// # Errors
 /// [`PictureError`] where no assembly has a backlash.
 pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, PictureError> {
-    let about = &result.part.about;
-    let tally = &result.part.tally;
+    let about = &result.about;
+    let tally = &result.tally;
     let spreads = [
         ("least of each assembly", &tally.least, Look::Right),
         ("greatest", &tally.greatest, Look::Left),

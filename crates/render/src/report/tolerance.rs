@@ -34,7 +34,7 @@ pub fn tolerance_report(report: &ToleranceReport) -> String {
         ("worst", "Worst assemblies"),
         ("method", "Method"),
     ];
-    let about = &report.result.part.about;
+    let about = &report.result.about;
     let main = html! {
         (result(report))
         (spread(report))
@@ -58,7 +58,6 @@ fn picture(svg: &str) -> Markup {
 
 fn result(report: &ToleranceReport) -> Markup {
     let result = report.result;
-    let head = &result.part.head;
     let state = match result.is_met() {
         Some(false) => Verdict::Fail,
         _ => Verdict::Pass,
@@ -75,7 +74,7 @@ fn result(report: &ToleranceReport) -> Markup {
                 p.answer { strong { (with_symbols(&answer)) } }
             }
             p {
-                (head.assemblies) " assemblies of seed " (head.seed)
+                (result.assemblies) " assemblies of seed " (result.seed)
                 ", each over its whole mesh cycle and every rotation. In brackets the interval that holds the share of the whole population with "
                 (shortest(100.0 * CONFIDENCE)) " %."
             }
@@ -105,7 +104,7 @@ fn spread(report: &ToleranceReport) -> Markup {
         "greatest drawn".to_owned(),
         both.map(|one| one.greatest.map(|end| end.0)),
     ));
-    if let Some([mean, worst, roots]) = result.part.about.limit_cases {
+    if let Some([mean, worst, roots]) = result.about.limit_cases {
         rows.push(("at the mean".to_owned(), mean));
         rows.push(("root sum of squares".to_owned(), roots));
         rows.push(("worst case".to_owned(), worst));
@@ -128,7 +127,7 @@ fn spread(report: &ToleranceReport) -> Markup {
                 }
             }
             @if let Some(without) = without_backlash(result) { p { (without) } }
-            @if let Some(phases) = phases_of_limits(&result.part) { p { (phases) } }
+            @if let Some(phases) = phases_of_limits(&result.about) { p { (phases) } }
         }
     }
 }
@@ -185,7 +184,7 @@ fn worst(result: &ToleranceResult) -> Markup {
                 thead { tr {
                     th scope="col" { "assembly" } th.n scope="col" { "least µm" } th.n scope="col" { "greatest µm" }
                 } }
-                tbody { @for one in &result.part.worst { tr {
+                tbody { @for one in &result.worst { tr {
                     th scope="row" { (one.number) }
                     @for mm in [one.least_mm, one.greatest_mm] { td.n { (um(mm, 2)) } }
                 } } }
@@ -195,8 +194,8 @@ fn worst(result: &ToleranceResult) -> Markup {
 }
 
 fn method(result: &ToleranceResult) -> Markup {
-    let about = &result.part.about;
-    let counts = &result.part.tally.counts;
+    let about = &result.about;
+    let counts = &result.tally.counts;
     html! {
         section id="method" {
             h2 { "Method" }
@@ -204,7 +203,7 @@ fn method(result: &ToleranceResult) -> Markup {
             p {
                 "Each assembly is drawn by the seed and its number alone. Its least and greatest backlash are proven over every mating and rotation. "
                 (counts.clear) " assemblies are clear, " (counts.interference) " interfere, " (counts.jammed) " are jammed, "
-                (counts.out_of_mesh) " out of mesh, " (counts.unproven) " without a result; " (counts.impossible)
+                (counts.no_contact) " out of mesh, " (counts.unproven) " without a result; " (counts.impossible)
                 " draws are of no gear. None is left out of the shares."
             }
             p { "Intervals of shares: Clopper and Pearson. Quantiles: to 0.01 µm. Capability: what it says of shares holds of normal populations." }
@@ -216,7 +215,7 @@ fn method(result: &ToleranceResult) -> Markup {
                     ". Pitch: flanks in contact " (shortest(PITCH_LIMIT_SIGMAS))
                     " standard deviations of their cumulative deviation out. Root sum of squares: of what each changes alone."
                 }
-            } @else if let Some(why) = without_worst_case(&result.part) {
+            } @else if let Some(why) = without_worst_case(about) {
                 p { (why) }
             }
             p {

@@ -8,7 +8,6 @@ mod envelope;
 mod field;
 mod inspection;
 mod one_assembly;
-mod parts;
 mod places;
 mod texts;
 #[path = "../../../../tests/common/two_thick_teeth.rs"]

@@ -10,14 +10,14 @@ use gearlash_files::tolerance::{
 
 /// The sentence, the spread beside worst case and root sum of squares, the contributions, the worst assemblies.
 pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
-    let about = &result.part.about;
+    let about = &result.about;
     let mut text = screen.paragraphs(&format!("{}.", sentence(result)));
     text.push('\n');
     text += &screen.paragraphs(&format!(
         "{}: {} assemblies of seed {}, each over its whole mesh cycle.",
         plain(&about.title),
-        result.part.head.assemblies,
-        result.part.head.seed
+        result.assemblies,
+        result.seed
     ));
     text.push('\n');
     text += &spread(result).text(screen);
@@ -33,7 +33,7 @@ pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
     if let Some(without) = without_backlash(result) {
         text += &screen.fold(&format!("{without}\n"));
     }
-    if let Some(phases) = phases_of_limits(&result.part) {
+    if let Some(phases) = phases_of_limits(about) {
         text += &screen.fold(&format!("{phases}\n"));
     }
     if about.limit_cases.is_some() && !about.without_end.is_empty() {
@@ -42,7 +42,7 @@ pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
             about.without_end.join(", ")
         ));
     }
-    if let Some(why) = without_worst_case(&result.part) {
+    if let Some(why) = without_worst_case(about) {
         text += &screen.fold(&format!("{why}\n"));
     }
     if let Some(contributions) = contributions(result) {
@@ -80,7 +80,7 @@ fn spread(result: &ToleranceResult) -> Table {
         "greatest drawn".to_owned(),
         both.map(|one| one.greatest.map(|end| end.0)),
     );
-    if let Some([mean, worst, roots]) = result.part.about.limit_cases {
+    if let Some([mean, worst, roots]) = result.about.limit_cases {
         row("at the mean".to_owned(), mean);
         row("root sum of squares".to_owned(), roots);
         row("worst case".to_owned(), worst);
@@ -126,7 +126,7 @@ fn worst(result: &ToleranceResult) -> Table {
         Column::new("least µm"),
         Column::new("greatest µm"),
     ]);
-    for worst in &result.part.worst {
+    for worst in &result.worst {
         let cells = [worst.least_mm, worst.greatest_mm].map(|mm| um(mm, 2));
         let [least, greatest] = cells;
         table.add(vec![worst.number.to_string(), least, greatest]);

@@ -1,0 +1,409 @@
+//! Rows of a run: files of them, one assembly a line, and the sums over rows from anywhere.
+//!
+//! A file begins with a header (version, hash of the input, seed, first assembly, count) and the column names. Lengths have four decimals of a
+//! micrometre, the whole tenths of a nanometre that statistics count in, so that they read back exactly.
+
+use super::run::ToleranceRun;
+use crate::error::{InputError, Problem};
+use gearlash::population::{OutcomeKind, Overflow, Row, Tally};
+use std::fs::File;
+use std::io::{BufRead, BufReader, ErrorKind};
+use std::ops::Range;
+use std::path::Path;
+
+/// Tenths of a nanometre in a micrometre.
+const TENTHS_PER_UM: f64 = 1e4;
+
+/// The greatest length that text gives back exactly, tenths of a nanometre: 2^53.
+const MOST_TENTHS: f64 = 9_007_199_254_740_992.0;
+
+/// Begins the header.
+const FORMAT: &str = "# gearlash rows 1: ";
+
+/// The columns.
+const COLUMNS: &str = "assembly,outcome,least_um,greatest_um,proven,below,above,margin_um";
+
+/// The longest line that is read, bytes: a header is shorter.
+const LONGEST_LINE: u64 = 1000;
+
+/// Problems of one kind that are listed.
+const MOST_LISTED: usize = 12;
+
+/// The run that rows belong to, and which of its assemblies they are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RowsHead {
+    /// Version of gearlash.
+    pub version: String,
+    /// SHA-256 of the pair as understood, and of all gears that are drawn.
+    pub input_sha256: String,
+    /// Seed.
+    pub seed: u64,
+    /// Number of the first assembly.
+    pub first: u64,
+    /// Number of assemblies that the rows were to have.
+    pub count: u64,
+}
+
+impl RowsHead {
+    /// The first lines of a file of rows.
+    pub fn lines(&self) -> String {
+        let (version, input, seed) = (&self.version, &self.input_sha256, self.seed);
+        let (first, count) = (self.first, self.count);
+        format!(
+            "{FORMAT}version {version}, input_sha256 {input}, seed {seed}, first {first}, count {count}\n{COLUMNS}\n"
+        )
+    }
+
+    /// The header that `line` is.
+    fn parse(line: &str) -> Option<RowsHead> {
+        let mut fields = line.strip_prefix(FORMAT)?.split(", ");
+        let mut value = |name: &str| fields.next()?.strip_prefix(name)?.strip_prefix(' ');
+        Some(RowsHead {
+            version: value("version")?.to_owned(),
+            input_sha256: value("input_sha256")?.to_owned(),
+            seed: value("seed")?.parse().ok()?,
+            first: value("first")?.parse().ok()?,
+            count: value("count")?.parse().ok()?,
+        })
+    }
+
+    /// The first difference from the run `wanted`: name, own value, wanted value.
+    fn difference<'a>(&'a self, wanted: &'a RowsHead) -> Option<(&'static str, String, String)> {
+        let values = |head: &RowsHead| {
+            [
+                ("version of gearlash", head.version.clone()),
+                ("input_sha256", head.input_sha256.clone()),
+                ("seed", head.seed.to_string()),
+            ]
+        };
+        let mut both = values(self).into_iter().zip(values(wanted));
+        let differs = both.find(|(own, wanted)| own != wanted);
+        differs.map(|((name, own), (_, wanted))| (name, own, wanted))
+    }
+}
+
+/// `tenths` of a nanometre in micrometres.
+pub fn tenths_to_um(tenths: i64) -> f64 {
+    tenths as f64 / TENTHS_PER_UM
+}
+
+/// `um` in whole tenths of a nanometre; `None` of what is no such length.
+pub fn um_to_tenths(um: f64) -> Option<i64> {
+    let tenths = (um * TENTHS_PER_UM).round();
+    (tenths.abs() <= MOST_TENTHS).then_some(tenths as i64)
+}
+
+/// The line of `row` in a file.
+pub fn row_line(row: &Row) -> String {
+    let um =
+        |tenths: Option<i64>| tenths.map_or(String::new(), |one| tenths_to_um(one).to_string());
+    format!(
+        "{},{},{},{},{},{},{},{}\n",
+        row.number,
+        row.kind.name(),
+        um(row.least),
+        um(row.greatest),
+        row.is_proven,
+        row.is_below,
+        row.is_above,
+        um(row.margin)
+    )
+}
+
+/// The row that `line` is.
+fn parse_row(line: &str) -> Option<Row> {
+    let mut fields = line.split(',');
+    let mut field = || fields.next();
+    let um = |text: &str| -> Option<Option<i64>> {
+        if text.is_empty() {
+            return Some(None);
+        }
+        um_to_tenths(text.parse().ok()?).map(Some)
+    };
+    let row = Row {
+        number: field()?.parse().ok()?,
+        kind: outcome_kind(field()?)?,
+        least: um(field()?)?,
+        greatest: um(field()?)?,
+        is_proven: field()?.parse().ok()?,
+        is_below: field()?.parse().ok()?,
+        is_above: field()?.parse().ok()?,
+        margin: um(field()?)?,
+    };
+    field().is_none().then_some(row)
+}
+
+fn outcome_kind(name: &str) -> Option<OutcomeKind> {
+    let mut all = OutcomeKind::ALL.into_iter();
+    all.find(|kind| kind.name() == name)
+}
+
+/// Sums over the rows of a run, from however many sources, and which assemblies they are.
+pub struct RowsTally<'a> {
+    run: &'a ToleranceRun<'a>,
+    tally: Tally,
+    sources: Vec<String>,
+    /// Assemblies without a gap, each with the index of its source.
+    ranges: Vec<(Range<u64>, usize)>,
+}
+
+impl<'a> RowsTally<'a> {
+    /// No rows yet of `run`.
+    pub fn new(run: &'a ToleranceRun<'a>) -> RowsTally<'a> {
+        RowsTally {
+            run,
+            tally: Tally::default(),
+            sources: Vec::new(),
+            ranges: Vec::new(),
+        }
+    }
+
+    /// The sums so far, of a range of the run.
+    pub fn into_tally(self) -> Tally {
+        self.tally
+    }
+
+    /// The sums so far.
+    pub fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    /// Begins the rows of `source`, a file or what else is named in messages.
+    ///
+    /// # Errors
+    /// [`InputError`]: rows of another run.
+    pub fn begin(&mut self, source: &str, head: &RowsHead) -> Result<(), InputError> {
+        let wanted = self.run.head(head.first, head.count);
+        if let Some((name, own, wanted)) = head.difference(&wanted) {
+            return Err(wrong(
+                source,
+                format!("rows of another run: {name} {own}, not {wanted}"),
+                "name rows of this pair file, seed and version",
+            ));
+        }
+        self.sources.push(source.to_owned());
+        Ok(())
+    }
+
+    /// Adds `row` of the source that was begun last.
+    ///
+    /// # Errors
+    /// [`Overflow`].
+    pub fn add(&mut self, row: &Row) -> Result<(), Overflow> {
+        self.tally.count(row, self.run.assemblies())?;
+        let source = self.sources.len().saturating_sub(1);
+        match self.ranges.last_mut() {
+            Some((range, of)) if range.end == row.number && *of == source => range.end += 1,
+            _ => self.ranges.push((row.number..row.number + 1, source)),
+        }
+        Ok(())
+    }
+
+    /// Adds the rows of the file at `path`. A last line that is cut off, as after a kill, is no row.
+    ///
+    /// # Errors
+    /// [`InputError`]: a file that cannot be read, of another run, or with a line that is no row.
+    pub fn add_file(&mut self, path: &Path) -> Result<(), InputError> {
+        let name = path.display().to_string();
+        let help = "name files that gearlash tolerance --rows wrote";
+        let file = File::open(path).map_err(|error| {
+            let reason = match error.kind() {
+                ErrorKind::NotFound => "file not found".to_owned(),
+                _ => format!("cannot be read: {error}"),
+            };
+            wrong(&name, reason, help)
+        })?;
+        let mut file = BufReader::with_capacity(1 << 16, file);
+        let (mut line, mut number) = (Vec::new(), 0u64);
+        loop {
+            line.clear();
+            let read = std::io::Read::take(&mut file, LONGEST_LINE).read_until(b'\n', &mut line);
+            read.map_err(|error| wrong(&name, format!("cannot be read: {error}"), help))?;
+            number += 1;
+            let is_cut = (line.len() as u64) < LONGEST_LINE && line.last() != Some(&b'\n');
+            if number > 2 && is_cut {
+                return Ok(());
+            }
+            let text = std::str::from_utf8(&line).unwrap_or("").trim_end();
+            match number {
+                1 => {
+                    let head = RowsHead::parse(text).ok_or_else(|| {
+                        wrong(&name, "is no file of rows: line 1 is no header", help)
+                    })?;
+                    self.begin(&name, &head)?;
+                }
+                2 if text == COLUMNS => (),
+                _ => {
+                    let row = parse_row(text).filter(|row| row.number > 0);
+                    let row = row.ok_or_else(|| {
+                        let shown: String = text.chars().take(80).collect();
+                        let reason = format!("line {number} is no row: {shown:?}");
+                        wrong(&name, reason, "compute its rows again")
+                    })?;
+                    let added = self.add(&row);
+                    added.map_err(|error| wrong(&name, error.to_string(), help))?;
+                }
+            }
+        }
+    }
+
+    /// The sums over all assemblies of the run.
+    ///
+    /// # Errors
+    /// [`InputError`] of the pair file, which names the assemblies that are missing, there twice or beyond the run.
+    pub fn finish(mut self) -> Result<Tally, InputError> {
+        let total = self.run.assemblies();
+        self.ranges.sort_by_key(|(range, _)| range.start);
+        let (mut missing, mut twice, mut beyond) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut next, mut before) = (1, 0);
+        for (range, source) in &self.ranges {
+            let name = &self.sources[*source];
+            if range.start > next {
+                missing.push(next..range.start.min(total + 1));
+            }
+            if range.start < next {
+                let other = &self.sources[before];
+                let doubled = named(&(range.start..range.end.min(next)));
+                twice.push(format!("{doubled} in {name} and {other}"));
+            }
+            if range.end > total + 1 {
+                let rest = range.start.max(total + 1)..range.end;
+                beyond.push(format!("{} in {name}", named(&rest)));
+            }
+            if range.end > next {
+                (next, before) = (range.end, *source);
+            }
+        }
+        if next <= total {
+            missing.push(next..total + 1);
+        }
+        missing.retain(|range| !range.is_empty());
+        let mut problems = Vec::new();
+        if let Some(first) = missing.first() {
+            let file = format!("rows_{}.csv", first.start);
+            let command = self.run.rows_command(first.clone(), Path::new(&file));
+            let list = listed(missing.iter().map(named));
+            problems.push(Problem::of_file(
+                format!("rows are missing, of {total} assemblies: {list}"),
+                format!("compute them, the first by {command}"),
+            ));
+        }
+        if !twice.is_empty() {
+            problems.push(Problem::of_file(
+                format!("rows are there twice: {}", listed(twice.into_iter())),
+                "name rows of each assembly once",
+            ));
+        }
+        if !beyond.is_empty() {
+            problems.push(Problem::of_file(
+                format!(
+                    "rows lie beyond the {total} assemblies of the run: {}",
+                    listed(beyond.into_iter())
+                ),
+                "state more with --assemblies, or leave them out",
+            ));
+        }
+        if problems.is_empty() {
+            Ok(self.tally)
+        } else {
+            Err(InputError::of(self.run.path(), problems))
+        }
+    }
+}
+
+fn wrong(source: &str, reason: impl Into<String>, help: &str) -> InputError {
+    InputError::of(Path::new(source), vec![Problem::of_file(reason, help)])
+}
+
+/// "assembly 7", "assemblies 7 to 9".
+fn named(range: &Range<u64>) -> String {
+    let last = range.end - 1;
+    if range.start == last {
+        format!("assembly {last}")
+    } else {
+        format!("assemblies {} to {last}", range.start)
+    }
+}
+
+/// The first of `each`, and how many more there are.
+fn listed(each: impl ExactSizeIterator<Item = String>) -> String {
+    let more = each.len().saturating_sub(MOST_LISTED);
+    let first: Vec<String> = each.take(MOST_LISTED).collect();
+    let mut text = first.join(", ");
+    if more > 0 {
+        text += &format!(" and {more} more");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(number: u64, kind: OutcomeKind, lengths: [Option<i64>; 3]) -> Row {
+        let [least, greatest, margin] = lengths;
+        Row {
+            number,
+            kind,
+            least,
+            greatest,
+            is_proven: number % 2 == 0,
+            is_below: number % 3 == 0,
+            is_above: number % 5 == 0,
+            margin,
+        }
+    }
+
+    #[test]
+    fn rows_and_headers_read_back() {
+        let lengths = [
+            0,
+            1,
+            -1,
+            123_456_789,
+            -98_765,
+            1 << 53,
+            -(1 << 53),
+            7_000_000_000_001,
+        ];
+        for (number, kind) in (1..).zip(OutcomeKind::ALL.into_iter().cycle().take(60)) {
+            let one = |by: u64| Some(lengths[(number + by) as usize % lengths.len()]);
+            let none = number % 4 == 0;
+            let wanted = row(
+                number,
+                kind,
+                [one(0), one(3).filter(|_| !none), one(5).filter(|_| none)],
+            );
+            let line = row_line(&wanted);
+            assert_eq!(parse_row(line.trim_end()), Some(wanted), "{line}");
+        }
+        let head = RowsHead {
+            version: "0.1.0".to_owned(),
+            input_sha256: "ab".repeat(32),
+            seed: 4_294_967_295,
+            first: 1_000_000_000,
+            count: 7,
+        };
+        let lines = head.lines();
+        assert_eq!(RowsHead::parse(lines.lines().next().unwrap()), Some(head));
+    }
+
+    #[test]
+    fn what_is_no_row_is_refused() {
+        let good = "1,clear,1.5,2.5,true,false,false,0.25";
+        assert!(parse_row(good).is_some());
+        for bad in [
+            "",
+            "assembly",
+            "x,clear,1.5,2.5,true,false,false,0.25",
+            "1,clean,1.5,2.5,true,false,false,0.25",
+            "1,clear,nan,2.5,true,false,false,0.25",
+            "1,clear,1e300,2.5,true,false,false,0.25",
+            "1,clear,1.5,2.5,yes,false,false,0.25",
+            "1,clear,1.5,2.5,true,false,false",
+            "1,clear,1.5,2.5,true,false,false,0.25,",
+        ] {
+            assert_eq!(parse_row(bad), None, "{bad}");
+        }
+    }
+}

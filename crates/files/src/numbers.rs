@@ -164,6 +164,16 @@ pub fn bound_um(length_mm: f64) -> String {
     }
 }
 
+/// `12.34 ± 0.56`: a length and its bound, given in mm, in µm to the second significant digit of the bound, which is rounded up.
+pub fn um_within(length_mm: f64, bound_mm: f64) -> String {
+    let bound = two_digits_up(bound_mm * 1e3);
+    if !(bound > 0.0 && bound.is_finite()) {
+        return um(length_mm, 2);
+    }
+    let decimals = (1.0 - bound.log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{} ± {}", um(length_mm, decimals), fixed(bound, decimals))
+}
+
 /// A bound to two digits, rounded up; zero stays.
 pub fn two_digits_up(value: f64) -> f64 {
     if !(value > 0.0 && value.is_finite()) {
@@ -218,7 +228,12 @@ pub fn bytes(count: u64) -> String {
 /// `digit·10^power` with raised digits, or as it is where that is short.
 fn scientific(digit: f64, power: f64) -> String {
     if (-3.0..=3.0).contains(&power) {
-        return format!("{}", digit * 10f64.powf(power));
+        // Not `{}`: seven tenths would be 0.7000000000000001.
+        return format!(
+            "{:.*}",
+            f64::max(0.0, -power) as usize,
+            digit * 10f64.powf(power)
+        );
     }
     format!("{digit}·10{}", raised(power as i32))
 }
@@ -289,6 +304,12 @@ mod tests {
         assert_eq!(bound_um(1e-12), "1·10⁻⁹");
         assert_eq!(bound_um(9.5e-12), "1·10⁻⁸");
         assert_eq!(bound_um(3.2e-5), "0.04");
+        assert_eq!(bound_um(7e-4), "0.7");
+        assert_eq!(bound_um(30.0), "3·10⁴");
+        assert_eq!(um_within(0.0123456, 0.000561), "12.35 ± 0.57");
+        assert_eq!(um_within(-0.0123456, 0.0123), "−12 ± 13");
+        assert_eq!(um_within(0.25, 1e-9), "250.0000000 ± 0.0000010");
+        assert_eq!(um_within(0.25, 0.0), "250.00");
         assert_eq!(bound_um(0.0), "0");
         for (value, shown) in [
             (1.301e-9, 1.4e-9),

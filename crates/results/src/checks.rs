@@ -1,8 +1,9 @@
 //! The checks of a pair as JSON, and the map of what touches as CSV.
 
-use super::summary::{ContactCountRecord, contact_count_record};
 use super::table::{Column, Table, Unit};
-use super::verdict_json::{ExtremesRecord, VerdictRecord, extremes_records, verdict_record};
+use super::verdict_json::{VerdictRecord, verdict_record};
+use crate::extreme::extremes;
+use crate::run::contact_count;
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::pair::Member;
@@ -21,10 +22,10 @@ struct CheckFile<'a> {
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     remarks: &'a [String],
     verdict: VerdictRecord,
-    extremes: Vec<ExtremesRecord>,
+    extremes: Vec<Value>,
     checks_verdict: &'static str,
     checks: Vec<CheckRecord<'a>>,
-    contact: ContactCountRecord,
+    contact: Value,
     runs: Vec<GroupRecord>,
 }
 
@@ -50,7 +51,7 @@ struct CheckRecord<'a> {
 struct GroupRecord {
     center_distance_mm: f64,
     material: &'static str,
-    contact: ContactCountRecord,
+    contact: Value,
 }
 
 /// The checks of a pair as JSON, one line end at the end: every check of each centre distance and material.
@@ -69,17 +70,17 @@ pub fn checks_json(
         warnings: &file.warnings,
         remarks: &file.remarks,
         verdict: verdict_record(verdict),
-        extremes: extremes_records(verdict),
+        extremes: extremes(verdict),
         checks_verdict: diagnosis.verdict().name(),
         checks: groups()
             .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))
             .collect(),
-        contact: contact_count_record(&diagnosis.contact),
+        contact: contact_count(&diagnosis.contact),
         runs: groups()
             .map(|group| GroupRecord {
                 center_distance_mm: group.assembly.center_distance(),
                 material: group.material.name(),
-                contact: contact_count_record(&group.contact),
+                contact: contact_count(&group.contact),
             })
             .collect(),
     };

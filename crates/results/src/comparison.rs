@@ -3,7 +3,7 @@
 mod markdown;
 
 use crate::junit::{self, Case, Suite};
-use crate::text::{Screen, Tone, where_it_is};
+use crate::layout::{Screen, Tone, where_it_is};
 use crate::verdict::sentence;
 use crate::{ComparedPair, doubts};
 use gearlash::analysis::compare::Verdict;

@@ -1,13 +1,16 @@
 //! What `compare` found of a pair, and its JSON.
 
-use super::records::{MatingRecord, UnprovenRecord, doubts, mating_record, unproven_record};
-use super::verdict_json::{ExtremesRecord, VerdictRecord, extremes_records, verdict_record};
+use super::verdict_json::{VerdictRecord, verdict_record};
+use crate::column::Row;
+use crate::extreme::extremes;
+use crate::pose::{PoseRow, doubts};
 use gearlash::analysis::compare::{ComparedPose, Verdict};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::requirement::Requirements;
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
+use gearlash::contact::Unproven;
 use gearlash_files::characters;
 use serde::Serialize;
 
@@ -68,7 +71,7 @@ struct JsonPair<'a> {
     passed: bool,
     verdict: VerdictRecord,
     runs: Vec<JsonRun>,
-    extremes: Vec<ExtremesRecord>,
+    extremes: Vec<serde_json::Value>,
 }
 
 #[derive(Serialize)]
@@ -91,10 +94,10 @@ struct JsonRun {
 
 #[derive(Serialize)]
 struct JsonUnproven {
-    mating: MatingRecord,
+    mating: serde_json::Value,
     /// None where the pose itself is proven, and an end of the bearing clearance is not.
     #[serde(skip_serializing_if = "Option::is_none")]
-    unproven: Option<UnprovenRecord>,
+    unproven: Option<serde_json::Value>,
     /// All that is in doubt, in words.
     reason: String,
 }
@@ -167,14 +170,18 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
         passed: pair.passes(),
         verdict: verdict_record(&pair.verdict()),
         runs: pair.runs.iter().map(run).collect(),
-        extremes: extremes_records(&pair.verdict()),
+        extremes: extremes(&pair.verdict()),
     }
 }
 
 fn json_unproven(pose: &ComparedPose) -> JsonUnproven {
     JsonUnproven {
-        mating: mating_record(pose.simulated.pose.mating()),
-        unproven: pose.simulated.found.as_ref().err().map(unproven_record),
+        mating: PoseRow::mating_json(pose.simulated.pose.mating()),
+        unproven: pose.simulated.found.as_ref().err().map(unproven),
         reason: doubts(pose),
     }
+}
+
+fn unproven(unproven: &Unproven) -> serde_json::Value {
+    serde_json::json!(Unproven::columns().object(unproven))
 }

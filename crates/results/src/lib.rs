@@ -18,25 +18,28 @@
 
 pub mod checked;
 mod checks;
+mod column;
 pub mod comparison;
 mod comparison_json;
-mod csv_row;
+mod extreme;
 pub mod gauge;
 mod json;
 mod junit;
+mod layout;
 mod notes;
 pub mod outlines;
-mod records;
-mod summary;
+mod pose;
+mod run;
 mod table;
 pub mod text;
+mod unit;
 pub mod verdict;
 mod verdict_json;
 mod written;
 
 pub use checks::{checks_json, map_csv};
 pub use comparison_json::{ComparedPair, comparison_json};
-pub use records::doubts;
+pub use pose::doubts;
 pub use table::{Cell, Column, Table, Unit};
 pub use verdict_json::{extremes_json, pose_json};
 pub use written::{ResultFile, ResultWriter, result_file};

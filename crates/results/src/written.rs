@@ -1,13 +1,14 @@
 //! A result on its way out: JSON and CSV grow pose by pose, and nothing of them is kept.
 
-use super::csv_row::Csv;
-use super::json::Json;
-use super::notes;
-use super::records::{PoseRecord, RunHead, pose_record};
-use super::summary::summary_record;
-use super::verdict_json::{extremes_records, verdict_record};
-use gearlash::analysis::compare::ComparedRun;
-use gearlash::analysis::tally::{Piece, whole};
+use crate::column::{Row, Value};
+use crate::extreme::extremes;
+use crate::json::Json;
+use crate::notes;
+use crate::pose::PoseRow;
+use crate::run::RunRow;
+use crate::verdict_json::verdict_record;
+use gearlash::analysis::compare::{ComparedPose, ComparedRun};
+use gearlash::analysis::tally::{Piece, RunTally, whole};
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::PairFile;
 use rayon::prelude::*;
@@ -22,14 +23,14 @@ type Out<'w> = Box<dyn Write + 'w>;
 /// where a value is null.
 pub struct ResultWriter<'w> {
     json: Option<Json<Out<'w>>>,
-    csv: Option<Csv<Out<'w>>>,
+    csv: Option<csv::Writer<Out<'w>>>,
 }
 
 impl<'w> ResultWriter<'w> {
     /// Begins the result of `file`.
     ///
     /// # Errors
-    /// Of the writers, in all that this type does.
+    /// A writer failed, as in all methods of this type.
     pub fn begin(
         file: &PairFile,
         json: Option<Out<'w>>,
@@ -51,84 +52,99 @@ impl<'w> ResultWriter<'w> {
             json.key("runs")?;
             json.open_list()?;
         }
-        Ok(ResultWriter {
-            json,
-            csv: csv.map(Csv::new),
-        })
+        let mut csv = csv.map(csv::Writer::from_writer);
+        if let Some(csv) = &mut csv {
+            let names = PoseRow::columns().csv_names();
+            csv.write_record(names).map_err(of_csv)?;
+        }
+        Ok(ResultWriter { json, csv })
     }
 
-    /// Writes the next piece, `Poses` with the text of each made on all cores.
+    /// Writes the next piece; the poses of a block are made into text on all cores.
     ///
     /// # Errors
-    /// Of the writers.
+    /// A writer failed.
     pub fn take(&mut self, piece: Piece) -> Result<()> {
-        match piece {
-            Piece::Begin(run) => match &mut self.json {
-                Some(json) => begin_run(json, &RunHead::of(run)),
-                None => Ok(()),
-            },
-            Piece::Poses(run, poses) => {
-                let (head, layout) = (RunHead::of(run), self.json.as_ref().map(Json::layout));
-                let written: Result<Vec<(PoseRecord, Option<String>)>> = poses
-                    .par_iter()
-                    .map(|pose| {
-                        let record = pose_record(&run.assembly, pose);
-                        let text = layout.as_ref().map(|layout| layout.text(&record));
-                        Ok((record, text.transpose()?))
-                    })
-                    .collect();
-                for (record, text) in written? {
-                    if let (Some(json), Some(text)) = (&mut self.json, text) {
-                        json.text_element(&text)?;
-                    }
-                    if let Some(csv) = &mut self.csv {
-                        csv.row(&head, &record)?;
-                    }
+        match (piece, &mut self.json) {
+            (Piece::Begin(run), Some(json)) => {
+                json.element()?;
+                json.open_object()?;
+                let head = RunRow::columns().object(&RunRow::new(run, 0.0));
+                for (key, value) in head.entries().filter(|(key, _)| *key != SUMMARY) {
+                    json.entry(key, &value)?;
                 }
-                Ok(())
+                json.key("poses")?;
+                json.open_list()
             }
-            Piece::End(run) => match &mut self.json {
-                Some(json) => {
-                    json.close_list()?;
-                    json.entry("summary", &summary_record(run))?;
-                    json.close_object()
-                }
-                None => Ok(()),
-            },
+            (Piece::End(run), Some(json)) => {
+                json.close_list()?;
+                let run = RunRow::columns().object(&RunRow::new(run, 0.0));
+                json.entry(SUMMARY, &run.get(SUMMARY))?;
+                json.close_object()
+            }
+            (Piece::Begin(_) | Piece::End(_), None) => Ok(()),
+            (Piece::Poses(run, poses), _) => self.poses(run, poses),
         }
+    }
+
+    fn poses(&mut self, run: &RunTally, poses: &[ComparedPose]) -> Result<()> {
+        let layout = self.json.as_ref().map(Json::layout);
+        let with_csv = self.csv.is_some();
+        let columns = PoseRow::columns();
+        let written: Result<Vec<(Option<String>, Vec<Value>)>> = poses
+            .par_iter()
+            .map(|pose| {
+                let row = PoseRow::of_run(run, pose);
+                let json = layout
+                    .as_ref()
+                    .map(|layout| layout.text(&columns.object(&row)));
+                let csv = if with_csv {
+                    columns.csv_values(&row)
+                } else {
+                    Vec::new()
+                };
+                Ok((json.transpose()?, csv))
+            })
+            .collect();
+        for (text, values) in written? {
+            if let (Some(json), Some(text)) = (&mut self.json, text) {
+                json.text_element(&text)?;
+            }
+            if let Some(csv) = &mut self.csv {
+                csv.serialize(values).map_err(of_csv)?;
+            }
+        }
+        Ok(())
     }
 
     /// Ends the result with its verdict and flushes the writers.
     ///
     /// # Errors
-    /// Of the writers.
+    /// A writer failed.
     pub fn finish(self, verdict: &Verdict) -> Result<()> {
         if let Some(mut json) = self.json {
             json.close_list()?;
             json.entry("verdict", &verdict_record(verdict))?;
-            json.entry("extremes", &extremes_records(verdict))?;
+            json.entry("extremes", &extremes(verdict))?;
             json.close_object()?;
             json.finish()?.flush()?;
         }
         match self.csv {
-            Some(csv) => csv.finish(),
+            Some(mut csv) => csv.flush(),
             None => Ok(()),
         }
     }
 }
 
-fn begin_run<W: Write>(json: &mut Json<W>, head: &RunHead) -> Result<()> {
-    json.element()?;
-    json.open_object()?;
-    json.entry("center_distance_mm", &head.center_distance_mm)?;
-    json.entry("material", &head.material)?;
-    if let Some(phase) = &head.phase {
-        json.entry("phase", phase)?;
+/// The key of a run under which its summary stands.
+const SUMMARY: &str = "summary";
+
+/// The writer's own error, where it is one.
+fn of_csv(error: csv::Error) -> Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => Error::other(format!("{other:?}")),
     }
-    let angle = head.operating_pressure_angle_deg;
-    json.entry("operating_pressure_angle_deg", &angle)?;
-    json.key("poses")?;
-    json.open_list()
 }
 
 /// The whole result of a study whose poses are there already.

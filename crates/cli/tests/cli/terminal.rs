@@ -132,7 +132,7 @@ fn a_narrow_table_says_what_it_leaves_out() {
         shown.contains("Not shown: analytic; --wide shows all.\n"),
         "{shown}"
     );
-    assert!(shown.contains("   a ± 0.010 mm\n"), "{shown}");
+    assert!(shown.contains("  a ± clearance\n"), "{shown}");
 }
 
 /// Red, yellow and green on a terminal alone, and not where NO_COLOR says so (no-color.org: set and not empty).

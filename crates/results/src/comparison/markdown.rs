@@ -2,7 +2,7 @@
 
 use super::{PairOutcome, failure, outcome, run_name, trouble};
 use crate::ComparedPair;
-use crate::text::where_it_is;
+use crate::layout::where_it_is;
 use crate::verdict::sentence;
 use gearlash::analysis::compare::{ComparedPose, Verdict};
 use gearlash::analysis::tally::RunTally;

@@ -1,7 +1,7 @@
 //! The checks of a pair as text.
 
-use super::layout::{Column, Screen, Table, Tone};
 use super::verdict::first_lines;
+use crate::layout::{Column, Screen, Table, Tone};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict as CycleVerdict;

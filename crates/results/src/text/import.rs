@@ -1,6 +1,6 @@
 //! What was understood of a file, as text.
 
-use super::layout::{Column, Screen, Table};
+use crate::layout::{Column, Screen, Table};
 use gearlash_files::characters::line;
 use gearlash_files::import::{Imported, ImportedTable, Value};
 use gearlash_files::numbers::rounded;

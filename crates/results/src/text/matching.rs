@@ -1,6 +1,6 @@
 //! Which gears go together, on a terminal.
 
-use super::layout::{Column, Screen, Table};
+use crate::layout::{Column, Screen, Table};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
 use gearlash_files::numbers::{fixed, um};

@@ -1,7 +1,7 @@
 //! A rig's measurements beside the bands they should lie in.
 
-use super::layout::{Column, Screen, Table};
-use super::unit;
+use crate::layout::{Column, Screen, Table};
+use crate::unit;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
 use gearlash::pair::BacklashUnit;

@@ -1,9 +1,9 @@
 //! What is found of a pair of outlines, as text.
 
-use super::layout::{Column, Screen, Table, Tone};
-use super::unit::cell;
 use super::verdict::heading;
+use crate::layout::{Column, Screen, Table, Tone};
 use crate::outlines::{looks_like, region_words, sentence};
+use crate::unit::cell;
 use gearlash::analysis::outlines::{OutlineRun, turns};
 use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;

@@ -1,7 +1,7 @@
 //! Assembly phases, and which teeth to mark together.
 
-use super::layout::{Column, Screen, Table, where_it_is};
-use super::unit;
+use crate::layout::{Column, Screen, Table, where_it_is};
+use crate::unit;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::phases::PhaseGroup;
 use gearlash::analysis::tally::RunTally;

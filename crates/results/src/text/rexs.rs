@@ -1,6 +1,6 @@
 //! What was understood of a REXS file, as text.
 
-use super::layout::{Column, Screen, Table};
+use crate::layout::{Column, Screen, Table};
 use gearlash_files::characters::plain;
 use gearlash_files::rexs::{RexsFile, RexsPair};
 

@@ -1,21 +1,22 @@
 //! The result as text for a terminal. Lengths in µm unless the heading says mm.
 
-use super::layout::{Column, Screen, Table, Tone, where_it_is};
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
-use super::unit;
 use super::verdict::first_lines;
+use crate::column::Row;
 use crate::doubts;
-use gearlash::analysis::compare::ComparedPose;
+use crate::layout::{Screen, Tone, where_it_is};
+use crate::pose::PoseRow;
+use crate::run::RunRow;
+use crate::unit;
 use gearlash::analysis::measured::MeasuredMating;
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{MOST_LISTED, RunTally};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::{Contact, Status};
 use gearlash::gear::Hand;
 use gearlash::pair::{BacklashUnit, Member};
-use gearlash_files::numbers::{NONE, stated_distance, trimmed};
+use gearlash_files::numbers::{stated_distance, trimmed};
 
 /// The text `simulate` prints on `screen`, backlash in `unit`.
 pub fn simulation(
@@ -84,123 +85,20 @@ const RUN_LEGEND: &str = "\
 difference to the involute and to the line-of-action formula. Negative backlash: interference.";
 
 fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
-    let mut table = Table::new([
-        Column::new("a mm"),
-        Column::new("material"),
-        Column::new("mating"),
-        Column::new("flank"),
-        Column::new(match unit {
-            BacklashUnit::Um => "j_wt".to_owned(),
-            BacklashUnit::Arcmin { at, .. } => format!("{} arcmin", at.name()),
-        }),
-        Column::new("± bound").spare(6),
-        Column::new("status"),
-        Column::new("right contact").spare(3),
-        Column::new("left contact").spare(2),
-        Column::new("Michalec").spare(5),
-        Column::new("involute").spare(4),
-        Column::new("line of action").spare(1),
-    ]);
-    for run in runs {
-        for pose in &run.listed {
-            let mating = pose.simulated.pose.mating();
-            let beyond = match mating.fraction {
-                0.0 => String::new(),
-                fraction => format!(" +{fraction}"),
-            };
-            let found = pose.simulated.backlash.and(pose.simulated.proven());
-            let contact = |contact: Option<&Contact>| match contact {
-                Some(contact) => format!(
-                    "{},{} {}-{}",
-                    contact.wheel.tooth,
-                    contact.pinion.tooth,
-                    contact.wheel.curve.name(),
-                    contact.pinion.curve.name()
-                ),
-                None => NONE.to_owned(),
-            };
-            let a = run.assembly.center_distance();
-            let cell = |j_wt| unit::cell(unit, j_wt, a, 3);
-            table.add(vec![
-                stated_distance(a),
-                run.material.name().to_owned(),
-                format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
-                mating.flank.name().to_owned(),
-                cell(pose.simulated.backlash),
-                unit::order(unit, pose.simulated.error_bound, a),
-                status(pose.simulated.status(), screen),
-                contact(found.and_then(|found| found.right.as_ref())),
-                contact(found.and_then(|found| found.left.as_ref())),
-                cell(pose.michalec),
-                cell(pose.involute),
-                cell(pose.line_of_action),
-            ]);
-        }
-    }
-    table.text(screen)
-}
-
-fn status(status: Status, screen: &Screen) -> String {
-    match status {
-        Status::Interference | Status::Jammed => screen.toned(Tone::Bad, status.name()),
-        Status::Unproven => screen.toned(Tone::Doubtful, status.name()),
-        Status::Clear | Status::NoContact => status.name().to_owned(),
-    }
+    let rows = runs.iter().flat_map(|run| {
+        let poses = run.listed.iter();
+        poses.map(move |pose| PoseRow::of_run(run, pose))
+    });
+    let rows: Vec<PoseRow> = rows.collect();
+    PoseRow::columns().table(&rows, PoseRow::center_distance, unit, screen)
 }
 
 fn run_table(study: &Study, runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
-    let mut columns = vec![
-        Column::new("a mm"),
-        Column::new("material"),
-        Column::new("poses").spare(5),
-        Column::new(unit::column(unit, "least")),
-        Column::new("at").broken(),
-        Column::new(unit::column(unit, "mean")).spare(2),
-        Column::new(unit::column(unit, "greatest")),
-        Column::new("at").broken(),
-    ];
-    if study.bearing_clearance > 0.0 {
-        let clearance = stated_distance(study.bearing_clearance);
-        columns.push(Column::new(format!("a ± {clearance} mm")).spare(1));
-    }
-    columns.push(Column::new("off model 2").spare(4));
-    columns.push(Column::new("off model 3").spare(3));
-    let unproven = runs.iter().any(|run| run.unproven > 0);
-    columns.extend(unproven.then(|| Column::new("unproven")));
-    let mut table = Table::new(columns);
-    for run in runs {
-        let summary = run.summary();
-        let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
-        let (least, most) = run.extremes().unzip();
-        let a = run.assembly.center_distance();
-        let cell = |j_wt, a| unit::cell(unit, j_wt, a, 3);
-        let mut row = vec![
-            stated_distance(a),
-            run.material.name().to_owned(),
-            run.poses.to_string(),
-            cell(summary.min, a),
-            at(least),
-            cell(summary.mean, a),
-            cell(summary.max, a),
-            at(most),
-        ];
-        if study.bearing_clearance > 0.0 {
-            let [near, far] = summary.with_clearance;
-            let c = study.bearing_clearance;
-            let [near, far] = [(near, a - c), (far, a + c)];
-            let end = |(j_wt, a)| unit::cell(unit, j_wt, a, 1);
-            row.push(format!("{} … {}", end(near), end(far)));
-        }
-        row.extend([
-            cell(summary.off_involute, a),
-            cell(summary.off_line_of_action, a),
-        ]);
-        if unproven {
-            row.push(run.unproven.to_string());
-        }
-        table.add(row);
-    }
-    table.text(screen)
+    let rows = runs
+        .iter()
+        .map(|run| RunRow::new(run, study.bearing_clearance));
+    let rows: Vec<RunRow> = rows.collect();
+    RunRow::columns().table(&rows, RunRow::center_distance, unit, screen)
 }
 
 fn off_line_note(runs: &[RunTally]) -> String {

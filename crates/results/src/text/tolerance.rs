@@ -1,6 +1,6 @@
 //! A population on a terminal.
 
-use super::layout::{Column, Screen, Table};
+use crate::layout::{Column, Screen, Table};
 use gearlash::population::QUANTILES;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};

@@ -1,6 +1,6 @@
 //! What a command says first: the title, and the verdict below it.
 
-use super::layout::{Screen, Tone};
+use crate::layout::{Screen, Tone};
 use crate::verdict::sentence;
 use gearlash::analysis::diagnosis::Verdict as State;
 use gearlash::analysis::verdict::Verdict;

@@ -18,7 +18,7 @@ use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
-use gearlash_files::numbers::{NONE, bound_um, fixed, stated_distance, um};
+use gearlash_files::numbers::{NONE, fixed, stated_distance, um, um_within};
 use gearlash_results::outlines::{region_words, summary};
 use maud::{Markup, PreEscaped, html};
 
@@ -153,7 +153,7 @@ fn extreme(pose: Option<&OutlinePose>) -> Markup {
 /// `j_wt` in µm, with what the drawing leaves open.
 fn value(pose: Option<&OutlinePose>) -> String {
     match pose.and_then(|pose| pose.j_wt) {
-        Some((j_wt, error)) if error >= 5e-6 => format!("{} ± {}", um(j_wt, 2), bound_um(error)),
+        Some((j_wt, error)) if error >= 5e-6 => um_within(j_wt, error),
         j_wt => um(j_wt.map(|(j_wt, _)| j_wt), 2),
     }
 }

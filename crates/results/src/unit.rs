@@ -1,23 +1,18 @@
 //! Backlash in the unit that was asked for, in tables.
 
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{NONE, backlash_ascii, power};
+use gearlash_files::numbers::backlash_ascii;
 
 /// `j_wt`, given in mm, at centre distance `a`, mm, in ASCII: so many decimals in µm.
 pub fn cell(unit: BacklashUnit, j_wt: Option<f64>, a: f64, decimals: usize) -> String {
     backlash_ascii(unit, j_wt.map(|mm| mm * 1e3), a, decimals)
 }
 
-/// The order of an error bound, given in mm, such as `3e-9`.
-pub fn order(unit: BacklashUnit, bound: Option<f64>, a: f64) -> String {
-    let order = |mm: f64| power(unit.of_um(mm * 1e3, a), 0);
-    bound.map_or(NONE.to_owned(), order)
-}
-
 /// A column of values: its name in µm of `j_wt`; with the gear at which it is lost motion.
 pub fn column(unit: BacklashUnit, name: &str) -> String {
     match unit {
         BacklashUnit::Um => name.to_owned(),
+        BacklashUnit::Arcmin { at, .. } if name == "j_wt" => format!("{} arcmin", at.name()),
         BacklashUnit::Arcmin { at, .. } => format!("{name}, {}", at.name()),
     }
 }

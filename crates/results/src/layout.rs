@@ -29,6 +29,18 @@ pub enum Tone {
     Bad,
 }
 
+impl Tone {
+    /// The tone of a status or a verdict; a status that says nothing of the pair has none.
+    pub fn of(word: &str) -> Option<Tone> {
+        match word {
+            "interference" | "jammed" | "fail" => Some(Tone::Bad),
+            "unproven" | "warn" => Some(Tone::Doubtful),
+            "pass" => Some(Tone::Good),
+            _ => None,
+        }
+    }
+}
+
 impl Screen {
     /// `word` in the colour of its `tone`, where there are colours.
     pub fn toned(&self, tone: Tone, word: &str) -> String {
@@ -98,6 +110,14 @@ impl Column {
             heading: heading.into(),
             left: false,
             fit: Fit::Kept,
+        }
+    }
+
+    /// The column under another heading.
+    pub(crate) fn renamed(&self, name: impl Fn(&str) -> String) -> Column {
+        Column {
+            heading: name(&self.heading),
+            ..self.clone()
         }
     }
 

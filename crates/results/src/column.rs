@@ -1,0 +1,490 @@
+//! A row type and its one list of columns; JSON, CSV and tables for people are made from the list.
+//!
+//! A [`Row`] is one line of a result: a pose, a run, an extreme, a check. Each of its values is one [`Column`], stated once:
+//!
+//! - *key*: the path in JSON. `right.wheel_tooth` is the key `wheel_tooth` of the object `right`; `j_wt_range_um.0` is the first
+//!   element of a list.
+//! - *csv*: the column's name in CSV. Without another name it is the key with `_` for the dots.
+//! - *value*: a function of the row.
+//! - *heading*: what a table for people writes above it. Without a heading people do not see the column.
+//!
+//! JSON has the order of the list. [`Column::rank`] moves a column in CSV: a program may count on the position of a
+//! CSV column, so a new column gets a rank that places it last.
+
+use crate::layout::{self, Screen, Table, Tone};
+use crate::unit;
+use gearlash::pair::BacklashUnit;
+use gearlash_files::characters::plain;
+use gearlash_files::numbers::{NONE, backlash_ascii, power, stated_distance};
+use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
+
+/// A row type.
+pub trait Row: Sized + 'static {
+    /// Its columns.
+    fn columns() -> &'static Columns<Self>;
+}
+
+/// The value of a column in one row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// The key is left out. In a list, in CSV and for people it is no value.
+    Absent,
+    /// No value.
+    Null,
+    /// Yes or no.
+    Bool(bool),
+    /// A count, or the number of a tooth.
+    Count(u64),
+    /// A measure in the column's unit.
+    Number(f64),
+    /// A word of the interface.
+    Word(&'static str),
+    /// Any text.
+    Text(String),
+    /// A least and a greatest backlash, µm, each with the centre distance, mm, at which it is a lost motion.
+    Band([(Option<f64>, f64); 2]),
+    /// An object or a list that has no columns.
+    Json(serde_json::Value),
+}
+
+impl Value {
+    /// `value`; its key is left out where there is none.
+    pub fn optional(value: Option<impl Into<Value>>) -> Value {
+        value.map_or(Value::Absent, Into::into)
+    }
+
+    /// A length in µm; `mm` is in mm.
+    pub fn um(mm: impl Into<Option<f64>>) -> Value {
+        mm.into().map(|mm| mm * 1e3).into()
+    }
+}
+
+macro_rules! values {
+    ($($kind:ident($type:ty)),*) => {
+        $(impl From<$type> for Value {
+            fn from(value: $type) -> Value {
+                Value::$kind(value.into())
+            }
+        })*
+    };
+}
+
+values!(
+    Bool(bool),
+    Count(u32),
+    Count(u64),
+    Number(f64),
+    Word(&'static str),
+    Text(String),
+    Json(serde_json::Value)
+);
+
+impl From<usize> for Value {
+    fn from(count: usize) -> Value {
+        Value::Count(count as u64)
+    }
+}
+
+impl<T: Into<Value>> From<Option<T>> for Value {
+    fn from(value: Option<T>) -> Value {
+        value.map_or(Value::Null, Into::into)
+    }
+}
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Value::Absent | Value::Null => to.serialize_none(),
+            Value::Bool(value) => to.serialize_bool(*value),
+            Value::Count(count) => to.serialize_u64(*count),
+            Value::Number(number) => to.serialize_f64(*number),
+            Value::Word(word) => to.serialize_str(word),
+            Value::Text(text) => to.serialize_str(text),
+            Value::Band(ends) => ends.map(|(um, _)| um).serialize(to),
+            Value::Json(value) => value.serialize(to),
+        }
+    }
+}
+
+/// How people see a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// A word, or a number as it is.
+    Plain,
+    /// A centre distance, mm, as it was stated.
+    Distance,
+    /// A backlash in µm, or in the unit that was asked for, which the heading names.
+    Backlash,
+    /// A backlash beside another one: the heading does not name the unit again.
+    Beside,
+    /// An error bound of a backlash, by its order of magnitude.
+    Bound,
+    /// A status or a verdict, coloured by how grave it is.
+    Grave,
+}
+
+/// The value of a row in one column.
+type Get<R> = Box<dyn Fn(&R) -> Value + Send + Sync>;
+
+/// One column of a row type.
+pub struct Column<R> {
+    key: Option<String>,
+    csv: Option<String>,
+    rank: u8,
+    unit: Unit,
+    heading: Option<layout::Column>,
+    value: Get<R>,
+}
+
+impl<R: 'static> Column<R> {
+    /// A column of JSON and CSV.
+    pub fn new(key: &str, unit: Unit, value: fn(&R) -> Value) -> Column<R> {
+        Column {
+            key: Some(key.to_owned()),
+            csv: Some(key.replace('.', "_")),
+            rank: 1,
+            unit,
+            heading: None,
+            value: Box::new(value),
+        }
+    }
+
+    /// Another name in CSV.
+    pub fn csv(mut self, name: &str) -> Column<R> {
+        self.csv = Some(name.to_owned());
+        self
+    }
+
+    /// Not in CSV.
+    pub fn no_csv(mut self) -> Column<R> {
+        self.csv = None;
+        self
+    }
+
+    /// Not in JSON.
+    pub fn no_json(mut self) -> Column<R> {
+        self.key = None;
+        self
+    }
+
+    /// Columns of a lower rank stand before those of a higher one in CSV; 1 unless stated.
+    pub fn rank(mut self, rank: u8) -> Column<R> {
+        self.rank = rank;
+        self
+    }
+
+    /// The heading that people read above the column.
+    pub fn heading(mut self, heading: layout::Column) -> Column<R> {
+        self.heading = Some(heading);
+        self
+    }
+
+    /// A column that only people see.
+    pub fn people(self, heading: layout::Column) -> Column<R> {
+        self.no_json().no_csv().heading(heading)
+    }
+}
+
+/// Columns of a row type, a line each: key, unit, what [`Column`] it is besides, and value.
+macro_rules! columns {
+    ($row:ident: $type:ty { $($key:literal $unit:ident $([$($with:ident $(($($to:expr),*))?),*])? => $value:expr;)* }) => {
+        vec![$($crate::column::Column::<$type>::new(
+            $key,
+            $crate::column::Unit::$unit,
+            |$row| $crate::column::Value::from($value),
+        )$($(.$with($($($to),*)?))*)?),*]
+    };
+}
+pub(crate) use columns;
+
+/// The columns of a row type, laid out for JSON and CSV.
+pub struct Columns<R> {
+    columns: Vec<Column<R>>,
+    json: Vec<Node>,
+    /// The indices of the columns in CSV, in order.
+    csv: Vec<usize>,
+}
+
+/// A key of JSON and what stands under it.
+struct Node {
+    key: String,
+    under: Under,
+}
+
+enum Under {
+    Value(usize),
+    Object(Vec<Node>),
+    List(Vec<Node>),
+}
+
+impl<R: Row> Columns<R> {
+    /// Lays out `columns`.
+    pub fn new(columns: Vec<Column<R>>) -> Columns<R> {
+        let mut json = Vec::new();
+        for (number, column) in columns.iter().enumerate() {
+            if let Some(key) = &column.key {
+                add(&mut json, key, number);
+            }
+        }
+        let mut csv: Vec<usize> = (0..columns.len())
+            .filter(|number| columns[*number].csv.is_some())
+            .collect();
+        csv.sort_by_key(|number| columns[*number].rank);
+        Columns { columns, json, csv }
+    }
+
+    /// The columns, as those of another row type that holds such a row under `prefix`.
+    pub fn within<O: 'static>(
+        &'static self,
+        prefix: &str,
+        row: fn(&O) -> Option<&R>,
+    ) -> impl Iterator<Item = Column<O>> {
+        let columns = self.columns.iter().filter(|column| column.key.is_some());
+        columns.map(move |column| {
+            let key = column.key.as_deref().unwrap_or_default();
+            Column {
+                key: Some(format!("{prefix}.{key}")),
+                csv: column.csv.as_ref().map(|name| format!("{prefix}_{name}")),
+                rank: column.rank,
+                unit: column.unit,
+                heading: None,
+                value: Box::new(move |whole| match row(whole) {
+                    Some(row) => (column.value)(row),
+                    None => Value::Absent,
+                }),
+            }
+        })
+    }
+
+    /// `row` as a JSON object.
+    pub fn object(&'static self, row: &R) -> Object<'static> {
+        Object {
+            nodes: &self.json,
+            values: self
+                .columns
+                .iter()
+                .map(|column| match &column.key {
+                    Some(_) => (column.value)(row),
+                    None => Value::Absent,
+                })
+                .collect(),
+        }
+    }
+
+    /// The names of the columns in CSV.
+    pub fn csv_names(&self) -> impl Iterator<Item = &str> {
+        let names = self.csv.iter();
+        names.filter_map(|number| self.columns[*number].csv.as_deref())
+    }
+
+    /// The values of `row` in CSV.
+    pub fn csv_values(&self, row: &R) -> Vec<Value> {
+        let numbers = self.csv.iter();
+        numbers
+            .map(|number| (self.columns[*number].value)(row))
+            .collect()
+    }
+
+    /// A table of `rows` for people, backlash in `unit`; a column without any value is left out. `distance` is the centre distance of a row, mm.
+    pub fn table(
+        &self,
+        rows: &[R],
+        distance: impl Fn(&R) -> f64,
+        unit: BacklashUnit,
+        screen: &Screen,
+    ) -> String {
+        let shown = self.columns.iter().filter_map(|column| {
+            let heading = column.heading.as_ref()?;
+            let values: Vec<Value> = rows.iter().map(|row| (column.value)(row)).collect();
+            let is_empty = values.iter().all(|value| *value == Value::Absent);
+            (!is_empty).then_some((heading, column.unit, values))
+        });
+        let shown: Vec<(&layout::Column, Unit, Vec<Value>)> = shown.collect();
+        let headings = shown.iter().map(|(heading, kind, _)| match kind {
+            Unit::Backlash => heading.renamed(|name| unit::column(unit, name)),
+            _ => (*heading).clone(),
+        });
+        let mut table = Table::new(headings);
+        for (number, row) in rows.iter().enumerate() {
+            let cells = shown
+                .iter()
+                .map(|(_, kind, values)| seen(&values[number], *kind, unit, distance(row), screen));
+            table.add(cells.collect());
+        }
+        table.text(screen)
+    }
+}
+
+/// `value` as people read it, at centre distance `a`, mm.
+fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64, screen: &Screen) -> String {
+    match (value, kind) {
+        (Value::Absent, _) => String::new(),
+        (Value::Null, _) => NONE.to_owned(),
+        (Value::Number(um), Unit::Backlash | Unit::Beside) => backlash_ascii(unit, *um, a, 3),
+        (Value::Number(um), Unit::Bound) => power(unit.of_um(*um, a), 0),
+        (Value::Number(mm), Unit::Distance) => stated_distance(*mm),
+        (Value::Number(value), _) => value.to_string(),
+        (Value::Word(word), Unit::Grave) => match Tone::of(word) {
+            Some(tone) => screen.toned(tone, word),
+            None => (*word).to_owned(),
+        },
+        (Value::Word(word), _) => (*word).to_owned(),
+        (Value::Text(text), _) => plain(text),
+        (Value::Bool(value), _) => value.to_string(),
+        (Value::Count(count), _) => count.to_string(),
+        (Value::Band(ends), _) => {
+            let [least, greatest] = ends.map(|(um, a)| backlash_ascii(unit, um, a, 1));
+            format!("{least} … {greatest}")
+        }
+        (Value::Json(value), _) => value.to_string(),
+    }
+}
+
+/// Adds the column `number` under the path `key`.
+fn add(nodes: &mut Vec<Node>, key: &str, number: usize) {
+    let Some((name, rest)) = key.split_once('.') else {
+        nodes.push(Node {
+            key: key.to_owned(),
+            under: Under::Value(number),
+        });
+        return;
+    };
+    let is_group = |node: &Node| node.key == name && !matches!(node.under, Under::Value(_));
+    let at = nodes.iter().position(is_group).unwrap_or_else(|| {
+        let is_list = rest.starts_with(|digit: char| digit.is_ascii_digit());
+        nodes.push(Node {
+            key: name.to_owned(),
+            under: if is_list {
+                Under::List(Vec::new())
+            } else {
+                Under::Object(Vec::new())
+            },
+        });
+        nodes.len() - 1
+    });
+    if let Under::Object(inner) | Under::List(inner) = &mut nodes[at].under {
+        add(inner, rest, number);
+    }
+}
+
+/// A row as a JSON object.
+pub struct Object<'a> {
+    nodes: &'a [Node],
+    values: Vec<Value>,
+}
+
+impl<'a> Object<'a> {
+    /// The keys of the first level with their values.
+    pub fn entries(&self) -> impl Iterator<Item = (&str, impl Serialize)> {
+        let present = self
+            .nodes
+            .iter()
+            .filter(|node| !node.is_absent(&self.values));
+        present.map(|node| (node.key.as_str(), node.with(&self.values)))
+    }
+
+    /// The value under `key` of the first level.
+    pub fn get(&self, key: &str) -> Option<impl Serialize> {
+        let mut entries = self.entries();
+        entries.find_map(|(name, value)| (name == key).then_some(value))
+    }
+}
+
+impl Serialize for Object<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        object(self.nodes, &self.values, to)
+    }
+}
+
+/// A node and the values of a row.
+struct NodeOf<'a> {
+    node: &'a Node,
+    values: &'a [Value],
+}
+
+impl Node {
+    fn with<'a>(&'a self, values: &'a [Value]) -> NodeOf<'a> {
+        NodeOf { node: self, values }
+    }
+
+    fn is_absent(&self, values: &[Value]) -> bool {
+        match &self.under {
+            Under::Value(number) => values[*number] == Value::Absent,
+            Under::Object(nodes) | Under::List(nodes) => {
+                nodes.iter().all(|node| node.is_absent(values))
+            }
+        }
+    }
+}
+
+impl Serialize for NodeOf<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match &self.node.under {
+            Under::Value(number) => self.values[*number].serialize(to),
+            Under::Object(nodes) => object(nodes, self.values, to),
+            Under::List(nodes) => {
+                let mut list = to.serialize_seq(Some(nodes.len()))?;
+                for node in nodes {
+                    if node.is_absent(self.values) {
+                        list.serialize_element(&Value::Null)?;
+                    } else {
+                        list.serialize_element(&node.with(self.values))?;
+                    }
+                }
+                list.end()
+            }
+        }
+    }
+}
+
+fn object<S: Serializer>(nodes: &[Node], values: &[Value], to: S) -> Result<S::Ok, S::Error> {
+    let mut map = to.serialize_map(None)?;
+    for node in nodes.iter().filter(|node| !node.is_absent(values)) {
+        map.serialize_entry(&node.key, &node.with(values))?;
+    }
+    map.end()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gearlash_files::characters::json_of;
+    use std::sync::LazyLock;
+
+    struct Point(Option<[f64; 2]>, u32);
+
+    impl Row for Point {
+        fn columns() -> &'static Columns<Point> {
+            static COLUMNS: LazyLock<Columns<Point>> = LazyLock::new(|| {
+                Columns::new(columns!(point: Point {
+                    "place" Plain [no_csv] => point.0.map_or(Value::Null, |_| Value::Absent);
+                    "place.x_mm.0" Plain [csv("x_mm"), heading(layout::Column::new("x mm"))] => Value::optional(point.0.map(|at| at[0]));
+                    "place.x_mm.1" Plain [csv("y_mm")] => Value::optional(point.0.map(|at| at[1]));
+                    "tooth" Plain [rank(0)] => point.1;
+                }))
+            });
+            &COLUMNS
+        }
+    }
+
+    #[test]
+    fn json_csv_and_text_come_of_one_list() {
+        let [found, lost] = [Point(Some([1.5, 2.0]), 3), Point(None, 4)];
+        let columns = Point::columns();
+        let json = |point| serde_json::to_string(&columns.object(point)).unwrap();
+        assert_eq!(json(&found), r#"{"place":{"x_mm":[1.5,2.0]},"tooth":3}"#);
+        assert_eq!(json(&lost), r#"{"place":null,"tooth":4}"#);
+        assert!(json_of(&columns.object(&lost)).unwrap().contains("null"));
+        let names: Vec<&str> = columns.csv_names().collect();
+        assert_eq!(names, ["tooth", "x_mm", "y_mm"]);
+        let values = [Value::Count(3), Value::Number(1.5), Value::Number(2.0)];
+        assert_eq!(columns.csv_values(&found), values);
+        let text = columns.table(
+            &[found, lost],
+            |_| 1.0,
+            BacklashUnit::Um,
+            &Screen::default(),
+        );
+        assert_eq!(text, " x mm\n  1.5\n\n");
+    }
+}

@@ -1,0 +1,142 @@
+//! An extreme of the mesh cycle: its bracket, its pose and what is proven of it.
+
+use crate::column::{Columns, Row, Value, columns};
+use crate::pose::PoseRow;
+use crate::verdict::{doubt, in_words};
+use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes};
+use gearlash::analysis::verdict::Verdict;
+use gearlash::contact::Doubt;
+use gearlash::pair::{Backlash, GearPair, Member};
+use serde_json::json;
+use std::sync::LazyLock;
+
+/// The least or the greatest backlash of a cycle.
+#[derive(Debug)]
+pub struct ExtremeRow {
+    /// The bracket of `j_wt`, mm; an end of which nothing is known is infinite.
+    bracket: [f64; 2],
+    found: f64,
+    proven: bool,
+    uncertainty: Option<f64>,
+    doubt: Option<String>,
+    assembly: GearPair,
+    /// The worst high tooth of each gear whose runout has no direction.
+    high_teeth: Option<[Option<f64>; 2]>,
+    pose: PoseRow,
+}
+
+impl ExtremeRow {
+    /// The row of `extreme`, which is of `run` and of `verdict`.
+    pub fn new(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRow {
+        let assembly = &extreme.assembly;
+        let high_tooth = |member| {
+            let is_open = run.assembly.gear(member).any_direction();
+            is_open.then(|| assembly.gear(member).high_tooth())
+        };
+        ExtremeRow {
+            bracket: [extreme.low, extreme.high],
+            found: extreme.found(),
+            proven: extreme.is_proven(),
+            uncertainty: verdict.expanded(extreme),
+            doubt: doubt(extreme),
+            high_teeth: run.any_direction().then(|| Member::BOTH.map(high_tooth)),
+            pose: PoseRow::new(assembly, &extreme.pose),
+            assembly: assembly.clone(),
+        }
+    }
+
+    /// The lost motion at one end of the bracket; null where nothing is known of it.
+    fn lost_motion(&self, end: usize) -> Value {
+        let free = self.assembly.free();
+        let angle = |j_wt| self.assembly.backlash(j_wt).angle(free);
+        known(self.bracket[end]).map(angle).into()
+    }
+
+    fn backlash(&self) -> Backlash {
+        self.assembly.backlash(self.found)
+    }
+
+    fn high_tooth(&self, gear: usize) -> Value {
+        self.high_teeth
+            .map_or(Value::Absent, |teeth| teeth[gear].into())
+    }
+}
+
+fn known(length: f64) -> Option<f64> {
+    length.is_finite().then_some(length)
+}
+
+impl Row for ExtremeRow {
+    fn columns() -> &'static Columns<ExtremeRow> {
+        static COLUMNS: LazyLock<Columns<ExtremeRow>> = LazyLock::new(|| {
+            let mut columns = columns!(row: ExtremeRow {
+                "j_wt_um.0" Plain => Value::um(known(row.bracket[0]));
+                "j_wt_um.1" Plain => Value::um(known(row.bracket[1]));
+                "found_j_wt_um" Backlash => Value::um(row.found);
+                "lost_motion_rad.0" Plain => row.lost_motion(0);
+                "lost_motion_rad.1" Plain => row.lost_motion(1);
+                "lost_motion_arcmin.wheel" Plain => row.backlash().arcmin(Member::Wheel);
+                "lost_motion_arcmin.pinion" Plain => row.backlash().arcmin(Member::Pinion);
+                "proven" Plain => row.proven;
+                "uncertainty_um" Plain => Value::um(row.uncertainty);
+                "doubt" Plain => Value::optional(row.doubt.clone());
+                "high_tooth.wheel" Plain => row.high_tooth(0);
+                "high_tooth.pinion" Plain => row.high_tooth(1);
+            });
+            columns.extend(PoseRow::columns().within("pose", |row: &ExtremeRow| Some(&row.pose)));
+            Columns::new(columns)
+        });
+        &COLUMNS
+    }
+}
+
+/// The extremes of `verdict` as JSON, an object for each centre distance, material and assembly phase.
+pub(crate) fn extremes(verdict: &Verdict) -> Vec<serde_json::Value> {
+    let runs = verdict.runs.iter();
+    runs.map(|run| of_run(verdict, run)).collect()
+}
+
+fn of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
+    let one = |extreme: &Option<RunExtreme>| {
+        let row = ExtremeRow::new(verdict, run, extreme.as_ref()?);
+        Some(json!(ExtremeRow::columns().object(&row)))
+    };
+    let mut value = json!({
+        "center_distance_mm": run.assembly.center_distance(),
+        "material": run.material.name(),
+        "phase": run.phase.map(|(wheel, pinion)| [wheel, pinion]),
+        "status": run.status.name(),
+    });
+    let mut distance = |key: &str, bracket: Option<[f64; 2]>, why: Option<Doubt>| {
+        value[key] = json!(bracket);
+        if let Some(why) = why {
+            value[key.replace("_mm", "_doubt")] = in_words(why).into();
+        }
+    };
+    let from = run.assembles_from;
+    distance(
+        "assembles_from_mm",
+        from.map(|from| [from.low, from.high]),
+        from.and_then(|from| from.doubt),
+    );
+    if let Some(to) = run.meshes_to {
+        distance("meshes_to_mm", Some([to.low, to.high]), to.doubt);
+    }
+    value["least"] = json!(one(&run.least));
+    value["greatest"] = json!(one(&run.greatest));
+    if let Some(BearingPlay {
+        clearance,
+        pressed,
+        apart,
+    }) = &run.bearings
+    {
+        let status = [pressed, apart].map(|end| end.status.name());
+        value["with_bearing_clearance"] = json!({
+            "clearance_mm": clearance,
+            "status": status,
+            "least": one(&pressed.extreme),
+            "greatest": one(&apart.extreme),
+        });
+    }
+    value
+}

@@ -1,0 +1,282 @@
+//! A pose: the keys of the interface, units in their names.
+
+use crate::column::{Column, Columns, Row, Value, columns};
+use crate::layout;
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::tally::RunTally;
+use gearlash::contact::{Contact, ContactClass, LostMotion, PoseClass, PoseResult, Unproven};
+use gearlash::gear::Side;
+use gearlash::pair::{Backlash, GearPair, Mating, Member};
+use gearlash_files::numbers::um_ascii;
+use serde_json::json;
+use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
+
+/// A pose of a run.
+#[derive(Debug)]
+pub struct PoseRow {
+    center_distance: f64,
+    material: &'static str,
+    /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
+    phase: Option<(u32, u32)>,
+    locked: Member,
+    pose: ComparedPose,
+    /// Lost motion, rad. Without one, nothing of the pose is a number: it is jammed, out of mesh or unproven.
+    angle: Option<f64>,
+    backlash: Option<Backlash>,
+    class: PoseClass,
+    right: Option<ContactRow>,
+    left: Option<ContactRow>,
+}
+
+impl PoseRow {
+    /// The row of `pose` in `run`.
+    pub fn of_run(run: &RunTally, pose: &ComparedPose) -> PoseRow {
+        PoseRow {
+            material: run.material.name(),
+            phase: run.phase,
+            ..PoseRow::new(&run.assembly, pose)
+        }
+    }
+
+    /// The row of a `pose` of `assembly` alone.
+    pub fn new(assembly: &GearPair, pose: &ComparedPose) -> PoseRow {
+        let result = &pose.simulated;
+        let found = result.proven();
+        let angle = found.and_then(LostMotion::angle);
+        let contact = |side, contact: fn(&LostMotion) -> Option<&Contact>| {
+            let contact = contact(angle.and(found)?)?;
+            Some(ContactRow::new(assembly, side, contact))
+        };
+        PoseRow {
+            center_distance: assembly.center_distance(),
+            material: "",
+            phase: None,
+            locked: assembly.locked(),
+            angle,
+            backlash: result.backlash.map(|j_wt| assembly.backlash(j_wt)),
+            class: result.class(assembly),
+            right: contact(Side::Right, |found| found.right.as_ref()),
+            left: contact(Side::Left, |found| found.left.as_ref()),
+            pose: pose.clone(),
+        }
+    }
+
+    /// A mating as JSON.
+    pub(crate) fn mating_json(mating: &Mating) -> serde_json::Value {
+        json!({
+            "wheel_tooth": mating.wheel_tooth,
+            "pinion_tooth": mating.pinion_tooth,
+            "flank": mating.flank.name(),
+            "fraction": mating.fraction,
+        })
+    }
+
+    /// Its centre distance, mm.
+    pub fn center_distance(&self) -> f64 {
+        self.center_distance
+    }
+
+    fn result(&self) -> &PoseResult {
+        &self.pose.simulated
+    }
+
+    fn mating(&self) -> &Mating {
+        self.result().pose.mating()
+    }
+
+    fn rotation(&self, member: Member) -> Value {
+        let locked = self.locked == member;
+        Value::optional(locked.then(|| self.result().pose.locked_rotation()))
+    }
+
+    /// Rotation of the free gear at right-flank contact.
+    fn right_rad(&self) -> Option<f64> {
+        Some(principal(self.right.as_ref()?.contact.rotation))
+    }
+
+    fn unproven(&self) -> Option<&Unproven> {
+        self.result().found.as_ref().err()
+    }
+
+    /// Why the backlash at one end of the bearing clearance is not proven.
+    fn unproven_end(&self, end: usize) -> Option<&Unproven> {
+        let ends = self.result().with_clearance.as_ref()?;
+        ends[end].as_ref().err()
+    }
+
+    /// `11,10 +0.5`: the mating and the fraction of a pitch beyond it.
+    fn mating_words(&self) -> String {
+        let mating = self.mating();
+        let beyond = match mating.fraction {
+            0.0 => String::new(),
+            fraction => format!(" +{fraction}"),
+        };
+        format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth)
+    }
+}
+
+impl Row for PoseRow {
+    fn columns() -> &'static Columns<PoseRow> {
+        static COLUMNS: LazyLock<Columns<PoseRow>> = LazyLock::new(|| Columns::new(columns()));
+        &COLUMNS
+    }
+}
+
+fn columns() -> Vec<Column<PoseRow>> {
+    let shown = layout::Column::new;
+    let mut columns = columns!(row: PoseRow {
+        "center_distance_mm" Distance [no_json, rank(0), heading(shown("a mm"))] => row.center_distance;
+        "material" Plain [no_json, rank(0), heading(shown("material"))] => row.material;
+        "phase_wheel_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.0);
+        "phase_pinion_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.1);
+        "wheel_rotation_rad" Plain => row.rotation(Member::Wheel);
+        "pinion_rotation_rad" Plain => row.rotation(Member::Pinion);
+        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0)] => row.mating().wheel_tooth;
+        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0)] => row.mating().pinion_tooth;
+        "" Plain [people(shown("mating"))] => row.mating_words();
+        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank"))] => row.mating().flank.name();
+        "mating.fraction" Plain [csv("fraction"), rank(0)] => row.mating().fraction;
+        "right_rad" Plain => row.right_rad();
+        "left_rad" Plain => row.right_rad().zip(row.angle).map(|(right, angle)| right + angle);
+        "lost_motion_rad" Plain => row.angle;
+        "j_wt_um" Backlash [heading(shown("j_wt"))] => Value::um(row.result().backlash);
+        "j_t_um" Plain => Value::um(row.backlash.map(|of| of.j_t));
+        "j_bn_um" Plain => Value::um(row.backlash.map(|of| of.j_bn));
+        "j_r_um" Plain [rank(3)] => Value::um(row.backlash.and_then(|of| of.j_r));
+        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3)] => row.backlash.map(|of| of.arcmin(Member::Wheel));
+        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3)] => row.backlash.map(|of| of.arcmin(Member::Pinion));
+        "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
+        "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
+        "error_bound_um" Bound [heading(shown("± bound").spare(6))] => Value::um(row.angle.and(row.result().error_bound));
+        "status" Grave [heading(shown("status"))] => row.result().status().name();
+    });
+    let unproven = Unproven::columns();
+    columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
+    columns.extend(
+        unproven
+            .within("unproven_range.0", |row: &PoseRow| row.unproven_end(0))
+            .map(Column::no_csv),
+    );
+    columns.extend(
+        unproven
+            .within("unproven_range.1", |row: &PoseRow| row.unproven_end(1))
+            .map(Column::no_csv),
+    );
+    columns.extend(columns!(row: PoseRow {
+        "unproven_range_min_reason" Plain [no_json, rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
+        "unproven_range_max_reason" Plain [no_json, rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
+        "class" Plain => row.class.name();
+        "right" Plain [no_csv] => row.right.as_ref().map_or(Value::Null, |_| Value::Absent);
+        "" Plain [people(shown("right contact").spare(3))] => row.right.as_ref().map(ContactRow::words);
+    }));
+    columns.extend(ContactRow::columns().within("right", |row: &PoseRow| row.right.as_ref()));
+    columns.extend(columns!(row: PoseRow {
+        "left" Plain [no_csv] => row.left.as_ref().map_or(Value::Null, |_| Value::Absent);
+        "" Plain [people(shown("left contact").spare(2))] => row.left.as_ref().map(ContactRow::words);
+    }));
+    columns.extend(ContactRow::columns().within("left", |row: &PoseRow| row.left.as_ref()));
+    columns.extend(columns!(row: PoseRow {
+        "analytic.michalec_um" Beside [csv("michalec_um"), heading(shown("Michalec").spare(5))] => Value::um(row.pose.michalec);
+        "analytic.involute_um" Beside [csv("involute_um"), heading(shown("involute").spare(4))] => Value::um(row.pose.involute);
+        "analytic.line_of_action_um" Beside [csv("line_of_action_um"), heading(shown("line of action").spare(1))] => Value::um(row.pose.line_of_action);
+    }));
+    columns
+}
+
+/// The contact of a pose on one side.
+#[derive(Debug)]
+pub struct ContactRow {
+    contact: Contact,
+    class: ContactClass,
+}
+
+impl ContactRow {
+    /// The row of the `contact` of `assembly` on `side`.
+    pub fn new(assembly: &GearPair, side: Side, contact: &Contact) -> ContactRow {
+        ContactRow {
+            contact: *contact,
+            class: ContactClass::of(assembly, side, contact),
+        }
+    }
+
+    /// `11,10 involute-tip`.
+    fn words(&self) -> String {
+        let Contact { wheel, pinion, .. } = &self.contact;
+        let curves = format!("{}-{}", wheel.curve.name(), pinion.curve.name());
+        format!("{},{} {curves}", wheel.tooth, pinion.tooth)
+    }
+}
+
+impl Row for ContactRow {
+    fn columns() -> &'static Columns<ContactRow> {
+        static COLUMNS: LazyLock<Columns<ContactRow>> = LazyLock::new(|| {
+            Columns::new(columns!(row: ContactRow {
+                "wheel_tooth" Plain => row.contact.wheel.tooth;
+                "pinion_tooth" Plain => row.contact.pinion.tooth;
+                "wheel_curve" Plain => row.contact.wheel.curve.name();
+                "pinion_curve" Plain => row.contact.pinion.curve.name();
+                "wheel_radius_mm" Plain [no_csv] => row.contact.wheel.radius;
+                "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
+                "point_mm.0" Plain [no_csv] => row.contact.point.x;
+                "point_mm.1" Plain [no_csv] => row.contact.point.y;
+                "section_mm" Plain [no_csv] => row.contact.section;
+                "normal.0" Plain [no_csv] => row.contact.normal.x;
+                "normal.1" Plain [no_csv] => row.contact.normal.y;
+                "class" Plain [no_csv] => row.class.kind.name();
+                "tip_gear" Plain [no_csv] => Value::optional(row.class.tip.map(Member::name));
+                "tip_moment" Plain [no_csv] => Value::optional(row.class.moment.map(|moment| moment.name()));
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+impl Row for Unproven {
+    fn columns() -> &'static Columns<Unproven> {
+        static COLUMNS: LazyLock<Columns<Unproven>> = LazyLock::new(|| {
+            Columns::new(columns!(row: Unproven {
+                "reason" Plain [rank(2)] => row.reason.clone();
+                "exact_j_wt_um" Plain [rank(2)] => Value::um(row.exact);
+                "polygon_j_wt_um" Plain [rank(2)] => Value::um(row.polygon);
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+/// The same rotation in (−π, π].
+fn principal(rotation: f64) -> f64 {
+    let turned = rotation - TAU * (rotation / TAU).round();
+    if turned <= -PI { turned + TAU } else { turned }
+}
+
+/// Why something is not proven, and the values that it leaves in doubt.
+fn doubt(unproven: &Unproven) -> String {
+    let value = |name: &str, value: Option<f64>| {
+        let um = um_ascii(value?, 3);
+        Some(format!("{name} method, not proven: {um} µm"))
+    };
+    let values = [
+        value("exact", unproven.exact),
+        value("polygon", unproven.polygon),
+    ];
+    let parts = [Some(unproven.reason.clone())].into_iter().chain(values);
+    parts.flatten().collect::<Vec<_>>().join("; ")
+}
+
+/// Everything about `pose` that is not proven, in words.
+pub fn doubts(pose: &ComparedPose) -> String {
+    let result = &pose.simulated;
+    let here = result.found.as_ref().err().map(doubt);
+    let ends = result
+        .with_clearance
+        .iter()
+        .flatten()
+        .zip(["a − c", "a + c"]);
+    let ends = ends.filter_map(|(end, name)| {
+        let doubt = doubt(end.as_ref().err()?);
+        Some(format!("at {name} of the bearing clearance: {doubt}"))
+    });
+    here.into_iter().chain(ends).collect::<Vec<_>>().join("; ")
+}

@@ -24,7 +24,7 @@ pub mod verdict;
 
 use self::compare::{ComparedRun, compare};
 use self::curves::{Field, OverDistance};
-use self::diagnosis::{Diagnosis, Seen, failed_checks};
+use self::diagnosis::{CheckName, Diagnosis, Seen, failed_checks};
 use self::extremes::CycleExtremes;
 use self::face_width::AtWidth;
 use self::measured::{MeasuredMating, measured_matings};
@@ -171,7 +171,7 @@ pub struct Analysis<'a> {
     /// Every check.
     pub diagnosis: Diagnosis,
     /// Ids of the checks that fail: of every check, or, beside the extremes, as far as they need be made to know.
-    pub failed_checks: Vec<&'static str>,
+    pub failed_checks: Vec<CheckName>,
 }
 
 impl<'a> Analysis<'a> {

@@ -2,116 +2,118 @@
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::ComparedPose;
-use super::diagnosis;
+use super::diagnosis::{self, CheckName};
 use super::extremes::{RunExtreme, RunExtremes, WIDTH};
 use super::meshes_to::MeshesTo;
-use super::requirement::{Limits, Quantity, Requirements};
+use super::requirement::{Quantity, Requirements};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
 use crate::contact::Status;
-use crate::pair::GearPair;
+use crate::pair::{GearPair, Member};
 
-/// A limit that is not kept, or not surely.
+/// A limit that is missed, or not proven to be kept.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unmet {
-    /// What is limited.
+    /// The limited quantity.
     pub quantity: Quantity,
     /// The limit, in the quantity's unit.
     pub limit: f64,
-    /// Whether it is the greatest allowed.
+    /// Whether it is the greatest allowed value.
     pub is_max: bool,
-    /// What the pair has there: a bracket; `None` where it has no value, jammed or out of mesh.
+    /// The bracket of the pair's value; `None` where it has no value, jammed or out of mesh.
     pub found: Option<[f64; 2]>,
-    /// Whether the limit lies inside the bracket.
-    pub straddles: bool,
-    /// Whether the bracket holds every pose; else what was found may be kept, and others not.
-    pub holds: bool,
-    /// Whether what was found is of axes that their bearings let move.
+    /// Whether the whole bracket misses the limit; else part of it does, or the bracket is not proven to hold.
+    pub is_missed: bool,
+    /// Whether the value includes the bearing clearance.
     pub with_play: bool,
 }
 
-/// Whether what is required is kept.
+/// Whether the pair keeps all its limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Requirement {
-    /// Nothing is required.
+    /// There is no limit.
     None,
-    /// All is kept.
+    /// Each whole bracket keeps its limit.
     Met,
-    /// Something is not, or not surely.
+    /// The whole bracket of a value misses its limit.
     NotMet,
+    /// No bracket misses its limit as a whole, but one is not proven to keep it.
+    NotProven,
 }
 
 impl Requirement {
-    /// What `unmet` says of what is `required`.
+    /// The outcome of the limits `required`, of which `unmet` are not kept.
     pub(super) fn of(required: &Requirements, unmet: &[Unmet]) -> Requirement {
-        match (required.is_empty(), unmet.is_empty()) {
-            (true, _) => Requirement::None,
-            (false, true) => Requirement::Met,
-            (false, false) => Requirement::NotMet,
+        if required.is_empty() {
+            Requirement::None
+        } else if unmet.is_empty() {
+            Requirement::Met
+        } else if unmet.iter().any(|unmet| unmet.is_missed) {
+            Requirement::NotMet
+        } else {
+            Requirement::NotProven
         }
     }
 
-    /// The name results use.
+    /// Whether nothing speaks against the pair: no limit, or all met.
+    pub fn is_kept(self) -> bool {
+        matches!(self, Requirement::None | Requirement::Met)
+    }
+
+    /// Its name in results.
     pub fn name(self) -> &'static str {
         match self {
             Requirement::None => "none",
             Requirement::Met => "met",
             Requirement::NotMet => "not_met",
+            Requirement::NotProven => "not_proven",
         }
     }
 }
 
-/// What is to be said of a pair first.
+/// The verdict on a pair.
 #[derive(Debug, Clone)]
 pub struct Verdict<'a> {
-    /// The extremes it rests on.
+    /// The extremes of each centre distance, material and assembly phase.
     pub runs: &'a [RunExtremes],
-    /// Whether what is required is kept.
+    /// Whether the pair keeps all its limits.
     pub requirement: Requirement,
-    /// What is not: of each limit the worst.
+    /// The limits that it does not keep, each with its worst value; the worst limit first.
     pub unmet: Vec<Unmet>,
-    /// Ids of the checks that fail, no id twice.
-    pub failed_checks: Vec<&'static str>,
-    /// What the measurements may be off, where that is stated.
+    /// The gear whose lost motion is limited, if any.
+    pub lost_motion_of: Option<Member>,
+    /// The checks that fail, each once.
+    pub failed_checks: Vec<CheckName>,
+    /// Standard uncertainties of the measurements, where they are stated.
     pub uncertainty: Option<Uncertainty>,
 }
 
 impl<'a> Verdict<'a> {
-    /// Of `runs`, what is `required` of them and what their measurements may be off, and of the ids of the checks that fail.
+    /// The verdict from the extremes of `runs`, the limits `required`, the uncertainties of the measurements and the checks that fail.
     pub fn new(
         runs: &'a [RunExtremes],
         required: &Requirements,
         uncertainty: Option<Uncertainty>,
-        failed_checks: Vec<&'static str>,
+        failed_checks: Vec<CheckName>,
     ) -> Verdict<'a> {
-        let unmet: Vec<Unmet> = required
-            .iter()
-            .flat_map(|(quantity, limits)| {
-                let found = |run: &RunExtremes, is_max| FoundEnd {
-                    bracket: found(*quantity, run, is_max),
-                    holds: *quantity == Quantity::RadialClearance
-                        || extreme(run, is_max).1.is_none_or(RunExtreme::holds),
-                    with_play: run.bearings.is_some(),
-                };
-                unmet(*quantity, limits, runs, found)
-            })
-            .collect();
+        let unmet = unmet(required, runs, end);
         Verdict {
             runs,
             requirement: Requirement::of(required, &unmet),
             unmet,
+            lost_motion_of: lost_motion_of(required),
             failed_checks,
             uncertainty,
         }
     }
 
-    /// Of the runs of `study`, and of the ids of its checks that fail.
+    /// The verdict on `study`, from the extremes of its `runs` and the checks that fail.
     pub fn of_study(
         study: &Study,
         runs: &'a [RunExtremes],
-        failed_checks: Vec<&'static str>,
+        failed_checks: Vec<CheckName>,
     ) -> Verdict<'a> {
         Verdict::new(runs, &study.requirements, study.uncertainty, failed_checks)
     }
@@ -124,21 +126,27 @@ impl<'a> Verdict<'a> {
 
     /// Whether the pair assembles everywhere; `None` where that is not proven.
     pub fn assembles(&self) -> Option<bool> {
-        let each = || self.runs.iter().map(RunExtremes::assembles);
-        match each().any(|one| one == Some(false)) {
-            true => Some(false),
-            false => {
-                let all = !self.runs.is_empty() && each().all(|one| one == Some(true));
-                all.then_some(true)
-            }
+        let mut each = self.runs.iter().map(RunExtremes::assembles);
+        if each.clone().any(|one| one == Some(false)) {
+            return Some(false);
+        }
+        let all = !self.runs.is_empty() && each.all(|one| one == Some(true));
+        all.then_some(true)
+    }
+
+    /// Whether the pair passes: it meets its limits, or, without limits, it is proven to assemble. Checks are judged apart.
+    pub fn passes(&self) -> bool {
+        match self.requirement {
+            Requirement::None => self.assembles() == Some(true),
+            requirement => requirement.is_kept(),
         }
     }
 
-    /// Whether that and what is required speak for the pair: what a heading shows. Checks are told apart.
+    /// The verdict of a heading: from whether the pair assembles and meets its limits. Checks are judged apart.
     pub fn state(&self) -> diagnosis::Verdict {
         match (self.assembles(), self.requirement) {
             (Some(false), _) | (_, Requirement::NotMet) => diagnosis::Verdict::Fail,
-            (None, _) => diagnosis::Verdict::Unproven,
+            (None, _) | (_, Requirement::NotProven) => diagnosis::Verdict::Unproven,
             (Some(true), _) => diagnosis::Verdict::Pass,
         }
     }
@@ -224,73 +232,99 @@ impl<'a> Verdict<'a> {
     }
 }
 
-/// What a run has of a quantity at an end.
+/// The value of a quantity at its least or greatest in a run.
 pub(super) struct FoundEnd {
-    /// As [`Unmet::found`].
+    /// Its bracket; `None` where there is no value.
     pub bracket: Option<[f64; 2]>,
-    /// As [`Unmet::holds`].
+    /// Whether the bracket holds every pose.
     pub holds: bool,
-    /// As [`Unmet::with_play`].
+    /// Whether a pose attains a value inside the bracket.
+    pub is_attained: bool,
+    /// Whether the value includes the bearing clearance.
     pub with_play: bool,
 }
 
-/// What of `limits` is not kept by all of `runs`; `found` says what a run has at its least, and, `true`, at its greatest.
+impl FoundEnd {
+    /// How far each end of the bracket lies on the wrong side of `limit`, the worse end first.
+    fn beyond(&self, limit: f64, is_max: bool) -> [f64; 2] {
+        match self.bracket {
+            None => [f64::INFINITY; 2],
+            Some([low, high]) if is_max => [high - limit, low - limit],
+            Some([low, high]) => [limit - low, limit - high],
+        }
+    }
+}
+
+/// The gear whose lost motion `required` limits.
+pub(super) fn lost_motion_of(required: &Requirements) -> Option<Member> {
+    required.iter().find_map(|(quantity, _)| match quantity {
+        Quantity::LostMotion(member) => Some(*member),
+        _ => None,
+    })
+}
+
+/// The limits of `required` that some of `runs` do not keep, each with its worst value; those missed for sure come first. `end` is the
+/// value of a quantity at a run's least, or, `true`, at its greatest.
 pub(super) fn unmet<R>(
-    quantity: Quantity,
-    limits: &Limits,
+    required: &Requirements,
     runs: &[R],
-    found: impl Fn(&R, bool) -> FoundEnd,
+    end: impl Fn(Quantity, &R, bool) -> FoundEnd,
 ) -> Vec<Unmet> {
-    let ends = [(limits.min, false), (limits.max, true)];
-    let ends = ends
-        .into_iter()
-        .filter_map(|(limit, is_max)| Some((limit?, is_max)));
-    ends.filter_map(|(limit, is_max)| {
-        let each = runs.iter().map(|run| {
-            let FoundEnd {
-                bracket,
-                holds,
-                with_play,
-            } = found(run, is_max);
-            Unmet {
+    let limits = required.iter().flat_map(|(quantity, limits)| {
+        let ends = [(limits.min, false), (limits.max, true)];
+        ends.map(|(limit, is_max)| (*quantity, limit, is_max))
+    });
+    let worst = |(quantity, limit, is_max): (Quantity, Option<f64>, bool)| {
+        let limit = limit?;
+        let each = runs.iter().filter_map(|run| {
+            let end = end(quantity, run, is_max);
+            let [most, least] = end.beyond(limit, is_max);
+            let is_missed = end.is_attained && least > 0.0;
+            let is_kept = end.holds && most <= 0.0;
+            let unmet = Unmet {
                 quantity,
                 limit,
                 is_max,
-                found: bracket,
-                straddles: bracket.is_some_and(|[low, high]| low < limit && limit < high),
-                holds,
-                with_play,
-            }
+                found: end.bracket,
+                is_missed,
+                with_play: end.with_play,
+            };
+            (!is_kept).then_some((unmet, most))
         });
-        let beyond = |unmet: &Unmet| match unmet.found {
-            None => f64::INFINITY,
-            Some([_, high]) if is_max => high - limit,
-            Some([low, _]) => limit - low,
-        };
-        let kept = |unmet: &Unmet| beyond(unmet) <= 0.0 && unmet.holds;
-        let each = each.filter(|unmet| !kept(unmet));
-        each.max_by(|one, other| beyond(one).total_cmp(&beyond(other)))
-    })
-    .collect()
+        let key = |(unmet, most): &(Unmet, f64)| (unmet.is_missed, *most);
+        each.max_by(|one, other| {
+            let ((missed, most), (other_missed, other_most)) = (key(one), key(other));
+            missed.cmp(&other_missed).then(most.total_cmp(&other_most))
+        })
+    };
+    let mut unmet: Vec<Unmet> = limits.filter_map(worst).map(|(unmet, _)| unmet).collect();
+    unmet.sort_by_key(|unmet| !unmet.is_missed);
+    unmet
 }
 
-/// The pair with its least or its greatest backlash: where the bearings let the axes move, pressed together or pulled apart.
-fn extreme(run: &RunExtremes, is_max: bool) -> (&GearPair, Option<&RunExtreme>) {
-    match (&run.bearings, is_max) {
+/// The least or the greatest of a quantity over a run. With play in the bearings the axes are pressed together, or pulled apart.
+fn end(quantity: Quantity, run: &RunExtremes, is_max: bool) -> FoundEnd {
+    let (assembly, extreme) = match (&run.bearings, is_max) {
         (Some(play), true) => (&play.apart.assembly, play.apart.extreme.as_ref()),
         (Some(play), false) => (&play.pressed.assembly, play.pressed.extreme.as_ref()),
         (None, true) => (&run.assembly, run.greatest.as_ref()),
         (None, false) => (&run.assembly, run.least.as_ref()),
+    };
+    let value = |j_wt| quantity.value(assembly, j_wt, is_max);
+    let with_play = run.bearings.is_some();
+    if quantity == Quantity::RadialClearance {
+        // It needs no contact.
+        return FoundEnd {
+            bracket: Some([value(0.0); 2]),
+            holds: true,
+            is_attained: true,
+            with_play,
+        };
     }
-}
-
-/// The least or the greatest of a quantity over a run.
-fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]> {
-    let (assembly, extreme) = extreme(run, is_max);
-    let of = |j_wt| quantity.value(assembly, j_wt, is_max);
-    match (quantity, extreme) {
-        // Which needs no contact.
-        (Quantity::RadialClearance, _) => Some([of(0.0); 2]),
-        (_, extreme) => extreme.map(|extreme| [extreme.low, extreme.high].map(of)),
+    FoundEnd {
+        bracket: extreme.map(|extreme| [extreme.low, extreme.high].map(value)),
+        holds: extreme.is_none_or(RunExtreme::holds),
+        is_attained: extreme.is_none_or(|extreme| extreme.pose.simulated.found.is_ok()),
+        with_play,
     }
 }

@@ -117,7 +117,7 @@ fn a_corner_that_costs_nothing_is_not_off_the_line_of_action() {
     );
     let check = check(&found, "off_line_contact", None);
     assert_eq!(
-        (check.verdict, check.measured),
+        (check.verdict, check.outlines),
         (Verdict::Pass, Some(0.0)),
         "{check:?}"
     );

@@ -131,7 +131,7 @@ fn a_contact_ratio_below_one_fails() {
         let sin = (1.0 - (48.0 * cos / distance).powi(2)).sqrt();
         let ratio = (path(31.0) + path(17.0) - distance * sin) / (2.0 * std::f64::consts::PI * cos);
         assert!(
-            (found.analytic.unwrap() - ratio).abs() < 1e-9,
+            (found.formula.unwrap() - ratio).abs() < 1e-9,
             "{ratio} at {distance}"
         );
         assert!(

@@ -16,6 +16,7 @@ fn both(study: &Study) -> [Vec<&'static str>; 2] {
     let seen: Vec<Seen> = analysis.runs.iter().map(Seen::of).collect();
     let needed = failed_checks(study, &seen, &analysis.extremes, &ON).unwrap();
     [analysis.diagnosis.failed(), needed]
+        .map(|failed| failed.iter().map(|check| check.id).collect())
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn limits_of_a_map_are_what_they_say() {
         };
         assert_eq!(at("a of the pair"), Some(distance));
         let zero = found.groups[0].zero.clone().unwrap().unwrap();
-        assert_eq!(at("zero backlash, measured"), Some(zero.distance));
+        assert_eq!(at("zero backlash, outlines"), Some(zero.distance));
         let base = at("tip at base circle, K (8)").unwrap();
         let form = at("tip at form circle").unwrap();
         let from = |member: Member, distance: f64| {

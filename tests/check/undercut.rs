@@ -28,7 +28,7 @@ fn the_margin_to_undercut_is_the_racks() {
             "z {teeth}: {margin} {expected}"
         );
         if expected > 0.0 {
-            let measured = undercut.measured.unwrap();
+            let measured = undercut.outlines.unwrap();
             assert!(
                 (measured - expected).abs() <= 1e-9,
                 "z {teeth}: {measured} {expected}"

@@ -208,16 +208,16 @@ fn distances_are_of_all_runs_that_fail() {
     assert_eq!(to(&[near, clear]), None);
 }
 
-/// A limit inside a bracket is straddled, at its end or beside it not; what reaches beyond is not kept.
+/// A limit is met where the whole bracket keeps it, not met where the whole bracket misses it, and else not proven.
 #[test]
-fn a_limit_inside_a_bracket_is_straddled() {
+fn a_limit_is_met_missed_or_not_proven() {
     let runs = [with_least(&run(), [0.1, 0.2])];
-    for (min, unmet, straddles) in [
-        (0.05, false, false),
-        (0.1, false, false),
-        (0.15, true, true),
-        (0.2, true, false),
-        (0.3, true, false),
+    for (min, requirement) in [
+        (0.05, Requirement::Met),
+        (0.1, Requirement::Met),
+        (0.15, Requirement::NotProven),
+        (0.2, Requirement::NotProven),
+        (0.3, Requirement::NotMet),
     ] {
         let limits = Limits {
             min: Some(min),
@@ -225,18 +225,23 @@ fn a_limit_inside_a_bracket_is_straddled() {
         };
         let required = vec![(Quantity::OperatingBacklash, limits)];
         let said = Said::new(&runs, &required, None, Vec::new());
-        let found = said.unmet.first().map(|unmet| unmet.straddles);
-        assert_eq!(found, unmet.then_some(straddles), "{min}");
-        let kept = if unmet {
-            Requirement::NotMet
-        } else {
-            Requirement::Met
-        };
-        assert_eq!(said.requirement, kept);
+        assert_eq!(said.requirement, requirement, "{min}");
+        let missed = said.unmet.first().map(|unmet| unmet.is_missed);
+        let expected =
+            (requirement != Requirement::Met).then_some(requirement == Requirement::NotMet);
+        assert_eq!(missed, expected, "{min}");
     }
     assert_eq!(said(&runs).requirement, Requirement::None);
-    let names = [Requirement::None, Requirement::Met, Requirement::NotMet].map(Requirement::name);
-    assert_eq!(names, ["none", "met", "not_met"]);
+    let names = [
+        Requirement::None,
+        Requirement::Met,
+        Requirement::NotMet,
+        Requirement::NotProven,
+    ];
+    assert_eq!(
+        names.map(Requirement::name),
+        ["none", "met", "not_met", "not_proven"]
+    );
 }
 
 /// Runs of a study: one for all phases where a gear has like teeth, else one for each that its matings are of; a run of one phase is what the search of

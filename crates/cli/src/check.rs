@@ -1,21 +1,20 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
-use super::console::{ScreenArgs, print, print_note};
+use super::console::{ScreenArgs, print_note};
+use super::judged::{self, JudgedFormat, StepSummary, print_outcome};
 use super::maps::{self, DrawnMap};
-use super::method::{MethodArgs, agreed};
+use super::method::{MethodArgs, agreed, all_proven};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::run_under_bar;
 use super::{distances, outlines, poses, studies};
-use crate::error::{Error, exit_code};
+use crate::error::Error;
 use crate::output::OutputFolder;
-use clap::ValueEnum;
 use gearlash::analysis::Plan;
-use gearlash::analysis::diagnosis::Verdict;
-use gearlash::analysis::verdict::Requirement;
+use gearlash::analysis::outlines::unproven;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
-use gearlash_results::checked::{self, CheckedPair};
-use gearlash_results::verdict::sentence;
+use gearlash_results::checked;
+use gearlash_results::judged::{Judged, JudgedFile, Outcome};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -24,7 +23,8 @@ use std::process::ExitCode;
 /// Each check has its value by formula, its value on the outlines over the poses of the pair file, its
 /// limit, margin and verdict. A limit is met within 1e-9 mm. The largest loss of backlash that no formula
 /// predicts is named with its teeth. Exit code 1 where a check fails, the pair does not assemble over its whole mesh
-/// cycle, or a [require] is not met. Up to 2 million poses (2 GB of memory).
+/// cycle, or a [require] is not met or not proven; 2 where a file cannot be read: the others are checked all the same.
+/// Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv), of the wheel and of the pinion
@@ -35,9 +35,9 @@ pub(super) struct Args {
     center_distance: Option<f64>,
     #[command(flatten)]
     drawn: DrawnArgs,
-    /// What to print
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = JudgedFormat::Text)]
+    format: JudgedFormat,
     /// Also map the contact (of outlines the backlash) over centre distance and mesh phase, as map_<material>.svg and .csv; of one pair file
     #[arg(long)]
     map: bool,
@@ -50,20 +50,6 @@ pub(super) struct Args {
     method: MethodArgs,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    /// A readable table
-    Text,
-    /// Every check of each centre distance and material; of several files a list
-    Json,
-    /// JUnit XML: one suite per file, one case per check
-    Junit,
-    /// GitHub annotations
-    Github,
-    /// Markdown for reviewers
-    Markdown,
-}
-
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let drawn = drawings(args)?;
@@ -72,54 +58,92 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--map draws one pair: give one pair file".to_owned(),
         ));
     }
-    let (paths, files) = match drawn {
+    let files = match drawn {
         Some(pair) => {
             let path = PathBuf::from(&pair.stem);
-            (vec![path], vec![AnyPair::Outlines(Box::new(pair))])
+            vec![(path, Ok(AnyPair::Outlines(Box::new(pair))))]
         }
-        None => {
-            let files = studies::each(&args.pairs, studies::any)?;
-            (args.pairs.clone(), files)
-        }
+        None => judged::read(&args.pairs, studies::any)?,
     };
-    let mut done = Checked::default();
-    for (path, file) in paths.iter().zip(&files) {
+    let mut sources = Sources::new();
+    for (_, file) in &files {
         match file {
-            AnyPair::Data(file) => {
-                poses::allow(path, file.study.pose_count(), &poses::HELD)?;
-                one(args, path, file, &mut done)?;
-            }
-            AnyPair::Outlines(file) => {
-                let folder = folder(args, &file.stem, &file.sources)?;
-                let as_json = args.format == Format::Json;
-                let (text, pair, runs) =
-                    outlines::check(path, file, &args.screen, &args.method, as_json)?;
-                if let Some(folder) = folder {
-                    let maps = maps::of_outlines(file, &runs)?;
-                    done.written = Some(written(folder, maps)?);
-                }
-                done.texts.push(text);
-                done.pairs.push(pair);
-            }
+            Ok(AnyPair::Data(file)) => sources.extend(&file.sources),
+            Ok(AnyPair::Outlines(file)) => sources.extend(&file.sources),
+            Err(_) => {}
         }
     }
-    let pairs = &done.pairs;
-    print(&match args.format {
-        Format::Text => done.texts.join("\n"),
-        Format::Json => match &done.texts[..] {
-            [only] => only.clone(),
-            several => format!("[\n{}]\n", several.join(",\n")),
-        },
-        Format::Junit => checked::junit(pairs).map_err(Error::unwritable("the checks"))?,
-        Format::Github => checked::github(pairs),
-        Format::Markdown => checked::markdown(pairs),
-    })?;
-    if let Some(written) = done.written
-        && args.format == Format::Text
-    {
+    let summary = StepSummary::prepare(args.format, &sources)?;
+    let is_text = args.format == JudgedFormat::Text;
+    let is_alone = files.len() == 1;
+    let mut map = None;
+    let mut outcome = Outcome {
+        command: "check",
+        files: Vec::new(),
+    };
+    for (path, file) in files {
+        let judged = match file {
+            Ok(AnyPair::Data(file)) => data(args, &path, &file, &mut map),
+            Ok(AnyPair::Outlines(file)) => drawn_pair(args, &path, &file, &mut map),
+            Err(error) => Err(error),
+        };
+        if is_text && is_alone {
+            outcome.files.push(JudgedFile::Judged(judged?));
+        } else {
+            outcome
+                .files
+                .push(judged::judged_file(&path, judged, is_text)?);
+        }
+    }
+    let code = print_outcome(&outcome, args.format, &args.screen, &summary)?;
+    if let Some(written) = map.filter(|_| is_text) {
         print_note(&format!("\n{written}\n"))?;
     }
-    Ok(exit_code(pairs.iter().all(|pair| pair.passes)))
+    Ok(code)
+}
+
+/// Checks a pair of gears by their data.
+fn data(
+    args: &Args,
+    path: &Path,
+    file: &PairFile,
+    map: &mut Option<String>,
+) -> Result<Judged, Error> {
+    let study = &file.study;
+    poses::allow(path, study.pose_count(), &poses::HELD)?;
+    let folder = folder(args, &file.stem, &file.sources)?;
+    let plan = Plan::new(study, args.method.method())
+        .with_extremes()
+        .with_checks();
+    let analysis = run_under_bar(&plan)?;
+    let diagnosis = &analysis.diagnosis;
+    if let Some(folder) = folder {
+        *map = Some(written(folder, maps::of_data(study, diagnosis)?)?);
+    }
+    let name = path.display().to_string();
+    let verdict = analysis.verdict();
+    let is_proven = agreed(&analysis);
+    let screen = args.screen.screen();
+    checked(&name, file, diagnosis, &verdict, is_proven, &screen)
+        .map_err(Error::unwritable("the checks"))
+}
+
+/// Checks a pair with a drawn gear.
+fn drawn_pair(
+    args: &Args,
+    path: &Path,
+    file: &OutlinePairFile,
+    map: &mut Option<String>,
+) -> Result<Judged, Error> {
+    let folder = folder(args, &file.stem, &file.sources)?;
+    let runs = outlines::runs(file, &args.method)?;
+    if let Some(folder) = folder {
+        *map = Some(written(folder, maps::of_outlines(file, &runs)?)?);
+    }
+    let is_proven = all_proven(unproven(&runs));
+    let name = path.display().to_string();
+    gearlash_results::outlines::checked(&name, file, &runs, is_proven, &args.screen.screen())
+        .map_err(Error::unwritable("the checks"))
 }
 
 /// The pair of two drawings on the command line; `None` of pair files.
@@ -152,16 +176,6 @@ fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
     }
 }
 
-/// What was checked so far.
-#[derive(Default)]
-struct Checked {
-    pairs: Vec<CheckedPair>,
-    /// Of text and JSON what each comes to.
-    texts: Vec<String>,
-    /// What was written of the map.
-    written: Option<String>,
-}
-
 /// The folder for maps, where they are asked for.
 fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFolder>, Error> {
     let folder = || match &args.output {
@@ -177,47 +191,4 @@ fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFol
 fn written(folder: OutputFolder, maps: Vec<DrawnMap>) -> Result<String, Error> {
     let files: Vec<_> = maps.into_iter().flat_map(DrawnMap::files).collect();
     folder.write(&files)
-}
-
-/// Checks one pair.
-fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<(), Error> {
-    let study = &file.study;
-    let folder = folder(args, &file.stem, &file.sources)?;
-    let plan = Plan::new(study, args.method.method())
-        .with_extremes()
-        .with_checks();
-    let analysis = run_under_bar(&plan)?;
-    let (diagnosis, verdict) = (&analysis.diagnosis, analysis.verdict());
-    let maps = match &folder {
-        Some(_) => maps::of_data(study, diagnosis)?,
-        None => Vec::new(),
-    };
-    let text = match args.format {
-        Format::Text => {
-            gearlash_results::text::check::text(study, &verdict, diagnosis, &args.screen.screen())
-        }
-        Format::Json => gearlash_results::checks_json(file, diagnosis, &verdict)
-            .map_err(Error::unwritable("the checks"))?,
-        Format::Junit | Format::Github | Format::Markdown => String::new(),
-    };
-    if let Some(folder) = folder {
-        done.written = Some(written(folder, maps)?);
-    }
-    let kept = match verdict.requirement {
-        Requirement::None => verdict.assembles() == Some(true),
-        Requirement::Met => true,
-        Requirement::NotMet => false,
-    };
-    let passes = agreed(&analysis) && diagnosis.verdict() < Verdict::Unproven && kept;
-    done.texts.push(text);
-    done.pairs.push(CheckedPair {
-        file: path.display().to_string(),
-        title: study.title.clone(),
-        sentence: sentence(&verdict),
-        passes,
-        warnings: file.warnings.clone(),
-        remarks: file.remarks.clone(),
-        diagnosis: analysis.diagnosis.clone(),
-    });
-    Ok(())
 }

@@ -2,22 +2,21 @@
 
 mod drawings;
 
-use super::console::{ScreenArgs, print, tell};
+use super::console::{ScreenArgs, tell};
+use super::judged::{self, JudgedFormat, StepSummary, print_outcome};
 use super::method::{MethodArgs, agreement};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::studies;
-use super::target::Target;
-use crate::error::{Error, exit_code};
+use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
 use gearlash::analysis::diagnosis::{Seen, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
-use gearlash::analysis::tally::{MOST_UNPROVEN, simulate_by_blocks};
-use gearlash_files::Sources;
-use gearlash_results::comparison;
-use gearlash_results::{ComparedPair, comparison_json};
-use std::io::Write;
+use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
+use gearlash_files::{PairFile, Sources};
+use gearlash_results::ComparedPair;
+use gearlash_results::judged::{Judged, JudgedFile, Outcome};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -39,13 +38,11 @@ pub(super) struct Args {
     /// Tolerance in µm, of j_wt [default: the pair file's, or 0.1] or between two drawings [default: none]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance_um: Option<f64>,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Also write the outcome as a Markdown table
-    ///
-    /// With --format github it goes to the step summary ($GITHUB_STEP_SUMMARY), too.
-    #[arg(long, value_name = "FILE")]
+    /// Gone: --format markdown
+    #[arg(long, hide = true, value_name = "FILE")]
     markdown: Option<PathBuf>,
     #[command(flatten)]
     drawn: DrawnArgs,
@@ -60,16 +57,32 @@ pub(super) struct Args {
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
-    /// One line per run
+    /// One file in full; of several a line for each that passes
     Text,
-    /// The same as JSON
+    /// One object with a list of files, of one file as of several
     Json,
-    /// JUnit XML: one suite per file, one case per run
+    /// JUnit XML: one suite per file
     Junit,
-    /// GitHub annotations
+    /// GitHub annotations; the Markdown goes to the step summary ($GITHUB_STEP_SUMMARY)
     Github,
-    /// Of two drawings: how far B lies from A, a row for each place along A
+    /// Markdown for reviewers
+    Markdown,
+    /// Only for two drawings: how far B lies from A, a row for each place along A
     Csv,
+}
+
+impl Format {
+    /// The format of pair files; `None`: of drawings alone.
+    fn of_pairs(self) -> Option<JudgedFormat> {
+        Some(match self {
+            Format::Text => JudgedFormat::Text,
+            Format::Json => JudgedFormat::Json,
+            Format::Junit => JudgedFormat::Junit,
+            Format::Github => JudgedFormat::Github,
+            Format::Markdown => JudgedFormat::Markdown,
+            Format::Csv => return None,
+        })
+    }
 }
 
 /// Runs the command.
@@ -87,73 +100,85 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(warning) = slip {
         tell(&format!("warning: {warning}"));
     }
-    if args.pairs.iter().any(|path| is_drawing(path)) {
-        return drawings::run(args);
-    }
-    if args.drawn.given() || args.svg.is_some() || args.format == Format::Csv {
+    if args.markdown.is_some() {
         return Err(Error::Usage(
-            "--units, --center, --svg and --format csv belong to two drawings; leave them out"
+            "--markdown: use --format markdown, which prints the table; with --format github it goes to $GITHUB_STEP_SUMMARY"
                 .to_owned(),
         ));
     }
-    let files = studies::each(&args.pairs, studies::pair)?;
-    let mut sources = Sources::new();
-    for file in &files {
-        sources.extend(&file.sources);
+    if args.pairs.iter().any(|path| is_drawing(path)) {
+        return drawings::run(args);
     }
-    let markdown = Target::prepare_given(args.markdown.as_ref(), &sources);
-    let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
-    let summary = summary(args.format, &sources)?;
+    let Some(format) = args.format.of_pairs() else {
+        return Err(of_drawings());
+    };
+    if args.drawn.given() || args.svg.is_some() {
+        return Err(of_drawings());
+    }
+    let files = judged::read(&args.pairs, studies::pair)?;
+    let mut sources = Sources::new();
     let mut steps = 0;
-    for file in &files {
+    for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
+        sources.extend(&file.sources);
         steps += file.study.pose_count() + run_count(&file.study)?;
     }
+    let summary = StepSummary::prepare(format, &sources)?;
+    let is_text = format == JudgedFormat::Text;
+    let (is_alone, unproven) = (files.len() == 1, MOST_UNPROVEN / files.len());
     let progress = Progress::of(steps, "steps");
-    let (mut pairs, each) = (Vec::new(), MOST_UNPROVEN / files.len());
-    for (path, file) in args.pairs.iter().zip(files) {
-        let study = file.study;
-        let tolerance_um = tolerance_um(&study, args.tolerance_um);
-        let runs = simulate_by_blocks(
-            &study,
-            args.method.method(),
-            tolerance_um,
-            each,
-            &|| progress.tick(),
-            &mut |_| Ok::<(), Error>(()),
-        )?;
-        let method = args.method.method();
-        let found = progress.searching(|| extremes(&study, method, &|| progress.tick()))?;
-        let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
-        let failed = failed_checks(&study, &seen, &found, &|| ControlFlow::Continue(()))?;
-        pairs.push(ComparedPair {
-            file: path.display().to_string(),
-            title: study.title,
-            tolerance_um,
-            allow_off_line: study.allow_off_line_contact,
-            runs,
-            extremes: found.each,
-            failed_checks: failed,
-            requirements: study.requirements,
-            uncertainty: study.uncertainty,
-        });
+    let mut outcome = Outcome {
+        command: "compare",
+        files: Vec::new(),
+    };
+    for (path, file) in files {
+        let judged = file.and_then(|file| compared(args, &path, &file, unproven, &progress));
+        if is_text && is_alone {
+            outcome.files.push(JudgedFile::Judged(judged?));
+        } else {
+            outcome
+                .files
+                .push(judged::judged_file(&path, judged, is_text)?);
+        }
     }
     drop(progress);
-    print(&match args.format {
-        // CSV is of drawings, refused above.
-        Format::Text | Format::Csv => comparison::text(&pairs, &args.screen.screen()),
-        Format::Json => comparison_json(&pairs).map_err(Error::unwritable("the outcome"))?,
-        Format::Junit => comparison::junit(&pairs).map_err(Error::unwritable("the outcome"))?,
-        Format::Github => comparison::github(&pairs),
-    })?;
-    if let Some(target) = markdown {
-        let written = target.write_silently(&comparison::markdown(&pairs));
-        written.map_err(|error| of_option(error, "--markdown"))?;
-    }
-    if let Some(summary) = summary {
-        append(&summary, &comparison::markdown(&pairs))?;
-    }
-    let agree = agreement(pairs.iter().flat_map(|pair| &pair.runs));
-    Ok(exit_code(agree && pairs.iter().all(ComparedPair::passes)))
+    print_outcome(&outcome, format, &args.screen, &summary)
+}
+
+fn of_drawings() -> Error {
+    Error::Usage(
+        "--units, --center, --svg and --format csv belong to two drawings; leave them out"
+            .to_owned(),
+    )
+}
+
+/// Compares one pair; keeps at most so many of its `unproven` poses.
+fn compared(
+    args: &Args,
+    path: &Path,
+    file: &PairFile,
+    unproven: usize,
+    progress: &Progress,
+) -> Result<Judged, Error> {
+    let (study, method) = (&file.study, args.method.method());
+    let tolerance_um = tolerance_um(study, args.tolerance_um);
+    let tick = || progress.tick();
+    let none = &mut |_: Piece| Ok::<(), Error>(());
+    let runs = simulate_by_blocks(study, method, tolerance_um, unproven, &tick, none)?;
+    let found = progress.searching(|| extremes(study, method, &tick))?;
+    let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
+    let failed_checks = failed_checks(study, &seen, &found, &|| ControlFlow::Continue(()))?;
+    let is_proven = agreement(&runs);
+    let pair = ComparedPair {
+        name: path.display().to_string(),
+        file,
+        tolerance_um,
+        is_proven,
+        runs,
+        extremes: found.each,
+        failed_checks,
+    };
+    pair.judged(&args.screen.screen())
+        .map_err(Error::unwritable("the outcome"))
 }
 
 /// The same error, naming the option that chose the place.
@@ -165,32 +190,4 @@ fn of_option(error: Error, option: &str) -> Error {
         )),
         other => other,
     }
-}
-
-/// The step summary, where it is to be written; never one of `sources`.
-fn summary(format: Format, sources: &Sources) -> Result<Option<PathBuf>, Error> {
-    let (Format::Github, Some(summary)) = (format, std::env::var_os("GITHUB_STEP_SUMMARY")) else {
-        return Ok(None);
-    };
-    let summary = PathBuf::from(summary);
-    match sources.named(&summary) {
-        None => Ok(Some(summary)),
-        Some(input) => Err(Error::OverInput {
-            input: input.to_path_buf(),
-            output: summary,
-        }),
-    }
-}
-
-/// Adds `text` to a step summary; what earlier steps wrote stays.
-fn append(summary: &Path, text: &str) -> Result<(), Error> {
-    let mut options = std::fs::OpenOptions::new();
-    let file = options.append(true).create(true).open(summary);
-    file.and_then(|mut file| file.write_all(text.as_bytes()))
-        .map_err(|source| {
-            Error::Usage(format!(
-                "GITHUB_STEP_SUMMARY={}: cannot be written: {source}; unset the variable, or have --markdown FILE alone",
-                summary.display()
-            ))
-        })
 }

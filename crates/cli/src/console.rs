@@ -7,6 +7,7 @@ use crate::error::Error;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
 use gearlash_results::text::Screen;
+use gearlash_results::verdict::VerdictLines;
 use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,6 +17,14 @@ const PIECE: usize = 1 << 16;
 
 /// Whether only results and errors are wanted.
 static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Whether notes are wanted.
+static VERBOSE: AtomicBool = AtomicBool::new(false);
+
+/// From now on notes are printed, too.
+pub(super) fn be_verbose() {
+    VERBOSE.store(true, Ordering::Relaxed);
+}
 
 /// From now on only results and errors are printed.
 pub(super) fn be_quiet() {
@@ -117,14 +126,23 @@ pub(super) fn tell(line: &str) {
         .and_then(|()| output.write_all(b"\n"));
 }
 
+/// Writes the verdict to standard error.
+pub(super) fn tell_verdict(verdict: &VerdictLines) {
+    verdict.lines().iter().for_each(|line| tell(line));
+}
+
 /// Writes lines to standard error that are fit to be shown.
 pub(super) fn tell_lines(lines: &str) {
     let _ = std::io::stderr().lock().write_all(lines.as_bytes());
 }
 
-/// Prints warnings, and what was found to be in order.
+/// Prints warnings, and with `--verbose` notes.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     let file = gearlash_files::named(file).display();
+    let remarks = match VERBOSE.load(Ordering::Relaxed) {
+        true => remarks,
+        false => &[],
+    };
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for message in list {
             tell(&format!("{kind}: {file}: {message}"));

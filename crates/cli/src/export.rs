@@ -9,7 +9,7 @@ use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::numbers::rounded;
 use gearlash_files::rexs::RexsBacklash;
-use gearlash_results::verdict::sentence;
+use gearlash_results::verdict::lines;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -66,7 +66,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 /// The extremes of `study`, where every one of them is proven.
 fn backlash(study: &Study) -> Result<RexsBacklash, Error> {
     let (found, failed) = verdict::extremes_and_failed_checks(study)?;
-    let verdict = sentence(&Verdict::of_study(study, &found.each, failed));
+    let verdict = lines(&Verdict::of_study(study, &found.each, failed)).to_string();
     let unproven = || Error::Unproven(verdict.clone());
     let mut each = Vec::new();
     for run in &found.each {

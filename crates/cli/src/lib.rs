@@ -15,6 +15,7 @@ mod gauge;
 mod gears;
 mod import;
 mod init;
+mod judged;
 mod man;
 mod maps;
 mod matching;
@@ -61,10 +62,14 @@ struct Cli {
     /// Print only results and errors: no progress, notes, warnings or file names
     #[arg(short, long, global = true)]
     quiet: bool,
+    /// Print notes, too: what was found in order, and what follows from the input
+    #[arg(short, long, global = true, conflicts_with = "quiet")]
+    verbose: bool,
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done; 1 a comparison or a check failed, or a pose is unproven; 2 bad input or usage (nothing is written then).
+Exit codes: 0 done; 1 a comparison or a check failed, a requirement is not met or not proven, or a pose is unproven;
+2 bad input or usage (nothing is written then).
 Results go to standard output and to files; progress, warnings and errors to standard error.
 
 Example:
@@ -104,6 +109,9 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(cli) => {
             if cli.quiet {
                 console::be_quiet();
+            }
+            if cli.verbose {
+                console::be_verbose();
             }
             cap_threads();
             command(cli.command)

@@ -1,4 +1,4 @@
-//! Pairs of which a gear is an outline: what `simulate` and `check` do with them.
+//! Pairs of which a gear is an outline: what `simulate` does with them.
 
 use super::console::{ScreenArgs, print};
 use super::method::{MethodArgs, all_proven};
@@ -6,12 +6,9 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::unit::UnitArgs;
 use crate::error::{Error, exit_code};
-use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
-use gearlash::analysis::verdict::Requirement;
-use gearlash::pair::BacklashUnit;
+use gearlash::analysis::outlines::{OutlineRun, unproven, worst};
 use gearlash_files::OutlinePairFile;
-use gearlash_results::checked::CheckedPair;
-use gearlash_results::outlines::{sentence, to_csv, to_json};
+use gearlash_results::outlines::{to_csv, to_json};
 use gearlash_results::text;
 use std::path::Path;
 use std::process::ExitCode;
@@ -94,36 +91,6 @@ pub(super) fn simulate(
         results.write(folder, &files)?;
     }
     // As of gears by their data: a pair that binds is a result, unless a requirement says otherwise.
-    let kept = file.study.requirement(&runs) != Requirement::NotMet;
+    let kept = file.study.requirement(&runs).is_kept();
     Ok(exit_code(all_proven(unproven(&runs)) & kept))
-}
-
-/// `gearlash check` of a pair with an outline: its text or JSON, what the other formats tell, and its runs.
-pub(super) fn check(
-    path: &Path,
-    file: &OutlinePairFile,
-    screen: &ScreenArgs,
-    method: &MethodArgs,
-    as_json: bool,
-) -> Result<(String, CheckedPair, Vec<OutlineRun>), Error> {
-    let runs = runs(file, method)?;
-    let text = match as_json {
-        true => to_json(file, &runs).map_err(Error::unwritable("the checks"))?,
-        false => text::outlines(file, &runs, BacklashUnit::Um, &screen.screen()),
-    };
-    let kept = match file.study.requirement(&runs) {
-        Requirement::None => turns(&runs) == Some(true),
-        Requirement::Met => true,
-        Requirement::NotMet => false,
-    };
-    let pair = CheckedPair {
-        warnings: file.warnings.clone(),
-        remarks: file.remarks.clone(),
-        file: path.display().to_string(),
-        title: file.study.title.clone(),
-        sentence: sentence(&file.study, &runs),
-        passes: all_proven(unproven(&runs)) & kept,
-        diagnosis: gearlash::analysis::diagnosis::Diagnosis::default(),
-    };
-    Ok((text, pair, runs))
 }

@@ -14,7 +14,7 @@ use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::measured::MeasuredTally;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
-use gearlash::analysis::verdict::{Requirement, Verdict};
+use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::pair::GearPair;
 use gearlash_files::{AnyPair, OutlinePairFile, distance_refused};
@@ -132,7 +132,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         args.results.write(folder, &[])?;
     }
-    let kept = verdict.requirement != Requirement::NotMet;
+    let kept = verdict.requirement.is_kept();
     Ok(exit_code(agreement(&runs) & kept))
 }
 

@@ -1,6 +1,6 @@
 //! `gearlash snapshot`: one contact as a picture.
 
-use super::console::tell;
+use super::console::{tell, tell_verdict};
 use super::distances;
 use super::drawing::{End, material, teeth};
 use super::method::{MethodArgs, all_proven};
@@ -199,7 +199,7 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         (true, ..) => {
             let runs = outlines::runs(&file, &MethodArgs::default())?;
             unproven = analysis::outlines::unproven(&runs);
-            tell(&gearlash_results::outlines::sentence(&file.study, &runs));
+            tell_verdict(&gearlash_results::outlines::lines(&file.study, &runs));
             analysis::outlines::worst(&runs).map(|(run, pose)| {
                 (
                     run.pair.clone(),

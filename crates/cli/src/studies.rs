@@ -42,32 +42,18 @@ pub(super) fn drawings(drawings: &Drawings) -> Result<OutlinePairFile, Error> {
     Ok(file)
 }
 
-/// The pair files at `paths`, each read by `read`; what is wrong with any of them is said of all at once.
+/// Checks that standard input is not read twice.
 ///
 /// # Errors
-/// As [`pair`]; [`Error::Usage`] where standard input is named twice.
-pub(super) fn each<T>(
-    paths: &[PathBuf],
-    read: impl Fn(&Path) -> Result<T, Error>,
-) -> Result<Vec<T>, Error> {
+/// [`Error::Usage`].
+pub(super) fn name_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
     let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
     if paths.iter().filter(from_stdin).count() > 1 {
         return Err(Error::Usage(
             "- stands for standard input, which holds one pair file: name it once".to_owned(),
         ));
     }
-    let (mut files, mut faults) = (Vec::new(), Vec::new());
-    for path in paths {
-        match read(path) {
-            Ok(file) => files.push(file),
-            Err(error) => faults.push(error),
-        }
-    }
-    match faults.len() {
-        0 => Ok(files),
-        1 => Err(faults.remove(0)),
-        _ => Err(Error::Several(faults)),
-    }
+    Ok(())
 }
 
 /// The gears of the file at `path`; its warnings are reported.

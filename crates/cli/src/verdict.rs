@@ -2,17 +2,17 @@
 
 use super::progress::Progress;
 use crate::error::Error;
-use gearlash::analysis::diagnosis::{self, Seen};
+use gearlash::analysis::diagnosis::{self, CheckName, Seen};
 use gearlash::analysis::extremes::{CycleExtremes, extremes, run_count};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{Piece, simulate_by_blocks};
 use gearlash::contact::Method;
 use std::ops::ControlFlow;
 
-/// The certified extremes of `study`, and the ids of the checks that fail at its poses, under a bar.
+/// The certified extremes of `study`, and the checks that fail at its poses, under a bar.
 pub(super) fn extremes_and_failed_checks(
     study: &Study,
-) -> Result<(CycleExtremes, Vec<&'static str>), Error> {
+) -> Result<(CycleExtremes, Vec<CheckName>), Error> {
     let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
     let cycle = progress.searching(|| extremes(study, method, &|| progress.tick()))?;

@@ -1,6 +1,6 @@
 //! The pose with the least backlash of the whole mesh cycle: what `snapshot --worst` and `chart --kind field` draw.
 
-use super::console::tell;
+use super::console::tell_verdict;
 use super::verdict;
 use crate::error::Error;
 use gearlash::analysis::simulate::Run;
@@ -8,7 +8,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::PoseResult;
 use gearlash_files::distance_refused;
-use gearlash_results::verdict::sentence;
+use gearlash_results::verdict::lines;
 
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given; says the verdict on standard
 /// error, and returns the worst pose (asked for by the option `asked`): jammed, or with the least backlash. Its run comes with it, and how many extremes are not proven.
@@ -21,7 +21,7 @@ pub(super) fn find(
     let study = narrowed(asked, study, distance, material)?;
     let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
-    tell(&sentence(&verdict));
+    tell_verdict(&lines(&verdict));
     let Some((run, assembly, pose)) = verdict.worst() else {
         return Err(Error::Usage(format!(
             "{asked}: no pose is in mesh; nothing can be called the worst"

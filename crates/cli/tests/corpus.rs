@@ -174,13 +174,16 @@ fn output(case: &Case) -> String {
         writeln!(out, "stderr {} = {line}", index + 1).unwrap();
     }
     let has = |word: &str| case.args.iter().any(|arg| arg == word);
-    if let (true, Ok(json)) = (has("json"), serde_json::from_str(&text)) {
+    if let (true, Ok(json)) = (has("json"), serde_json::from_str::<Value>(&text)) {
         let skipped: &[&str] = if has("simulate") || has("compare") {
             &REPEATED
         } else {
             &[]
         };
-        flatten(&json, "", skipped, &mut out);
+        // A list of one file is stored as that file.
+        let only = json.get("files").and_then(Value::as_array);
+        let only = only.filter(|files| files.len() == 1).map(|files| &files[0]);
+        flatten(only.unwrap_or(&json), "", skipped, &mut out);
     } else {
         let count = text.lines().count();
         for (index, line) in text

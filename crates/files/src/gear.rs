@@ -61,6 +61,8 @@ pub struct GearPart {
     pub spec: Option<GearSpec>,
     /// Coefficient of thermal expansion, 1/K; `Some(None)` where none is given.
     pub expansion_per_k: Option<Option<f64>>,
+    /// Whether the file states its reference face.
+    pub states_face: bool,
     /// What its statements say of each other.
     pub notes: GearNotes,
     /// Warnings.
@@ -93,6 +95,7 @@ impl GearPart {
             pressure_angle_deg,
             helix,
             basic_data: wound.and_then(|(data, helix)| helix.of(data, &table, problems)),
+            states_face: table.has("reference_face"),
             ..GearPart::default()
         };
         part.complete(&table, problems);

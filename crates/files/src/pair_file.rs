@@ -174,6 +174,7 @@ impl<'a> PairTables<'a> {
         let scatter = self.tolerance?;
         let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
         warnings.extend(pair_slips::in_bearings(&bearings));
+        warnings.extend(pair_slips::in_faces([&self.wheel, &self.pinion]));
         warnings.extend(pair_slips::in_distances(
             &self.wheel,
             &self.pinion,

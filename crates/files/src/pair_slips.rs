@@ -2,7 +2,7 @@
 
 use super::gear::GearPart;
 use super::numbers::{ascii, signed, um_ascii};
-use super::spec::BearingClearanceSpec;
+use super::spec::{BearingClearanceSpec, GearSpec};
 use gearlash::gear::involute::{inv, roll_of_inv};
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
@@ -55,6 +55,25 @@ pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> V
     warnings
 }
 
+/// That tooth numbers may run against each other: both gears have data of single teeth, and neither states from which face they count.
+pub fn in_faces(gears: [&GearPart; 2]) -> Option<String> {
+    let is_open = gears
+        .iter()
+        .all(|gear| !gear.states_face && gear.spec.as_ref().is_some_and(has_tooth_data));
+    is_open.then(|| {
+        "wheel.reference_face, pinion.reference_face: both gears have data of single teeth, and neither says from which face its teeth are \
+         counted; both count from the front. If one was measured from the face that is at the back in the pair, write \
+         reference_face = \"back\" there; else \"front\""
+            .to_owned()
+    })
+}
+
+/// Whether a gear's data tell its teeth apart.
+fn has_tooth_data(gear: &GearSpec) -> bool {
+    let per_tooth = gear.thickness.per_tooth_um.as_ref();
+    gear.pitch.is_some() || per_tooth.is_some_and(|each| !each.is_empty())
+}
+
 /// Runouts that take more than half of the radial clearance.
 fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let a = distances.iter().copied().reduce(f64::min)?;
@@ -83,20 +102,22 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
 
 /// A centre distance that suits another pair than the one that is stated.
 fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
-    let basic_data = wheel.basic_data.as_ref()?;
-    let module = basic_data.module();
+    let module = wheel.module_mm?;
     let teeth = f64::from(wheel.teeth? + pinion.teeth?);
     let shifts = [wheel, pinion].map(|part| {
         let gear = part.as_built.as_ref()?;
         Some(gear.most().gear().design().profile_shift)
     });
     let (x_1, x_2) = (shifts[0]?, shifts[1]?);
-    let angle = wheel.pressure_angle_deg?;
-    let without_backlash = |degrees: f64, shift: f64| {
-        let alpha = degrees.to_radians();
-        let roll = roll_of_inv(inv(alpha) + 2.0 * shift * alpha.tan() / teeth);
-        module * teeth / 2.0 * alpha.cos() * roll.hypot(1.0)
+    let (angle, helix_deg) = (wheel.pressure_angle_deg?, wheel.helix?.angle_deg);
+    // Module, pressure angle and shifts are those of the normal section.
+    let nominal = |degrees: f64, helix_deg: f64, shift: f64| {
+        let (normal, cos_helix) = (degrees.to_radians().tan(), helix_deg.to_radians().cos());
+        let alpha = (normal / cos_helix).atan();
+        let roll = roll_of_inv(inv(alpha) + 2.0 * shift * normal / teeth);
+        module * teeth / (2.0 * cos_helix) * alpha.cos() * roll.hypot(1.0)
     };
+    let without_backlash = |degrees: f64, shift: f64| nominal(degrees, helix_deg, shift);
     // A scan is meant to leave the distance: one of its distances that is right answers for all.
     let suits = |mm: f64, within: f64| {
         let near = |a: &&f64| (**a - mm).abs() <= within * module;
@@ -108,6 +129,13 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         signed(a - stated, 4),
         ascii(stated, 4)
     );
+    let spur = nominal(angle, 0.0, x_1 + x_2);
+    if helix_deg != 0.0 && !suits(stated, OFF) && suits(spur, SUITS) {
+        return Some(format!(
+            "{off}; it would fit β = 0 ({} mm): was the helix angle forgotten in the distance?",
+            ascii(spur, 4)
+        ));
+    }
     if x_1 != 0.0 || x_2 != 0.0 {
         let otherwise = [
             ("no profile shift", 0.0),

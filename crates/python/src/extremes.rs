@@ -7,7 +7,9 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::extremes as cycle;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
-use gearlash_results::{checks_json, extremes_json};
+use gearlash_results::judged::{JudgedFile, Outcome};
+use gearlash_results::text::Screen;
+use gearlash_results::{checked, extremes_json};
 use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };
@@ -30,6 +32,23 @@ pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<St
         .with_extremes()
         .with_checks();
     let analysis = analysed(py, threads, &plan)?;
-    checks_json(&pair.file, &analysis.diagnosis, &analysis.verdict())
-        .map_err(|reason| error(py, reason))
+    let (name, screen) = (&pair.file.stem, Screen::default());
+    let is_proven = analysis.unproven() == 0 && analysis.agreement().agrees();
+    let verdict = analysis.verdict();
+    let judged = checked(
+        name,
+        &pair.file,
+        &analysis.diagnosis,
+        &verdict,
+        is_proven,
+        &screen,
+    );
+    let files = vec![JudgedFile::Judged(
+        judged.map_err(|reason| error(py, reason))?,
+    )];
+    let outcome = Outcome {
+        command: "check",
+        files,
+    };
+    outcome.json().map_err(|reason| error(py, reason))
 }

@@ -1,130 +1,295 @@
-//! The outcome of `compare`: text, JUnit XML, GitHub annotations, Markdown.
+//! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
-mod markdown;
-
-use crate::junit::{self, Case, Suite};
+use crate::column::Row;
+use crate::extreme::extremes;
+use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
 use crate::layout::{Screen, Tone, where_it_is};
-use crate::verdict::sentence;
-use crate::{ComparedPair, doubts};
-use gearlash::analysis::compare::Verdict;
+use crate::pose::{PoseRow, doubts};
+use crate::verdict::lines;
+use crate::verdict_json::{VerdictRecord, verdict_record};
+use gearlash::analysis::compare::{ComparedPose, Verdict};
+use gearlash::analysis::diagnosis::{self, CheckName};
+use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
-use gearlash::analysis::verdict::Requirement;
+use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
+use gearlash::contact::Unproven;
+use gearlash_files::PairFile;
 use gearlash_files::characters::plain;
-use gearlash_files::numbers::{signed_um, stated_distance, um_ascii};
+use gearlash_files::numbers::{NONE, power, signed_um, stated_distance, um_ascii};
+use gearlash_files::spec::PairSpec;
+use serde::Serialize;
+use serde_json::{Value, json, to_value};
 use std::fmt::Write;
-use std::io;
 
-pub(crate) use markdown::escape as markdown_text;
-pub use markdown::markdown;
+/// One compared pair file.
+#[derive(Debug)]
+pub struct ComparedPair<'a> {
+    /// The file as named on the command line.
+    pub name: String,
+    /// The file as read.
+    pub file: &'a PairFile,
+    /// Tolerance in force, µm.
+    pub tolerance_um: f64,
+    /// Whether all poses are proven and both methods, where two are asked for, agree.
+    pub is_proven: bool,
+    /// Every run.
+    pub runs: Vec<RunTally>,
+    /// Extremes of the whole mesh cycle.
+    pub extremes: Vec<RunExtremes>,
+    /// The checks that fail.
+    pub failed_checks: Vec<CheckName>,
+}
 
-/// What a pair file comes to.
+/// How simulation and formulas compare.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum PairOutcome {
+enum Agreement {
     /// Every run passes.
     Agrees,
     /// Some run disagrees.
     Disagrees,
-    /// None disagrees, but some poses are not proven: nobody knows about them.
+    /// No run disagrees, but some poses are not proven.
     Unproven,
-    /// None disagrees, but in some there was nothing to compare: that is no agreement.
+    /// No run disagrees, but in some there is nothing to compare.
     Nothing,
 }
 
-/// What the runs come to.
-fn outcome(pair: &ComparedPair) -> PairOutcome {
-    let fails = |run: &&RunTally| !run.passes(pair.allow_off_line);
-    let mut failing = pair.runs.iter().filter(fails).peekable();
-    if failing.peek().is_none() {
-        return PairOutcome::Agrees;
+impl ComparedPair<'_> {
+    fn allows_off_line(&self) -> bool {
+        self.file.study.allow_off_line_contact
     }
-    // A run that is jammed or out of mesh throughout disagrees with nothing, whatever the formula says.
-    let disagrees = |run: &RunTally| run.compared > 0 && run.disagrees(pair.allow_off_line);
-    if failing.clone().any(disagrees) {
-        return PairOutcome::Disagrees;
-    }
-    match failing.any(|run| run.unproven > 0) {
-        true => PairOutcome::Unproven,
-        false => PairOutcome::Nothing,
-    }
-}
 
-/// JUnit XML: a suite a file, the verdict its first case, then a case a run.
-///
-/// # Errors
-/// None: it is written to memory.
-pub fn junit(pairs: &[ComparedPair]) -> io::Result<String> {
-    let suite = |pair: &ComparedPair| {
-        let verdict = pair.verdict();
-        let first = Case {
-            name: sentence(&verdict),
-            failure: (verdict.requirement == Requirement::NotMet).then(|| sentence(&verdict)),
+    fn agreement(&self) -> Agreement {
+        let fails = |run: &&RunTally| !run.passes(self.allows_off_line());
+        let mut failing = self.runs.iter().filter(fails).peekable();
+        if failing.peek().is_none() {
+            return Agreement::Agrees;
+        }
+        // A run that is jammed or out of mesh throughout disagrees with nothing.
+        let disagrees = |run: &RunTally| run.compared > 0 && run.disagrees(self.allows_off_line());
+        if failing.clone().any(disagrees) {
+            return Agreement::Disagrees;
+        }
+        match failing.any(|run| run.unproven > 0) {
+            true => Agreement::Unproven,
+            false => Agreement::Nothing,
+        }
+    }
+
+    /// Whether simulation and formulas agree, in a line.
+    fn first_line(&self) -> String {
+        let within = format!("{} µm + error bound", self.tolerance_um);
+        match self.agreement() {
+            Agreement::Agrees => format!("Simulated and analytic backlash agree within {within}."),
+            Agreement::Disagrees => {
+                format!("Simulated and analytic backlash do not agree within {within}.")
+            }
+            Agreement::Unproven => {
+                format!("Simulated and analytic backlash: agreement within {within} not proven.")
+            }
+            Agreement::Nothing => "Nothing to compare at some centre distance.".to_owned(),
+        }
+    }
+
+    /// The outcome, its text for `screen`.
+    ///
+    /// # Errors
+    /// None for a comparison; a number that JSON cannot hold otherwise.
+    pub fn judged(&self, screen: &Screen) -> serde_json::Result<Judged> {
+        let study = &self.file.study;
+        let verdict = CycleVerdict::of_study(study, &self.extremes, self.failed_checks.clone());
+        let lines = lines(&verdict);
+        let agrees = self.agreement() == Agreement::Agrees && self.is_proven;
+        let kept = verdict.requirement.is_kept();
+        let failures: Vec<String> = self
+            .runs
+            .iter()
+            .filter_map(|run| Some(format!("{}: {}", run_name(run), self.failure(run)?)))
+            .collect();
+        let failed = |passes: bool, unproven: bool| match (passes, unproven) {
+            (true, _) => diagnosis::Verdict::Pass,
+            (false, true) => diagnosis::Verdict::Unproven,
+            (false, false) => diagnosis::Verdict::Fail,
         };
-        let runs = pair.runs.iter().map(|run| Case {
-            name: run_name(run),
-            failure: failure(pair, run),
+        let is_unproven = matches!(self.agreement(), Agreement::Unproven | Agreement::Agrees);
+        Ok(Judged {
+            file: self.name.clone(),
+            title: study.title.clone(),
+            passes: agrees && kept,
+            cases: vec![
+                Case {
+                    name: "formulas".to_owned(),
+                    verdict: failed(agrees, is_unproven),
+                    message: match failures.is_empty() {
+                        true => self.first_line(),
+                        false => format!("{}\n{}", self.first_line(), failures.join("\n")),
+                    },
+                },
+                Case {
+                    name: VERDICT.to_owned(),
+                    verdict: failed(kept, verdict.requirement == Requirement::NotProven),
+                    message: lines.to_string(),
+                },
+            ],
+            warnings: self.file.warnings.clone(),
+            remarks: self.file.remarks.clone(),
+            text: self.text(&lines.to_string(), screen),
+            markdown: self.markdown(),
+            json: to_value(&self.record(&verdict, agrees && kept))?,
+            verdict: lines,
+        })
+    }
+
+    fn text(&self, verdict: &str, screen: &Screen) -> String {
+        let tone = match self.agreement() {
+            Agreement::Agrees => Tone::Good,
+            Agreement::Disagrees => Tone::Bad,
+            Agreement::Unproven | Agreement::Nothing => Tone::Doubtful,
+        };
+        let mut text = format!(
+            "{}\n\n{}\n\n{verdict}\n\n",
+            plain(&self.file.study.title),
+            screen.toned(tone, &self.first_line())
+        );
+        for run in &self.runs {
+            let difference = match run.worst() {
+                Some((_, difference)) => {
+                    format!("simulated − model 3 up to {} µm", signed_um(difference, 4))
+                }
+                None => "nothing to compare".to_owned(),
+            };
+            let outcome = match self.failure(run) {
+                Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
+                None => {
+                    let trouble = trouble(run).map_or(String::new(), |what| format!(" ({what})"));
+                    format!("{}{trouble}", screen.toned(Tone::Good, "ok"))
+                }
+            };
+            let poses = run.poses;
+            let _ = writeln!(
+                text,
+                "{}: {poses} poses, {difference}  {outcome}",
+                run_name(run)
+            );
+            let off = run.count(Verdict::OffLine);
+            if off > 0 && self.allows_off_line() {
+                let _ = writeln!(
+                    text,
+                    "  {off} poses touch off the line of action (allowed by the pair file)"
+                );
+            }
+        }
+        screen.fold(&text)
+    }
+
+    /// Why a run fails; `None` where it passes.
+    fn failure(&self, run: &RunTally) -> Option<String> {
+        if run.passes(self.allows_off_line()) {
+            return None;
+        }
+        let mut parts = Vec::new();
+        let unproven = run.unproven;
+        if let Some(first) = run.first_unproven.first() {
+            parts.push(format!(
+                "{unproven} of {} poses: unproven, first {}: {}",
+                run.poses,
+                where_it_is(first),
+                doubts(first)
+            ));
+        }
+        if run.compared == 0 && unproven < run.poses {
+            parts.push(format!("nothing to compare: {}", without_value(run)));
+        }
+        let [above, below, off_line] =
+            [Verdict::Above, Verdict::Below, Verdict::OffLine].map(|verdict| run.count(verdict));
+        let (less, alone) = (run.compared_off_line, run.simulated_alone());
+        let mut failing = vec![(above, "above the formula"), (below, "below the formula")];
+        // Where nothing is compared, the line above says why.
+        if !self.allows_off_line() && run.compared > 0 {
+            failing.extend([
+                (less, "off-line contact"),
+                (alone, "off-line contact where model 3 has no value"),
+                (off_line - less - alone, "jammed where model 3 has a value"),
+            ]);
+        }
+        let failing = failing.into_iter().filter(|(count, _)| *count > 0);
+        parts
+            .extend(failing.map(|(count, what)| format!("{count} of {} poses: {what}", run.poses)));
+        // A largest difference that agrees is not what failed.
+        let worst = run.worst();
+        let worst = worst.filter(|(pose, _)| pose.verdict != Verdict::Agrees);
+        let worst = worst.map_or(String::new(), |(pose, difference)| {
+            format!(
+                "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
+                signed_um(difference, 4),
+                where_it_is(pose),
+                self.tolerance_um,
+                um_ascii(pose.simulated.error_bound.unwrap_or(0.0), 4),
+            )
         });
-        Suite {
-            file: pair.file.clone(),
-            title: pair.title.clone(),
-            cases: std::iter::once(first).chain(runs).collect(),
-            said: Vec::new(),
+        Some(parts.join(", ") + &worst)
+    }
+
+    /// A table with a row a run.
+    fn markdown(&self) -> String {
+        let mut text = format!("{}", escape_markdown(&self.first_line()));
+        if self.allows_off_line() {
+            text += " Contact off the line of action is allowed.";
         }
-    };
-    let suites: Vec<Suite> = pairs.iter().map(suite).collect();
-    junit::junit("gearlash compare", &suites)
+        let _ = writeln!(text, "\n\n| {} |", HEADINGS.join(" | "));
+        text += "| :-- | --: | --: | --: | --: | --: | --: | :-- |\n";
+        for run in &self.runs {
+            let _ = writeln!(text, "| {} |", self.row(run).join(" | "));
+        }
+        text + "\nBacklash `j_wt` at the operating pitch circle; negative: interference. Off model 2 and 3: largest difference to the \
+                involute and to the line-of-action formula; model 3 decides.\n\n"
+    }
+
+    fn row(&self, run: &RunTally) -> Vec<String> {
+        let summary = run.summary();
+        let (least, greatest) = run.extremes().unzip();
+        let at = |length, pose: Option<&ComparedPose>| match pose {
+            Some(pose) => format!("{} at {}", um_ascii(length, 3), where_it_is(pose)),
+            None => NONE.to_owned(),
+        };
+        let passes = run.passes(self.allows_off_line());
+        let verdict = format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" });
+        vec![
+            run_name(run),
+            run.poses.to_string(),
+            at(summary.min, least),
+            at(summary.max, greatest),
+            um_ascii(summary.off_involute, 3),
+            match summary.off_line_of_action {
+                // Rounding alone: its size, rather than 0.000.
+                Some(length) if length < 1e-6 => power(length * 1e3, 1),
+                length => um_ascii(length, 3),
+            },
+            run.count(Verdict::OffLine).to_string(),
+            trouble(run).map_or(verdict.clone(), |what| format!("{verdict}; {what}")),
+        ]
+    }
 }
 
-/// One run's name and what is wrong with it; `None` when it passes.
-fn failure(pair: &ComparedPair, run: &RunTally) -> Option<String> {
-    if run.passes(pair.allow_off_line) {
-        return None;
-    }
-    let mut parts = Vec::new();
-    let unproven = run.unproven;
-    if let Some(first) = run.first_unproven.first() {
-        parts.push(format!(
-            "{unproven} of {} poses: unproven, first {}: {}",
-            run.poses,
-            where_it_is(first),
-            doubts(first)
-        ));
-    }
-    if run.compared == 0 && unproven < run.poses {
-        parts.push(format!("nothing to compare: {}", without_value(run)));
-    }
-    let [above, below, off_line] =
-        [Verdict::Above, Verdict::Below, Verdict::OffLine].map(|verdict| run.count(verdict));
-    let (less, alone) = (run.compared_off_line, run.simulated_alone());
-    let mut failing = vec![(above, "above the formula"), (below, "below the formula")];
-    // What a run without anything to compare touches is said already.
-    if !pair.allow_off_line && run.compared > 0 {
-        failing.extend([
-            (less, "off-line contact"),
-            (alone, "off-line contact where model 3 has no value"),
-            (off_line - less - alone, "jammed where model 3 has a value"),
-        ]);
-    }
-    for (count, what) in failing {
-        if count > 0 {
-            parts.push(format!("{count} of {} poses: {what}", run.poses));
-        }
-    }
-    // A largest difference that agrees is not what failed.
-    let worst = run.worst();
-    let worst = worst.filter(|(pose, _)| pose.verdict != Verdict::Agrees);
-    let worst = worst.map_or(String::new(), |(pose, difference)| {
-        format!(
-            "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
-            signed_um(difference, 4),
-            where_it_is(pose),
-            pair.tolerance_um,
-            um_ascii(pose.simulated.error_bound.unwrap_or(0.0), 4),
-        )
-    });
-    Some(parts.join(", ") + &worst)
+const HEADINGS: [&str; 8] = [
+    "run",
+    "poses",
+    "least j_wt µm",
+    "greatest j_wt µm",
+    "off model 2 µm",
+    "off model 3 µm",
+    "touch off the line of action",
+    "verdict",
+];
+
+fn run_name(run: &RunTally) -> String {
+    format!(
+        "a = {} mm, {}",
+        stated_distance(run.assembly.center_distance()),
+        run.material.name()
+    )
 }
 
-/// Why poses have no backlash, or no formula to set beside it.
+/// Why poses have no backlash, or no formula to compare with.
 fn without_value(run: &RunTally) -> String {
     let parts = [
         (run.jammed, "jammed"),
@@ -134,7 +299,7 @@ fn without_value(run: &RunTally) -> String {
     at_poses(run, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
-/// How many poses have negative backlash or none at all, in words; nothing where none.
+/// How many poses have negative backlash or none at all, in words; `None` where none.
 fn trouble(run: &RunTally) -> Option<String> {
     let parts = [
         (run.interfering, "interference"),
@@ -153,109 +318,121 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-fn run_name(run: &RunTally) -> String {
-    format!(
-        "a = {} mm, {}",
-        stated_distance(run.assembly.center_distance()),
-        run.material.name()
-    )
+#[derive(Serialize)]
+struct FileRecord<'a> {
+    file: &'a str,
+    passed: bool,
+    pair: &'a PairSpec,
+    verdict: VerdictRecord,
+    extremes: Vec<Value>,
+    compare: CompareRecord,
+    runs: Vec<RunRecord>,
 }
 
-/// Text on `screen`: a line a run, failures explained, a verdict a file.
-pub fn text(pairs: &[ComparedPair], screen: &Screen) -> String {
-    let mut text = String::new();
-    for pair in pairs {
-        let _ = writeln!(text, "{} — {}", plain(&pair.file), plain(&pair.title));
-        let _ = writeln!(text, "  {}", sentence(&pair.verdict()));
-        for run in &pair.runs {
-            let difference = match run.worst() {
-                Some((_, difference)) => {
-                    format!("simulated − model 3 up to {} µm", signed_um(difference, 4))
-                }
-                None => "nothing to compare".to_owned(),
-            };
-            let verdict = match failure(pair, run) {
-                None => match trouble(run) {
-                    Some(what) => format!("{} ({what})", screen.toned(Tone::Good, "ok")),
-                    None => screen.toned(Tone::Good, "ok"),
-                },
-                Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
-            };
-            let _ = writeln!(
-                text,
-                "  {}: {} poses, {difference}  {verdict}",
-                run_name(run),
-                run.poses
-            );
-            let off = run.count(Verdict::OffLine);
-            if off > 0 && pair.allow_off_line {
-                let _ = writeln!(
-                    text,
-                    "    {off} poses touch off the line of action (allowed by the pair file)"
-                );
-            }
+#[derive(Serialize)]
+struct CompareRecord {
+    text: String,
+    tolerance_um: f64,
+    allow_off_line_contact: bool,
+}
+
+#[derive(Serialize)]
+struct RunRecord {
+    center_distance_mm: f64,
+    material: &'static str,
+    poses: usize,
+    compared: usize,
+    passed: bool,
+    off_line: usize,
+    below: usize,
+    above: usize,
+    max_deviation_um: DeviationRecord,
+    worst: Option<WorstRecord>,
+    unproven: usize,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unproven_poses: Vec<UnprovenPose>,
+}
+
+#[derive(Serialize)]
+struct UnprovenPose {
+    mating: Value,
+    /// Absent where the pose is proven, and an end of the bearing clearance is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<Value>,
+    reason: String,
+}
+
+#[derive(Serialize)]
+struct DeviationRecord {
+    involute: Option<f64>,
+    line_of_action: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct WorstRecord {
+    wheel_tooth: u32,
+    pinion_tooth: u32,
+    flank: &'static str,
+    fraction: f64,
+    difference_um: f64,
+    error_bound_um: Option<f64>,
+}
+
+impl ComparedPair<'_> {
+    fn record(&self, verdict: &CycleVerdict, passed: bool) -> FileRecord<'_> {
+        FileRecord {
+            file: &self.name,
+            passed,
+            pair: &self.file.spec,
+            verdict: verdict_record(verdict),
+            extremes: extremes(verdict),
+            compare: CompareRecord {
+                text: self.first_line(),
+                tolerance_um: self.tolerance_um,
+                allow_off_line_contact: self.allows_off_line(),
+            },
+            runs: self.runs.iter().map(|run| self.run_record(run)).collect(),
         }
-        let within = format!("within {} µm + error bound", pair.tolerance_um);
-        let _ = match outcome(pair) {
-            PairOutcome::Agrees => writeln!(text, "  agree {within}"),
-            PairOutcome::Disagrees => writeln!(
-                text,
-                "  {}: no agreement {within}",
-                screen.toned(Tone::Bad, "FAILED")
-            ),
-            PairOutcome::Unproven => writeln!(
-                text,
-                "  {} at some poses: agreement {within} not shown",
-                screen.toned(Tone::Doubtful, "UNPROVEN")
-            ),
-            PairOutcome::Nothing => writeln!(text, "  NOTHING TO COMPARE at some centre distance"),
+    }
+
+    fn run_record(&self, run: &RunTally) -> RunRecord {
+        let summary = run.summary();
+        let worst = |(pose, difference): (&ComparedPose, f64)| {
+            let mating = pose.simulated.pose.mating();
+            WorstRecord {
+                wheel_tooth: mating.wheel_tooth,
+                pinion_tooth: mating.pinion_tooth,
+                flank: mating.flank.name(),
+                fraction: mating.fraction,
+                difference_um: difference * 1e3,
+                error_bound_um: pose.simulated.error_bound.map(|length| length * 1e3),
+            }
         };
-    }
-    screen.fold(&text)
-}
-
-/// GitHub workflow commands: an error a failing run, a notice a passing file.
-pub fn github(pairs: &[ComparedPair]) -> String {
-    let mut text = String::new();
-    for pair in pairs {
-        for run in &pair.runs {
-            if let Some(reason) = failure(pair, run) {
-                let _ = writeln!(
-                    text,
-                    "::error file={},title={}::{}",
-                    escape_property(&pair.file),
-                    escape_property(&format!("gearlash compare: {}", run_name(run))),
-                    escape(&reason)
-                );
-            }
-        }
-        let verdict = pair.verdict();
-        if verdict.requirement == Requirement::NotMet {
-            let _ = writeln!(
-                text,
-                "::error file={},title=gearlash compare: requirement::{}",
-                escape_property(&pair.file),
-                escape(&sentence(&verdict))
-            );
-        }
-        if pair.passes() {
-            let _ = writeln!(
-                text,
-                "::notice file={},title=gearlash compare::{} Simulated and analytic backlash agree within {} µm + error bound",
-                escape_property(&pair.file),
-                escape(&sentence(&verdict)),
-                pair.tolerance_um
-            );
+        RunRecord {
+            center_distance_mm: run.assembly.center_distance(),
+            material: run.material.name(),
+            poses: run.poses,
+            compared: run.compared,
+            passed: run.passes(self.allows_off_line()),
+            off_line: run.count(Verdict::OffLine),
+            below: run.count(Verdict::Below),
+            above: run.count(Verdict::Above),
+            max_deviation_um: DeviationRecord {
+                involute: summary.off_involute.map(|length| length * 1e3),
+                line_of_action: summary.off_line_of_action.map(|length| length * 1e3),
+            },
+            worst: run.worst().map(worst),
+            unproven: run.count(Verdict::Unproven),
+            unproven_poses: run.first_unproven.iter().map(unproven_pose).collect(),
         }
     }
-    text
 }
 
-/// Escapes as GitHub's workflow commands ask for: `%` in data, `:` and `,` too in properties. Line ends are gone by then.
-pub(crate) fn escape(text: &str) -> String {
-    plain(text).replace('%', "%25")
-}
-
-pub(crate) fn escape_property(text: &str) -> String {
-    escape(text).replace(':', "%3A").replace(',', "%2C")
+fn unproven_pose(pose: &ComparedPose) -> UnprovenPose {
+    let unproven = pose.simulated.found.as_ref().err();
+    UnprovenPose {
+        mating: PoseRow::mating_json(pose.simulated.pose.mating()),
+        unproven: unproven.map(|unproven| json!(Unproven::columns().object(unproven))),
+        reason: doubts(pose),
+    }
 }

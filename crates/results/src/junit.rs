@@ -1,4 +1,4 @@
-//! JUnit XML: a suite a file, a case each of what was looked at.
+//! JUnit XML: a suite a file, a case each of what was judged.
 
 use gearlash_files::characters::plain;
 use quick_xml::Writer;
@@ -8,18 +8,18 @@ use std::io;
 /// One file.
 pub(crate) struct Suite {
     pub file: String,
-    /// Title of the pair: the class of its cases.
-    pub title: String,
-    pub cases: Vec<Case>,
-    /// What else is to be said of it: the suite's output.
-    pub said: Vec<String>,
+    pub cases: Vec<TestCase>,
+    /// The suite's output: what was noticed of the file.
+    pub output: Vec<String>,
 }
 
-/// One thing that was looked at.
-pub(crate) struct Case {
+/// One thing that was judged.
+pub(crate) struct TestCase {
     pub name: String,
-    /// What is wrong with it.
+    /// Why it fails.
     pub failure: Option<String>,
+    /// Why it cannot be judged.
+    pub error: Option<String>,
 }
 
 type Xml = Writer<Vec<u8>>;
@@ -31,16 +31,16 @@ type Xml = Writer<Vec<u8>>;
 pub(crate) fn junit(name: &str, suites: &[Suite]) -> io::Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    let cases: Vec<&Case> = suites.iter().flat_map(|suite| &suite.cases).collect();
+    let cases: Vec<&TestCase> = suites.iter().flat_map(|suite| &suite.cases).collect();
     let all = counted("testsuites", name, &cases);
     within(&mut xml, all, suites, |xml, suite| {
-        let cases: Vec<&Case> = suite.cases.iter().collect();
+        let cases: Vec<&TestCase> = suite.cases.iter().collect();
         let tag = counted("testsuite", &plain(&suite.file), &cases);
-        let said = (!suite.said.is_empty()).then(|| Part::Said(suite.said.join("\n")));
-        let parts: Vec<Part> = cases.into_iter().map(Part::Case).chain(said).collect();
+        let output = (!suite.output.is_empty()).then(|| Part::Output(suite.output.join("\n")));
+        let parts: Vec<Part> = cases.into_iter().map(Part::Case).chain(output).collect();
         within(xml, tag, &parts, |xml, part| match part {
             Part::Case(case) => write_case(xml, suite, case),
-            Part::Said(text) => {
+            Part::Output(text) => {
                 let tag = BytesStart::new("system-out");
                 within(xml, tag, &[text], |xml, text| {
                     xml.write_event(Event::Text(BytesText::new(&plain(text))))
@@ -53,31 +53,38 @@ pub(crate) fn junit(name: &str, suites: &[Suite]) -> io::Result<String> {
 
 /// What stands in a suite.
 enum Part<'a> {
-    Case(&'a Case),
-    Said(String),
+    Case(&'a TestCase),
+    Output(String),
 }
 
-fn write_case(xml: &mut Xml, suite: &Suite, case: &Case) -> io::Result<()> {
+fn write_case(xml: &mut Xml, suite: &Suite, case: &TestCase) -> io::Result<()> {
     let mut tag = BytesStart::new("testcase");
     tag.push_attribute(("name", plain(&case.name).as_str()));
-    tag.push_attribute(("classname", plain(&suite.title).as_str()));
-    within(xml, tag, case.failure.as_slice(), |xml, reason| {
-        let mut failure = BytesStart::new("failure");
-        failure.push_attribute(("message", plain(reason).as_str()));
-        xml.write_event(Event::Empty(failure))
+    tag.push_attribute(("classname", plain(&suite.file).as_str()));
+    let failure = case.failure.iter().map(|reason| ("failure", reason));
+    let error = case.error.iter().map(|reason| ("error", reason));
+    let reasons: Vec<(&str, &String)> = failure.chain(error).collect();
+    within(xml, tag, &reasons, |xml, (kind, reason)| {
+        let lines: Vec<String> = reason.lines().map(plain).collect();
+        let mut tag = BytesStart::new(*kind);
+        let first = lines.first().map_or("", String::as_str);
+        tag.push_attribute(("message", first));
+        within(xml, tag, &[lines.join("\n")], |xml, text| {
+            xml.write_event(Event::Text(BytesText::new(text)))
+        })
     })
 }
 
-/// A tag with its name and how many of `cases` there are and fail; nothing is skipped, and nothing ends in an error.
-fn counted<'a>(tag: &'a str, name: &str, cases: &[&Case]) -> BytesStart<'a> {
-    let failing = cases.iter().filter(|case| case.failure.is_some()).count();
+/// A tag with its name and how many of `cases` there are, fail and cannot be judged; none is skipped.
+fn counted<'a>(tag: &'a str, name: &str, cases: &[&TestCase]) -> BytesStart<'a> {
+    let count = |of: fn(&TestCase) -> bool| cases.iter().filter(|case| of(case)).count();
     let mut tag = BytesStart::new(tag);
     tag.push_attribute(("name", name));
     for (name, count) in [
         ("tests", cases.len()),
         ("skipped", 0),
-        ("failures", failing),
-        ("errors", 0),
+        ("failures", count(|case| case.failure.is_some())),
+        ("errors", count(|case| case.error.is_some())),
     ] {
         tag.push_attribute((name, count.to_string().as_str()));
     }

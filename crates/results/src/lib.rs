@@ -11,19 +11,18 @@
 //! let plan = Plan::new(&pair.study, Method::Exact { certify: true }).with_extremes();
 //! let analysis = Analysis::silently(&plan)?;
 //! let verdict = analysis.verdict();
-//! println!("{}", gearlash_results::verdict::sentence(&verdict));
+//! println!("{}", gearlash_results::verdict::lines(&verdict));
 //! println!("{}", gearlash_results::result_file(&pair, &analysis.runs, &verdict).to_csv()?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod checked;
 mod checks;
 mod column;
-pub mod comparison;
-mod comparison_json;
+mod comparison;
 mod extreme;
 pub mod gauge;
 mod json;
+pub mod judged;
 mod junit;
 mod layout;
 mod notes;
@@ -37,8 +36,8 @@ pub mod verdict;
 mod verdict_json;
 mod written;
 
-pub use checks::{checks_json, map_csv};
-pub use comparison_json::{ComparedPair, comparison_json};
+pub use checks::{checked, map_csv};
+pub use comparison::ComparedPair;
 pub use pose::doubts;
 pub use table::{Cell, Column, Table, Unit};
 pub use verdict_json::{extremes_json, pose_json};

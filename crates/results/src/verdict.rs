@@ -1,158 +1,323 @@
-//! The verdict in one sentence: what every command says first, in the same words.
-
-mod bearings;
-mod coverage;
+//! The verdict on a pair in at most six lines of at most 80 columns. Every command, format and page prints these lines.
+//!
+//! The first line says whether the pair assembles, and how sure that is. Least and greatest backlash follow, one line each, with the teeth
+//! that touch (right flanks / left flanks). Sentences that qualify them fill the rest, the most important first.
 
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
+use gearlash::analysis::diagnosis;
+use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes, WIDTH};
+use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
-use gearlash::contact::Status;
-use gearlash::pair::{GearPair, Member};
-use gearlash_files::numbers::{fixed, stated_distance, um, unit_of};
+use gearlash::contact::{Doubt, Status};
+use gearlash::pair::{Member, arcmin};
+use gearlash_files::characters::plain;
+use gearlash_files::numbers::{fixed, stated_distance, um, um_within, unit_of};
+use std::fmt;
 
-use bearings::bearings;
-pub use coverage::doubt;
-pub(crate) use coverage::in_words;
-use coverage::{coverage, unless_proven};
-
+/// The most columns of a line.
+pub const COLUMNS: usize = 80;
+/// The most lines.
+pub const LINES: usize = 6;
 /// Decimals of a backlash in µm.
 const DECIMALS: usize = 2;
 
-/// Centre distances that are named, at most.
-const NAMED: usize = 4;
+/// The verdict on a pair in lines.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VerdictLines {
+    /// Whether the pair passes.
+    pub state: diagnosis::Verdict,
+    /// Whether and where the pair assembles.
+    pub status: String,
+    /// How sure that is; empty where nothing is known.
+    pub proof: String,
+    /// The least and the greatest backlash; one row where they are the same.
+    pub rows: Vec<ExtremeRow>,
+    /// Lines that qualify them.
+    pub qualifiers: Vec<String>,
+}
 
-/// What `verdict` says: whether and where the pair assembles, its least and greatest backlash with the teeth, and over what that holds.
-pub fn sentence(verdict: &Verdict) -> String {
-    if verdict.runs.is_empty() {
-        return "Nothing was run.".to_owned();
-    }
-    let mut text = status(verdict);
-    if verdict.assembles() == Some(true) && verdict.requirement == Requirement::Met {
-        text += " and meets its requirement";
-    }
-    let (failed, assembles) = (checks(verdict), verdict.assembles() == Some(true));
-    let first = failed.clone().filter(|_| assembles);
-    let beside: Vec<String> = [requirement(verdict), first]
-        .into_iter()
-        .flatten()
-        .collect();
-    if !beside.is_empty() {
-        let but = match verdict.assembles() {
-            Some(true) => ", but ",
-            _ => "; ",
+/// An extreme of the backlash.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ExtremeRow {
+    /// `least`, `greatest` or `constant`.
+    pub name: &'static str,
+    /// The backlash, such as `12.25 µm` or `12.3 ± 1.2 µm`.
+    pub value: String,
+    /// Its lost motion in minutes of arc at a gear, where that is limited or asked for.
+    pub arcmin: Option<(String, Member)>,
+    /// The teeth that touch, such as `33·33 / 34·33`; `None` where no teeth are worse than others.
+    pub teeth: Option<String>,
+    /// The curves that touch; drawn gears only.
+    pub curves: Option<String>,
+    /// The direction of runouts that have none in the file.
+    pub direction: Option<&'static str>,
+    /// The centre distance, mm, where there are several.
+    pub distance: Option<String>,
+    /// The material, where there are two.
+    pub material: Option<Material>,
+    /// The assembly phase, where teeth do not name it.
+    pub phase: Option<(u32, u32)>,
+}
+
+impl ExtremeRow {
+    /// The place: teeth, direction, centre distance and material. A higher `tier` is shorter.
+    fn place(&self, tier: usize) -> Vec<String> {
+        let teeth = match (&self.teeth, tier) {
+            (None, _) if self.name == CONSTANT => "every pose".to_owned(),
+            (None, _) => "any teeth".to_owned(),
+            (Some(teeth), 0..3) => format!("teeth {teeth}"),
+            (Some(teeth), _) => teeth.clone(),
         };
-        text += but;
-        text += &beside.join("; ");
+        let mut rest = Vec::new();
+        rest.extend(self.curves.clone().filter(|_| tier == 0));
+        rest.extend(self.direction.filter(|_| tier < 2).map(str::to_owned));
+        rest.extend(self.distance.as_ref().map(|a| format!("a {a} mm")));
+        rest.extend(self.material.map(|material| match tier {
+            0 => material.words().to_owned(),
+            _ => material.name().to_owned(),
+        }));
+        let phase = self.phase.filter(|_| tier < 3);
+        rest.extend(phase.map(|(wheel, pinion)| format!("phase {wheel}·{pinion}")));
+        vec![teeth, rest.join(", ")]
     }
-    if let Some(values) = values(verdict) {
-        text += ": ";
-        text += &values;
+
+    /// The place in words, as the teeth and all else.
+    pub fn place_words(&self) -> String {
+        let place = self.place(0);
+        let parts: Vec<&str> = place
+            .iter()
+            .map(String::as_str)
+            .filter(|part| !part.is_empty())
+            .collect();
+        parts.join(", ")
     }
-    text += ". ";
-    text += &coverage(verdict);
-    if let Some(bearings) = bearings(verdict) {
-        text += " ";
-        text += &bearings;
+
+    fn cells(&self, tier: usize) -> Vec<String> {
+        let lost_motion = self.arcmin.as_ref().map(|(arcmin, member)| match tier {
+            0 => format!("{arcmin} arcmin at the {}", member.name()),
+            _ => format!("{arcmin}′ {}", member.name()),
+        });
+        let mut cells = vec![self.value.clone()];
+        cells.extend(lost_motion);
+        cells.extend(self.place(tier));
+        cells
     }
-    // Below what is worse: the same words as of a command that makes no checks.
-    if let Some(failed) = failed.filter(|_| !assembles) {
-        text += &format!(" It also {failed}.");
-    }
-    text
 }
 
-/// Whether and where it assembles.
-fn status(verdict: &Verdict) -> String {
-    let of = |holds: &dyn Fn(&RunExtremes) -> bool| -> Vec<&RunExtremes> {
-        verdict.runs.iter().filter(|run| holds(run)).collect()
+/// The name of the row where least and greatest are the same.
+const CONSTANT: &str = "constant";
+
+impl VerdictLines {
+    /// The longest words of `status` and, of those, of `proof` that fit a line; `rows`; and as many of the `sentences` as find room.
+    pub(crate) fn new(
+        state: diagnosis::Verdict,
+        status: &[String],
+        proof: &[String],
+        rows: Vec<ExtremeRow>,
+        sentences: Vec<String>,
+    ) -> VerdictLines {
+        let combined = status.iter().flat_map(|status| {
+            let each = proof.iter();
+            each.map(move |proof| (status, proof))
+        });
+        let fits =
+            |(status, proof): &(&String, &String)| columns(status) + columns(proof) < COLUMNS;
+        let shortest = status.last().zip(proof.last());
+        let chosen = combined.into_iter().find(fits).or(shortest);
+        let (status, proof) = chosen.map_or_else(Default::default, |(status, proof)| {
+            (status.clone(), proof.clone())
+        });
+        VerdictLines {
+            state,
+            status,
+            proof,
+            qualifiers: packed(sentences, LINES - 1 - rows.len()),
+            rows,
+        }
+    }
+
+    /// The first line.
+    pub fn first(&self) -> String {
+        let line = format!("{} {}", self.status, self.proof);
+        cut(line.trim_end(), COLUMNS)
+    }
+
+    /// The verdict where there is no run.
+    pub(crate) fn nothing() -> VerdictLines {
+        let (status, proof) = ("Nothing was run.".to_owned(), String::new());
+        let state = diagnosis::Verdict::Unproven;
+        VerdictLines::new(state, &[status], &[proof], Vec::new(), Vec::new())
+    }
+
+    /// The lines, without line ends.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = vec![self.first()];
+        lines.extend(aligned(&self.rows));
+        lines.extend(self.qualifiers.iter().map(|line| format!("  {line}")));
+        lines
+    }
+}
+
+impl fmt::Display for VerdictLines {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.lines().join("\n"))
+    }
+}
+
+fn columns(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// `text`, cut to `most` columns.
+fn cut(text: &str, most: usize) -> String {
+    if columns(text) <= most {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(most - 1).collect();
+    format!("{}…", kept.trim_end())
+}
+
+/// The first of `candidates` that fits a line, else the last, cut.
+fn fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> String {
+    let mut last = String::new();
+    for candidate in candidates {
+        if columns(&candidate) <= most {
+            return candidate;
+        }
+        last = candidate;
+    }
+    cut(&last, most)
+}
+
+/// The rows in columns, in the longest words that fit.
+fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
+    let tier = |tier: usize| -> Vec<String> {
+        let cells: Vec<Vec<String>> = rows.iter().map(|row| row.cells(tier)).collect();
+        let widths = |column: usize| {
+            let each = cells.iter().filter_map(|row| row.get(column));
+            each.map(|cell| columns(cell)).max().unwrap_or(0)
+        };
+        let gap = " ".repeat(if tier < 3 { 3 } else { 2 });
+        let line = |(row, cells): (&ExtremeRow, &Vec<String>)| {
+            let width = widths(0);
+            let mut line = format!("  {:<8}{gap}{:>width$}", row.name, cells[0]);
+            for (column, cell) in cells.iter().enumerate().skip(1) {
+                let width = widths(column);
+                line += &format!("{gap}{cell:<width$}");
+            }
+            line.trim_end().to_owned()
+        };
+        rows.iter().zip(&cells).map(line).collect()
     };
-    let jammed = of(&|run| run.status == Status::Jammed);
-    let apart = of(&|run| run.status == Status::NoContact);
-    let tight = of(&|run| run.assembles() == Some(false) && run.status != Status::NoContact);
-    let open = of(&|run| run.assembles().is_none());
-    if jammed.len() == verdict.runs.len() {
-        return format!("Jammed {}", places(verdict, &jammed));
-    }
-    if !tight.is_empty() {
-        return format!("Does not assemble {}", places(verdict, &tight));
-    }
-    if !apart.is_empty() {
-        return format!("Out of mesh {}", places(verdict, &apart));
-    }
-    if !open.is_empty() {
-        return format!("Not proven to assemble {}", places(verdict, &open));
-    }
-    let without = verdict.runs.iter().any(without_backlash);
-    let how = if without { " without backlash" } else { "" };
-    format!("Assembles{how} {}", places(verdict, &of(&|_| true)))
+    let fits = |lines: &Vec<String>| lines.iter().all(|line| columns(line) <= COLUMNS);
+    let lines = (0..3).map(tier).find(fits).unwrap_or_else(|| tier(3));
+    lines.iter().map(|line| cut(line, COLUMNS)).collect()
 }
 
-/// Whether the least backlash of a run cannot be told from none.
-fn without_backlash(run: &RunExtremes) -> bool {
-    let least = run.least.as_ref();
-    least.is_some_and(|least| least.found().abs() <= WIDTH)
+/// `sentences` on at most so many lines. The last line counts those that find no room.
+fn packed(sentences: Vec<String>, lines: usize) -> Vec<String> {
+    let most = COLUMNS - 2;
+    let mut packed: Vec<String> = Vec::new();
+    let count = sentences.len();
+    for (index, sentence) in sentences.into_iter().enumerate() {
+        let sentence = cut(&sentence, most);
+        if let Some(last) = packed.last_mut()
+            && columns(last) + 2 + columns(&sentence) <= most
+        {
+            *last += ". ";
+            *last += &sentence;
+        } else if packed.len() < lines {
+            packed.push(sentence);
+        } else if let Some(last) = packed.last_mut() {
+            let more = format!(", and {} more", count - index);
+            *last = cut(last, most - columns(&more)) + &more;
+            break;
+        }
+    }
+    packed
 }
 
-/// Whether all poses of a run have one backlash.
-fn uniform(run: &RunExtremes) -> bool {
-    let both = run.least.as_ref().zip(run.greatest.as_ref());
-    both.is_some_and(|(least, greatest)| greatest.found() - least.found() <= WIDTH)
+/// How a pair of one centre distance, material and phase turns out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum State {
+    Jammed,
+    Interferes,
+    OutOfMesh,
+    NotProven,
+    WithoutBacklash,
+    Assembles,
 }
 
-/// The centre distances and the material of some runs.
-fn places(verdict: &Verdict, runs: &[&RunExtremes]) -> String {
-    let distances = |runs: &[&RunExtremes]| {
-        let mut distances: Vec<f64> = Vec::new();
-        for run in runs {
-            let distance = run.assembly.center_distance();
-            if !distances.contains(&distance) {
-                distances.push(distance);
+/// A centre distance, material and phase, and how the pair turns out there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place {
+    pub distance: f64,
+    pub material: Material,
+    pub phase: Option<(u32, u32)>,
+    pub state: State,
+}
+
+/// Whether and where the pair assembles: first in full, then shorter.
+pub(crate) fn status(all: &[Place]) -> [String; 2] {
+    let of = |states: &[State]| -> Vec<Place> {
+        let here = all.iter().filter(|place| states.contains(&place.state));
+        here.copied().collect()
+    };
+    let (words, here) = if all.iter().all(|place| place.state == State::Jammed) {
+        ("Jammed", all.to_vec())
+    } else {
+        let each: [(&str, &[State]); 3] = [
+            ("Does not assemble", &[State::Jammed, State::Interferes]),
+            ("Out of mesh", &[State::OutOfMesh]),
+            ("Not proven to assemble", &[State::NotProven]),
+        ];
+        let found = each.iter().map(|(words, states)| (*words, of(states)));
+        let found = found.into_iter().find(|(_, here)| !here.is_empty());
+        let without = all
+            .iter()
+            .any(|place| place.state == State::WithoutBacklash);
+        let words = if without {
+            "Assembles without backlash"
+        } else {
+            "Assembles"
+        };
+        found.unwrap_or((words, all.to_vec()))
+    };
+    [true, false].map(|in_full| format!("{words} {}.", places(all, &here, in_full)))
+}
+
+/// The centre distances, the material and the phases of the places `here`, as far as they are not all.
+fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
+    let distances = each(here.iter().map(|place| place.distance));
+    let everywhere = each(all.iter().map(|place| place.distance)).len();
+    let mut text = match (distances.len(), everywhere) {
+        (_, 1) => format!("at a = {} mm", stated_distance(distances[0])),
+        (2, 2) => "at both distances".to_owned(),
+        (some, all) if some == all => format!("at all {all} distances"),
+        (some, all) => {
+            let named: Vec<String> = distances.iter().map(|a| stated_distance(*a)).collect();
+            match in_full {
+                true => format!("at {some} of {all} distances (a = {} mm)", named.join(", ")),
+                false => format!("at {some} of {all} distances"),
             }
         }
-        distances
     };
-    let all: Vec<&RunExtremes> = verdict.runs.iter().collect();
-    let (here, everywhere) = (distances(runs), distances(&all).len());
-    let named = here.iter().take(NAMED).map(|a| stated_distance(*a));
-    let named = named.collect::<Vec<_>>().join(", ");
-    let more = match here.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    let mut text = match (here.len(), everywhere) {
-        (_, 1) => format!("at a = {named} mm"),
-        (2, 2) => "at both centre distances".to_owned(),
-        (some, all) if some == all => format!("at all {all} centre distances"),
-        (some, all) => format!("at a = {named} mm{more} ({some} of {all} centre distances)"),
-    };
-    // Of the same places: the material, and the phases, where it is not so in all.
-    let within: Vec<&&RunExtremes> = all
-        .iter()
-        .filter(|run| here.contains(&run.assembly.center_distance()))
-        .collect();
-    if let [material] = &each(runs.iter().map(|run| run.material))[..]
-        && each(within.iter().map(|run| run.material)).len() > 1
+    let is_here = |place: &&Place| distances.contains(&place.distance);
+    let within = || all.iter().filter(is_here);
+    if let [material] = each(here.iter().map(|place| place.material))[..]
+        && each(within().map(|place| place.material)).len() > 1
     {
-        text += &format!(" with {}", material.words());
+        text += &format!(", {}", material.words());
     }
-    let phases = each(runs.iter().filter_map(|run| run.phase));
-    let possible = each(within.iter().filter_map(|run| run.phase)).len();
-    if !phases.is_empty() && phases.len() < possible {
-        let named = phases.iter().take(NAMED).map(|(w, p)| format!("{w}·{p}"));
-        let named = named.collect::<Vec<_>>().join(", ");
-        let more = match phases.len().saturating_sub(NAMED) {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        text += &format!(
-            " in {} of {possible} assembly phases ({named}{more})",
-            phases.len()
-        );
+    let phases = each(here.iter().filter_map(|place| place.phase));
+    let possible = each(within().filter_map(|place| place.phase)).len();
+    if phases.len() < possible {
+        text += &format!(" in {} of {possible} phases", phases.len());
     }
     text
 }
 
-fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+pub(crate) fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     let mut each = Vec::new();
     for item in items {
         if !each.contains(&item) {
@@ -162,71 +327,364 @@ fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     each
 }
 
-fn requirement(verdict: &Verdict) -> Option<String> {
-    if verdict.unmet.is_empty() {
-        return None;
+/// The verdict in lines.
+pub fn lines(verdict: &Verdict) -> VerdictLines {
+    if verdict.runs.is_empty() {
+        return VerdictLines::nothing();
     }
-    Some(not_met(&verdict.unmet))
-}
-
-/// That `unmet` is not kept.
-pub(crate) fn not_met(unmet: &[Unmet]) -> String {
-    let each = unmet.iter().map(limit).collect::<Vec<_>>();
-    let says = match unmet.iter().all(keeps_what_was_found) {
-        true => "is not proven to meet",
-        false => "does not meet",
+    let places: Vec<Place> = verdict.runs.iter().map(place).collect();
+    let state = match verdict.failed_checks.is_empty() {
+        true => verdict.state(),
+        false => diagnosis::Verdict::Fail,
     };
-    format!("{says} its requirement ({})", each.join("; "))
+    VerdictLines::new(
+        state,
+        &status(&places),
+        &proof(verdict),
+        rows(verdict),
+        sentences(verdict),
+    )
 }
 
-/// Whether what was found lies within the limit, and no more than that is known.
-fn keeps_what_was_found(unmet: &Unmet) -> bool {
-    let is_within = |[low, high]: [f64; 2]| match unmet.is_max {
-        true => high <= unmet.limit,
-        false => low >= unmet.limit,
+fn place(run: &RunExtremes) -> Place {
+    let least = run.least.as_ref();
+    Place {
+        distance: run.assembly.center_distance(),
+        material: run.material,
+        phase: run.phase,
+        state: match (run.status, run.assembles()) {
+            (Status::Jammed, _) => State::Jammed,
+            (Status::NoContact, _) => State::OutOfMesh,
+            (_, Some(false)) => State::Interferes,
+            (_, None) => State::NotProven,
+            _ if least.is_some_and(|least| least.found().abs() <= WIDTH) => State::WithoutBacklash,
+            _ => State::Assembles,
+        },
+    }
+}
+
+/// How sure the extremes are, in full and shorter; empty where a distance that follows is not proven.
+fn proof(verdict: &Verdict) -> Vec<String> {
+    let open = |of: fn(&RunExtremes) -> &Option<RunExtreme>| {
+        let each = verdict.runs.iter().filter_map(|run| of(run).as_ref());
+        each.into_iter().any(|extreme| doubt(extreme).is_some())
     };
-    !unmet.holds && unmet.found.is_some_and(is_within)
+    let of = match [open(|run| &run.least), open(|run| &run.greatest)] {
+        [false, false] => "",
+        [true, false] => "Least not proven.",
+        [false, true] => "Greatest not proven.",
+        [true, true] => "Least and greatest not proven.",
+    };
+    if !of.is_empty() {
+        return vec![of.to_owned()];
+    }
+    if distances(verdict).iter().any(|(_, is_proven)| !is_proven) {
+        return vec![String::new()];
+    }
+    let matings = verdict.matings();
+    let phases = each(verdict.runs.iter().filter_map(|run| run.phase)).len();
+    let over = match phases {
+        0 => format!("{matings} matings"),
+        phases => format!("{matings} matings × {phases} phases"),
+    };
+    let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
+        true => "every rotation and runout direction",
+        false => "every rotation",
+    };
+    vec![
+        format!("Proven for {over}, {rotation}."),
+        format!("Proven for {over}."),
+        "Proven.".to_owned(),
+    ]
 }
 
-fn limit(unmet: &Unmet) -> String {
+/// From which centre distance the pair assembles, and up to which it is in mesh, where it does not or is not; and whether that is proven.
+fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
+    let is_apart = |run: &RunExtremes| run.status == Status::NoContact;
+    let is_tight = |run: &RunExtremes| run.assembles() == Some(false) && !is_apart(run);
+    let mut distances = Vec::new();
+    if verdict.runs.iter().any(is_tight) {
+        distances.push(match verdict.assembles_from() {
+            Some(from) => at("Assembles from", upward(from.high), from.doubt),
+            None => ("Assembles at no centre distance in mesh".to_owned(), true),
+        });
+    }
+    if verdict.runs.iter().any(is_apart) {
+        distances.push(match verdict.meshes_to() {
+            Some(to) => at("In mesh up to", downward(to.low), to.doubt),
+            None => ("In mesh at no centre distance".to_owned(), true),
+        });
+    }
+    distances
+}
+
+fn at(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
+    let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
+    let text = format!("{words} a = {} mm{unless_proven}", fixed(distance, 4));
+    (text, doubt.is_none())
+}
+
+/// A distance, mm, to the next ten thousandth up: at one printed lower the pair would interfere.
+fn upward(distance: f64) -> f64 {
+    (distance * 1e4).ceil() * 1e-4
+}
+
+/// A distance, mm, to the next ten thousandth down: at one printed higher tips would pass each other.
+fn downward(distance: f64) -> f64 {
+    (distance * 1e4).floor() * 1e-4
+}
+
+/// Whether all poses of a run have one backlash.
+fn is_constant(run: &RunExtremes) -> bool {
+    let both = run.least.as_ref().zip(run.greatest.as_ref());
+    both.is_some_and(|(least, greatest)| greatest.found() - least.found() <= WIDTH)
+}
+
+fn rows(verdict: &Verdict) -> Vec<ExtremeRow> {
+    let least = verdict.least();
+    if let [only] = verdict.runs
+        && let (Some((run, extreme)), true) = (least, is_constant(only))
+    {
+        return vec![row(verdict, run, extreme, CONSTANT)];
+    }
+    let least = least.map(|(run, extreme)| row(verdict, run, extreme, "least"));
+    let greatest = verdict.greatest();
+    let greatest = greatest.map(|(run, extreme)| row(verdict, run, extreme, "greatest"));
+    least.into_iter().chain(greatest).collect()
+}
+
+fn row(
+    verdict: &Verdict,
+    run: &RunExtremes,
+    extreme: &RunExtreme,
+    name: &'static str,
+) -> ExtremeRow {
+    let found = extreme.found();
+    let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
+    let distance = run.assembly.center_distance();
+    let is_alike = is_constant(run) || run.has_like_teeth();
+    let teeth = teeth(&extreme.pose).filter(|_| !is_alike);
+    ExtremeRow {
+        name,
+        value: value(found, verdict.expanded(extreme)),
+        arcmin: verdict.lost_motion_of.map(|member| {
+            let angle = run.assembly.backlash(found).angle(member);
+            (lost_motion(angle), member)
+        }),
+        curves: None,
+        direction: run.any_direction().then_some(match name {
+            "greatest" => "low points in mesh",
+            _ => "high points in mesh",
+        }),
+        distance: several(&|other| other.assembly.center_distance() != distance)
+            .then(|| stated_distance(distance)),
+        material: several(&|other| other.material != run.material).then_some(run.material),
+        phase: run.phase.filter(|_| teeth.is_none()),
+        teeth,
+    }
+}
+
+/// A backlash in µm, with its uncertainty or error bound to two digits.
+pub(crate) fn value(j_wt: f64, off: Option<f64>) -> String {
+    match off.filter(|off| *off > 0.0) {
+        Some(off) => format!("{} µm", um_within(j_wt, off)),
+        None => format!("{} µm", um(j_wt, DECIMALS)),
+    }
+}
+
+/// A lost motion, rad, in minutes of arc.
+pub(crate) fn lost_motion(angle: f64) -> String {
+    fixed(arcmin(angle), 3)
+}
+
+/// `10·4 / 11·4`: the teeth that touch at right and at left flanks.
+fn teeth(pose: &ComparedPose) -> Option<String> {
+    let found = pose.simulated.proven()?;
+    let (right, left) = (found.right.as_ref()?, found.left.as_ref()?);
+    Some(format!(
+        "{}·{} / {}·{}",
+        right.wheel.tooth, right.pinion.tooth, left.wheel.tooth, left.pinion.tooth
+    ))
+}
+
+/// The sentences that qualify the extremes, the most important first.
+fn sentences(verdict: &Verdict) -> Vec<String> {
+    let mut sentences: Vec<String> = Vec::new();
+    sentences.extend(distances(verdict).into_iter().map(|(text, _)| text));
+    sentences.extend(jam(verdict));
+    sentences.extend(verdict.unmet.iter().map(limit));
+    sentences.extend(checks(verdict));
+    sentences.extend(doubts(verdict));
+    sentences.extend(bearings(verdict));
+    if let Some(stated) = verdict.uncertainty {
+        let k = stated.coverage;
+        sentences.push(format!("± is the expanded uncertainty, k = {k}"));
+    }
+    if verdict.requirement == Requirement::Met {
+        sentences.push("Requirement met".to_owned());
+    }
+    sentences
+}
+
+/// Where the pair jams, if it does not everywhere.
+fn jam(verdict: &Verdict) -> Option<String> {
+    let jammed = |run: &&RunExtremes| run.status == Status::Jammed && run.greatest.is_some();
+    let run = verdict.runs.iter().find(jammed)?;
+    let mating = run.lost.as_ref()?.pose.simulated.pose.mating();
+    Some(format!(
+        "Jammed at teeth {}·{}",
+        mating.wheel_tooth, mating.pinion_tooth
+    ))
+}
+
+/// A limit that is not kept, and the value that misses it.
+pub(crate) fn limit(unmet: &Unmet) -> String {
     let (name, unit, per, decimals) = unit_of(unmet.quantity);
-    let end = if unmet.is_max { "most" } else { "least" };
+    let sign = if unmet.is_max { '≤' } else { '≥' };
     let limit = fixed(unmet.limit * per, decimals);
+    let shown = |value: f64| match value.is_finite() {
+        true => fixed(value * per, decimals),
+        false => "∞".to_owned(),
+    };
     let found = match unmet.found {
-        None => "has no value".to_owned(),
-        Some([low, high]) => {
-            let value = if unmet.is_max { high } else { low };
-            match value.is_finite() {
-                true => format!("is {} {unit}", fixed(value * per, decimals)),
-                false => "has no end".to_owned(),
-            }
-        }
+        None => "no value".to_owned(),
+        Some([low, high]) if unmet.is_missed => shown(if unmet.is_max { high } else { low }),
+        Some(bracket) => bracket.map(shown).join(" … "),
     };
-    let play = if unmet.with_play {
-        " with the bearing clearance"
+    let whether = if unmet.is_missed {
+        "not met"
     } else {
-        ""
+        "not proven"
     };
-    let why = match (unmet.straddles, unmet.holds) {
-        (true, _) => ", the limit inside its bracket",
-        (false, false) => ", which is not proven",
-        (false, true) => "",
-    };
-    format!("{name} at {end} {limit} {unit}, {found}{play}{why}")
+    let text = format!("Requirement {whether}: {name} {sign} {limit} {unit}, found {found}");
+    match unmet.with_play {
+        true => fitting(
+            [format!("{text} with bearing clearance"), text],
+            COLUMNS - 2,
+        ),
+        false => text,
+    }
 }
 
-/// Checks that fail when the pair does not assemble: said already.
+/// Ids of the checks that fail whenever the pair does not assemble.
 const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
 
+/// The checks that fail, by as many of their titles as fit a line.
 fn checks(verdict: &Verdict) -> Option<String> {
-    let said = |id: &&&str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(*id);
-    let failed = verdict.failed_checks.iter().filter(|id| !said(id));
-    let failed: Vec<String> = failed.map(|id| id.replace('_', " ")).collect();
-    match failed.len() {
-        0 => None,
-        1 => Some(format!("fails the check {}", failed[0])),
-        several => Some(format!("fails {several} checks: {}", failed.join(", "))),
+    let is_said = |id: &str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(&id);
+    let failed = verdict
+        .failed_checks
+        .iter()
+        .filter(|check| !is_said(check.id));
+    let titles: Vec<&str> = failed.map(|check| short_title(check.title)).collect();
+    let count = match titles.len() {
+        0 => return None,
+        1 => "1 check fails".to_owned(),
+        several => format!("{several} checks fail"),
+    };
+    let with = |named: usize| {
+        let more = match titles.len() - named {
+            0 => String::new(),
+            more => format!(", and {more} more, see checks"),
+        };
+        format!("{count}: {}{more}", titles[..named].join(", "))
+    };
+    let candidates = (1..=titles.len()).rev().map(with);
+    Some(fitting(candidates, COLUMNS - 2))
+}
+
+/// A check's title up to its first comma, semicolon or bracket.
+pub fn short_title(title: &str) -> &str {
+    let end = title.find([',', ';', '(']).unwrap_or(title.len());
+    title[..end].trim_end()
+}
+
+/// Why extremes are not proven, and between what they lie; one sentence where the reason is the same.
+fn doubts(verdict: &Verdict) -> Vec<String> {
+    let mut about: Vec<(String, String)> = Vec::new();
+    for (name, is_least) in [("least", true), ("greatest", false)] {
+        let of = |run: &RunExtremes| match is_least {
+            true => run.least.clone(),
+            false => run.greatest.clone(),
+        };
+        let extremes: Vec<RunExtreme> = verdict.runs.iter().filter_map(of).collect();
+        let reasons = each(extremes.iter().filter_map(doubt)).join(", ");
+        if reasons.is_empty() {
+            continue;
+        }
+        let name = bracket(name, is_least, &extremes).unwrap_or(name.to_owned());
+        match about.iter_mut().find(|(_, known)| *known == reasons) {
+            Some((names, _)) => *names += &format!(", {name}"),
+            None => about.push((name, reasons)),
+        }
     }
+    let sentence = |(names, reasons): &(String, String)| {
+        let text = format!("{names}: {reasons}");
+        text.replacen("least", "Least", usize::from(text.starts_with("least")))
+            .replacen(
+                "greatest",
+                "Greatest",
+                usize::from(text.starts_with("greatest")),
+            )
+    };
+    about.iter().map(sentence).collect()
+}
+
+/// Between what an extreme lies, where a wide bracket holds it.
+fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String> {
+    let of_all = |end: fn(&RunExtreme) -> f64| {
+        let ends = extremes.iter().map(end);
+        ends.reduce(if is_least { f64::min } else { f64::max })
+    };
+    let [low, high] = [of_all(|of| of.low)?, of_all(|of| of.high)?];
+    let holds = extremes.iter().all(RunExtreme::holds);
+    let [low_um, high_um] = [low, high].map(|end| um(end, DECIMALS));
+    (holds && high - low > WIDTH).then(|| format!("{name} {low_um} … {high_um} µm"))
+}
+
+/// Why an extreme is not proven; `None` where it is.
+pub fn doubt(extreme: &RunExtreme) -> Option<String> {
+    match &extreme.pose.simulated.found {
+        Err(unproven) => Some(plain(&unproven.reason)),
+        Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),
+    }
+}
+
+/// A doubt in words.
+pub(crate) fn in_words(doubt: Doubt) -> &'static str {
+    match doubt {
+        Doubt::OffInvolute => "only sampled, as fillets or roots may touch",
+        Doubt::Effort => "search budget used up",
+        Doubt::Unbounded => "no bound for parts of the cycle",
+        Doubt::SecondOrder => "runout direction bounded to second order",
+        Doubt::Profile => "profile deviations bounded for each flank as a whole",
+        Doubt::ContactLost => "contact lost at a pose",
+    }
+}
+
+/// Least and greatest with the axes pressed together and pulled apart in their bearings.
+fn bearings(verdict: &Verdict) -> Option<String> {
+    let played = || verdict.runs.iter().filter_map(|run| run.bearings.as_ref());
+    let clearance = stated_distance(played().next()?.clearance);
+    let jammed = |play: &BearingPlay| play.pressed.status == Status::Jammed;
+    let least = match verdict.least_pressed() {
+        _ if played().any(jammed) => "jammed".to_owned(),
+        least => um(least.map(|(_, extreme)| extreme.found()), DECIMALS),
+    };
+    let apart = |play: &BearingPlay| play.apart.status == Status::NoContact;
+    let greatest = match verdict.greatest_apart() {
+        _ if played().any(apart) => "out of mesh".to_owned(),
+        greatest => format!(
+            "{} µm",
+            um(greatest.map(|(_, extreme)| extreme.found()), DECIMALS)
+        ),
+    };
+    let mut ends = played().flat_map(|play| [&play.pressed.extreme, &play.apart.extreme]);
+    let is_open = ends.any(|end| end.as_ref().is_some_and(|extreme| doubt(extreme).is_some()));
+    let proof = if is_open { ", not proven" } else { "" };
+    Some(format!(
+        "a ± {clearance} mm (bearing clearance): {least} … {greatest}{proof}"
+    ))
 }
 
 /// Least and greatest of the cycle in a line, for a picture of fewer poses; empty where there are none.
@@ -240,134 +698,4 @@ pub fn in_short(verdict: &Verdict) -> String {
         um(least.found(), DECIMALS),
         um(greatest.found(), DECIMALS)
     )
-}
-
-/// Least and greatest, and from where on it assembles.
-fn values(verdict: &Verdict) -> Option<String> {
-    let least = verdict.least();
-    let greatest = verdict.greatest();
-    let mut parts = Vec::new();
-    if let [only] = verdict.runs
-        && let (Some((run, extreme)), true) = (least, uniform(only))
-    {
-        parts.push(value(verdict, run, extreme, true));
-    } else {
-        if let Some((run, extreme)) = least {
-            parts.push(format!("least {}", value(verdict, run, extreme, true)));
-        }
-        if let Some((run, extreme)) = greatest {
-            parts.push(format!("greatest {}", value(verdict, run, extreme, false)));
-        }
-    }
-    if verdict.assembles() == Some(false)
-        && verdict
-            .runs
-            .iter()
-            .any(|run| run.assembles() == Some(false) && run.status != Status::NoContact)
-    {
-        parts.push(match verdict.assembles_from() {
-            Some(from) => {
-                let distance = fixed(upward(from.high), 4);
-                format!(
-                    "assembles from a = {distance} mm on{}",
-                    unless_proven(from.doubt)
-                )
-            }
-            None => "assembles at no centre distance in mesh".to_owned(),
-        });
-    }
-    if verdict
-        .runs
-        .iter()
-        .any(|run| run.status == Status::NoContact)
-    {
-        parts.push(match verdict.meshes_to() {
-            Some(to) => {
-                let distance = fixed(downward(to.low), 4);
-                format!("in mesh up to a = {distance} mm{}", unless_proven(to.doubt))
-            }
-            None => "in mesh at no centre distance".to_owned(),
-        });
-    }
-    (!parts.is_empty()).then(|| parts.join("; "))
-}
-
-fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme, is_least: bool) -> String {
-    let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
-    let mut text = amount(verdict, &run.assembly, extreme);
-    if uniform(run) {
-        text += ", the same at every pose";
-    } else if run.has_like_teeth() {
-        text += " at any tooth";
-    } else if let Some(teeth) = teeth(&extreme.pose) {
-        text += &format!(" at teeth {teeth}");
-    }
-    if run.any_direction() {
-        text += match is_least {
-            true => ", the high teeth towards the mate",
-            false => ", the high teeth away from the mate",
-        };
-    }
-    let distance = run.assembly.center_distance();
-    let mut place = Vec::new();
-    if several(&|other| other.assembly.center_distance() != distance) {
-        place.push(format!("a = {} mm", stated_distance(distance)));
-    }
-    if several(&|other| other.material != run.material) {
-        place.push(run.material.words().to_owned());
-    }
-    if let Some((wheel, pinion)) = run.phase {
-        place.push(format!("phase {wheel}·{pinion}"));
-    }
-    if !place.is_empty() {
-        text += &format!(", {}", place.join(", "));
-    }
-    text
-}
-
-/// An extreme as a backlash with its uncertainty, and as a lost motion of both gears of `assembly`.
-fn amount(verdict: &Verdict, assembly: &GearPair, extreme: &RunExtreme) -> String {
-    let found = extreme.found();
-    let off = match (verdict.expanded(extreme), verdict.uncertainty) {
-        (Some(expanded), Some(stated)) => {
-            format!(" ± {} µm (k = {})", um(expanded, DECIMALS), stated.coverage)
-        }
-        _ => " µm".to_owned(),
-    };
-    format!(
-        "j_wt {}{off} ({})",
-        um(found, DECIMALS),
-        lost_motion(assembly, found)
-    )
-}
-
-/// Lost motion of a backlash, mm, at both gears, in minutes of arc.
-fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
-    let backlash = assembly.backlash(backlash);
-    let [wheel, pinion] = Member::BOTH.map(|member| fixed(backlash.arcmin(member), 3));
-    format!("{wheel} arcmin at the wheel, {pinion} at the pinion")
-}
-
-/// `10·4 (right flanks) and 11·4 (left flanks)`.
-fn teeth(pose: &ComparedPose) -> Option<String> {
-    let found = pose.simulated.proven()?;
-    let named = |contact: &gearlash::contact::Contact| {
-        format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth)
-    };
-    let (right, left) = (found.right.as_ref()?, found.left.as_ref()?);
-    Some(format!(
-        "{} (right flanks) and {} (left flanks)",
-        named(right),
-        named(left)
-    ))
-}
-
-/// A distance, mm, to the next ten thousandth up: at one printed lower the pair would interfere.
-fn upward(distance: f64) -> f64 {
-    (distance * 1e4).ceil() * 1e-4
-}
-
-/// The same down: at one printed higher tips would pass each other.
-fn downward(distance: f64) -> f64 {
-    (distance * 1e4).floor() * 1e-4
 }

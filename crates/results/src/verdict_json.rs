@@ -3,7 +3,7 @@
 use crate::column::Row;
 use crate::extreme::extremes;
 use crate::pose::PoseRow;
-use crate::verdict::sentence;
+use crate::verdict::lines;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::pair::GearPair;
@@ -39,10 +39,10 @@ pub fn pose_json(assembly: &GearPair, pose: &ComparedPose) -> Result<String, ser
 
 pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {
     VerdictRecord {
-        text: sentence(verdict),
+        text: lines(verdict).to_string(),
         assembles: verdict.assembles(),
         requirement: verdict.requirement.name(),
-        failed_checks: verdict.failed_checks.clone(),
+        failed_checks: verdict.failed_checks.iter().map(|check| check.id).collect(),
         matings: verdict.matings(),
     }
 }

@@ -1,4 +1,4 @@
-//! One check of a pair: by formula, as measured on the outlines, against its limit.
+//! One check of a pair: by formula, on the outlines, against its limit.
 
 use crate::analytic::limits;
 use crate::pair::Member;
@@ -12,7 +12,7 @@ pub enum Verdict {
     Pass,
     /// Kept, but not what is recommended; or the formula and the outlines disagree, and the outlines are kind.
     Warn,
-    /// What was measured is not proven, so that nobody knows whether the limit is kept.
+    /// The value on the outlines is not proven, so that nobody knows whether the limit is kept.
     Unproven,
     /// The limit is not kept.
     Fail,
@@ -43,6 +43,15 @@ pub(super) fn met(margin: f64) -> bool {
     margin >= -limits::MET_WITHIN
 }
 
+/// The name of a check.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CheckName {
+    /// Its name in results.
+    pub id: &'static str,
+    /// Its name for people.
+    pub title: &'static str,
+}
+
 /// One check of one pair as assembled.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -54,9 +63,9 @@ pub struct Check {
     /// The gear in question, where the check is of one gear.
     pub gear: Option<Member>,
     /// By formula, in `unit`; `None` where it has no value.
-    pub analytic: Option<f64>,
-    /// On the outlines, in `unit`; `None` where it cannot be measured or was not met.
-    pub measured: Option<f64>,
+    pub formula: Option<f64>,
+    /// On the outlines, in `unit`; `None` where it has none or was not met.
+    pub outlines: Option<f64>,
     /// What it is held against, in `unit`.
     pub limit: Option<f64>,
     /// How far the limit is kept, in `unit`; negative where it is not. Of the less favourable of the two values.
@@ -69,12 +78,20 @@ pub struct Check {
     pub details: Vec<(&'static str, f64)>,
     /// A note: where, on which teeth.
     pub note: String,
-    /// Why nothing is measured, where poses that it needs are not proven.
+    /// Why there is no value on the outlines, where poses that it needs are not proven.
     pub unproven: Option<String>,
 }
 
 impl Check {
-    /// The same, its measured value not proven for this `reason`. What fails already fails all the same.
+    /// Its name.
+    pub fn name(&self) -> CheckName {
+        CheckName {
+            id: self.id,
+            title: self.title,
+        }
+    }
+
+    /// The check with its value on the outlines not proven for this `reason`. A check that fails stays failed.
     pub(super) fn not_proven(self, reason: &str) -> Check {
         let unproven = Some(reason.to_owned());
         match self.verdict {
@@ -87,7 +104,7 @@ impl Check {
                 ..self
             },
             Verdict::Pass | Verdict::Warn | Verdict::Unproven => Check {
-                measured: None,
+                outlines: None,
                 margin: None,
                 details: Vec::new(),
                 verdict: Verdict::Unproven,

@@ -132,14 +132,14 @@ fn limits_of(group: &Group) -> Vec<Limit> {
             .zero
             .iter()
             .flatten()
-            .map(|zero| limit("zero backlash, measured", zero.distance)),
+            .map(|zero| limit("zero backlash, outlines", zero.distance)),
     );
     limits.extend(
         group
             .onset
             .iter()
             .flatten()
-            .map(|onset| limit("non-involute contact, measured", onset.distance)),
+            .map(|onset| limit("non-involute contact, outlines", onset.distance)),
     );
     // The gear that is endangered first.
     let governing = |value: fn(&GearPair, Member) -> f64| {

@@ -18,7 +18,7 @@ mod onset;
 mod seen;
 mod zero_distance;
 
-pub use check::{Check, Verdict};
+pub use check::{Check, CheckName, Verdict};
 pub use checks::{Diagnosis, Group, Searched, diagnose, failed_checks, pitch_count};
 pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};

@@ -1,29 +1,34 @@
-//! What pairs of outlines do not keep of what is required, at the poses that were looked at.
+//! The limits that pairs of outlines do not keep, at the poses that were looked at.
 
 use super::{OutlineRun, OutlineStudy};
 use crate::analysis::requirement::{Quantity, clearance_off_axes};
-use crate::analysis::verdict::{FoundEnd, Requirement, Unmet, unmet};
+use crate::analysis::verdict::{FoundEnd, Requirement, Unmet, lost_motion_of, unmet};
+use crate::contact::Status;
 use crate::pair::Member;
 
 impl OutlineStudy {
-    /// The limits that `runs` do not keep, of each the worst. Only `j_wt`, lost motions and radial clearance have a value; of the first two a run with a pose that is jammed, out of mesh or
-    /// not settled has none.
+    /// The limits that `runs` do not keep, each with its worst value. Only `j_wt`, lost motions and radial clearance have a value; of the
+    /// first two a run has none where a pose is jammed, out of mesh or unproven.
     pub fn unmet(&self, runs: &[OutlineRun]) -> Vec<Unmet> {
-        let each = self.requirements.iter();
-        let each = each.flat_map(|(quantity, limits)| {
-            let found = |run: &OutlineRun, is_max| FoundEnd {
-                bracket: found(*quantity, run, is_max),
-                holds: true,
-                with_play: false,
-            };
-            unmet(*quantity, limits, runs, found)
-        });
-        each.collect()
+        unmet(&self.requirements, runs, |quantity, run, is_max| FoundEnd {
+            bracket: found(quantity, run, is_max),
+            holds: true,
+            is_attained: run
+                .lost
+                .as_ref()
+                .is_none_or(|pose| pose.status() != Status::Unproven),
+            with_play: false,
+        })
     }
 
-    /// Whether `runs` keep what is required.
+    /// Whether `runs` keep all limits.
     pub fn requirement(&self, runs: &[OutlineRun]) -> Requirement {
         Requirement::of(&self.requirements, &self.unmet(runs))
+    }
+
+    /// The gear whose lost motion is limited, if any.
+    pub fn lost_motion_of(&self) -> Option<Member> {
+        lost_motion_of(&self.requirements)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What each kind of chart is drawn from.
 
-use super::super::console::tell;
+use super::super::console::{tell, tell_verdict};
 use super::super::drawing::{End, Gear, material};
 use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
@@ -20,7 +20,7 @@ use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
 use gearlash_render::chart::{self, Heading};
-use gearlash_results::verdict::{in_short, sentence};
+use gearlash_results::verdict::{in_short, lines};
 
 /// The file of a map.
 pub(super) const MAP: &str = "chart_map.svg";
@@ -145,7 +145,7 @@ impl DrawnChart {
             .with_extremes()
             .with_checks();
         let analysis = run_under_bar(&plan)?;
-        tell(&sentence(&analysis.verdict()));
+        tell_verdict(&lines(&analysis.verdict()));
         Ok(DrawnChart {
             svg: first_map(maps::of_data(study, &analysis.diagnosis)?)?,
             file: MAP.to_owned(),
@@ -239,7 +239,7 @@ fn in_unit(cycle: String, unit: BacklashUnit) -> String {
 /// Says the verdict on standard error; in short it stands in the picture.
 fn print_verdict(analysis: &Analysis) -> String {
     let verdict = analysis.verdict();
-    tell(&sentence(&verdict));
+    tell_verdict(&lines(&verdict));
     in_short(&verdict)
 }
 

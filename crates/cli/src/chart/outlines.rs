@@ -2,7 +2,7 @@
 
 use super::drawn::{MAP, distance, first_map, heading, suffix};
 use super::{Args, Kind};
-use crate::console::tell;
+use crate::console::tell_verdict;
 use crate::error::{Error, exit_code};
 use crate::maps;
 use crate::method::all_proven;
@@ -11,7 +11,7 @@ use crate::target::Target;
 use gearlash::analysis::outlines::unproven;
 use gearlash_files::OutlinePairFile;
 use gearlash_render::chart;
-use gearlash_results::outlines::sentence;
+use gearlash_results::outlines::lines;
 use std::process::ExitCode;
 
 /// Runs the command.
@@ -45,7 +45,7 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
         }
     };
     let runs = runs(&file, &args.method)?;
-    tell(&sentence(&file.study, &runs));
+    tell_verdict(&lines(&file.study, &runs));
     let heading = heading(&file.study.title, "");
     output.write(&match args.kind {
         Kind::Map => first_map(maps::of_outlines(&file, &runs)?)?,

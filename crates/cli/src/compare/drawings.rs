@@ -20,11 +20,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return Err(needs_two());
     }
     if args.method.given()
-        || args.markdown.is_some()
-        || matches!(args.format, Format::Junit | Format::Github)
+        || matches!(
+            args.format,
+            Format::Junit | Format::Github | Format::Markdown
+        )
     {
         return Err(Error::Usage(
-            "--method, --no-certify, --markdown and the formats junit and github are for pair files; leave them out"
+            "--method, --no-certify and the formats junit, github and markdown are for pair files; leave them out"
                 .to_owned(),
         ));
     }

@@ -11,7 +11,17 @@ fn compare_agrees_on_both_fixtures() {
         .args(&pairs)
         .assert()
         .code(0)
-        .stdout(predicate::str::contains("agree within 0.1 µm + error bound").count(2));
+        .stdout(predicate::str::ends_with("\n2 files pass\n"));
+    for pair in &pairs {
+        let within =
+            "\n\nSimulated and analytic backlash agree within 0.1 µm + error bound.\n\nAssembles ";
+        gearlash(folder.path())
+            .arg("compare")
+            .arg(pair)
+            .assert()
+            .code(0)
+            .stdout(predicate::str::contains(within));
+    }
     assert!(files(folder.path()).is_empty());
 }
 
@@ -51,8 +61,11 @@ fn compare_speaks_json_junit_and_github() {
     };
     let json: Value = serde_json::from_str(&run("json")).unwrap();
     assert_eq!(json["passed"], false);
-    assert_eq!(json["pairs"][0]["passed"], true);
-    assert_eq!(json["pairs"][1]["passed"], false);
+    assert_eq!(json["files"][0]["passed"], true);
+    assert_eq!(json["files"][1]["passed"], false);
+    for key in ["file", "pair", "verdict", "extremes", "compare", "runs"] {
+        assert!(!json["files"][0][key].is_null(), "{key}");
+    }
     let junit = run("junit");
     let document = roxmltree::Document::parse(&junit).unwrap();
     let count = |name: &str| {
@@ -63,14 +76,15 @@ fn compare_speaks_json_junit_and_github() {
     };
     assert_eq!(
         (count("testsuite"), count("testcase"), count("failure")),
-        // Of each file the verdict, then its runs.
-        (2, 7, 1)
+        // The formulas and the verdict, of each file.
+        (2, 4, 1)
     );
     let github = run("github");
-    assert!(github.contains("::notice file=small.toml,title=gearlash compare::"));
+    assert!(!github.contains("small.toml") && !github.contains("::notice"));
     assert!(github.contains(
-        "::error file=fillet.toml,title=gearlash compare%3A a = 160.200 mm%2C as-measured::"
+        "::error file=fillet.toml,title=gearlash compare%3A formulas::Simulated and analytic backlash do not agree"
     ));
+    assert!(github.contains("%0Aa = 160.200 mm, as-measured: "));
 }
 
 #[test]
@@ -111,7 +125,9 @@ fn compare_does_not_pass_what_it_could_not_compare() {
             .assert()
             .code(1)
             .stdout(predicate::str::contains(format!("FAIL  {reason}")))
-            .stdout(predicate::str::contains("NOTHING TO COMPARE"))
+            .stdout(predicate::str::contains(
+                "\nNothing to compare at some centre distance.\n",
+            ))
             .stdout(predicate::str::contains("agree within").not());
         gearlash(folder.path())
             .args(["compare", "apart.toml", "--format", "github"])
@@ -138,7 +154,7 @@ fn a_failure_says_what_failed() {
     let assert = compare.args(["compare", "undercut.toml"]).assert().code(1);
     let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
     let failed = format!(
-        "FAIL  {alone} of {} poses: off-line contact where model 3 has no value\n  FAILED: no agreement within",
+        "FAIL  {alone} of {} poses: off-line contact where model 3 has no value\n",
         poses.len()
     );
     assert!(text.contains(&failed), "{text}");

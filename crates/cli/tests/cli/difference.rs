@@ -131,7 +131,10 @@ fn the_text_of_two_drawings() {
     for name in ["wheel_20.dxf", "pinion_20.svg"] {
         std::fs::copy(drawn(name), folder.path().join(name)).unwrap();
     }
-    let (code, text, said) = run(folder.path(), &["compare", "wheel_20.dxf", "pinion_20.svg"]);
+    let (code, text, said) = run(
+        folder.path(),
+        &["compare", "wheel_20.dxf", "pinion_20.svg", "--verbose"],
+    );
     assert_eq!(code, Some(0), "{said}");
     insta::assert_snapshot!(text);
     assert!(said.contains("wheel_20.dxf: a: 20 teeth"), "{said}");

@@ -26,11 +26,11 @@ fn snapshots_of_outlines() {
     );
     assert_eq!(code, Some(0));
     assert!(
-        picture.contains("interference") && said.contains("Binds at"),
+        picture.contains("interference") && said.contains("Does not assemble at"),
         "{said}"
     );
-    // The teeth that the sentence names, in the enlarged views and in the mesh zone, and what the colours are.
-    assert!(said.contains("at teeth 7·15") && said.contains("and 7·16"));
+    // The teeth that the verdict names, in the enlarged views and in the mesh zone, and what the colours are.
+    assert!(said.contains("teeth 7·15 / 7·16"), "{said}");
     for words in [
         ">wheel 7<",
         ">pinion 15<",
@@ -75,7 +75,10 @@ fn a_chart_marks_where_it_binds() {
     let chart = ["chart", "drawn_20x20.toml", "--kind", "revolution"];
     let (code, _, said) = run(folder.path(), &[&chart[..], &["-o", "chart.svg"]].concat());
     assert_eq!(code, Some(0), "{said}");
-    assert!(said.contains("Binds at a = 40.050 mm"), "{said}");
+    assert!(
+        said.contains("Does not assemble at a = 40.050 mm"),
+        "{said}"
+    );
     let svg = std::fs::read_to_string(folder.path().join("chart.svg")).unwrap();
     for text in [
         "least −15.6 µm: right flanks 7·15, left flanks 7·16 touch",

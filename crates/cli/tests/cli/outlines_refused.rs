@@ -161,7 +161,7 @@ fn kinks_and_bores_have_their_places() {
         "smooth.toml",
         &pair("file = \"points.csv\"\nkind = \"smooth\""),
     );
-    let (code, _, said) = run(folder.path(), &["check", "smooth.toml"]);
+    let (code, _, said) = run(folder.path(), &["check", "smooth.toml", "--verbose"]);
     assert_eq!(code, Some(0), "{said}");
     // A trapezoid has four corners a tooth, all of more than 30°.
     assert!(

@@ -15,8 +15,10 @@ fn pair(keys: [&str; 2], assembly: &str) -> String {
 
 fn check(folder: &Path, text: &str) -> (Value, String) {
     fs::write(folder.join("pair.toml"), text).unwrap();
-    let (_, json, notes) = run(folder, &["check", "pair.toml", "--format", "json"]);
-    (serde_json::from_str(&json).expect(&notes), notes)
+    let words = ["check", "pair.toml", "--format", "json", "--verbose"];
+    let (_, json, notes) = run(folder, &words);
+    let json: Value = serde_json::from_str(&json).expect(&notes);
+    (json["files"][0].clone(), notes)
 }
 
 /// Least and greatest `j_wt` over all distances and materials, µm, each proven.
@@ -86,7 +88,7 @@ fn the_echo_says_what_was_stated() {
     fs::write(folder.path().join("echo.json"), input.to_string()).unwrap();
     let (_, json, _) = run(folder.path(), &["check", "echo.json", "--format", "json"]);
     let again: Value = serde_json::from_str(&json).unwrap();
-    assert_eq!(again["verdict"], result["verdict"]);
+    assert_eq!(again["files"][0]["verdict"], result["verdict"]);
 }
 
 /// Source: gears and housing scaled alike turn alike; a cold pair at the distance of the warm housing in lengths of the warm gears is the same picture.
@@ -221,7 +223,7 @@ fn short_files_to_start_from_end_in_a_verdict() {
     }
     let (code, text, errors) = run(folder.path(), &["check", "drawn.toml"]);
     assert_eq!(code, Some(0), "{errors}");
-    assert!(text.contains("Turns freely"), "{text}");
+    assert!(text.contains("Assembles at"), "{text}");
     let both = run(
         folder.path(),
         &["init", "--drawing", "--outline", "both.toml"],

@@ -1,4 +1,4 @@
-//! `gearlash compare --markdown` and the step summary of a GitHub workflow.
+//! Markdown of `gearlash compare` and `check`, and the step summary of a GitHub workflow.
 
 use assert_cmd::Command;
 use predicates::prelude::*;
@@ -28,41 +28,27 @@ fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-fn read(folder: &Path, name: &str) -> String {
-    std::fs::read_to_string(folder.join(name)).unwrap()
+/// What the command prints.
+fn printed(folder: &Path, arguments: &[&str]) -> String {
+    let output = gearlash(folder, arguments).output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
 }
 
 #[test]
 fn writes_a_table_with_a_row_a_run() {
     let folder = tempfile::tempdir().unwrap();
-    let outcome = gearlash(
-        folder.path(),
-        &["compare", "pair.toml", "--markdown", "sub/out.md"],
-    )
-    .output()
-    .unwrap();
-    assert!(outcome.status.success());
-    // Standard output stays what it is without the option.
-    let plain = gearlash(folder.path(), &["compare", "pair.toml"])
-        .output()
-        .unwrap();
-    assert_eq!(outcome.stdout, plain.stdout);
-    insta::assert_snapshot!(
-        read(folder.path(), "sub/out.md").replace(env!("CARGO_PKG_VERSION"), "VERSION")
-    );
+    let arguments = ["compare", "pair.toml", "--format", "markdown"];
+    insta::assert_snapshot!(printed(folder.path(), &arguments));
 }
 
 /// Every row of a table has as many cells as its heading, whatever the title says.
 #[test]
 fn a_title_stays_text() {
     let folder = tempfile::tempdir().unwrap();
-    gearlash(
+    let text = printed(
         folder.path(),
-        &["compare", "pair.toml", "--markdown", "out.md"],
-    )
-    .assert()
-    .success();
-    let text = read(folder.path(), "out.md");
+        &["compare", "pair.toml", "--format", "markdown"],
+    );
     assert!(!text.contains("<script>"));
     assert!(text.contains(r"A\|B &lt;script&gt;alert(1)&lt;/script&gt; \`\*x\*\`"));
     let cells = |line: &str| line.replace(r"\|", "").matches('|').count();
@@ -89,19 +75,17 @@ fn says_why_a_pair_fails() {
         "compare",
         "pair.toml",
         "strict.toml",
-        "--markdown",
-        "out.md",
+        "--format",
+        "markdown",
     ];
     gearlash(folder.path(), &arguments).assert().code(1);
-    let text = read(folder.path(), "out.md");
+    let text = printed(folder.path(), &arguments);
     assert!(
-        text.starts_with(
-            "## gearlash compare: ❌ simulated and analytic backlash disagree in 1 of 2 pairs"
-        ),
+        text.starts_with("## gearlash compare: ❌ 1 fails, of 2: strict.toml\n"),
         "{text}"
     );
     assert!(
-        text.contains("**a = 160.200 mm, as-measured**: 1118 of 2064 poses: off-line contact"),
+        text.contains("a = 160.200 mm, as-measured: 1118 of 2064 poses: off-line contact"),
         "{text}"
     );
 }
@@ -109,35 +93,24 @@ fn says_why_a_pair_fails() {
 /// GitHub hands every step a file to add to; earlier steps' words stay.
 #[test]
 fn adds_to_the_step_summary() {
-    let folder = tempfile::tempdir().unwrap();
-    let summary = folder.path().join("summary.md");
-    std::fs::write(&summary, "earlier\n").unwrap();
-    let arguments = [
-        "compare",
-        "pair.toml",
-        "--format",
-        "github",
-        "--markdown",
-        "out.md",
-    ];
-    gearlash(folder.path(), &arguments)
-        .env("GITHUB_STEP_SUMMARY", &summary)
-        .assert()
-        .success();
-    let table = read(folder.path(), "out.md");
-    assert_eq!(
-        read(folder.path(), "summary.md"),
-        format!("earlier\n{table}")
-    );
-    // Only a workflow's own format does so.
-    gearlash(folder.path(), &["compare", "pair.toml"])
-        .env("GITHUB_STEP_SUMMARY", &summary)
-        .assert()
-        .success();
-    assert_eq!(
-        read(folder.path(), "summary.md"),
-        format!("earlier\n{table}")
-    );
+    for command in ["compare", "check"] {
+        let folder = tempfile::tempdir().unwrap();
+        let summary = folder.path().join("summary.md");
+        std::fs::write(&summary, "earlier\n").unwrap();
+        let table = printed(
+            folder.path(),
+            &[command, "pair.toml", "--format", "markdown"],
+        );
+        // Only a workflow's own format does so.
+        for format in ["github", "text"] {
+            gearlash(folder.path(), &[command, "pair.toml", "--format", format])
+                .env("GITHUB_STEP_SUMMARY", &summary)
+                .output()
+                .unwrap();
+            let written = std::fs::read_to_string(&summary).unwrap();
+            assert_eq!(written, format!("earlier\n{table}"));
+        }
+    }
 }
 
 /// A pair that interferes has a result, and the formula agrees with it; the row says what it is.
@@ -147,9 +120,10 @@ fn a_row_names_interference() {
     // Nominal gears are free of backlash at m (z_1 + z_2)/2 = 50 mm.
     let tight = PAIR.replace("[50.1, 50.2]", "[49.95, 50.2]");
     std::fs::write(folder.path().join("tight.toml"), tight).unwrap();
-    let arguments = ["compare", "tight.toml", "--markdown", "out.md"];
-    gearlash(folder.path(), &arguments).assert().success();
-    let text = read(folder.path(), "out.md");
+    let text = printed(
+        folder.path(),
+        &["compare", "tight.toml", "--format", "markdown"],
+    );
     let verdicts: Vec<&str> = text
         .lines()
         .filter(|line| line.starts_with("| a ="))
@@ -168,13 +142,15 @@ fn a_pair_out_of_mesh_is_not_said_to_agree() {
     // d_a = 64 and 44: tips pass each other above 54 mm.
     let apart = PAIR.replace("[50.1, 50.2]", "54.5");
     std::fs::write(folder.path().join("apart.toml"), apart).unwrap();
-    let arguments = ["compare", "apart.toml", "--markdown", "out.md"];
-    gearlash(folder.path(), &arguments).assert().code(1);
-    let text = read(folder.path(), "out.md");
+    let text = printed(
+        folder.path(),
+        &["compare", "apart.toml", "--format", "markdown"],
+    );
     assert!(
-        text.starts_with("## gearlash compare: ❌ nothing to compare in 1 of 1 pairs\n"),
+        text.starts_with("## gearlash compare: ❌ 1 fails, of 1: apart.toml\n"),
         "{text}"
     );
+    assert!(text.contains("Nothing to compare"), "{text}");
     assert!(
         text.contains("❌ FAIL; out of mesh at 2 of 2 poses"),
         "{text}"
@@ -194,23 +170,17 @@ fn a_summary_that_cannot_be_written_names_its_variable() {
     .assert()
     .code(2)
     .stderr(predicate::str::contains("GITHUB_STEP_SUMMARY"))
-    .stderr(predicate::str::contains("-o").not());
+    .stderr(predicate::str::contains(" -o").not());
 }
 
 #[test]
-fn a_place_that_cannot_be_written_is_reported_before_the_work() {
+fn the_former_option_names_its_successor() {
     let folder = tempfile::tempdir().unwrap();
-    let outcome = gearlash(
+    gearlash(
         folder.path(),
-        &["compare", "pair.toml", "--markdown", "pair.toml/x.md"],
+        &["compare", "pair.toml", "--markdown", "out.md"],
     )
-    .output()
-    .unwrap();
-    assert_eq!(outcome.status.code(), Some(2));
-    assert!(outcome.stdout.is_empty());
-    let error = String::from_utf8(outcome.stderr).unwrap();
-    assert!(
-        error.contains("choose another place with --markdown"),
-        "{error}"
-    );
+    .assert()
+    .code(2)
+    .stderr(predicate::str::contains("use --format markdown"));
 }

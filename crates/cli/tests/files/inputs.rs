@@ -48,7 +48,7 @@ fn workshop() -> tempfile::TempDir {
 }
 
 /// Command, link and folder: each ended with 0 and the input gone, or may have.
-const TO_FILES: [&str; 21] = [
+const TO_FILES: [&str; 19] = [
     "report plain -o plain",
     "report plain -o ./inner/../plain",
     "report plain -o hard.html",
@@ -58,8 +58,6 @@ const TO_FILES: [&str; 21] = [
     "report with_curve.txt.toml -o curve.txt",
     "chart with_curve.txt.toml --kind inspection -o curve.txt",
     "snapshot with_curve.txt.toml --worst -o inner/../curve.txt",
-    "compare with_curve.txt.toml --markdown curve.txt",
-    "compare p.toml plain --markdown hard.html",
     "simulate with_result.csv.toml -o .",
     "simulate with_result.csv.toml --format json -o .",
     "simulate with_curve.txt.toml -o inner",

@@ -51,7 +51,7 @@ const LONG: [&str; 12] = [
     "simulate big.toml --format json -o results",
     "simulate big.toml --method both --format csv",
     "compare big.toml",
-    "compare big.toml --format junit --markdown table.md",
+    "compare big.toml --format junit",
     "check big.toml",
     "check big.toml --map",
     "report big.toml",

@@ -131,8 +131,9 @@ class Check:
 
     id: str
     gear: str | None
-    analytic: float | None
-    measured: float | None
+    title: str
+    formula: float | None
+    outlines: float | None
     limit: float | None
     margin: float | None
     unit: str
@@ -148,20 +149,21 @@ class Checked:
     """A pair, checked: what ``gearlash check`` says."""
 
     verdict: str
-    """The sentence that the command says first."""
+    """The lines that the command prints first."""
     assembles: bool | None
     """``None`` where that is not proven."""
     requirement: str
-    """``none``, ``met`` or ``not_met``."""
+    """``none``, ``met``, ``not_met`` or ``not_proven``."""
     failed_checks: tuple[str, ...]
     extremes: Extremes
     checks: tuple[Check, ...]
     record: dict[str, Any] = field(repr=False, compare=False)
-    """As ``gearlash check --format json`` has it."""
+    """The file's entry in ``gearlash check --format json``."""
 
     @classmethod
     def of(cls, record: dict[str, Any]) -> "Checked":
-        """Of the JSON of ``gearlash check``."""
+        """Of the JSON of ``gearlash check`` for one file."""
+        (record,) = record["files"]
         verdict = record["verdict"]
         fields = Check.__dataclass_fields__
         return cls(

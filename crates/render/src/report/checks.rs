@@ -6,7 +6,7 @@ use super::phrases::{j_wt, plain, study};
 use gearlash::analysis::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, stated_distance};
-use gearlash_results::text::check::{doubts, governing, measured, unit};
+use gearlash_results::text::check::{doubts, governing, outlines, unit};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -92,8 +92,8 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
                 td.n { (stated_distance(group.assembly.center_distance())) }
                 td.w { (group.material.words()) }
             }
-            td.n { (fixed(check.analytic, 4)) }
-            td.n { (measured(check, |number| fixed(number, 4))) }
+            td.n { (fixed(check.formula, 4)) }
+            td.n { (outlines(check, |number| fixed(number, 4))) }
             td.n { (fixed(check.limit, 4)) }
             td.n { (fixed(check.margin, 4)) }
             td { (unit(check.unit)) }

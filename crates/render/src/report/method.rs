@@ -40,10 +40,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 }
             }
             h3 { "Not in the model" }
-            p {
-                "Lead deviations and modifications, deflection under load, temperature and axis misalignment. Pitch and thickness deviations shift "
-                "a flank rigidly; its form is the involute with the profile deviations that the file states."
-            }
+            ul { @for left_out in not_in_the_model(page) { li { (left_out) } } }
         }
     }
 }
@@ -54,4 +51,22 @@ fn base_index(page: &Page) -> &'static str {
         true => "bt",
         false => "b",
     }
+}
+
+/// What this run does not model.
+fn not_in_the_model(page: &Page) -> Vec<&'static str> {
+    let spec = &page.report.pair.spec;
+    let mut left_out = vec!["Deflection under load.", "Axes that are not parallel."];
+    left_out.push(match page.report.pair.study.is_helical() {
+        true => "Lead deviations and modifications.",
+        false => "Deviations along the face width.",
+    });
+    if spec.assembly.temperature_c.is_none() {
+        left_out.push("Temperature: none is stated.");
+    }
+    left_out.push(match [&spec.wheel, &spec.pinion].iter().any(|gear| gear.profile.is_some()) {
+        true => "Flank form beyond the stated profile deviations. Pitch and thickness deviations shift a flank rigidly.",
+        false => "Flank form: each flank is an exact involute, which pitch and thickness deviations shift rigidly.",
+    });
+    left_out
 }

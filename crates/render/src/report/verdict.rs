@@ -8,9 +8,10 @@ use super::{cycle, unproven};
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
 use gearlash::analysis::outcome::{Outcome, PoseOfRun};
+use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash_files::numbers::{stated_distance, um};
 use gearlash_results::text::check::governing;
-use gearlash_results::verdict::sentence;
+use gearlash_results::verdict::{VerdictLines, lines};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -18,7 +19,7 @@ pub(super) fn section(page: &Page) -> Markup {
         section id="result" {
             div.verdict.(state(page).name()) {
                 p.state { (mark(state(page))) }
-                p.answer { (answer(page)) }
+                (verdict(page))
                 (clearance(page))
                 (failing(page))
             }
@@ -64,11 +65,36 @@ fn failing(page: &Page) -> Markup {
     }
 }
 
-/// The verdict in a sentence, and what of the poses it leaves out.
-fn answer(page: &Page) -> Markup {
+/// The verdict, and how many poses it leaves out. Failing checks stand below it.
+fn verdict(page: &Page) -> Markup {
+    let verdict = CycleVerdict {
+        failed_checks: Vec::new(),
+        ..page.report.analysis.verdict()
+    };
     html! {
-        (with_symbols(&sentence(&page.report.analysis.verdict())))
-        @if let Some(count) = unproven::count(page) { " " (count) "." }
+        (answer(&lines(&verdict)))
+        @if let Some(count) = unproven::count(page) { p.proof { (count) "." } }
+    }
+}
+
+/// The verdict's lines: least and greatest large, the proof small.
+pub(super) fn answer(lines: &VerdictLines) -> Markup {
+    html! {
+        p.answer { (lines.status) }
+        @if !lines.rows.is_empty() {
+            dl.extremes {
+                @for row in &lines.rows {
+                    div {
+                        dt { (row.name) " backlash" }
+                        dd.value { (row.value) }
+                        @if let Some((arcmin, member)) = &row.arcmin { dd { (arcmin) " arcmin at the " (member.name()) } }
+                        dd { (row.place_words()) }
+                    }
+                }
+            }
+        }
+        @for qualifier in &lines.qualifiers { p { (with_symbols(qualifier)) } }
+        @if !lines.proof.is_empty() { p.proof { (lines.proof) } }
     }
 }
 

@@ -6,7 +6,7 @@ use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::diagnosis::diagnose;
 use gearlash::analysis::extremes::CycleExtremes;
-use gearlash::analysis::outcome::{Agreement, Outcome};
+use gearlash::analysis::outcome::{Agreement, Outcome as PoseOutcome};
 use gearlash::analysis::tally::tally;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
@@ -14,11 +14,11 @@ use gearlash::pair::BacklashUnit;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::snapshot;
 use gearlash_render::{Report, Snapshot, report};
-use gearlash_results::comparison;
+use gearlash_results::ComparedPair;
+use gearlash_results::judged::{JudgedFile, Outcome};
 use gearlash_results::result_file;
 use gearlash_results::text::Screen;
 use gearlash_results::text::simulation as simulation_table;
-use gearlash_results::{ComparedPair, comparison_json};
 use roxmltree::Document;
 use serde_json::Value;
 
@@ -45,17 +45,23 @@ fn doubtful(runs: &[ComparedRun], decimals: usize) -> String {
     format!("{:.decimals$}", least * 1e3)
 }
 
-fn pair(case: &Case, runs: Vec<ComparedRun>) -> ComparedPair {
-    ComparedPair {
-        file: "pair.toml".to_owned(),
-        title: case.study.title.clone(),
+/// What `compare` says of `runs`.
+fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
+    let mut file = case.pair.clone();
+    file.study.allow_off_line_contact = true;
+    let pair = ComparedPair {
+        name: "pair.toml".to_owned(),
+        file: &file,
         tolerance_um: case.study.tolerance_um,
-        allow_off_line: true,
-        runs: tally(&runs),
+        is_proven: runs.iter().all(|run| run.unproven().count() == 0),
+        runs: tally(runs),
         extremes: Vec::new(),
         failed_checks: Vec::new(),
-        requirements: Vec::new(),
-        uncertainty: None,
+    };
+    let judged = pair.judged(&Screen::default()).unwrap();
+    Outcome {
+        command: "compare",
+        files: vec![JudgedFile::Judged(judged)],
     }
 }
 
@@ -177,20 +183,18 @@ fn the_table_counts_them_and_takes_none_in() {
 #[test]
 fn a_comparison_fails_for_them_in_every_format() {
     let case = Case::low_tips();
-    let sound = comparison::text(
-        &[pair(&case, case.compared(Method::Exact { certify: false }))],
-        &Screen::default(),
-    );
-    assert!(sound.contains("\n  agree within"), "{sound}");
+    let sound = compared(&case, &case.compared(Method::Exact { certify: false }));
+    let sound = sound.text(&Screen::default());
+    assert!(sound.contains(" backlash agree within "), "{sound}");
     let runs = case.compared(CERTIFIED);
     let (count, doubtful) = (runs[0].summary().unproven, doubtful(&runs, 3));
-    let pairs = [pair(&case, runs)];
-    assert!(!pairs[0].passes());
+    let outcome = compared(&case, &runs);
+    assert!(!outcome.passes());
     let texts = [
-        comparison::text(&pairs, &Screen::default()),
-        comparison::junit(&pairs).unwrap(),
-        comparison::github(&pairs),
-        comparison::markdown(&pairs),
+        outcome.text(&Screen::default()),
+        outcome.junit().unwrap(),
+        outcome.github(),
+        outcome.markdown(),
     ];
     for text in &texts {
         assert!(
@@ -201,15 +205,15 @@ fn a_comparison_fails_for_them_in_every_format() {
         assert_eq!(text.lines().find(bare), None);
     }
     assert!(
-        texts[0].contains("\n  UNPROVEN at some poses"),
+        texts[0].contains("error bound not proven.\n"),
         "{}",
         texts[0]
     );
     assert!(texts[1].contains("<failure"));
     assert!(texts[2].starts_with("::error"));
-    assert!(texts[3].contains("❌ unproven poses in 1 of 1 pairs"));
-    let json: Value = serde_json::from_str(&comparison_json(&pairs).unwrap()).unwrap();
-    let run = &json["pairs"][0]["runs"][0];
+    assert!(texts[3].contains("❌ 1 fails, of 1: pair.toml"));
+    let json: Value = serde_json::from_str(&outcome.json().unwrap()).unwrap();
+    let run = &json["files"][0]["runs"][0];
     assert_eq!(
         (&run["passed"], &run["unproven"]),
         (&Value::Bool(false), &count.into())
@@ -222,7 +226,7 @@ fn a_comparison_fails_for_them_in_every_format() {
 fn an_outcome_does_not_assemble_and_does_not_fail_either() {
     let case = Case::low_tips();
     let runs = case.compared(CERTIFIED);
-    let whole = Outcome::of(&[&runs[0]], &[]);
+    let whole = PoseOutcome::of(&[&runs[0]], &[]);
     assert!(!whole.assembles() && !whole.fails());
     assert_eq!(whole.unproven, runs[0].summary().unproven);
     assert_eq!(whole.unproven_ends, [whole.unproven; 2]);
@@ -330,7 +334,7 @@ fn a_report_vouches_for_nothing() {
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let count = runs[0].summary().unproven;
-    let answer = text(".answer");
+    let answer = text("#result .verdict");
     let expected = format!("{count} of 160 poses are unproven");
     assert!(answer.contains(&expected), "{answer}");
     assert!(text("#result tbody").contains("unproven"));

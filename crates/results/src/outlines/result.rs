@@ -1,20 +1,26 @@
 //! The result of a pair of outlines as JSON and CSV, keys as of other results where they mean the same.
 
 use super::fitted::{FittedRecord, records};
-use super::sentence::sentence;
+use super::sentence::lines;
+use crate::judged::{Case, Judged, VERDICT};
+use crate::layout::Screen;
+use crate::text::outlines;
+use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::outlines::{OutlineMap, OutlinePose, OutlineRun, turns};
+use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::{OutlineContact, Status};
-use gearlash::pair::{Member, arcmin};
+use gearlash::pair::{BacklashUnit, Member, arcmin};
 use gearlash_files::OutlinePairFile;
 use gearlash_files::characters;
 use gearlash_files::characters::csv_text;
 use gearlash_files::spec::OutlinePairSpec;
 use serde::Serialize;
+use serde_json::{Value, to_value};
 
 #[derive(Serialize)]
 struct Result<'a> {
-    title: &'a str,
-    input: &'a OutlinePairSpec,
+    gearlash: &'static str,
+    pair: &'a OutlinePairSpec,
     verdict: VerdictRecord,
     fitted_involutes: Vec<FittedRecord>,
     runs: Vec<RunRecord>,
@@ -22,9 +28,11 @@ struct Result<'a> {
 
 #[derive(Serialize)]
 struct VerdictRecord {
-    turns: Option<bool>,
-    sentence: String,
+    text: String,
+    assembles: Option<bool>,
     requirement: &'static str,
+    failed_checks: [&'static str; 0],
+    matings: u64,
     certified: bool,
     proven: bool,
 }
@@ -141,20 +149,90 @@ fn run(of: &OutlineRun) -> RunRecord {
 /// # Errors
 /// Of serde_json.
 pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Result<String> {
-    let result = Result {
-        title: &file.study.title,
-        input: &file.spec,
-        verdict: VerdictRecord {
-            turns: turns(runs),
-            sentence: sentence(&file.study, runs),
-            requirement: file.study.requirement(runs).name(),
-            certified: !runs.is_empty() && runs.iter().all(|run| run.certified),
-            proven: false,
-        },
+    characters::json_of(&Result {
+        gearlash: env!("CARGO_PKG_VERSION"),
+        pair: &file.spec,
+        verdict: verdict(file, runs),
         fitted_involutes: records(file),
         runs: runs.iter().map(run).collect(),
+    })
+}
+
+fn verdict(file: &OutlinePairFile, runs: &[OutlineRun]) -> VerdictRecord {
+    VerdictRecord {
+        text: lines(&file.study, runs).to_string(),
+        assembles: turns(runs),
+        requirement: file.study.requirement(runs).name(),
+        failed_checks: [],
+        matings: runs.first().map_or(0, |run| run.matings),
+        certified: !runs.is_empty() && runs.iter().all(|run| run.certified),
+        proven: false,
+    }
+}
+
+#[derive(Serialize)]
+struct CheckedFile<'a> {
+    file: &'a str,
+    passed: bool,
+    pair: &'a OutlinePairSpec,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    warnings: &'a [String],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    remarks: &'a [String],
+    verdict: VerdictRecord,
+    checks: [&'static str; 0],
+    fitted_involutes: Vec<FittedRecord>,
+    runs: Vec<RunRecord>,
+}
+
+/// The outcome of `check` for the pair of `file`, called `name`; `is_proven` says whether all its poses are. Its text is for `screen`.
+///
+/// # Errors
+/// Of serde_json.
+pub fn checked(
+    name: &str,
+    file: &OutlinePairFile,
+    runs: &[OutlineRun],
+    is_proven: bool,
+    screen: &Screen,
+) -> serde_json::Result<Judged> {
+    let requirement = file.study.requirement(runs);
+    let kept = match requirement {
+        Requirement::None => turns(runs) == Some(true),
+        requirement => requirement.is_kept(),
     };
-    characters::json_of(&result)
+    let passes = is_proven && kept;
+    let lines = lines(&file.study, runs);
+    let json: Value = to_value(&CheckedFile {
+        file: name,
+        passed: passes,
+        pair: &file.spec,
+        warnings: &file.warnings,
+        remarks: &file.remarks,
+        verdict: verdict(file, runs),
+        checks: [],
+        fitted_involutes: records(file),
+        runs: runs.iter().map(run).collect(),
+    })?;
+    Ok(Judged {
+        file: name.to_owned(),
+        title: file.study.title.clone(),
+        passes,
+        cases: vec![Case {
+            name: VERDICT.to_owned(),
+            verdict: match passes {
+                true => Verdict::Pass,
+                false => lines.state.max(Verdict::Unproven),
+            },
+            message: lines.to_string(),
+        }],
+        warnings: file.warnings.clone(),
+        remarks: file.remarks.clone(),
+        text: outlines(file, runs, BacklashUnit::Um, screen),
+        markdown: String::new(),
+        json,
+        verdict: lines,
+    })
 }
 
 #[derive(Serialize)]

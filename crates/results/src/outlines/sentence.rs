@@ -1,142 +1,162 @@
-//! The verdict of a pair of outlines in one sentence.
+//! The verdict on a pair of outlines, in the same lines as that on gears by their data.
 
-use crate::verdict::not_met;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun, OutlineStudy, unproven, worst};
+use crate::verdict::{ExtremeRow, Place, State, VerdictLines, limit, lost_motion, status, value};
+use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, OutlineStudy, turns, unproven};
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::{OutlineContact, Status};
-use gearlash::pair::{Member, arcmin};
-use gearlash_files::numbers::{fixed, stated_distance, um};
+use gearlash_files::numbers::{fixed, stated_distance};
 
-/// Decimals of a backlash in µm.
-const DECIMALS: usize = 2;
-
-/// What the runs say: whether the pair turns, where it binds and from which centre distance on it turns freely.
-pub fn sentence(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
-    let several = runs.len() > 1;
-    let each: Vec<String> = runs.iter().map(|run| of_run(run, several)).collect();
-    each.join(" ") + &required(study, runs) + &scope(runs)
-}
-
-/// The same in no more words than of one run: of several how many turn, and what is said of the tightest.
-pub fn summary(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
-    let Some((run, _)) = worst(runs).filter(|_| runs.len() > 1) else {
-        return sentence(study, runs);
+/// The verdict of `runs` in lines: whether the pair turns, its least and greatest backlash, and from which centre distance it turns.
+pub fn lines(study: &OutlineStudy, runs: &[OutlineRun]) -> VerdictLines {
+    if runs.is_empty() {
+        return VerdictLines::nothing();
+    }
+    let places: Vec<Place> = runs.iter().map(place).collect();
+    let best = |pose: fn(&OutlineRun) -> &Option<OutlinePose>, sign: f64| {
+        let each = runs.iter().filter_map(|run| {
+            let pose = pose(run).as_ref()?;
+            Some((run, pose, sign * pose.j_wt?.0))
+        });
+        each.min_by(|one, other| one.2.total_cmp(&other.2))
     };
-    let turning = runs.iter().filter(|run| run.turns() == Some(true)).count();
-    let materials = runs.iter().any(|run| run.material != Material::AsMeasured);
-    format!(
-        "Turns freely at {} {} centre distances{}. The tightest: {}{}{}",
-        match turning {
-            0 => "none of".to_owned(),
-            all if all == runs.len() => "all".to_owned(),
-            some => format!("{some} of"),
-        },
-        runs.len(),
-        if materials { " and materials" } else { "" },
-        of_run(run, true),
-        required(study, runs),
-        scope(runs)
+    let least = best(|run| &run.least, 1.0);
+    let greatest = best(|run| &run.greatest, -1.0);
+    let rows = [("least", least), ("greatest", greatest)];
+    let rows = rows
+        .into_iter()
+        .filter_map(|(name, found)| row(study, runs, name, found?.0, found?.1));
+    let state = match (turns(runs), study.requirement(runs)) {
+        (Some(false), _) | (_, Requirement::NotMet) => Verdict::Fail,
+        (None, _) | (_, Requirement::NotProven) => Verdict::Unproven,
+        (Some(true), _) if unproven(runs) > 0 => Verdict::Unproven,
+        (Some(true), _) => Verdict::Pass,
+    };
+    VerdictLines::new(
+        state,
+        &status(&places),
+        &proof(runs),
+        rows.collect(),
+        sentences(study, runs),
     )
 }
 
-/// Whether what is required is kept; empty where nothing is.
-fn required(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
-    match study.requirement(runs) {
-        Requirement::None => String::new(),
-        Requirement::Met => " At the poses looked at the pair meets its requirement.".to_owned(),
-        Requirement::NotMet => format!(" The pair {}.", not_met(&study.unmet(runs))),
+fn place(run: &OutlineRun) -> Place {
+    Place {
+        distance: run.pair.center_distance(),
+        material: run.material,
+        phase: None,
+        state: match run.turns() {
+            Some(true) => State::Assembles,
+            Some(false) if run.count(Status::Jammed) > 0 => State::Jammed,
+            Some(false) => State::Interferes,
+            None if run.count(Status::NoContact) > 0 => State::OutOfMesh,
+            None => State::NotProven,
+        },
     }
 }
 
-/// Of how many poses it is said, and how surely.
-fn scope(runs: &[OutlineRun]) -> String {
-    let Some(run) = runs.first() else {
-        return "Nothing was run.".to_owned();
-    };
+/// How many poses are proven, in full and shorter.
+fn proof(runs: &[OutlineRun]) -> Vec<String> {
     let poses = runs.iter().map(|run| run.poses.len()).sum::<usize>();
-    let proven = match unproven(runs) {
-        0 if run.certified => {
-            "each pose is proven and checked by polygons, and nothing between poses".to_owned()
-        }
-        0 => "each pose is proven, and nothing between poses".to_owned(),
-        open => {
-            format!("{open} of them are not, the others proven, and nothing between poses")
-        }
-    };
-    let matings = run.matings;
-    format!(" Over all {matings} matings, {poses} sampled poses: {proven}.")
+    let matings = runs.first().map_or(0, |run| run.matings);
+    match unproven(runs) {
+        0 => vec![
+            format!("Proven at {poses} poses of {matings} matings, not between them."),
+            format!("Proven at {poses} poses, not between them."),
+            "Proven at poses.".to_owned(),
+        ],
+        open => vec![
+            format!("{open} of {poses} poses are not proven."),
+            "Not proven.".to_owned(),
+        ],
+    }
 }
 
-fn of_run(run: &OutlineRun, several: bool) -> String {
-    let how = match run.turns() {
-        Some(true) => "Turns freely",
-        Some(false) if run.count(Status::Jammed) == run.poses.len() => "Jammed",
-        Some(false) => "Binds",
-        None if run.count(Status::NoContact) > 0 => "Out of mesh",
-        None => "Not known to turn",
-    };
-    let mut text = format!(
-        "{how} at a = {} mm",
-        stated_distance(run.pair.center_distance())
-    );
-    if several && run.material != Material::AsMeasured {
-        text += &format!(" with {}", run.material.words());
-    }
-    let mut parts = Vec::new();
-    for (name, pose) in [("least", &run.least), ("greatest", &run.greatest)] {
-        if let Some(words) = pose.as_ref().and_then(|pose| value(run, pose)) {
-            parts.push(format!("{name} {words}"));
-        }
-    }
-    let all_jammed = run.count(Status::Jammed) == run.poses.len();
-    if let Some(jammed) = run
-        .lost
-        .as_ref()
-        .filter(|pose| pose.status() == Status::Jammed && !all_jammed)
-    {
-        parts.push(format!(
-            "jammed where wheel tooth {} and pinion tooth {} mate",
-            jammed.mating.wheel_tooth, jammed.mating.pinion_tooth
-        ));
-    }
-    if run.turns() == Some(false) {
-        parts.push(match &run.turns_from {
-            Some(from) => format!("turns freely from a = {} mm on", fixed(from.rounded(), 4)),
-            None => "no centre distance in mesh is known from which it turns freely".to_owned(),
+/// What qualifies the extremes, the most important first.
+fn sentences(study: &OutlineStudy, runs: &[OutlineRun]) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let binding: Vec<&OutlineRun> = runs
+        .iter()
+        .filter(|run| run.turns() == Some(false))
+        .collect();
+    if !binding.is_empty() {
+        let from = binding.iter().map(|run| run.turns_from.as_ref());
+        let from = from.collect::<Option<Vec<_>>>();
+        let from = from.and_then(|each| each.iter().map(|from| from.rounded()).reduce(f64::max));
+        sentences.push(match from {
+            Some(from) => format!("Assembles from a = {} mm", fixed(from, 4)),
+            None => "No centre distance in mesh is known at which it assembles".to_owned(),
         });
     }
-    match parts.is_empty() {
-        true => text + ".",
-        false => format!("{text}: {}.", parts.join("; ")),
+    let jammed = binding.iter().find_map(|run| {
+        let lost = run
+            .lost
+            .as_ref()
+            .filter(|pose| pose.status() == Status::Jammed)?;
+        (run.count(Status::Jammed) < run.poses.len()).then_some(lost.mating)
+    });
+    sentences.extend(jammed.map(|mating| {
+        format!(
+            "Jammed at teeth {}·{}",
+            mating.wheel_tooth, mating.pinion_tooth
+        )
+    }));
+    sentences.extend(study.unmet(runs).iter().map(limit));
+    if runs
+        .iter()
+        .flat_map(|run| [&run.least, &run.greatest])
+        .flatten()
+        .any(|pose| off(pose).is_some())
+    {
+        sentences.push("± is what the drawings leave open".to_owned());
     }
+    if study.requirement(runs) == Requirement::Met {
+        sentences.push("Requirement met".to_owned());
+    }
+    sentences
 }
 
-fn value(run: &OutlineRun, pose: &OutlinePose) -> Option<String> {
+fn row(
+    study: &OutlineStudy,
+    runs: &[OutlineRun],
+    name: &'static str,
+    run: &OutlineRun,
+    pose: &OutlinePose,
+) -> Option<ExtremeRow> {
     let found = pose.found.as_ref().ok()?;
-    let (j_wt, error) = pose.j_wt?;
-    let at = |member| fixed(arcmin(j_wt / run.pair.operating_pitch_radius(member)), 3);
-    // What a drawing says no more closely is said; rounding is not.
-    let off = match error >= 5e-6 {
-        true => format!(" ± {}", um(error, DECIMALS)),
-        false => String::new(),
-    };
-    let named = |contact: &OutlineContact| {
-        format!(
-            "{}·{} ({})",
-            contact.wheel.tooth,
-            contact.pinion.tooth,
-            region_words(contact)
-        )
-    };
-    Some(format!(
-        "j_wt {}{off} µm ({} arcmin at the wheel, {} at the pinion) at teeth {} on right flanks and {} on left flanks",
-        um(j_wt, DECIMALS),
-        at(Member::Wheel),
-        at(Member::Pinion),
-        named(found.right.as_ref()?),
-        named(found.left.as_ref()?)
-    ))
+    let (j_wt, _) = pose.j_wt?;
+    let (right, left) = (found.right.as_ref()?, found.left.as_ref()?);
+    let teeth =
+        [right, left].map(|contact| format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth));
+    let curves = [right, left].map(region_words);
+    let distance = run.pair.center_distance();
+    let several = runs
+        .iter()
+        .any(|other| other.pair.center_distance() != distance);
+    Some(ExtremeRow {
+        name,
+        value: value(j_wt, off(pose)),
+        arcmin: study.lost_motion_of().map(|member| {
+            let radius = run.pair.operating_pitch_radius(member);
+            (lost_motion(j_wt / radius), member)
+        }),
+        teeth: Some(teeth.join(" / ")),
+        curves: Some(match curves[0] == curves[1] {
+            true => curves[0].clone(),
+            false => curves.join(" / "),
+        }),
+        distance: several.then(|| stated_distance(distance)),
+        material: (run.material != Material::AsMeasured).then_some(run.material),
+        ..ExtremeRow::default()
+    })
+}
+
+/// What the drawings leave open of a backlash, mm; `None` where it is rounding alone.
+fn off(pose: &OutlinePose) -> Option<f64> {
+    let (_, error) = pose.j_wt?;
+    (error >= 5e-6).then_some(error)
 }
 
 /// What touches: `tip on flank`, the wheel's first.

@@ -1,7 +1,8 @@
 //! The checks of a pair as text.
 
-use super::verdict::first_lines;
+use super::verdict::heading;
 use crate::layout::{Column, Screen, Table, Tone};
+use crate::verdict::{lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
@@ -16,7 +17,7 @@ pub fn text(
     diagnosis: &Diagnosis,
     screen: &Screen,
 ) -> String {
-    let mut text = first_lines(&study.title, verdict, screen);
+    let mut text = heading(&study.title, &lines(verdict), screen);
     let several = diagnosis.groups.len() > 1;
     let mut columns = vec![
         Column::new("verdict"),
@@ -45,8 +46,8 @@ pub fn text(
             row.push(stated_distance(group.assembly.center_distance()));
             row.push(group.material.name().to_owned());
         }
-        row.push(ascii(check.analytic, 4));
-        row.push(measured(check, |value| ascii(value, 4)));
+        row.push(ascii(check.formula, 4));
+        row.push(outlines(check, |value| ascii(value, 4)));
         row.extend([check.limit, check.margin].map(|value| ascii(value, 4)));
         row.push(unit(check.unit).to_owned());
         row.push(check.note.clone());
@@ -136,14 +137,46 @@ fn contact(diagnosis: &Diagnosis) -> String {
             );
         }
     }
-    text + match diagnosis.verdict() {
-        Verdict::Pass => "Every check passes.\n",
-        Verdict::Warn => "No check fails.\n",
-        Verdict::Unproven => {
-            "No check fails, but some are unproven: whether they pass is not known.\n"
+    text + &format!("{}\n", outcome(diagnosis))
+}
+
+/// How many checks fail, or are unproven, and which.
+pub(crate) fn outcome(diagnosis: &Diagnosis) -> String {
+    let checks = governing(diagnosis);
+    let titles = |verdict: Verdict| {
+        let of = checks.iter().filter(|(_, check)| check.verdict == verdict);
+        let mut titles: Vec<&str> = Vec::new();
+        for (_, check) in of {
+            let title = short_title(check.title);
+            if !titles.contains(&title) {
+                titles.push(title);
+            }
         }
-        Verdict::Fail => "A check fails.\n",
+        titles
+    };
+    let all = each_title(&checks);
+    let named = |count: &str, titles: &[&str]| {
+        format!(
+            "{} of {all} checks {count}: {}.",
+            titles.len(),
+            titles.join(", ")
+        )
+    };
+    let (failed, unproven) = (titles(Verdict::Fail), titles(Verdict::Unproven));
+    match (&failed[..], &unproven[..]) {
+        ([], []) => "No check fails.".to_owned(),
+        ([], unproven) => named("are unproven", unproven),
+        ([_], _) => named("fails", &failed),
+        (_, _) => named("fail", &failed),
     }
+}
+
+/// How many checks there are, those of both gears counted once.
+fn each_title(checks: &[(&Group, &Check)]) -> usize {
+    let mut titles: Vec<&str> = checks.iter().map(|(_, check)| check.title).collect();
+    titles.sort_unstable();
+    titles.dedup();
+    titles.len()
 }
 
 /// Why checks are not proven, each reason once.
@@ -158,11 +191,11 @@ pub fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
     doubts
 }
 
-/// The measured value as `shown`, or that it is not proven.
-pub fn measured(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
-    match (&check.unproven, check.measured) {
+/// The value on the outlines as `shown`, or that it is not proven.
+pub fn outlines(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
+    match (&check.unproven, check.outlines) {
         (Some(_), None) => "unproven".to_owned(),
-        (_, measured) => shown(measured),
+        (_, outlines) => shown(outlines),
     }
 }
 

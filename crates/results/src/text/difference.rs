@@ -1,9 +1,9 @@
 //! How far two outlines of one gear differ, as text.
 
-use super::verdict::heading;
 use crate::layout::{Column, Screen, Table, Tone};
 use crate::outlines::{difference_sentence, turn_words};
 use gearlash::outline::Deviation;
+use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, bound_um, signed_um, um_ascii};
 use gearlash_files::outlines::ComparedOutlines;
 
@@ -13,27 +13,18 @@ pub fn text(compared: &ComparedOutlines, tolerance_um: Option<f64>, screen: &Scr
     let verdict = tolerance_um.map(|tolerance| match compared.passes(tolerance_um) {
         true => (
             Tone::Good,
-            format!("Agree within {tolerance} µm + error bound: "),
+            format!("Agree within {tolerance} µm + error bound"),
         ),
         false => (
             Tone::Bad,
-            format!("DIFFER by more than {tolerance} µm + error bound: "),
+            format!("DIFFER by more than {tolerance} µm + error bound"),
         ),
     });
-    let sentence = difference_sentence(compared);
-    let title = format!("A {a} and B {b}");
-    let mut text = match verdict {
-        Some((tone, words)) => heading(&title, tone, &(words + &sentence), screen),
-        None => heading(
-            &title,
-            Tone::Doubtful,
-            &sentence,
-            &Screen {
-                colour: false,
-                ..*screen
-            },
-        ),
-    };
+    let verdict = verdict.map_or(String::new(), |(tone, words)| {
+        format!("{}: ", screen.toned(tone, &words))
+    });
+    let title = plain(&format!("A {a} and B {b}"));
+    let mut text = format!("{title}\n\n{verdict}{}\n\n", difference_sentence(compared));
     let found = &compared.difference;
     let mut places = Table::new([
         Column::new("").left(),

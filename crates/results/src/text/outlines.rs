@@ -1,10 +1,10 @@
 //! What is found of a pair of outlines, as text.
 
 use super::verdict::heading;
-use crate::layout::{Column, Screen, Table, Tone};
-use crate::outlines::{looks_like, region_words, sentence};
+use crate::layout::{Column, Screen, Table};
+use crate::outlines::{lines, looks_like, region_words};
 use crate::unit::cell;
-use gearlash::analysis::outlines::{OutlineRun, turns};
+use gearlash::analysis::outlines::OutlineRun;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::stated_distance;
@@ -20,17 +20,8 @@ pub fn text(
     unit: BacklashUnit,
     screen: &Screen,
 ) -> String {
-    let tone = match turns(runs) {
-        Some(true) => Tone::Good,
-        Some(false) => Tone::Bad,
-        None => Tone::Doubtful,
-    };
-    let mut text = heading(
-        &file.study.title,
-        tone,
-        &sentence(&file.study, runs),
-        screen,
-    );
+    let lines = lines(&file.study, runs);
+    let mut text = heading(&file.study.title, &lines, screen);
     for run in runs {
         text += &binding(run, unit, screen);
     }

@@ -2,13 +2,14 @@
 
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
-use super::verdict::first_lines;
+use super::verdict::heading;
 use crate::column::Row;
 use crate::doubts;
 use crate::layout::{Screen, Tone, where_it_is};
 use crate::pose::PoseRow;
 use crate::run::RunRow;
 use crate::unit;
+use crate::verdict::lines;
 use gearlash::analysis::measured::MeasuredMating;
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::study::Study;
@@ -27,7 +28,11 @@ pub fn simulation(
     unit: BacklashUnit,
     screen: &Screen,
 ) -> String {
-    let mut text = first_lines(&study.title, verdict, screen);
+    let mut asked = verdict.clone();
+    if let BacklashUnit::Arcmin { at, .. } = unit {
+        asked.lost_motion_of = Some(at);
+    }
+    let mut text = heading(&study.title, &lines(&asked), screen);
     if !measured.is_empty() {
         text += &measured_table(measured, unit, screen);
         text += &measured_count(study, measured, unit, screen);

@@ -1,29 +1,18 @@
-//! What a command says first: the title, and the verdict below it.
+//! The head of a command's text: the title, and the verdict below it.
 
 use crate::layout::{Screen, Tone};
-use crate::verdict::sentence;
-use gearlash::analysis::diagnosis::Verdict as State;
-use gearlash::analysis::verdict::Verdict;
+use crate::verdict::VerdictLines;
+use gearlash::analysis::diagnosis::Verdict;
 use gearlash_files::characters::plain;
 
-/// The title and the verdict, each in a paragraph of its own; on a terminal what it begins with is coloured.
-pub(crate) fn first_lines(title: &str, verdict: &Verdict, screen: &Screen) -> String {
-    let sentence = sentence(verdict);
-    let tone = match verdict.state() {
-        State::Pass if verdict.failed_checks.is_empty() => Tone::Good,
-        State::Unproven => Tone::Doubtful,
-        State::Pass | State::Warn | State::Fail => Tone::Bad,
+/// The title, and below it the verdict, its first line coloured on a terminal.
+pub(crate) fn heading(title: &str, lines: &VerdictLines, screen: &Screen) -> String {
+    let tone = match lines.state {
+        Verdict::Pass => Tone::Good,
+        Verdict::Warn | Verdict::Unproven => Tone::Doubtful,
+        Verdict::Fail => Tone::Bad,
     };
-    heading(title, tone, &sentence, screen)
-}
-
-/// The same of any sentence, coloured up to its colon.
-pub(super) fn heading(title: &str, tone: Tone, sentence: &str, screen: &Screen) -> String {
-    let (first, rest) = sentence.split_once(':').unwrap_or((sentence, ""));
-    let colon = if rest.is_empty() { "" } else { ":" };
-    format!(
-        "{}\n\n{}{colon}{rest}\n\n",
-        plain(title),
-        screen.toned(tone, first)
-    )
+    let mut lines = lines.lines();
+    lines[0] = screen.toned(tone, &lines[0]);
+    format!("{}\n\n{}\n\n", plain(title), lines.join("\n"))
 }

@@ -29,7 +29,7 @@ impl Here<'_> {
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Check, Error> {
         let module = self.module();
-        let analytic = limits::radial_clearance(self.assembly, member);
+        let formula = limits::radial_clearance(self.assembly, member);
         // Along the face of helical gears the eccentricities stand in all directions to a tooth: taken for the worst.
         let off = match self.assembly.is_helical() {
             true => Member::BOTH.map(|member| self.assembly.gear(member).eccentricity()),
@@ -39,7 +39,7 @@ impl Here<'_> {
             true => None,
             false => least_over(self.assembly, member, pitches, tick)?,
         };
-        let least = found.map_or(analytic, |found| found.distance.min(analytic)) - off[0] - off[1];
+        let least = found.map_or(formula, |found| found.distance.min(formula)) - off[0] - off[1];
         let limit = limits::LEAST_CLEARANCE * module;
         let verdict = if !met(least - limit) {
             Verdict::Fail
@@ -54,8 +54,8 @@ impl Here<'_> {
             id: "radial_clearance",
             title: "radial clearance of tip, K (9), (10)",
             gear: Some(member),
-            analytic: Some(analytic),
-            measured: found.map(|found| found.distance),
+            formula: Some(formula),
+            outlines: found.map(|found| found.distance),
             limit: Some(limit),
             margin: Some(least - limit),
             unit: "mm",
@@ -92,7 +92,7 @@ impl Here<'_> {
     pub(super) fn tip(&self, member: Member) -> Check {
         let as_built = self.assembly.gear(member);
         let gear = as_built.gear();
-        let analytic = limits::tip_thickness(gear);
+        let formula = limits::tip_thickness(gear);
         let widening = |tooth| {
             as_built.flank_offset(Side::Left, tooth) - as_built.flank_offset(Side::Right, tooth)
         };
@@ -104,24 +104,24 @@ impl Here<'_> {
             },
         );
         let leaning = limits::tip_helix_cos(gear);
-        let measured =
-            thinnest.map(|tooth| analytic + gear.tip_radius() * widening(tooth) * leaning);
-        let least = measured.map_or(analytic, |measured| measured.min(analytic));
+        let outlines =
+            thinnest.map(|tooth| formula + gear.tip_radius() * widening(tooth) * leaning);
+        let least = outlines.map_or(formula, |outlines| outlines.min(formula));
         let limit = LEAST_TIP * self.module();
         Check {
             unproven: None,
             id: "tip_thickness",
             title: "tip thickness; of the thinnest tooth",
             gear: Some(member),
-            analytic: Some(analytic),
-            measured,
+            formula: Some(formula),
+            outlines,
             limit: Some(limit),
             margin: Some(least - limit),
             unit: "mm",
             verdict: Verdict::unless(met(least - limit), Verdict::Warn),
             details: vec![],
             note: thinnest
-                .filter(|_| measured != Some(analytic))
+                .filter(|_| outlines != Some(formula))
                 .map_or(String::new(), |tooth| format!("tooth {tooth}")),
         }
     }

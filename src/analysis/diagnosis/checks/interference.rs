@@ -3,6 +3,8 @@
 use super::here::{Here, percent};
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analytic::limits;
+use crate::contact::Touch;
+use crate::gear::ProfilePart;
 use crate::pair::Member;
 
 impl Here<'_> {
@@ -21,8 +23,8 @@ impl Here<'_> {
         let limit = limits::base_tangent(self.assembly);
         let margin = limits::non_involute_margin(self.assembly, member);
         let base = mate.base_radius();
-        let measured = self.seen.touched(member.mate()).greatest;
-        let measured = measured.map(|r| ((r - base) * (r + base)).max(0.0).sqrt());
+        let outlines = self.seen.touched(member.mate()).greatest;
+        let outlines = outlines.map(|r| ((r - base) * (r + base)).max(0.0).sqrt());
         // K (8) is about the base circle: violated, it is borne out by contact below the involute.
         let verdict = match (met(margin), self.seen.touched(member).below) {
             (true, _) => Verdict::Pass,
@@ -34,8 +36,8 @@ impl Here<'_> {
             id: "non_involute_k8",
             title: "mate's tip within base tangent, K (8)",
             gear: Some(member),
-            analytic: Some(limits::tip_tangent(mate)),
-            measured,
+            formula: Some(limits::tip_tangent(mate)),
+            outlines,
             limit: Some(limit),
             margin: Some(margin),
             unit: "mm",
@@ -56,18 +58,18 @@ impl Here<'_> {
         let gear = self.gear(member);
         let margin = limits::form_margin(self.assembly, member);
         let touched = self.seen.touched(member);
-        let (below, measured) = (touched.below, touched.least);
+        let (below, outlines) = (touched.below, touched.least);
         let form = gear.form_radius();
-        let analytic = limits::active_root_radius(self.assembly, member);
-        let least = [analytic, measured].into_iter().flatten().reduce(f64::min);
+        let formula = limits::active_root_radius(self.assembly, member);
+        let least = [formula, outlines].into_iter().flatten().reduce(f64::min);
         let poses = self.seen.contact.poses();
         Check {
             unproven: None,
             id: "non_involute_form",
             title: "lowest contact above form circle (radii)",
             gear: Some(member),
-            analytic,
-            measured,
+            formula,
+            outlines,
             limit: Some(form),
             margin: least.map(|least| least - form),
             unit: "mm",
@@ -76,28 +78,36 @@ impl Here<'_> {
                 ("form_margin_on_line_of_action_mm", margin),
                 ("poses_below_percent", percent(below, poses)),
             ],
-            note: match below {
-                0 => String::new(),
-                _ => format!(
-                    "touched below the involute in {below} of {poses} poses{}",
-                    self.where_below(member)
-                ),
-            },
+            note: self.touched_in(member, poses),
         }
     }
 
-    /// Teeth in the contact nearest to `member`'s root.
-    fn where_below(&self, member: Member) -> String {
+    /// In how many of `poses` `member` is touched below its involute or on the edge that undercut leaves, and the lowest such contact;
+    /// empty where it is not.
+    fn touched_in(&self, member: Member, poses: usize) -> String {
         let touched = self.seen.touched(member);
-        touched.lowest.map_or(String::new(), |contact| {
-            format!(
-                " by {} tooth pairs, lowest at wheel {} {}, pinion {} {}",
-                touched.pairs.len(),
-                contact.wheel.tooth,
-                contact.wheel.curve.name(),
-                contact.pinion.tooth,
-                contact.pinion.curve.name()
-            )
-        })
+        let Some(lowest) = &touched.lowest else {
+            return String::new();
+        };
+        let touch = match member {
+            Member::Wheel => lowest.wheel,
+            Member::Pinion => lowest.pinion,
+        };
+        let on_edge = touch.curve == ProfilePart::Involute;
+        let place = match on_edge {
+            true => "on the undercut edge, at the form circle,",
+            false => "below the involute",
+        };
+        let curve = |touch: Touch| match on_edge {
+            true => format!("{}", touch.tooth),
+            false => format!("{} {}", touch.tooth, touch.curve.name()),
+        };
+        format!(
+            "touched {place} in {} of {poses} poses by {} tooth pairs, lowest at wheel {}, pinion {}",
+            touched.below,
+            touched.pairs.len(),
+            curve(lowest.wheel),
+            curve(lowest.pinion)
+        )
     }
 }

@@ -15,9 +15,9 @@ const LEAST_CONTACT_RATIO: f64 = 1.0;
 impl Here<'_> {
     pub(super) fn zero(&self, zero: Option<&ZeroDistance>) -> Check {
         let a = self.assembly.center_distance();
-        let analytic = limits::zero_backlash_distance(self.assembly);
-        let measured = zero.map(|zero| zero.distance);
-        let margin = measured.or(analytic).map(|zero| a - zero);
+        let formula = limits::zero_backlash_distance(self.assembly);
+        let outlines = zero.map(|zero| zero.distance);
+        let margin = outlines.or(formula).map(|zero| a - zero);
         let mut details = Vec::new();
         let nominal = limits::nominal_zero_backlash_distance(self.assembly);
         details.extend(nominal.map(|nominal| ("nominal_thickness_mm", nominal)));
@@ -27,8 +27,8 @@ impl Here<'_> {
             id: "zero_backlash_distance",
             title: "zero-backlash centre distance, K (17)",
             gear: None,
-            analytic,
-            measured,
+            formula,
+            outlines,
             limit: Some(a),
             margin,
             unit: "mm",
@@ -54,25 +54,25 @@ impl Here<'_> {
         }
     }
 
-    /// K (12), (13): what both teeth take of a pitch; measured, a pitch less the least backlash.
+    /// K (12), (13): what both teeth take of a pitch; on the outlines, a pitch less the least backlash.
     pub(super) fn backlash(&self) -> Check {
         let pitch = limits::operating_pitch(self.assembly);
         let thickness = |member| limits::operating_thickness(self.assembly, member);
-        let analytic = thickness(Member::Wheel) + thickness(Member::Pinion);
+        let formula = thickness(Member::Wheel) + thickness(Member::Pinion);
         let least = self.seen.least;
         let jammed = self
             .seen
             .contact
             .of_class(|class| class == PoseClass::Jammed);
-        let measured = least.map(|least| pitch - least);
-        let margin = pitch - measured.map_or(analytic, |measured| measured.max(analytic));
+        let outlines = least.map(|least| pitch - least);
+        let margin = pitch - outlines.map_or(formula, |outlines| outlines.max(formula));
         Check {
             unproven: None,
             id: "backlash_condition",
             title: "both teeth within the pitch, K (12), (13)",
             gear: None,
-            analytic: Some(analytic),
-            measured,
+            formula: Some(formula),
+            outlines,
             limit: Some(pitch),
             margin: Some(margin),
             unit: "mm",
@@ -111,8 +111,8 @@ impl Here<'_> {
             id: "undercut",
             title: "involute begins outside base circle",
             gear: Some(member),
-            analytic: Some(margin),
-            measured: Some(gear.base_radius() * gear.form_roll()),
+            formula: Some(margin),
+            outlines: Some(gear.base_radius() * gear.form_roll()),
             limit: Some(0.0),
             margin: Some(margin),
             unit: "mm",
@@ -136,11 +136,11 @@ impl Here<'_> {
     }
 
     pub(super) fn contact_ratio(&self) -> Check {
-        let analytic = limits::contact_ratio(self.assembly);
-        let measured = limits::usable_contact_ratio(self.assembly);
+        let formula = limits::contact_ratio(self.assembly);
+        let outlines = limits::usable_contact_ratio(self.assembly);
         // The total contact ratio ε_γ = ε_α + ε_β is what must not fall below 1.
         let overlap = limits::overlap_ratio(self.assembly);
-        let least = analytic.min(measured) + overlap;
+        let least = formula.min(outlines) + overlap;
         let nominal = limits::nominal_zero_backlash_distance(self.assembly)
             .and_then(|a| self.assembly.at(a).ok())
             .map(|nominal| limits::contact_ratio(&nominal));
@@ -149,8 +149,8 @@ impl Here<'_> {
             id: "contact_ratio",
             title: "contact ratio; between real form circles",
             gear: None,
-            analytic: Some(analytic),
-            measured: Some(measured),
+            formula: Some(formula),
+            outlines: Some(outlines),
             limit: Some(LEAST_CONTACT_RATIO),
             margin: Some(least - LEAST_CONTACT_RATIO),
             unit: "1",

@@ -7,7 +7,7 @@ mod limits;
 mod off_line;
 mod start;
 
-use super::check::{Check, Verdict};
+use super::check::{Check, CheckName, Verdict};
 use super::clearance::pitches;
 use super::contact_count::ContactCount;
 use super::onset::Onset;
@@ -45,7 +45,7 @@ pub struct Group {
     pub checks: Vec<Check>,
     /// What touched over its poses.
     pub contact: ContactCount,
-    /// `a_0` measured: of the material, the same at each centre distance.
+    /// `a_0` on the outlines: of the material, the same at each centre distance.
     pub zero: Searched<ZeroDistance>,
     /// Onset of non-involute contact: of the material, the same at each centre distance.
     pub onset: Searched<Onset>,
@@ -61,8 +61,8 @@ impl Diagnosis {
             .unwrap_or(Verdict::Pass)
     }
 
-    /// Ids of the checks that fail, none twice.
-    pub fn failed(&self) -> Vec<&'static str> {
+    /// The checks that fail, each once.
+    pub fn failed(&self) -> Vec<CheckName> {
         let mut failed = Vec::new();
         for group in &self.groups {
             add_failed(&mut failed, &group.checks);
@@ -157,8 +157,7 @@ pub fn diagnose(
     })
 }
 
-/// Ids of the checks that fail, as [`Diagnosis::failed`] has them, without what is sought only to be reported: where it is clear without a search
-/// that a limit is kept, or that it is not, none is made.
+/// The checks that fail, as [`Diagnosis::failed`] has them. No search is made where it is clear without one whether a limit is kept.
 ///
 /// `seen` is what the poses of each run of `study` have shown, in the order of [`Study::runs`]; `cycle` are its extremes.
 ///
@@ -169,7 +168,7 @@ pub fn failed_checks(
     seen: &[Seen],
     cycle: &CycleExtremes,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Vec<&'static str>, Error> {
+) -> Result<Vec<CheckName>, Error> {
     let mut failed = Vec::new();
     let mut zeros: Vec<(Material, Searched<ZeroDistance>)> = Vec::new();
     let mut onsets: Vec<(Material, Searched<Onset>)> = Vec::new();
@@ -223,11 +222,12 @@ pub fn failed_checks(
     Ok(failed)
 }
 
-/// Adds to `failed` the ids of those of `checks` that fail, none twice.
-fn add_failed(failed: &mut Vec<&'static str>, checks: &[Check]) {
+/// Adds to `failed` those of `checks` that fail, each once.
+fn add_failed(failed: &mut Vec<CheckName>, checks: &[Check]) {
     for check in checks {
-        if check.verdict == Verdict::Fail && !failed.contains(&check.id) {
-            failed.push(check.id);
+        let name = check.name();
+        if check.verdict == Verdict::Fail && !failed.contains(&name) {
+            failed.push(name);
         }
     }
 }

@@ -12,16 +12,16 @@ impl Here<'_> {
     pub(super) fn onset(&self, onset: Option<&Onset>) -> Check {
         let a = self.assembly.center_distance();
         let form = |member| form_onset(self.assembly, member);
-        let analytic = form(Member::Wheel).max(form(Member::Pinion));
-        let measured = onset.map(|onset| onset.distance);
-        let margin = a - measured.unwrap_or(analytic);
+        let formula = form(Member::Wheel).max(form(Member::Pinion));
+        let outlines = onset.map(|onset| onset.distance);
+        let margin = a - outlines.unwrap_or(formula);
         Check {
             unproven: None,
             id: "non_involute_onset",
             title: "centre distance of first non-involute contact",
             gear: None,
-            analytic: Some(analytic),
-            measured,
+            formula: Some(formula),
+            outlines,
             limit: Some(a),
             margin: Some(margin),
             unit: "mm",
@@ -71,8 +71,8 @@ impl Here<'_> {
             id: "off_line_contact",
             title: "poses that touch off the line of action",
             gear: None,
-            analytic: Some(0.0),
-            measured: Some(percent(off, poses)),
+            formula: Some(0.0),
+            outlines: Some(percent(off, poses)),
             limit: Some(0.0),
             margin: Some(-percent(off, poses)),
             unit: "%",

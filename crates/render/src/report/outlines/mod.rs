@@ -6,20 +6,18 @@ mod scope;
 
 use super::figures::not_on_paper;
 use super::marks::{mark, marked};
-use super::phrases::{j_wt, with_symbols};
+use super::phrases::j_wt;
 use super::shell::Shell;
+use super::verdict::answer;
 use crate::chart::{self, Heading, PictureError};
 use crate::map::outline_map_in_page;
 use gearlash::analysis::diagnosis::Verdict;
-use gearlash::analysis::outlines::{
-    OutlineMap, OutlinePose, OutlineRun, TurnsFrom, turns, unproven, worst,
-};
-use gearlash::analysis::verdict::Requirement;
+use gearlash::analysis::outlines::{OutlineMap, OutlinePose, OutlineRun, TurnsFrom, worst};
 use gearlash::contact::Status;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{NONE, fixed, stated_distance, um, um_within};
-use gearlash_results::outlines::{region_words, summary};
+use gearlash_results::outlines::{lines, region_words};
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances whose curves stand in the page (tuned: as of gears by their data).
@@ -76,19 +74,12 @@ pub fn outline_report(report: &OutlineReport) -> Result<String, PictureError> {
 
 fn result(report: &OutlineReport) -> Markup {
     let runs = report.runs;
-    let unmet = report.pair.study.requirement(runs) == Requirement::NotMet;
-    let state = match (turns(runs), unproven(runs)) {
-        (Some(false), _) => Verdict::Fail,
-        _ if unmet => Verdict::Fail,
-        (_, 1..) => Verdict::Unproven,
-        (Some(true), _) => Verdict::Pass,
-        (None, _) => Verdict::Fail,
-    };
+    let lines = lines(&report.pair.study, runs);
     html! {
         section id="result" {
-            div.verdict.(state.name()) {
-                p.state { (mark(state)) }
-                p.answer { (with_symbols(&summary(&report.pair.study, runs))) }
+            div.verdict.(lines.state.name()) {
+                p.state { (mark(lines.state)) }
+                (answer(&lines))
             }
             (distances(report))
             @if let Some((run, _)) = worst(runs) { (binding(report, run)) }

@@ -1,0 +1,133 @@
+//! The common part of `check` and `compare`: several files of which some cannot be read, output formats, and the step summary of a workflow.
+
+use super::console::{ScreenArgs, print, tell_lines};
+use super::studies;
+use crate::error::{Error, exit_code};
+use crate::explain::explain;
+use clap::ValueEnum;
+use gearlash_files::Sources;
+use gearlash_results::judged::{Judged, JudgedFile, Outcome};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// The output formats for pair files.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum JudgedFormat {
+    /// One file in full; of several a line for each that passes
+    Text,
+    /// One object with a list of files, of one file as of several
+    Json,
+    /// JUnit XML: one suite per file, one case per check
+    Junit,
+    /// GitHub annotations; the Markdown goes to the step summary ($GITHUB_STEP_SUMMARY)
+    Github,
+    /// Markdown for reviewers
+    Markdown,
+}
+
+/// Reads each of `paths`; a file that cannot be read does not stop the others.
+///
+/// # Errors
+/// [`Error::Usage`] where standard input is named twice; [`Error::OverInput`].
+pub(super) fn read<T>(
+    paths: &[PathBuf],
+    read: impl Fn(&Path) -> Result<T, Error>,
+) -> Result<Vec<(PathBuf, Result<T, Error>)>, Error> {
+    studies::name_stdin_once(paths)?;
+    Ok(paths
+        .iter()
+        .map(|path| (path.clone(), read(path)))
+        .collect())
+}
+
+/// The outcome of a file: judged, or the problems for which it cannot be read or judged. Standard error lists these, too, unless `is_shown`.
+///
+/// # Errors
+/// An error that ends the whole run.
+pub(super) fn judged_file(
+    path: &Path,
+    judged: Result<Judged, Error>,
+    is_shown: bool,
+) -> Result<JudgedFile, Error> {
+    use gearlash::error::Error as Run;
+    let error = match judged {
+        Ok(judged) => return Ok(JudgedFile::Judged(judged)),
+        Err(error) => error,
+    };
+    match error {
+        Error::Input(_) | Error::Several(_) | Error::Usage(_) => {}
+        Error::Run(ref reason) if !matches!(reason, Run::Interrupted) => {}
+        ends_all => return Err(ends_all),
+    }
+    if !is_shown {
+        tell_lines(&explain(&error));
+    }
+    Ok(JudgedFile::Unreadable {
+        file: path.display().to_string(),
+        problems: error.lines(),
+    })
+}
+
+/// The step summary of a GitHub workflow.
+pub(super) struct StepSummary(Option<PathBuf>);
+
+impl StepSummary {
+    /// Where it is, if `format` writes one; never one of `sources`.
+    ///
+    /// # Errors
+    /// [`Error::OverInput`].
+    pub(super) fn prepare(format: JudgedFormat, sources: &Sources) -> Result<StepSummary, Error> {
+        let named = std::env::var_os("GITHUB_STEP_SUMMARY").map(PathBuf::from);
+        let Some(summary) = named.filter(|_| format == JudgedFormat::Github) else {
+            return Ok(StepSummary(None));
+        };
+        match sources.named(&summary) {
+            None => Ok(StepSummary(Some(summary))),
+            Some(input) => Err(Error::OverInput {
+                input: input.to_path_buf(),
+                output: summary,
+            }),
+        }
+    }
+
+    /// Adds `text`; what earlier steps wrote stays.
+    fn append(&self, text: &str) -> Result<(), Error> {
+        let Some(summary) = &self.0 else {
+            return Ok(());
+        };
+        let mut options = std::fs::OpenOptions::new();
+        let file = options.append(true).create(true).open(summary);
+        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
+        written.map_err(|source| {
+            Error::Usage(format!(
+                "GITHUB_STEP_SUMMARY={}: cannot be written: {source}; unset the variable, or use --format markdown",
+                summary.display()
+            ))
+        })
+    }
+}
+
+/// Prints `outcome` in `format`; the exit code.
+///
+/// # Errors
+/// A failed write.
+pub(super) fn print_outcome(
+    outcome: &Outcome,
+    format: JudgedFormat,
+    screen: &ScreenArgs,
+    summary: &StepSummary,
+) -> Result<ExitCode, Error> {
+    print(&match format {
+        JudgedFormat::Text => outcome.text(&screen.screen()),
+        JudgedFormat::Json => outcome.json().map_err(Error::unwritable("the outcome"))?,
+        JudgedFormat::Junit => outcome.junit().map_err(Error::unwritable("the outcome"))?,
+        JudgedFormat::Github => outcome.github(),
+        JudgedFormat::Markdown => outcome.markdown(),
+    })?;
+    summary.append(&outcome.markdown())?;
+    Ok(match outcome.has_unreadable() {
+        true => ExitCode::from(2),
+        false => exit_code(outcome.passes()),
+    })
+}

@@ -45,6 +45,8 @@ pub struct MeasuredMating {
 pub struct Bands {
     /// Model 2.
     pub analytic: Option<Band>,
+    /// Model 3.
+    pub line_of_action: Option<Band>,
     /// Simulated.
     pub simulated: Option<Band>,
     /// Simulated, from most material at `a − c` to least material at `a + c`.
@@ -190,6 +192,7 @@ impl Bands {
         };
         Bands {
             analytic: band(thick.analytic, thin.analytic),
+            line_of_action: band(thick.line_of_action, thin.line_of_action),
             simulated: band(thick.simulated, thin.simulated),
             with_clearance: band(thick.ends[0], thin.ends[1]),
         }
@@ -200,6 +203,7 @@ impl Bands {
 #[derive(Debug, Clone, Copy, Default)]
 struct Means {
     analytic: Mean,
+    line_of_action: Mean,
     simulated: Mean,
     /// At `a − c` and at `a + c`.
     ends: [Mean; 2],
@@ -209,6 +213,7 @@ impl Means {
     fn add(&mut self, pose: &ComparedPose) {
         let [near, far] = pose.simulated.range();
         self.analytic.add(pose.involute);
+        self.line_of_action.add(pose.line_of_action);
         self.simulated.add(pose.simulated.backlash);
         self.ends[0].add(near);
         self.ends[1].add(far);

@@ -158,6 +158,8 @@ pub struct Analysis<'a> {
     pub runs: Vec<ComparedRun>,
     /// Whole revolutions at the same centre distances; where the study sweeps, its own poses and those of the left flanks.
     pub revolution: Vec<ComparedRun>,
+    /// These with the poses between them that their curves need, as they are drawn.
+    pub curves: Vec<ComparedRun>,
     /// Extremes of the whole mesh cycle.
     pub extremes: CycleExtremes,
     /// Over the centre distance: what binds, then the matings that were measured.
@@ -197,6 +199,7 @@ impl<'a> Analysis<'a> {
             measured: measured_matings(study, &runs),
             runs,
             revolution,
+            curves: Vec::new(),
             extremes: CycleExtremes::default(),
             over_distance: Vec::new(),
             widths: Vec::new(),
@@ -208,11 +211,17 @@ impl<'a> Analysis<'a> {
             (progress.stage)(MESH_CYCLE);
             analysis.extremes = extremes::extremes(study, method, tick)?;
         }
+        if plan.revolution {
+            (progress.stage)("(curves over the teeth)");
+            let (turned, cycle) = (&analysis.revolution, &analysis.extremes.each);
+            analysis.curves = curves::refined(study, turned, cycle, method, tick)?;
+        }
         if plan.curves {
             (progress.stage)("(over the centre distance)");
             let binding = curves::binding(study, analysis.all());
             for followed in curves::followed(study, binding) {
-                let curve = curves::over_distance(study, followed, method, tick)?;
+                let cycle = &analysis.extremes.each;
+                let curve = curves::over_distance(study, followed, cycle, method, tick)?;
                 analysis.over_distance.push(curve);
             }
         }

@@ -79,7 +79,7 @@ impl<'a> Outcome<'a> {
     /// Of all poses of `runs`, and of those `picked` out of others for their backlash: these count for all but the mean.
     pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
         let all = || {
-            let runs = runs.iter().chain(picked).copied();
+            let runs = picked.iter().chain(runs).copied();
             runs.flat_map(|run| run.poses.iter().map(move |pose| PoseOfRun { run, pose }))
         };
         let count = |holds: &dyn Fn(&PoseResult) -> bool| {

@@ -94,7 +94,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ContributionsError::Error(error) => Error::Run(error),
         ContributionsError::Overflow(error) => Error::Usage(error.to_string()),
     })?;
-    tell_result(&result, prepared, args.format, &args.screen.screen())
+    tell_result(&file, &result, prepared, args.format, &args.screen.screen())
 }
 
 /// The rows of `args.assemblies` from number `first` on, by default up to the last of the pair file.

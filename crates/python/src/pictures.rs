@@ -71,7 +71,7 @@ pub fn over_teeth(
     let study = study.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
     let plan = Plan::new(&study, METHOD).with_revolution().with_extremes();
     let analysis = analysed(py, None, &plan)?;
-    let course = curves::courses(&analysis.revolution).into_iter().next();
+    let course = curves::courses(&analysis.curves).into_iter().next();
     let course = course.ok_or_else(|| error(py, "the pair asks for no poses"))?;
     let course = course.with_cycle(&analysis.extremes.each);
     let cycle = in_short(&analysis.verdict());
@@ -107,8 +107,9 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
             Followed::Teeth(mating.wheel_tooth, mating.pinion_tooth)
         }
     };
+    let cycle = searched.as_ref().map_or(&[][..], |all| &all.extremes.each);
     let curve = work(py, None, |tick| {
-        curves::over_distance(study, followed, METHOD, tick)
+        curves::over_distance(study, followed, cycle, METHOD, tick)
     })?;
     let cycle = searched
         .as_ref()

@@ -1,8 +1,13 @@
 //! A map of which wheel goes with which pinion.
+//!
+//! A pair's shade is the distance of its backlash from the target, in the assembly phase that suits it best: how far its least or
+//! its greatest strays over the mesh cycle. A cross stands where no phase keeps what is required.
 
-use crate::kit::{Frame, INK, TextStyle, blank_sheet, number};
+use crate::kit::{Frame, INK, Spot, TextStyle, blank_sheet, line, number, scale};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
+use gearlash_files::numbers::{rounded, shortest};
+use svg::node::Node;
 use svg::node::element::{Circle, Group};
 
 const WIDTH: f64 = 900.0;
@@ -12,42 +17,65 @@ const FIELD: Frame = Frame {
     right: 650.0,
     bottom: 624.0,
 };
-const HEIGHT: f64 = 670.0;
+const HEIGHT: f64 = 740.0;
 /// Gears of a kind up to which each is named.
-const MOST_NAMED: usize = 40;
+const MOST_NAMED: usize = 45;
+/// Room of a name that stands upright below the field.
+const UPRIGHT: f64 = 100.0;
 
 const SMALL: TextStyle = TextStyle::new(12.0);
-const TINY: TextStyle = TextStyle::new(9.0);
 
-/// Shades by the share of the assembly phases that are within what is required, and their names: told apart by lightness.
-const SHADES: [(&str, &str); 4] = [
-    ("#ffffff", "no phase"),
-    ("#d3e3ee", "some phases"),
-    ("#86afcf", "half of the phases or more"),
-    ("#2f6f9f", "every phase"),
-];
+/// Shades from near the target to far from it, distinguished by lightness.
+const SHADES: [&str; 5] = ["#08457e", "#2f7ab8", "#6fa9d3", "#abcde6", "#dce9f4"];
 
-/// Wheels downwards, pinions to the right, each pair in the shade of how many of its phases are within what is required; a dot where the
-/// two go together.
+/// Wheels downwards, pinions to the right; a dot where the two go together.
 pub fn match_map(result: &MatchResult) -> String {
-    let wheels = result.names[0].len();
-    let pinions = result.names[1].len();
-    let caption = format!("{} assembly phases of each pair", result.matrix.phases());
-    let document = blank_sheet(WIDTH, HEIGHT)
-        .add(TextStyle::new(18.0).verbatim(
-            &TextStyle::new(18.0).shortened(&plain(&result.title), WIDTH - 2.0 * 24.0),
+    let size = result.names.each_ref().map(Vec::len);
+    let step = step(result);
+    let title = TextStyle::new(18.0);
+    blank_sheet(WIDTH, HEIGHT)
+        .add(title.verbatim(
+            &title.shortened(&plain(&result.title), WIDTH - 2.0 * 24.0),
             [24.0, 32.0],
         ))
         .add(SMALL.grey().verbatim(
             &SMALL.shortened(&result.sentence(), WIDTH - 2.0 * 24.0),
             [24.0, 54.0],
         ))
-        .add(cells(result, [wheels, pinions]))
+        .add(cells(result, size, step))
         .add(FIELD.border())
-        .add(dots(result, [wheels, pinions]))
-        .add(names(result, [wheels, pinions]))
-        .add(legend(&caption));
-    document.to_string()
+        .add(dots(result, size))
+        .add(names(result, size))
+        .add(legend(result, step))
+        .to_string()
+}
+
+/// How far the pairs' backlash strays from the target, µm, where they have any.
+fn off_um(result: &MatchResult, wheel: usize, pinion: usize) -> Option<f64> {
+    let fit = result.matrix.pair_fit(wheel, pinion)?.best;
+    fit.off.is_finite().then_some(1e3 * fit.off)
+}
+
+/// Width of a shade, µm: a round one, with which the last shade begins within the range of the pairs that keep what is required.
+fn step(result: &MatchResult) -> f64 {
+    let [wheels, pinions] = result.names.each_ref().map(Vec::len);
+    let pairs = (0..wheels).flat_map(|wheel| (0..pinions).map(move |pinion| (wheel, pinion)));
+    let meeting = pairs.filter(|&(wheel, pinion)| meets(result, wheel, pinion));
+    let farthest = meeting.filter_map(|(wheel, pinion)| off_um(result, wheel, pinion));
+    let farthest = farthest.fold(0.0, f64::max);
+    scale::round_down((farthest / 4.0).max(0.1), scale::FINE)
+}
+
+fn meets(result: &MatchResult, wheel: usize, pinion: usize) -> bool {
+    let pair = result.matrix.pair_fit(wheel, pinion);
+    pair.is_some_and(|pair| pair.meeting > 0)
+}
+
+/// The shade of a pair; `None` where it has no backlash.
+fn shade(result: &MatchResult, wheel: usize, pinion: usize, step: f64) -> Option<&'static str> {
+    let off = off_um(result, wheel, pinion)?;
+    let last = SHADES.len() - 1;
+    Some(SHADES[((off / step) as usize).min(last)])
 }
 
 fn cell([wheel, pinion]: [usize; 2], [wheels, pinions]: [usize; 2]) -> Frame {
@@ -63,12 +91,13 @@ fn cell([wheel, pinion]: [usize; 2], [wheels, pinions]: [usize; 2]) -> Frame {
     }
 }
 
-/// Cells of one shade beside each other in a row are one rectangle.
-fn cells(result: &MatchResult, size: [usize; 2]) -> Group {
+/// Cells of one shade beside each other in a row are one rectangle; crosses over them.
+fn cells(result: &MatchResult, size: [usize; 2], step: f64) -> Group {
     let mut group = Group::new().set("shape-rendering", "crispEdges");
+    let mut crosses = Group::new();
     for wheel in 0..size[0] {
-        let shade = |pinion| shade(result, wheel, pinion);
-        let row: Vec<usize> = (0..size[1]).map(shade).collect();
+        let row = (0..size[1]).map(|pinion| shade(result, wheel, pinion, step));
+        let row: Vec<Option<&str>> = row.collect();
         let mut first = 0;
         for run in row.chunk_by(|a, b| a == b) {
             let last = first + run.len() - 1;
@@ -76,22 +105,30 @@ fn cells(result: &MatchResult, size: [usize; 2]) -> Group {
                 right: cell([wheel, last], size).right,
                 ..cell([wheel, first], size)
             };
-            group = group.add(frame.rectangle().set("fill", SHADES[run[0]].0));
+            let fill = run[0].unwrap_or("#ffffff");
+            group.append(frame.rectangle().set("fill", fill));
             first = last + 1;
+        }
+        for pinion in (0..size[1]).filter(|pinion| !meets(result, wheel, *pinion)) {
+            crosses.append(missed(&cell([wheel, pinion], size)));
+        }
+    }
+    Group::new().add(group).add(crosses)
+}
+
+/// A cross over a cell, readable on every shade.
+fn missed(cell: &Frame) -> Group {
+    let half = (0.22 * cell.width().min(cell.height())).min(5.0);
+    let [x, y] = cell.middle();
+    let stroke = |tilt: f64| [[x - half, y - tilt], [x + half, y + tilt]];
+    let mut group = Group::new();
+    for (colour, width) in [("#ffffff", 2.6), (INK, 1.1)] {
+        for stroke in [stroke(half), stroke(-half)] {
+            let stroke: &[Spot] = &stroke;
+            group.append(line(stroke, colour, width));
         }
     }
     group
-}
-
-fn shade(result: &MatchResult, wheel: usize, pinion: usize) -> usize {
-    let phases = result.matrix.phases();
-    let meeting = result.matrix.pair_fit(wheel, pinion);
-    match meeting.map_or(0, |meeting| meeting.meeting) {
-        0 => 0,
-        all if all == phases => 3,
-        many if 2 * many >= phases => 2,
-        _ => 1,
-    }
 }
 
 fn dots(result: &MatchResult, size: [usize; 2]) -> Group {
@@ -131,27 +168,49 @@ fn names(result: &MatchResult, size: [usize; 2]) -> Group {
                 .text(&text, [FIELD.left - 6.0, FIELD.middle()[1]]),
         );
     }
-    let below = FIELD.bottom + 16.0;
-    if pinions <= MOST_NAMED {
-        let room = FIELD.width() / pinions as f64 - 2.0;
-        for (pinion, name) in result.names[1].iter().enumerate() {
-            let [x, _] = cell([0, pinion], size).middle();
-            let name = TINY.shortened(&plain(name), room);
-            group = group.add(TINY.middle().verbatim(&name, [x, below]));
-        }
-    } else {
+    if pinions > MOST_NAMED {
         let text = format!("{pinions} pinions");
-        group = group.add(SMALL.middle().text(&text, [FIELD.middle()[0], below]));
+        let below = [FIELD.middle()[0], FIELD.bottom + 16.0];
+        return group.add(SMALL.middle().text(&text, below));
+    }
+    let room = FIELD.width() / pinions as f64 - 4.0;
+    let lie = result.names[1]
+        .iter()
+        .all(|name| SMALL.width(&plain(name)) <= room);
+    for (pinion, name) in result.names[1].iter().enumerate() {
+        let [x, _] = cell([0, pinion], size).middle();
+        if lie {
+            group.append(
+                SMALL
+                    .middle()
+                    .verbatim(&plain(name), [x, FIELD.bottom + 16.0]),
+            );
+            continue;
+        }
+        let (x, y) = (x + SMALL.below_middle(), FIELD.bottom + 8.0);
+        let mut name = SMALL
+            .end()
+            .verbatim(&SMALL.shortened(&plain(name), UPRIGHT), [x, y]);
+        name.assign(
+            "transform",
+            format!("rotate(-90 {} {})", number(x), number(y)),
+        );
+        group.append(name);
     }
     group
 }
 
-fn legend(caption: &str) -> Group {
+fn legend(result: &MatchResult, step: f64) -> Group {
     let left = FIELD.right + 20.0;
-    let mut group = Group::new();
     let mut y = FIELD.top + 12.0;
-    group = group.add(SMALL.bold().text("within what is required", [left, y]));
-    for (colour, name) in SHADES.iter().rev() {
+    let mut group = Group::new().add(SMALL.bold().text("from the target, best phase", [left, y]));
+    let um = |value: f64| shortest(rounded(value, 6));
+    group.append(SMALL.grey().text(
+        &format!("target {} µm", um(1e3 * result.wanted)),
+        [left, y + 20.0],
+    ));
+    y += 24.0;
+    for (number, colour) in SHADES.iter().enumerate() {
         y += 24.0;
         let frame = Frame {
             left,
@@ -159,19 +218,32 @@ fn legend(caption: &str) -> Group {
             right: left + 16.0,
             bottom: y + 4.0,
         };
-        group = group
-            .add(frame.rectangle().set("fill", *colour).set("stroke", INK))
-            .add(SMALL.text(name, [left + 24.0, y]));
+        let from = step * number as f64;
+        let name = match number + 1 == SHADES.len() {
+            true => format!("{} µm or more", um(from)),
+            false => format!("{} … {} µm", um(from), um(from + step)),
+        };
+        group.append(frame.rectangle().set("fill", *colour).set("stroke", INK));
+        group.append(SMALL.text(&name, [left + 24.0, y]));
     }
-    y += 28.0;
+    y += 26.0;
+    let frame = Frame {
+        left,
+        top: y - 12.0,
+        right: left + 16.0,
+        bottom: y + 4.0,
+    };
+    group.append(missed(&frame));
+    group.append(SMALL.text("misses what is required", [left + 24.0, y]));
+    y += 26.0;
+    let dot = Circle::new()
+        .set("cx", number(left + 8.0))
+        .set("cy", number(y - 4.0))
+        .set("r", "5")
+        .set("fill", INK);
+    let phases = format!("{} assembly phases of each pair", result.matrix.phases());
     group
-        .add(
-            Circle::new()
-                .set("cx", number(left + 8.0))
-                .set("cy", number(y - 4.0))
-                .set("r", "5")
-                .set("fill", INK),
-        )
+        .add(dot)
         .add(SMALL.text("go together", [left + 24.0, y]))
-        .add(SMALL.grey().text(caption, [left, y + 28.0]))
+        .add(SMALL.grey().text(&phases, [left, y + 28.0]))
 }

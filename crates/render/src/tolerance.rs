@@ -3,15 +3,15 @@
 use crate::chart::{Chart, Heading, PictureError, population};
 use gearlash_files::tolerance::{ToleranceResult, shares};
 
-/// Pictures of a run, each an SVG element.
+/// Pictures of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pictures {
     /// Histogram with limits; `None` where no assembly has a backlash.
-    pub histogram: Option<String>,
+    pub histogram: Option<Chart>,
     /// The share outside the requirement over the number of assemblies.
-    pub convergence: String,
+    pub convergence: Chart,
     /// Contributions to what the requirement limits first; `None` where none were found.
-    pub contributions: Option<String>,
+    pub contributions: Option<Chart>,
 }
 
 /// The pictures of `result`.
@@ -27,7 +27,6 @@ pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
         title: &about.title,
         subtitle: &first,
     };
-    let svg = |chart: Chart| chart.svg;
     let least = about.min_mm.is_some() || about.others.iter().any(|one| one.min.is_some());
     let most = about.max_mm.is_some() || about.others.iter().any(|one| one.max.is_some());
     let greatest = !least && most;
@@ -39,13 +38,8 @@ pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
         ..heading("contributions")
     };
     Ok(Pictures {
-        histogram: population::histogram(&heading("histogram"), result)
-            .ok()
-            .map(svg),
-        convergence: population::convergence(&heading("convergence"), &result.convergence())
-            .map(svg)?,
-        contributions: population::contributions(&contributions, found)
-            .ok()
-            .map(svg),
+        histogram: population::histogram(&heading("histogram"), result).ok(),
+        convergence: population::convergence(&heading("convergence"), &result.convergence())?,
+        contributions: population::contributions(&contributions, found).ok(),
     })
 }

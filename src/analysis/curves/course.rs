@@ -4,8 +4,9 @@ use super::scale::Scale;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::study::Material;
-use crate::contact::{Contact, Status, first_least};
+use crate::contact::{Contact, PoseResult, Status, first_least};
 use crate::gear::Side;
+use crate::pair::Mating;
 
 /// All curves of one centre distance and phase.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,18 +34,43 @@ pub struct Course {
 }
 
 impl Course {
-    /// The same with the extremes of the mesh cycle among `runs`.
+    /// Adds the extremes of the mesh cycle among `runs`. Where one lies on the course, it is the course's own: the verdict
+    /// and the chart name the same teeth.
     #[must_use]
-    pub fn with_cycle(self, runs: &[RunExtremes]) -> Course {
+    pub fn with_cycle(mut self, runs: &[RunExtremes]) -> Course {
         let here = |run: &&RunExtremes| run.assembly.center_distance() == self.center_distance;
-        let here = || runs.iter().filter(here);
-        let um = |extreme: Option<&RunExtreme>| extreme.map(|extreme| extreme.found() * 1e3);
-        let least = here().filter_map(|run| um(run.least.as_ref()));
-        let greatest = here().filter_map(|run| um(run.greatest.as_ref()));
-        Course {
-            cycle_um: [least.reduce(f64::min), greatest.reduce(f64::max)],
-            ..self
-        }
+        let ends = [(1.0, true), (-1.0, false)].map(|(sign, least)| {
+            let ends = runs.iter().filter(here).filter_map(|run| {
+                let end = if least { &run.least } else { &run.greatest };
+                Some((run.material, end.as_ref()?))
+            });
+            ends.reduce(
+                |best, next| match sign * next.1.found() < sign * best.1.found() {
+                    true => next,
+                    false => best,
+                },
+            )
+        });
+        self.cycle_um = ends.map(|end| end.map(|(_, extreme)| extreme.found() * 1e3));
+        let own =
+            ends.map(|end| end.and_then(|(material, extreme)| self.place_of(material, extreme)));
+        let [least, greatest] = own;
+        self.least = least.or(self.least);
+        self.greatest = greatest.or(self.greatest);
+        self
+    }
+
+    /// An extreme of the mesh cycle as one of this course; `None` where its teeth do not meet in it.
+    fn place_of(&self, material: Material, extreme: &RunExtreme) -> Option<Extreme> {
+        let result = &extreme.pose.simulated;
+        let mating = result.pose.mating();
+        let is_of = |line: &&CourseLine| (line.material, line.flank) == (material, mating.flank);
+        let points = self.lines.iter().find(is_of)?.points.iter();
+        let um = result.backlash? * 1e3;
+        let is_at =
+            |point: &&CoursePoint| point.mating == *mating && point.simulated_um == Some(um);
+        let x = points.clone().find(is_at)?.x;
+        extreme_of(x, material, result)
     }
 }
 
@@ -66,6 +92,8 @@ pub struct CourseLine {
 pub struct CoursePoint {
     /// Place: the wheel tooth at the pitch point and the part of a pitch beyond it, or pitches since the first pose.
     pub x: f64,
+    /// The teeth that mate there.
+    pub mating: Mating,
     /// How the pose ended: why there is no value, where there is none.
     pub status: Status,
     /// Simulated.
@@ -160,16 +188,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
             Some((placed, sign * result.backlash?, result.error_bound?))
         });
         let (x, material, pose) = first_least(known)?;
-        let lost_motion = pose.simulated.proven()?;
-        let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);
-        Some(Extreme {
-            x: *x,
-            backlash_um: pose.simulated.backlash? * 1e3,
-            material: *material,
-            flank: pose.simulated.pose.mating().flank,
-            right: teeth(lost_motion.right.as_ref()?),
-            left: teeth(lost_motion.left.as_ref()?),
-        })
+        extreme_of(*x, *material, &pose.simulated)
     };
     Course {
         center_distance,
@@ -184,11 +203,26 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
     }
 }
 
+/// A pose at `x` as an extreme, where it has a backlash.
+fn extreme_of(x: f64, material: Material, pose: &PoseResult) -> Option<Extreme> {
+    let lost_motion = pose.proven()?;
+    let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);
+    Some(Extreme {
+        x,
+        backlash_um: pose.backlash? * 1e3,
+        material,
+        flank: pose.pose.mating().flank,
+        right: teeth(lost_motion.right.as_ref()?),
+        left: teeth(lost_motion.left.as_ref()?),
+    })
+}
+
 fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
     let result = &pose.simulated;
     let off = |model: Option<f64>| Some((result.backlash? - model?) * 1e3);
     CoursePoint {
         x,
+        mating: *result.pose.mating(),
         status: result.status(),
         simulated_um: result.backlash.map(|mm| mm * 1e3),
         error_bound_um: result.error_bound.map(|mm| mm * 1e3),

@@ -8,6 +8,7 @@ mod binding;
 mod course;
 mod field;
 mod over_distance;
+mod refined;
 mod scale;
 mod stretches;
 mod tangent;
@@ -16,6 +17,7 @@ pub use binding::{Followed, binding, followed, measured_teeth};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
 pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
+pub use refined::refined;
 pub use stretches::STRETCH_END;
 pub use tangent::PathLimit;
 

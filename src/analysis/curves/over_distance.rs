@@ -2,6 +2,7 @@
 
 use super::Followed;
 use crate::analysis::compare::compare;
+use crate::analysis::extremes::RunExtremes;
 use crate::analysis::measured::{Bands, bands};
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{MeasuredRow, RunPlan, Study};
@@ -31,6 +32,8 @@ pub struct OverDistance {
     pub clearance: f64,
     /// Whether the bands have two ends: most and least material.
     pub two_materials: bool,
+    /// Where the pair does not assemble at a stated distance: from which distance on it does, mm. The curve reaches it.
+    pub assembles_from: Option<f64>,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,
     /// The measured rows of the teeth, in the order of their file.
@@ -53,20 +56,24 @@ pub struct DistancePoint {
     pub gap: Option<Status>,
 }
 
-/// What is `followed` over a grid of centre distances round the study's and those at which it was measured.
+/// What is `followed` over a grid of centre distances round the study's and those at which it was measured; as far as that
+/// from which the pair assembles, where the extremes of its `cycle` know one.
 ///
 /// # Errors
 /// [`GearError::NoSuchTooth`]; else as [`crate::analysis::simulate::simulate`].
 pub fn over_distance(
     study: &Study,
     followed: Followed,
+    cycle: &[RunExtremes],
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<OverDistance, Error> {
     let of_teeth =
         |row: &&MeasuredRow| followed == Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
     let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_teeth).cloned().collect();
-    let distances = grid(study, &measured);
+    let from = cycle.iter().filter_map(|run| run.assembles_from);
+    let assembles_from = from.map(|from| from.high).reduce(f64::max);
+    let distances = grid(study, &measured, assembles_from);
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, wheel, pinion) in &study.materials {
@@ -114,6 +121,7 @@ pub fn over_distance(
         agreement,
         unproven: runs.iter().map(|run| run.unproven().count()).sum(),
         two_materials: study.materials.len() > 1,
+        assembles_from,
         points: distances.iter().map(point).collect(),
         measured,
     })
@@ -146,11 +154,12 @@ fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<
 
 /// How many poses [`over_distance`] will take at most.
 pub fn over_distance_pose_count(study: &Study) -> u64 {
-    2 * (grid(study, &[]).len() * study.materials.len()) as u64
+    2 * u64::from(STEPS + 2) * study.materials.len() as u64
 }
 
-/// Centre distances round the study's and the `measured`, none so near that base circles overlap at `a − c`.
-fn grid(study: &Study, measured: &[MeasuredRow]) -> Vec<f64> {
+/// Centre distances round the study's and the `measured`, and up to `reach`, which is one of them; none so near that base
+/// circles overlap at `a − c`.
+fn grid(study: &Study, measured: &[MeasuredRow], reach: Option<f64>) -> Vec<f64> {
     let Some((_, wheel, pinion)) = study.materials.first() else {
         return Vec::new();
     };
@@ -162,14 +171,19 @@ fn grid(study: &Study, measured: &[MeasuredRow]) -> Vec<f64> {
         return Vec::new();
     };
     let module = wheel.gear().basic_data().module();
-    let margin = match last > first {
-        true => MARGIN * (last - first),
-        false => AROUND * module,
-    };
+    let mut margin = MARGIN * (last - first);
+    if last == first {
+        margin = AROUND * module;
+    }
+    let last = last.max(reach.unwrap_or(last));
+    margin = margin.max(MARGIN * (last - first));
     let touching = wheel.gear().base_radius() + pinion.gear().base_radius();
     let possible = |a: &f64| a - study.bearing_clearance > touching;
     let (from, to) = (first - margin, last + margin);
     let step = (to - from) / f64::from(STEPS);
     let grid = (0..=STEPS).map(|i| from + f64::from(i) * step);
-    grid.filter(possible).collect()
+    let mut grid: Vec<f64> = grid.chain(reach).filter(possible).collect();
+    grid.sort_by(f64::total_cmp);
+    grid.dedup();
+    grid
 }

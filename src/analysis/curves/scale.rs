@@ -57,7 +57,7 @@ fn pitches<'a>(matings: impl Iterator<Item = &'a Mating>) -> f64 {
 }
 
 /// Pitches from the first mating's tooth to each of `matings`: one more with each change of teeth.
-fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item = f64> {
+pub(super) fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item = f64> {
     matings.scan((None, 0u32), |(last, whole), mating| {
         let teeth = (mating.wheel_tooth, mating.pinion_tooth);
         if last.is_some_and(|last| last != teeth) {

@@ -51,7 +51,7 @@ impl DrawnChart {
             .with_extremes();
         poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
         let analysis = run_under_bar(&plan)?;
-        let courses = curves::courses(&analysis.revolution);
+        let courses = curves::courses(&analysis.curves);
         let course = courses
             .first()
             .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
@@ -96,7 +96,8 @@ impl DrawnChart {
         poses::allow(&args.pair, poses, &poses::HELD)?;
         let progress = Progress::start(poses);
         let (method, tick) = (args.method.method(), || progress.tick());
-        let curve = curves::over_distance(study, followed, method, &tick);
+        let cycle = whole.as_ref().map_or(&[][..], |whole| &whole.extremes.each);
+        let curve = curves::over_distance(study, followed, cycle, method, &tick);
         let curve = curve.map_err(|error| match (error, args.mating) {
             (Run::Gear(reason @ GearError::NoSuchTooth { .. }), Some((wheel, pinion))) => {
                 Error::Usage(format!("--mating {wheel},{pinion}: {reason}"))

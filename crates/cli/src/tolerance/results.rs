@@ -7,7 +7,7 @@ use crate::output::OutputFolder;
 use clap::ValueEnum;
 use gearlash::population::WORST;
 use gearlash_files::tolerance::{
-    ToleranceResult, histogram_csv, is_worst_file, worst_file, worst_name,
+    ToleranceFile, ToleranceResult, histogram_csv, is_worst_file, worst_file, worst_name,
 };
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
 use gearlash_results::text::Screen;
@@ -88,6 +88,7 @@ pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
 
 /// Prints `result` and writes it to `folder`, where there is one.
 pub(crate) fn tell_result(
+    file: &ToleranceFile,
     result: &ToleranceResult,
     folder: Option<OutputFolder>,
     format: Format,
@@ -98,6 +99,7 @@ pub(crate) fn tell_result(
     let json = result.to_json();
     let csv = result.to_csv().map_err(Error::unwritable("the result"))?;
     let page = tolerance_report(&ToleranceReport {
+        file,
         result,
         pictures: &pictures,
         date: &date,
@@ -107,13 +109,13 @@ pub(crate) fn tell_result(
         ("result.csv".to_owned(), csv.clone()),
         ("histogram.csv".to_owned(), histogram_csv(result)),
         ("index.html".to_owned(), page),
-        (CONVERGENCE.to_owned(), pictures.convergence),
+        (CONVERGENCE.to_owned(), pictures.convergence.svg),
     ];
     for (name, picture) in [
         (HISTOGRAM, pictures.histogram),
         (CONTRIBUTIONS, pictures.contributions),
     ] {
-        files.extend(picture.map(|picture| (name.to_owned(), picture)));
+        files.extend(picture.map(|picture| (name.to_owned(), picture.svg)));
     }
     for (index, worst) in result.worst.iter().enumerate() {
         let (name, text) = worst_file(index, worst);

@@ -127,14 +127,15 @@ fn a_jammed_pair_and_one_out_of_mesh() {
     checked(&jammed);
     assert!(jammed.contains("Jammed at a = 39.000 mm"));
     assert!(jammed.contains("Jammed, a tip in a root, wheel 1 with pinion 1"));
-    assert!(
-        jammed
-            .contains("Left out: over these centre distances the gears are jammed or out of mesh")
-    );
+    // Two gears of 20 teeth and module 2 without allowances assemble from a = 40 on.
+    assert!(jammed.contains("assembles from a = 40.0000 mm on"));
     assert!(jammed.contains("Scale bars are correct"));
     let apart = page(&plain("44.5"));
     checked(&apart);
     assert!(apart.contains("Out of mesh at a = 44.500 mm"));
+    assert!(
+        apart.contains("Left out: over these centre distances the gears are jammed or out of mesh")
+    );
     // No heading stands over nothing.
     assert!(apart.contains("No pose is in mesh: there is nothing to draw."));
     assert!(!apart.contains("Scale bars are correct"));

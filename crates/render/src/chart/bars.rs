@@ -97,25 +97,15 @@ pub fn bar_panels(
 }
 
 impl BarPanel<'_> {
-    /// Draws the limits and makes room for them.
+    /// Draws the limits, within the axis.
     fn limit(&self, panel: &mut Panel) {
         for limits in &self.limits {
             let [low, high] = panel.y.range;
-            let shown = range([low, high].into_iter().chain(limits.values), [0.0; 2], 0.1);
-            // Room for the name above the upper line.
-            let [low, high] = shown.unwrap_or([low, high]);
-            let room = 0.07 * (high - low);
-            panel.y.range = [
-                low.min(limits.values[0] - room),
-                high.max(limits.values[1] + 2.0 * room),
-            ];
+            let shown = range([low, high].into_iter().chain(limits.values), [0.05; 2], 0.1);
+            panel.y.range = shown.unwrap_or([low, high]);
             let ends = panel.x.range;
             for value in limits.values {
-                panel.marks.push(Mark::Line {
-                    points: ends.map(|x| (x, Some(value))).to_vec(),
-                    look: Look::Limit,
-                    width: 1.2,
-                });
+                panel.marks.push(Mark::level(ends, value, Look::Limit, 1.2));
             }
             panel.marks.push(Mark::Text {
                 at: [ends[1], limits.values[1]],
@@ -134,12 +124,12 @@ impl BarPanel<'_> {
         let zeros = values.clone().all(|value| *value == 0.0);
         if !zeros && values.all(|value| value.abs() < self.level) {
             let [from, to] = panel.x.range;
-            panel.marks.push(Mark::Text {
-                at: [0.5 * (from + to), 0.0],
-                shift: [0.0, -10.0],
-                text: format!("no deviation within {} µm", self.level),
-                anchor: Anchor::Middle,
-            });
+            panel.marks.push(Mark::text(
+                [0.5 * (from + to), 0.0],
+                [0.0, -10.0],
+                format!("no deviation within {} µm", self.level),
+                Anchor::Middle,
+            ));
         }
     }
 }
@@ -165,11 +155,11 @@ pub(super) fn panel(
     let teeth = series.iter().map(|bars| bars.values.len()).max()?;
     let ends = [0.4, teeth as f64 + 0.6];
     let width = 0.8 / series.len() as f64;
-    let mut marks = vec![Mark::Line {
-        points: vec![(ends[0], Some(0.0)), (ends[1], Some(0.0))],
-        look: Look::Plain,
-        width: 1.0,
-    }];
+    let mut marks = vec![Mark::line(
+        vec![(ends[0], Some(0.0)), (ends[1], Some(0.0))],
+        Look::Plain,
+        1.0,
+    )];
     for (place, bars) in series.iter().enumerate() {
         let left = 0.6 + place as f64 * width;
         match teeth > MOST_BARS {
@@ -178,12 +168,12 @@ pub(super) fn panel(
         }
     }
     if values().all(|value| *value == 0.0) {
-        marks.push(Mark::Text {
-            at: [0.5 * (ends[0] + ends[1]), 0.0],
-            shift: [0.0, -10.0],
-            text: "none".to_owned(),
-            anchor: Anchor::Middle,
-        });
+        marks.push(Mark::text(
+            [0.5 * (ends[0] + ends[1]), 0.0],
+            [0.0, -10.0],
+            "none".to_owned(),
+            Anchor::Middle,
+        ));
     }
     Some(Panel {
         title: title.to_owned(),
@@ -212,9 +202,9 @@ fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
 
 fn curve(bars: &BarSeries) -> Mark {
     let teeth = (1..).map(f64::from);
-    Mark::Line {
-        points: teeth.zip(bars.values.iter().copied()).collect(),
-        look: bars.look,
-        width: 1.0,
-    }
+    Mark::line(
+        teeth.zip(bars.values.iter().copied()).collect(),
+        bars.look,
+        1.0,
+    )
 }

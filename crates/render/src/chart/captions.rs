@@ -59,25 +59,19 @@ pub(super) fn interference(panel: &mut Panel, busy: f64) {
     if low >= 0.0 {
         return;
     }
-    panel.marks.insert(
-        0,
-        Mark::Ground {
-            y: [low, high.min(0.0)],
-        },
-    );
+    let below = high.min(0.0);
+    panel.marks.insert(0, Mark::Ground { below });
     if high > 0.0 {
-        panel.marks.push(Mark::Line {
-            points: panel.x.range.map(|x| (x, Some(0.0))).to_vec(),
-            look: Look::Plain,
-            width: 1.0,
-        });
+        panel
+            .marks
+            .push(Mark::level(panel.x.range, 0.0, Look::Plain, 1.0));
     }
-    panel.marks.push(Mark::Text {
-        at: [corner, low],
-        shift: [shift, -10.0],
-        text: "interference".to_owned(),
+    panel.marks.push(Mark::text(
+        [corner, low],
+        [shift, -10.0],
+        "interference".to_owned(),
         anchor,
-    });
+    ));
 }
 
 /// The legend's entry of a line or band.
@@ -100,12 +94,12 @@ pub(super) fn empty(x: Axis, words: &str) -> Panel {
             ..Axis::new("", [0.0, 1.0])
         },
         height: 130.0,
-        marks: vec![Mark::Text {
-            at: [middle, 0.5],
-            shift: [0.0; 2],
-            text: words.to_owned(),
-            anchor: Anchor::Middle,
-        }],
+        marks: vec![Mark::text(
+            [middle, 0.5],
+            [0.0; 2],
+            words.to_owned(),
+            Anchor::Middle,
+        )],
     }
 }
 

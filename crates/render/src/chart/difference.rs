@@ -24,11 +24,8 @@ pub fn difference(
 ) -> Result<Chart, PictureError> {
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
-        let lines = lines().map(move |line| Mark::Line {
-            points: points(line, model, 1.0),
-            look,
-            width: width(line.material),
-        });
+        let lines = lines()
+            .map(move |line| Mark::line(points(line, model, 1.0), look, width(line.material)));
         lines.collect::<Vec<Mark>>()
     };
     let models: [fn(&CoursePoint) -> Option<f64>; 2] =
@@ -111,19 +108,19 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     let bound = |point: &CoursePoint| point.error_bound_um;
     let mut marks = Vec::new();
     for line in lines() {
-        marks.push(Mark::Band {
-            low: points(line, bound, -1.0 / unit),
-            high: points(line, bound, 1.0 / unit),
-            look: Look::Limit,
-            opacity: BOUND,
-        });
+        marks.push(Mark::band(
+            points(line, bound, -1.0 / unit),
+            points(line, bound, 1.0 / unit),
+            Look::Limit,
+            BOUND,
+        ));
     }
     for line in lines() {
-        marks.push(Mark::Line {
-            points: points(line, off, 1.0 / unit),
-            look: Look::Right,
-            width: width(line.material),
-        });
+        marks.push(Mark::line(
+            points(line, off, 1.0 / unit),
+            Look::Right,
+            width(line.material),
+        ));
     }
     let values = all().filter_map(off);
     let bounds = all().filter_map(bound).flat_map(|bound| [-bound, bound]);
@@ -138,23 +135,19 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         true => {
             for limit in [-tolerance, tolerance] {
                 if y[0] < limit && limit < y[1] {
-                    marks.push(Mark::Line {
-                        points: course.span.map(|x| (x, Some(limit))).to_vec(),
-                        look: Look::Limit,
-                        width: 1.2,
-                    });
+                    marks.push(Mark::level(course.span, limit, Look::Limit, 1.2));
                 }
             }
             format!("tolerance ±{tolerance_um} µm: short dashes")
         }
         false => format!("tolerance ±{tolerance_um} µm: far outside this axis"),
     };
-    marks.push(Mark::Text {
-        at: [course.span[0], y[1]],
-        shift: [8.0, 10.0],
-        text: words,
-        anchor: Anchor::Start,
-    });
+    marks.push(Mark::text(
+        [course.span[0], y[1]],
+        [8.0, 10.0],
+        words,
+        Anchor::Start,
+    ));
     Some(Panel {
         title: format!("minus model 3, separate scale{}", thin(course)),
         x: course_axis(course),

@@ -10,7 +10,7 @@ use gearlash::analysis::curves::{DistancePoint, OverDistance};
 use gearlash::analysis::measured::Band;
 use gearlash::analysis::outcome::AtDistance;
 use gearlash::pair::{BacklashUnit, Mating};
-use gearlash_files::numbers::trimmed;
+use gearlash_files::numbers::{fixed, trimmed};
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
@@ -51,7 +51,7 @@ pub fn distance_in(
         })
     };
     let simulated = ends(|point| point.bands.simulated, 0.0);
-    let analytic = ends(|point| point.bands.analytic, 0.0);
+    let analytic = ends(|point| point.bands.line_of_action, 0.0);
     let with_clearance = ends(|point| point.bands.with_clearance, curve.clearance);
     let measured = |side: fn(&gearlash::analysis::study::MeasuredRow) -> f64| -> Vec<Point> {
         let rows = curve.measured.iter();
@@ -81,20 +81,13 @@ pub fn distance_in(
     }
     if any(&analytic) {
         marks.extend(outline(&analytic, Look::Third));
-        legend.push(entry("by formula (model 2)", Look::Third, Swatch::Line));
+        legend.push(entry("by formula (model 3)", Look::Third, Swatch::Line));
     }
     let ranges: Vec<[Point; 2]> = distances.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
         let look = Look::Plain;
-        marks.push(Mark::Dots {
-            points: points.clone(),
-            look,
-        });
-        marks.push(Mark::Line {
-            points,
-            look,
-            width: 1.0,
-        });
+        marks.push(Mark::dots(points.clone(), look));
+        marks.push(Mark::line(points, look, 1.0));
     }
     if !ranges.is_empty() {
         let name = "least and greatest of all poses, every tooth";
@@ -106,10 +99,7 @@ pub fn distance_in(
     ] {
         if !points.is_empty() {
             legend.push(entry(name, look, Swatch::Dot));
-            marks.push(Mark::Dots {
-                points: points.clone(),
-                look,
-            });
+            marks.push(Mark::dots(points.clone(), look));
         }
     }
     let drawn = [&simulated, &analytic, &with_clearance]
@@ -151,6 +141,19 @@ pub fn distance_in(
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
+    if let Some(from) = curve.assembles_from {
+        panel.marks.push(Mark::line(
+            y.map(|y| (from, Some(y))).to_vec(),
+            Look::Limit,
+            1.2,
+        ));
+        panel.marks.push(Mark::text(
+            [from, y[0]],
+            [-6.0, -24.0],
+            format!("assembles from a = {} mm on", fixed(from, 4)),
+            Anchor::End,
+        ));
+    }
     let details = unproven_note(curve.unproven) + &poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
 }
@@ -193,30 +196,21 @@ fn gaps(curve: &OverDistance, [x, y]: [[f64; 2]; 2]) -> impl Iterator<Item = Mar
             part if part > 0.9 => (x[1], -6.0, Anchor::End),
             _ => (middle, 0.0, Anchor::Middle),
         };
-        Some(Mark::Text {
-            at: [at, 0.5 * (y[0] + y[1])],
-            shift: [shift, 0.0],
-            text: without_value([status].into_iter()).to_owned(),
+        Some(Mark::text(
+            [at, 0.5 * (y[0] + y[1])],
+            [shift, 0.0],
+            without_value([status].into_iter()).to_owned(),
             anchor,
-        })
+        ))
     })
 }
 
 fn band([low, high]: &[Vec<Point>; 2], look: Look, opacity: f64) -> [Mark; 3] {
-    let fill = Mark::Band {
-        low: low.clone(),
-        high: high.clone(),
-        look,
-        opacity,
-    };
+    let fill = Mark::band(low.clone(), high.clone(), look, opacity);
     let [low, high] = outline(&[low.clone(), high.clone()], look);
     [fill, low, high]
 }
 
 fn outline(ends: &[Vec<Point>; 2], look: Look) -> [Mark; 2] {
-    ends.clone().map(|points| Mark::Line {
-        points,
-        look,
-        width: 1.4,
-    })
+    ends.clone().map(|points| Mark::line(points, look, 1.4))
 }

@@ -88,27 +88,23 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
         .flat_map(|line| line.ends.map(|end| end[1]));
     let places = ends.chain(side.path).chain([side.binding.place]);
     let y = range(places, [0.1; 2], 1e-3).unwrap_or([-1.0, 1.0]);
-    let mut marks = shades(side, y);
+    let mut marks = shades(side);
     for (limit, at) in side.limits.into_iter().zip(side.path) {
-        marks.push(Mark::Line {
-            points: x.map(|x| (x, Some(at))).to_vec(),
-            look: Look::Limit,
-            width: 1.0,
-        });
-        marks.push(Mark::Text {
-            at: [x[1], at],
-            shift: [-4.0, if at == side.path[0] { 9.0 } else { -9.0 }],
-            text: name(limit),
-            anchor: Anchor::End,
-        });
+        marks.push(Mark::level(x, at, Look::Limit, 1.0));
+        marks.push(Mark::text(
+            [x[1], at],
+            [-4.0, if at == side.path[0] { 11.0 } else { -11.0 }],
+            name(limit),
+            Anchor::End,
+        ));
     }
     for line in &side.lines {
         let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
-        marks.push(Mark::Line {
+        marks.push(Mark::line(
             points,
-            look: look(side.side),
-            width: WIDTHS[usize::from(line.binds)],
-        });
+            look(side.side),
+            WIDTHS[usize::from(line.binds)],
+        ));
         marks.extend(label(line, side, x));
     }
     let binding = &side.binding;
@@ -141,10 +137,9 @@ fn binding_line(side: &FieldSide) -> Option<[f64; 2]> {
 
 /// The point at which a pair binds beside its line.
 fn binding_point(side: &FieldSide, place: f64) -> Option<Mark> {
-    binding_line(side).is_none().then(|| Mark::Dots {
-        points: vec![(side.binding.section, Some(place))],
-        look: Look::Plain,
-    })
+    binding_line(side)
+        .is_none()
+        .then(|| Mark::dots(vec![(side.binding.section, Some(place))], Look::Plain))
 }
 
 fn binds_where(side: &FieldSide) -> String {
@@ -192,15 +187,15 @@ fn label(line: &ContactLine, side: &FieldSide, [from, to]: [f64; 2]) -> Option<M
     // Of a line that rises the room is below on its right and above on its left.
     let below = (side_slope(side) > 0.0) != before;
     let sign = |yes| if yes { 1.0 } else { -1.0 };
-    Some(Mark::Text {
-        at: middle,
-        shift: [sign(!before) * ASIDE, sign(below) * 9.0],
+    Some(Mark::text(
+        middle,
+        [sign(!before) * ASIDE, sign(below) * 9.0],
         text,
-        anchor: match before {
+        match before {
             true => Anchor::End,
             false => Anchor::Start,
         },
-    })
+    ))
 }
 
 /// How steeply the lines rise; of lines too short to tell 0.
@@ -241,22 +236,19 @@ fn gaps(side: &FieldSide, x: [f64; 2]) -> Panel {
         LEAST_UM,
     );
     let y = y.unwrap_or([0.0, LEAST_UM]);
-    let mut marks = shades(side, y);
-    marks.push(Mark::Line {
-        points: side.sections.iter().map(|s| (s.at, value(s))).collect(),
-        look: look(side.side),
-        width: 1.6,
-    });
+    let mut marks = shades(side);
+    marks.push(Mark::line(
+        side.sections.iter().map(|s| (s.at, value(s))).collect(),
+        look(side.side),
+        1.6,
+    ));
     marks.extend(binding_point(side, 0.0));
     Panel {
         title: format!(
             "Transverse gap of each section, the gears in contact{}",
             fillets(side)
         ),
-        x: Axis::new(
-            "axial position z, mm from the measuring plane, away from the viewer",
-            x,
-        ),
+        x: Axis::new("axial position z, mm, away from the viewer", x),
         y: Axis::new("transverse gap, µm", y),
         height: HEIGHTS[1],
         marks,
@@ -277,17 +269,10 @@ fn fillets(side: &FieldSide) -> String {
     }
 }
 
-fn shades(side: &FieldSide, y: [f64; 2]) -> Vec<Mark> {
-    let band = |stretch: [f64; 2]| {
-        let level = |at: f64| stretch.map(|z| (z, Some(at))).to_vec();
-        Mark::Band {
-            low: level(y[0]),
-            high: level(y[1]),
-            look: Look::Third,
-            opacity: SHADE,
-        }
-    };
-    side.fillets.iter().copied().map(band).collect()
+/// The stretches in which a fillet is touched first.
+fn shades(side: &FieldSide) -> Vec<Mark> {
+    let shade = |x: [f64; 2]| Mark::shade(x, Look::Third, SHADE);
+    side.fillets.iter().copied().map(shade).collect()
 }
 
 fn name(limit: PathLimit) -> String {

@@ -11,30 +11,39 @@ pub(super) const ROW: f64 = 19.0;
 const NAMES: TextStyle = TextStyle::new(12.0);
 /// Width of a sample.
 const SAMPLE: f64 = 30.0;
+/// From an entry's left end to its name.
+const NAME: f64 = SAMPLE + 6.0;
+/// From line to line of a name.
+const LINE: f64 = 14.0;
 
 /// The legend between the edges `sides`, the middle of its first row at `top`, and how many rows it has.
 pub(super) fn draw(entries: &[Entry], sides: [f64; 2], top: f64) -> (Group, usize) {
-    let (mut row, mut x) = (0, sides[0]);
     let mut group = Group::new();
+    // The next free place: row, and how far right.
+    let (mut row, mut x) = (0, sides[0]);
     for entry in entries {
-        let width = SAMPLE + 10.0 + NAMES.width(&entry.name);
+        let lines = NAMES.wrapped(&entry.name, sides[1] - sides[0] - NAME, 3);
+        let width = NAME + NAMES.width(&lines[0]);
         if x > sides[0] && x + width > sides[1] {
             (row, x) = (row + 1, sides[0]);
         }
-        let y = top + ROW * f64::from(row);
-        draw_entry(entry, [x, y], &mut group);
-        x += width + 14.0;
+        let y = top + ROW * row as f64;
+        draw_sample(entry, [x, y], &mut group);
+        for (number, line) in lines.iter().enumerate() {
+            let foot = y + LINE * number as f64 + NAMES.below_middle();
+            group.append(NAMES.text(line, [x + NAME, foot]));
+        }
+        match lines.len() {
+            1 => x += width + 18.0,
+            more => (row, x) = (row + more, sides[0]),
+        }
     }
-    let rows = if entries.is_empty() {
-        0
-    } else {
-        row as usize + 1
-    };
+    let rows = row + usize::from(x > sides[0]);
     (group, rows)
 }
 
-/// One entry, its left end at `[x, y]`.
-fn draw_entry(entry: &Entry, [x, y]: [f64; 2], group: &mut Group) {
+/// The sample of an entry, its left end at `[x, y]`.
+fn draw_sample(entry: &Entry, [x, y]: [f64; 2], group: &mut Group) {
     let look = entry.look;
     let frame = Frame {
         left: x,
@@ -55,5 +64,4 @@ fn draw_entry(entry: &Entry, [x, y]: [f64; 2], group: &mut Group) {
         Swatch::Dot => group.append(look.mark([x + 0.5 * SAMPLE, y])),
         Swatch::Band(_) => {}
     }
-    group.append(NAMES.text(&entry.name, [x + SAMPLE + 6.0, y + NAMES.below_middle()]));
 }

@@ -59,15 +59,8 @@ pub fn lines(
     let marks = series.iter().map(|line| {
         let points = line.points.clone();
         match line.dots {
-            true => Mark::Dots {
-                points,
-                look: line.look,
-            },
-            false => Mark::Line {
-                points,
-                look: line.look,
-                width: 1.6,
-            },
+            true => Mark::dots(points, line.look),
+            false => Mark::line(points, line.look, 1.6),
         }
     });
     let legend: Vec<Entry> = series

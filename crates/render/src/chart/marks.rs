@@ -8,12 +8,10 @@ use crate::kit::{Frame, Plot, Spot, line, number, polygon};
 use svg::node::Node;
 use svg::node::element::{Circle, Group};
 
-/// A hatched ground between two values of `y` over the whole width.
-pub(super) fn ground(plot: &Plot, y: [f64; 2]) -> Group {
-    let [bottom, top] = y.map(|y| plot.spot((plot.x[0], y))[1]);
+/// A hatched ground over the whole width up to a value of y.
+pub(super) fn ground(plot: &Plot, below: f64) -> Group {
     let frame = Frame {
-        top,
-        bottom,
+        top: plot.spot((plot.x[0], below))[1],
         ..plot.frame()
     };
     Group::new()
@@ -41,13 +39,23 @@ fn hatch(frame: &Frame) -> Vec<Spot> {
         .collect()
 }
 
-/// Draws one mark into `group`; whether it is a line drawn by its edges.
-pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) -> bool {
+/// Draws one mark into `group`.
+pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
     let column = 1.0 / plot.scale()[0];
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
     match mark {
         // Grounds lie below the grid, texts above everything.
         Mark::Ground { .. } | Mark::Text { .. } => {}
+        Mark::Shade { x, look, opacity } => {
+            let [left, right] = x.map(|x| plot.spot((x, plot.y[0]))[0]);
+            let frame = Frame {
+                left,
+                right,
+                ..plot.frame()
+            };
+            let shade = frame.rectangle().set("fill", look.colour());
+            group.append(shade.set("fill-opacity", number(*opacity)));
+        }
         Mark::Band {
             low,
             high,
@@ -62,7 +70,7 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) -> bool {
             points,
             look,
             width,
-        } => return draw_line(points, *look, *width, plot, group),
+        } => draw_line(points, *look, *width, plot, group),
         Mark::Dots { points, look } => {
             for (x, y) in points.iter().filter_map(|&(x, y)| Some((x, y?))) {
                 group.append(look.mark(plot.spot((x, y))));
@@ -79,7 +87,6 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) -> bool {
             group.append(bar(&frame, *look));
         }
     }
-    false
 }
 
 /// A bar: filled, or pale, with its edge.
@@ -90,14 +97,24 @@ pub(super) fn bar(frame: &Frame, look: Look) -> svg::node::element::Rectangle {
         .set("stroke-width", "1.00")
 }
 
-/// Draws a line, run by run; whether one is drawn by its edges.
-fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut Group) -> bool {
+/// Whether one of a panel's lines is drawn by its edges in `plot`.
+pub(super) fn has_envelope(marks: &[Mark], plot: &Plot) -> bool {
+    marks.iter().any(|mark| {
+        let Mark::Line { points, .. } = mark else {
+            return false;
+        };
+        let mut runs = thin::runs(points, 1.0 / plot.scale()[0]).into_iter();
+        runs.any(|run| matches!(overplotting::of(&run, plot.scale()), Overplotting::Solid(_)))
+    })
+}
+
+/// Draws a line, run by run.
+fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut Group) {
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
     let stroke = |run: &[(f64, f64)], width: f64| {
         let spots: Vec<Spot> = spots(run);
         look.dashed(line(&spots, look.colour(), width))
     };
-    let mut solid = false;
     for run in thin::runs(points, 1.0 / plot.scale()[0]) {
         if let [alone] = run[..] {
             let [x, y] = plot.spot(alone);
@@ -109,7 +126,6 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
             Overplotting::Clear => group.append(stroke(&run, width)),
             Overplotting::Dense => group.append(stroke(&run, overplotting::FINE * width)),
             Overplotting::Solid([low, high]) => {
-                solid = true;
                 // Two fills over each other would be a third colour: left flanks keep to their edges.
                 if look != Look::Left {
                     group.append(area(spots(&low), spots(&high), look, overplotting::FILL));
@@ -119,7 +135,6 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
             }
         }
     }
-    solid
 }
 
 /// The room between two lines.

@@ -57,11 +57,8 @@ pub(super) fn ends<'a>(
         (false, true) => [-SHIFT - LABEL, -SHIFT],
         _ => [-SHIFT, SHIFT],
     };
-    let text = |name: &str, at: [f64; 2], down: f64| Mark::Text {
-        at,
-        shift: [-3.0, down],
-        text: format!("{name} material"),
-        anchor: Anchor::End,
+    let text = |name: &str, at: [f64; 2], down: f64| {
+        Mark::text(at, [-3.0, down], format!("{name} material"), Anchor::End)
     };
     vec![text(upper, high, shifts[0]), text(lower, low, shifts[1])]
 }

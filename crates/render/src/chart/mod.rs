@@ -12,6 +12,7 @@ mod difference;
 mod distance;
 mod field;
 mod inspection;
+mod labels;
 mod legend;
 mod lines;
 mod marks;

@@ -71,11 +71,7 @@ pub fn outlines(
             .iter()
             .map(|pose| (pose.pitches, shown(pose)))
             .collect();
-        panel.marks.push(Mark::Line {
-            points,
-            look,
-            width: 1.6,
-        });
+        panel.marks.push(Mark::line(points, look, 1.6));
     }
     let ends = [
         (

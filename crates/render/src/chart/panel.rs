@@ -9,8 +9,14 @@ pub(super) type Point = (f64, Option<f64>);
 /// What is drawn into a panel, in this order.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
-    /// A ground between two values of y over the whole width.
-    Ground { y: [f64; 2] },
+    /// A hatched ground over the whole width, up to a value of y.
+    Ground { below: f64 },
+    /// A shade over the whole height between two places.
+    Shade {
+        x: [f64; 2],
+        look: Look,
+        opacity: f64,
+    },
     /// The room between two lines.
     Band {
         low: Vec<Point>,
@@ -39,6 +45,48 @@ pub(super) enum Mark {
         text: String,
         anchor: Anchor,
     },
+}
+
+impl Mark {
+    pub fn line(points: Vec<Point>, look: Look, width: f64) -> Mark {
+        Mark::Line {
+            points,
+            look,
+            width,
+        }
+    }
+
+    /// A level line between two places.
+    pub fn level(x: [f64; 2], y: f64, look: Look, width: f64) -> Mark {
+        Mark::line(x.map(|x| (x, Some(y))).to_vec(), look, width)
+    }
+
+    pub fn band(low: Vec<Point>, high: Vec<Point>, look: Look, opacity: f64) -> Mark {
+        Mark::Band {
+            low,
+            high,
+            look,
+            opacity,
+        }
+    }
+
+    pub fn dots(points: Vec<Point>, look: Look) -> Mark {
+        Mark::Dots { points, look }
+    }
+
+    pub fn shade(x: [f64; 2], look: Look, opacity: f64) -> Mark {
+        Mark::Shade { x, look, opacity }
+    }
+
+    pub fn text(at: [f64; 2], shift: [f64; 2], text: impl Into<String>, anchor: Anchor) -> Mark {
+        let text = text.into();
+        Mark::Text {
+            at,
+            shift,
+            text,
+            anchor,
+        }
+    }
 }
 
 /// One plot of a chart.

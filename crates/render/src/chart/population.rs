@@ -87,17 +87,12 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
         .map(|line| (line, Anchor::End, -5.0));
     for (rank, ((at, name), anchor, shift)) in left.enumerate().chain(right.enumerate()) {
         let height = top * (1.0 - LOWER * rank as f64);
-        marks.push(Mark::Line {
-            points: vec![(at, Some(0.0)), (at, Some(height))],
-            look: Look::Limit,
-            width: 1.4,
-        });
-        marks.push(Mark::Text {
-            at: [at, height],
-            shift: [shift, 8.0],
-            text: name,
-            anchor,
-        });
+        marks.push(Mark::line(
+            vec![(at, Some(0.0)), (at, Some(height))],
+            Look::Limit,
+            1.4,
+        ));
+        marks.push(Mark::text([at, height], [shift, 8.0], name, anchor));
     }
     let entries = spreads.map(|(name, _, look)| entry(name, look, Swatch::Bar));
     let panel = Panel {
@@ -140,17 +135,13 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
             .collect()
     };
     let marks = vec![
-        Mark::Band {
-            low: clipped(|point| point.share.low),
-            high: clipped(|point| point.share.high),
-            look: Look::Right,
-            opacity: 0.2,
-        },
-        Mark::Line {
-            points: shares,
-            look: Look::Right,
-            width: 1.8,
-        },
+        Mark::band(
+            clipped(|point| point.share.low),
+            clipped(|point| point.share.high),
+            Look::Right,
+            0.2,
+        ),
+        Mark::line(shares, Look::Right, 1.8),
     ];
     let name = "share so far, and its interval of 95 % (Clopper and Pearson)";
     let entries = [entry(name, Look::Right, Swatch::LineInBand(0.2))];
@@ -164,7 +155,7 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
     sheet::draw(heading, "", &entries, &[panel])
 }
 
-/// What each quantity contributes to the variance of an extreme: by itself, and with all it does together with others.
+/// Share of each quantity in the variance of an extreme: its first-order and its total effect, with whiskers of 2 standard errors.
 ///
 /// # Errors
 /// [`PictureError`] without a contribution.
@@ -180,7 +171,7 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
     });
     let right = ends.fold(1.0, f64::max);
     let lows = each.iter().flat_map(|one| {
-        [one.first, one.total].map(|index| 100.0 * (index.value.max(0.0) - 2.0 * index.error))
+        [one.first, one.total].map(|index| 100.0 * (index.value - 2.0 * index.error))
     });
     let x = [lows.fold(0.0, f64::min), 1.05 * right];
     let mut marks = Vec::new();
@@ -190,39 +181,35 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
             (one.total, Look::Right, middle + 0.04),
             (one.first, Look::Left, middle - 0.24),
         ] {
-            let percent = (100.0 * index.value).max(0.0);
+            let percent = 100.0 * index.value;
             marks.push(Mark::Bar {
-                x: [0.0, percent],
+                x: [percent.min(0.0), percent.max(0.0)],
                 y: [at - 0.12, at + 0.12],
                 look,
             });
             let error = 200.0 * index.error;
             let ends = [percent - error, percent + error];
-            marks.push(Mark::Line {
-                points: ends.map(|x| (x, Some(at))).to_vec(),
-                look: Look::Plain,
-                width: 1.2,
-            });
+            marks.push(Mark::level(ends, at, Look::Plain, 1.2));
         }
-        marks.push(Mark::Text {
-            at: [0.0, middle + 0.32],
-            shift: [4.0, 0.0],
-            text: format!(
+        marks.push(Mark::text(
+            [0.0, middle + 0.32],
+            [4.0, 0.0],
+            format!(
                 "{} {} %",
                 one.factor.name(),
                 fixed(100.0 * one.total.value, 1)
             ),
-            anchor: Anchor::Start,
-        });
+            Anchor::Start,
+        ));
     }
-    marks.push(Mark::Line {
-        points: vec![(0.0, Some(0.0)), (0.0, Some(count))],
-        look: Look::Plain,
-        width: 1.0,
-    });
+    marks.push(Mark::line(
+        vec![(0.0, Some(0.0)), (0.0, Some(count))],
+        Look::Plain,
+        1.0,
+    ));
     let entries = [
-        ("with all that it does together with others", Look::Right),
-        ("by itself", Look::Left),
+        ("total effect (with interactions)", Look::Right),
+        ("first-order effect", Look::Left),
     ];
     let entries = entries.map(|(name, look)| entry(name, look, Swatch::Bar));
     let panel = Panel {

@@ -61,18 +61,8 @@ const SHADE: f64 = 0.16;
 fn panel(side: Flank, look: Look, flank: &FlankProfiles, [x, y]: [[f64; 2]; 2]) -> Panel {
     let worst = flank.worst_tooth();
     let profile = flank.tooth(worst);
-    let level = |at: f64| flank.evaluated.map(|length| (length, Some(at))).to_vec();
-    let mut marks = vec![Mark::Band {
-        low: level(y[0]),
-        high: level(y[1]),
-        look: Look::Limit,
-        opacity: SHADE,
-    }];
-    let line = |points: Vec<Point>, look, width| Mark::Line {
-        points,
-        look,
-        width,
-    };
+    let mut marks = vec![Mark::shade(flank.evaluated, Look::Limit, SHADE)];
+    let line = |points: Vec<Point>, look, width| Mark::line(points, look, width);
     let curve = |profile: &ProfileReading| -> Vec<Point> {
         let points = profile.points.iter();
         points.map(|&(at, mm)| (at, Some(1e3 * mm))).collect()

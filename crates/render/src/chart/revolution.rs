@@ -82,12 +82,9 @@ pub fn revolution_in(
         if let (Some(most), Some(least)) = (most, least) {
             let mut sample = Swatch::Line;
             if fill {
-                panel.marks.push(Mark::Band {
-                    low: points(most),
-                    high: points(least),
-                    look,
-                    opacity: FILL,
-                });
+                panel
+                    .marks
+                    .push(Mark::band(points(most), points(least), look, FILL));
                 sample = Swatch::LineInBand(FILL);
             }
             let name = format!("{name}: most material (below) to least (above)");
@@ -100,11 +97,9 @@ pub fn revolution_in(
             legend.push(entry(&name, look, Swatch::Line));
         }
         let lines = course.lines.iter().filter(|line| line.flank == flank);
-        panel.marks.extend(lines.map(|line| Mark::Line {
-            points: points(line),
-            look,
-            width: 1.6,
-        }));
+        panel
+            .marks
+            .extend(lines.map(|line| Mark::line(points(line), look, 1.6)));
     }
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
     interference(&mut panel, busy);
@@ -114,12 +109,12 @@ pub fn revolution_in(
     };
     match (&course.least, &course.greatest) {
         // One pose is both where all lie within each other's error bounds.
-        (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::Text {
-            at: [panel.x.range[0], of_um(least.backlash_um)],
-            shift: [8.0, -14.0],
-            text: format!("{} everywhere", shown(least.backlash_um)),
-            anchor: Anchor::Start,
-        }),
+        (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::text(
+            [panel.x.range[0], of_um(least.backlash_um)],
+            [8.0, -14.0],
+            format!("{} everywhere", shown(least.backlash_um)),
+            Anchor::Start,
+        )),
         (Some(least), Some(greatest)) => {
             for (word, extreme, shift) in [("least", least, 16.0), ("greatest", greatest, -16.0)] {
                 let y = of_um(extreme.backlash_um);
@@ -131,45 +126,20 @@ pub fn revolution_in(
         }
         _ => {}
     }
-    let ends = [
-        (beyond[0], "least", 1.0, &course.least),
-        (beyond[1], "greatest", -1.0, &course.greatest),
-    ];
-    let plot = sheet::place(&panel, 0.0);
-    for (um, word, away, attained) in ends {
+    for (um, word, shift) in [(beyond[0], "least", 14.0), (beyond[1], "greatest", -14.0)] {
         let Some(um) = um else {
             continue;
         };
         let y = of_um(um);
-        let height = |y: f64| plot.spot((panel.x.range[0], y))[1];
-        let attained_at = attained
-            .as_ref()
-            .map(|extreme| height(of_um(extreme.backlash_um)));
-        let edge = if away > 0.0 { plot.bottom } else { plot.top };
-        // On the far side of the line where there is room and what the course attains has its words within reach of it no more.
-        let is_far = (edge - height(y)).abs() >= 20.0
-            && attained_at.is_none_or(|attained| (height(y) - attained).abs() >= 16.0);
-        let shift = away * if is_far { 14.0 } else { -14.0 };
-        // Away from the words at what the course attains.
-        let [first, last] = panel.x.range;
-        let is_left = attained
-            .as_ref()
-            .is_some_and(|extreme| extreme.x < 0.5 * (first + last));
-        let (x, beside, anchor) = match is_left {
-            true => (last, -8.0, Anchor::End),
-            false => (first, 8.0, Anchor::Start),
-        };
-        panel.marks.push(Mark::Line {
-            points: panel.x.range.map(|x| (x, Some(y))).to_vec(),
-            look: Look::Limit,
-            width: 1.2,
-        });
-        panel.marks.push(Mark::Text {
-            at: [x, y],
-            shift: [beside, shift],
-            text: format!("{word} of the whole mesh cycle {}", shown(um)),
-            anchor,
-        });
+        panel
+            .marks
+            .push(Mark::level(panel.x.range, y, Look::Limit, 1.2));
+        panel.marks.push(Mark::text(
+            [panel.x.range[1], y],
+            [-8.0, shift],
+            format!("{word} of the whole mesh cycle {}", shown(um)),
+            Anchor::End,
+        ));
     }
     let gaps = match points_of_all().any(|point| point.simulated_um.is_none()) {
         true => format!(" · gaps: {}", without()),
@@ -180,7 +150,7 @@ pub fn revolution_in(
     sheet::draw(heading, &details, &legend, &[panel])
 }
 
-/// Least and greatest of the mesh cycle, µm, where they show beyond what the course attains: at other teeth, or between its poses.
+/// Least and greatest of the mesh cycle, µm, where they show beyond what the course attains: at other teeth.
 fn beyond(course: &Course) -> [Option<f64>; 2] {
     let ends = [(&course.least, -1.0), (&course.greatest, 1.0)];
     let ends = ends.into_iter().zip(course.cycle_um);
@@ -207,19 +177,16 @@ pub(super) fn label(
     };
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
     [
-        Mark::Dots {
-            points: vec![(extreme.x, Some(y))],
-            look: Look::Plain,
-        },
-        Mark::Text {
-            at: [extreme.x, y],
-            shift: [across, shift],
-            text: format!(
+        Mark::dots(vec![(extreme.x, Some(y))], Look::Plain),
+        Mark::text(
+            [extreme.x, y],
+            [across, shift],
+            format!(
                 "{words}: right flanks {}, left flanks {} touch",
                 teeth(extreme.right),
                 teeth(extreme.left)
             ),
             anchor,
-        },
+        ),
     ]
 }

@@ -1,5 +1,6 @@
 //! A chart's element: title, legend, panels one below the other, and the labels above all lines.
 
+use super::labels::{self, Lacking};
 use super::legend::{self, ROW};
 use super::marks;
 use super::panel::{Entry, Mark, Panel};
@@ -8,23 +9,57 @@ use gearlash_files::characters::plain;
 use svg::node::Node;
 use svg::node::element::{Group, SVG, Title};
 
-/// Width of every chart, units of the `viewBox`: pixels on a screen, 0.22 mm across A4.
-const WIDTH: f64 = 800.0;
-/// Left and right edge of what is drawn.
-const SIDES: [f64; 2] = [16.0, 784.0];
-/// Height of a line below the title.
-const LINE: f64 = 17.0;
-/// Left edge of every plot: room for the numbers and the name of the y axis.
-const LEFT: f64 = 80.0;
+/// How a chart is laid out for one width of the screen. Units of the `viewBox` are pixels there.
+struct Layout {
+    width: f64,
+    /// From either edge of the sheet to what is drawn.
+    margin: f64,
+    /// Left edge of every plot: room for the numbers and the name of the y axis.
+    left: f64,
+    /// Most numbers along an x axis.
+    most: usize,
+    title: TextStyle,
+    details: TextStyle,
+    /// Most lines of a title and of a line of details.
+    lines: [usize; 2],
+    /// What stands behind the prefix in the chart's ids.
+    suffix: &'static str,
+}
+
+/// For a page and for paper: 0.22 mm a unit across A4.
+const WIDE: Layout = Layout {
+    width: 800.0,
+    margin: 16.0,
+    left: 80.0,
+    most: 12,
+    title: TextStyle::new(18.0).bold(),
+    details: TextStyle::new(13.0).grey(),
+    lines: [1, 2],
+    suffix: "",
+};
+/// For a telephone.
+const NARROW: Layout = Layout {
+    width: 390.0,
+    margin: 8.0,
+    left: 68.0,
+    most: 6,
+    title: TextStyle::new(15.0).bold(),
+    details: TextStyle::new(12.0).grey(),
+    lines: [2, 4],
+    suffix: "-narrow",
+};
+
+/// Height of a line of the title and of one below it.
+const LINES: [f64; 2] = [20.0, 17.0];
 /// Room of the x axis' numbers and name, and of numbers alone.
 const X_AXIS: [f64; 2] = [42.0, 22.0];
-/// Most numbers along an x axis.
-const MOST: usize = 12;
 /// Height of a y axis a number.
 const NUMBER_HEIGHT: f64 = 32.0;
-
-const TITLE: TextStyle = TextStyle::new(18.0).bold();
-const DETAILS: TextStyle = TextStyle::new(13.0).grey();
+/// Height of a line of a panel's title.
+const PANEL_LINE: f64 = 16.0;
+/// How often an axis gets more room for its texts, and how much each time, units.
+const WIDENINGS: usize = 5;
+const WIDER: f64 = 18.0;
 
 /// What stands above and beside a chart. Texts may hold anything: they are escaped.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +81,25 @@ pub struct Chart {
     pub plot: Plot,
     /// Every panel's frame from above, `plot` first.
     pub panels: Vec<Plot>,
+    drawn_from: Source,
+}
+
+/// What a chart is drawn from, at any width.
+#[derive(Debug, Clone, PartialEq)]
+struct Source {
+    prefix: String,
+    title: String,
+    lines: Vec<String>,
+    entries: Vec<Entry>,
+    panels: Vec<Panel>,
+}
+
+impl Chart {
+    /// The chart drawn for a screen 390 pixels wide. Its ids end with `-narrow`.
+    #[must_use]
+    pub fn narrow(&self) -> Chart {
+        self.drawn_from.draw(&NARROW)
+    }
 }
 
 /// A picture that cannot be drawn.
@@ -60,151 +114,171 @@ pub(super) fn draw(
     entries: &[Entry],
     panels: &[Panel],
 ) -> Result<Chart, PictureError> {
-    let room = SIDES[1] - SIDES[0];
-    let lines = [heading.subtitle, details].into_iter();
-    let lines: Vec<&str> = lines.filter(|line| !line.is_empty()).collect();
-    // Room for one line stays where there is none.
-    let above = 41.0 + LINE * lines.len().max(1) as f64;
-    let (legend, rows) = legend::draw(entries, SIDES, above + 6.0);
-    let top = above + ROW * rows as f64;
-    let height = top + panels.iter().map(|panel| panel.height).sum::<f64>() + 8.0;
-    let mut head =
-        Group::new().add(TITLE.verbatim(&TITLE.shortened(heading.title, room), [SIDES[0], 23.5]));
-    for (number, line) in lines.iter().enumerate() {
-        let foot = 43.5 + LINE * number as f64;
-        head.append(DETAILS.text(&DETAILS.shortened(line, room), [SIDES[0], foot]));
-    }
-    let mut from = top;
-    let (mut plots, mut drawn) = (Vec::new(), Group::new());
-    let mut labels = Group::new().set("class", "gearlash-labels");
-    for panel in panels {
-        let plot = place(panel, from);
-        from += panel.height;
-        let solid = draw_panel(panel, &plot, &mut drawn);
-        label(panel, &plot, solid, &mut labels);
-        plots.push(plot);
-    }
-    let Some(&plot) = plots.first() else {
+    if panels.is_empty() {
         return Err(PictureError("there is nothing to draw".to_owned()));
-    };
-    let mut element = element(heading, height, &plot)
-        .add(head)
-        .add(legend)
-        .add(drawn);
-    if labels
-        .get_children()
-        .is_some_and(|labels| !labels.is_empty())
-    {
-        element = element.add(labels);
     }
-    Ok(Chart {
-        svg: format!("{element}\n"),
-        plot,
-        panels: plots,
-    })
-}
-
-/// Where the plot of a panel stands whose upper edge is `from`.
-pub(super) fn place(panel: &Panel, from: f64) -> Plot {
-    let below = match panel.x.name.is_empty() {
-        true => X_AXIS[1],
-        false => X_AXIS[0],
+    let lines = [heading.subtitle, details].into_iter();
+    let source = Source {
+        prefix: heading.prefix.to_owned(),
+        title: heading.title.to_owned(),
+        lines: lines
+            .filter(|line| !line.is_empty())
+            .map(str::to_owned)
+            .collect(),
+        entries: entries.to_vec(),
+        panels: panels.to_vec(),
     };
-    Plot {
-        left: LEFT,
-        right: WIDTH - right_margin(panel),
-        top: from + if panel.title.is_empty() { 8.0 } else { 24.0 },
-        bottom: from + panel.height - below,
-        x: panel.x.range,
-        y: panel.y.range,
-    }
+    Ok(source.draw(&WIDE))
 }
 
-/// Room beside the plot: half of the last number where it stands near the edge.
-fn right_margin(panel: &Panel) -> f64 {
-    let (x, margin) = (&panel.x, WIDTH - SIDES[1]);
-    let ticks = x.ticks(MOST);
-    let (None, Some(&last)) = (x.teeth, ticks.at.last()) else {
-        return margin;
-    };
-    let half = 0.5 * NUMBERS.width(&ticks.number(last));
-    let left_over = (x.range[1] - last) / (x.range[1] - x.range[0]) * (SIDES[1] - LEFT);
-    f64::max(margin, half + 2.0 - left_over)
-}
-
-/// Draws a panel; whether one of its lines is drawn by its edges.
-fn draw_panel(panel: &Panel, plot: &Plot, group: &mut Group) -> bool {
-    for mark in &panel.marks {
-        if let Mark::Ground { y } = mark {
-            group.append(marks::ground(plot, *y));
+impl Source {
+    fn draw(&self, layout: &Layout) -> Chart {
+        let sides = [layout.margin, layout.width - layout.margin];
+        let room = sides[1] - sides[0];
+        let mut head = Group::new();
+        let title = layout.title.wrapped(&self.title, room, layout.lines[0]);
+        for (number, line) in title.iter().enumerate() {
+            let foot = 23.5 + LINES[0] * number as f64;
+            head.append(layout.title.verbatim(line, [sides[0], foot]));
+        }
+        let below = 41.0 + LINES[0] * (title.len() - 1) as f64;
+        let lines = self.lines.iter();
+        let lines = lines.flat_map(|line| layout.details.wrapped(line, room, layout.lines[1]));
+        let mut count = 0;
+        for line in lines {
+            let foot = below + 2.5 + LINES[1] * f64::from(count);
+            head.append(layout.details.text(&line, [sides[0], foot]));
+            count += 1;
+        }
+        // Room for one line stays where there is none.
+        let above = below + LINES[1] * f64::from(count.max(1));
+        let (legend, rows) = legend::draw(&self.entries, sides, above + 6.0);
+        let mut from = above + ROW * rows as f64;
+        let (mut plots, mut drawn) = (Vec::new(), Group::new());
+        let mut labels = Group::new().set("class", "gearlash-labels");
+        for panel in &self.panels {
+            let (plot, height) = layout.draw_panel(panel, from, &mut drawn, &mut labels);
+            from += height;
+            plots.push(plot);
+        }
+        let plot = plots[0];
+        let id = format!("{}{}", self.prefix, layout.suffix);
+        let mut element = element(&id, &self.title, [layout.width, from + 8.0], &plot)
+            .add(head)
+            .add(legend)
+            .add(drawn);
+        let texts = labels.get_children();
+        if texts.is_some_and(|labels| !labels.is_empty()) {
+            element = element.add(labels);
+        }
+        Chart {
+            svg: format!("{element}\n"),
+            plot,
+            panels: plots,
+            drawn_from: self.clone(),
         }
     }
-    let both = [&panel.x, &panel.y];
-    let most = [MOST, (panel.height / NUMBER_HEIGHT) as usize];
-    group.append(grid(plot, both, most));
-    group.append(axes(plot, both, most));
-    if !panel.title.is_empty() {
-        let above = [plot.left, plot.top - 6.0];
-        group.append(title_style(panel).text(&panel.title, above));
-    }
-    let mut solid = false;
-    for mark in &panel.marks {
-        solid |= marks::draw(mark, plot, group);
-    }
-    solid
 }
 
-fn title_style(panel: &Panel) -> TextStyle {
-    TextStyle::new(13.0).fitted(&panel.title, SIDES[1] - LEFT, 9.0)
-}
-
-/// The texts in a plot, with a halo: readable across a line, and across a cursor that a script puts below them.
-fn label(panel: &Panel, plot: &Plot, solid: bool, labels: &mut Group) {
-    let mut add = |style: TextStyle, text: &str, at| {
-        for element in style.haloed(text, at) {
-            labels.append(element);
+impl Layout {
+    /// Draws a panel whose upper edge is `from`, its texts into `labels`; where its plot stands, and how high the panel is.
+    fn draw_panel(
+        &self,
+        panel: &Panel,
+        from: f64,
+        drawn: &mut Group,
+        labels: &mut Group,
+    ) -> (Plot, f64) {
+        let mut panel = panel.clone();
+        let title = self.panel_title(&panel);
+        let more = PANEL_LINE * title.1.len().saturating_sub(1) as f64;
+        let mut placed = Vec::new();
+        let mut plot = self.place(&panel, from + more);
+        for widening in 0..=WIDENINGS {
+            let lacking;
+            (placed, lacking) = labels::place(&panel, &plot);
+            let Some(lacking) = lacking.filter(|_| widening < WIDENINGS) else {
+                break;
+            };
+            let room = WIDER / plot.scale()[1];
+            match lacking {
+                Lacking::Above => panel.y.range[1] += room,
+                Lacking::Below => panel.y.range[0] -= room,
+            }
+            plot = self.place(&panel, from + more);
         }
-    };
-    if solid {
-        let words = "shaded: min–max envelope of swings too narrow to draw";
-        let style = TextStyle::new(11.0).end();
-        let title = title_style(panel).width(&panel.title);
-        // Beside the title where both have room, else below it.
-        let down = match title + style.width(words) <= plot.right - plot.left {
-            true => -4.0,
-            false => 13.0,
+        let both = [&panel.x, &panel.y];
+        let most = [self.most, (panel.height / NUMBER_HEIGHT) as usize];
+        for mark in &panel.marks {
+            if let Mark::Ground { below } = mark {
+                drawn.append(marks::ground(&plot, *below));
+            }
+        }
+        drawn.append(grid(&plot, both, most));
+        drawn.append(axes(&plot, both, most));
+        let (style, lines) = title;
+        for (number, line) in lines.iter().enumerate() {
+            let foot = plot.top - 6.0 - PANEL_LINE * (lines.len() - 1 - number) as f64;
+            drawn.append(style.text(line, [plot.left, foot]));
+        }
+        for mark in &panel.marks {
+            marks::draw(mark, &plot, drawn);
+        }
+        for (line, at) in placed.iter().flat_map(|label| label.lines()) {
+            // Readable across a grid, and across a cursor that a script puts below.
+            for element in labels::STYLE.haloed(line, at) {
+                labels.append(element);
+            }
+        }
+        (plot, panel.height + more)
+    }
+
+    /// Where the plot of a panel stands whose upper edge is `from`.
+    fn place(&self, panel: &Panel, from: f64) -> Plot {
+        let below = X_AXIS[usize::from(panel.x.name.is_empty())];
+        Plot {
+            left: self.left,
+            right: self.width - self.right_margin(panel),
+            top: from + if panel.title.is_empty() { 8.0 } else { 24.0 },
+            bottom: from + panel.height - below,
+            x: panel.x.range,
+            y: panel.y.range,
+        }
+    }
+
+    /// Room beside the plot: half of the last number where it stands near the edge.
+    fn right_margin(&self, panel: &Panel) -> f64 {
+        let x = &panel.x;
+        let ticks = x.ticks(self.most);
+        let (None, Some(&last)) = (x.teeth, ticks.at.last()) else {
+            return self.margin;
         };
-        add(style, words, [plot.right, plot.top + down]);
+        let half = 0.5 * NUMBERS.width(&ticks.number(last));
+        let room = self.width - self.margin - self.left;
+        let left_over = (x.range[1] - last) / (x.range[1] - x.range[0]) * room;
+        f64::max(self.margin, half + 2.0 - left_over)
     }
-    for mark in &panel.marks {
-        if let Mark::Text {
-            at,
-            shift,
-            text,
-            anchor,
-        } = mark
-        {
-            let style = TextStyle::new(12.0).anchored(*anchor);
-            let [x, y] = plot.spot((at[0], at[1]));
-            add(
-                style,
-                text,
-                [x + shift[0], y + shift[1] + style.below_middle()],
-            );
+
+    /// The lines of a panel's title and how they are set.
+    fn panel_title(&self, panel: &Panel) -> (TextStyle, Vec<String>) {
+        if panel.title.is_empty() {
+            return (TextStyle::new(13.0), Vec::new());
         }
+        let room = self.width - self.margin - self.left;
+        let style = TextStyle::new(13.0).fitted(&panel.title, room, 11.0);
+        (style, style.wrapped(&panel.title, room, 3))
     }
 }
 
-/// The chart's element: named for screen readers, with the plot's frame for scripts.
-fn element(heading: &Heading, height: f64, plot: &Plot) -> SVG {
-    let prefix = heading.prefix;
-    let title = Title::new(plain(heading.title)).set("id", format!("{prefix}-title"));
+/// The chart's element, so wide and high: named for screen readers, with the plot's frame for scripts.
+fn element(id: &str, name: &str, [width, height]: [f64; 2], plot: &Plot) -> SVG {
+    let title = Title::new(plain(name)).set("id", format!("{id}-title"));
     let mut element = SVG::new()
-        .set("id", prefix)
+        .set("id", id)
         .set("class", "gearlash-chart")
         .set("role", "img")
-        .set("aria-labelledby", format!("{prefix}-title"))
-        .set("viewBox", format!("0 0 {WIDTH} {height}"))
+        .set("aria-labelledby", format!("{id}-title"))
+        .set("viewBox", format!("0 0 {width} {height}"))
         .set("font-family", FONTS);
     for (name, value) in [
         ("left", plot.left),
@@ -220,7 +294,7 @@ fn element(heading: &Heading, height: f64, plot: &Plot) -> SVG {
     }
     let ground = Frame {
         left: 0.0,
-        right: WIDTH,
+        right: width,
         top: 0.0,
         bottom: height,
     };

@@ -15,20 +15,27 @@ pub(super) fn runs(points: &[Point], column: f64) -> Vec<Vec<(f64, f64)>> {
     .collect()
 }
 
-/// Both edges of a band, run by run, where it has both; thinned like [`runs`].
-pub(super) fn bands(
-    low: &[Point],
-    high: &[Point],
-    column: f64,
-) -> impl Iterator<Item = [Vec<(f64, f64)>; 2]> {
-    let both = low.iter().zip(high);
-    let both = both.map(|(low, high)| match low.1.is_some() && high.1.is_some() {
-        true => (*low, *high),
-        false => ((low.0, None), (high.0, None)),
+/// Both edges of a band, where it has both, thinned like [`runs`]. They may have points at different places.
+pub(super) fn bands(low: &[Point], high: &[Point], column: f64) -> Vec<[Vec<(f64, f64)>; 2]> {
+    let (lows, highs) = (runs(low, column), runs(high, column));
+    let ends = |run: &[(f64, f64)]| {
+        let [one, other] = [run[0].0, run[run.len() - 1].0];
+        [one.min(other), one.max(other)]
+    };
+    let pairs = lows
+        .iter()
+        .flat_map(|low| highs.iter().map(move |high| [low, high]));
+    let common = pairs.filter_map(|edges| {
+        let [one, other] = edges.map(|run| ends(run));
+        let (from, to) = (one[0].max(other[0]), one[1].min(other[1]));
+        let within = |run: &Vec<(f64, f64)>| -> Vec<(f64, f64)> {
+            let inside = run.iter().filter(|point| (from..=to).contains(&point.0));
+            inside.copied().collect()
+        };
+        let edges = edges.map(within);
+        edges.iter().all(|edge| !edge.is_empty()).then_some(edges)
     });
-    let (low, high): (Vec<Point>, Vec<Point>) = both.unzip();
-    let edges = runs(&low, column).into_iter().zip(runs(&high, column));
-    edges.map(|(low, high)| [low, high])
+    common.collect()
 }
 
 fn representatives(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
@@ -101,7 +108,7 @@ mod tests {
             runs(&low, 1.0),
             [vec![(0.0, 1.0)], vec![(2.0, 1.0), (3.0, 2.0)]]
         );
-        let bands: Vec<_> = bands(&low, &high, 1.0).collect();
+        let bands = bands(&low, &high, 1.0);
         assert_eq!(
             bands,
             [[[(0.0, 1.0)], [(0.0, 3.0)]], [[(3.0, 2.0)], [(3.0, 4.0)]]]

@@ -89,6 +89,28 @@ impl TextStyle {
         kept + "…"
     }
 
+    /// `text` in lines no wider than `room`, broken at spaces; at most `most` of them, the last cut as [`Self::shortened`] does.
+    pub fn wrapped(self, text: &str, room: f64, most: usize) -> Vec<String> {
+        let mut lines = vec![String::new()];
+        for word in text.split(' ') {
+            let full = lines.len() == most;
+            if let Some(line) = lines.last_mut() {
+                let longer = match line.is_empty() {
+                    true => word.to_owned(),
+                    false => format!("{line} {word}"),
+                };
+                match full || line.is_empty() || self.width(&longer) <= room {
+                    true => *line = longer,
+                    false => lines.push(word.to_owned()),
+                }
+            }
+        }
+        lines
+            .iter()
+            .map(|line| self.shortened(line, room))
+            .collect()
+    }
+
     /// Smaller where `text` is longer than `room`, but no smaller than `least`.
     pub fn fitted(self, text: &str, room: f64, least: f64) -> TextStyle {
         let width = self.width(text);

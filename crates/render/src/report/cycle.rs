@@ -1,4 +1,4 @@
-//! Which poses the result is of, and which it is not.
+//! The poses that the result covers.
 
 use super::page::Page;
 use super::phrases::few;
@@ -8,7 +8,7 @@ use gearlash::pair::{Member, SweepPlan};
 use maud::{Markup, html};
 use std::collections::BTreeSet;
 
-/// Which poses were simulated, and what is known of the others.
+/// The poses that were simulated, and what is known of the others.
 pub(super) fn section(page: &Page) -> Markup {
     html! {
         p.note { (simulated(page)) }
@@ -49,7 +49,14 @@ fn simulated(page: &Page) -> String {
         (Some(_), _) => " Least and greatest are over those that are proven.",
         (None, _) => "",
     };
-    format!("Over {} poses: {words}.{extremes}", page.whole.poses)
+    let added = poses(&report.analysis.curves).saturating_sub(turned);
+    let drawn = match added {
+        0 => String::new(),
+        _ => format!(
+            " The curves go through {added} more poses, where they bend; these are drawn and not counted."
+        ),
+    };
+    format!("Over {} poses: {words}.{extremes}{drawn}", page.whole.poses)
 }
 
 fn others(page: &Page) -> Markup {

@@ -1,5 +1,6 @@
 //! Helical gears: what the face width costs, where over the face the teeth touch, and what each backlash is.
 
+use super::figures::svg;
 use super::page::Page;
 use super::phrases::{band, symbol};
 use crate::chart::{self, Heading, PictureError};
@@ -9,7 +10,7 @@ use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
 use gearlash_files::numbers::{NONE, trimmed, um};
 use gearlash_results::verdict::doubt;
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 /// Whether a page has this section.
 pub(super) fn is_of(page: &Page) -> bool {
@@ -124,7 +125,7 @@ fn field(page: &Page) -> Result<Markup, PictureError> {
     let drawn = chart::field(&heading, field)?;
     Ok(html! {
         figure.chart.tall tabindex="0" {
-            (PreEscaped(&drawn.svg))
+            (svg(&drawn))
             figcaption.hint {
                 "Each tooth pair touches along a line that climbs the path of contact by tan β" sub { "b" } " a mm of face; numbers beside it are its teeth and the gap that is left, along the line of action in the transverse section (the gap along the "
                 "normal of the flanks is cos β" sub { "b" } " of it). The curve below is how much farther each section alone would let the free gear turn: where it is 0 the gears touch."

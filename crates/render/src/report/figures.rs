@@ -22,7 +22,7 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
         let drawn = chart::revolution(&heading(page, &id(number), &title), course)?;
         Ok(html! {
             figure.chart tabindex="0" {
-                (PreEscaped(&drawn.svg))
+                (svg(&drawn))
                 figcaption.hint { "Click or tap the chart: the mesh below turns to that pose." }
             }
         })
@@ -203,9 +203,7 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         let title = format!("Deviations of the {name}, tooth by tooth");
         let prefix = format!("inspection-{name}");
         let drawn = chart::inspection(&heading(page, &prefix, &title), name, &inspection)?;
-        Ok::<Markup, PictureError>(
-            html! { figure.chart.tall tabindex="0" { (PreEscaped(&drawn.svg)) } },
-        )
+        Ok::<Markup, PictureError>(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
     };
     Ok(html! {
         h3 { "Deviations tooth by tooth" }
@@ -223,14 +221,38 @@ fn profiles(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
     let title = format!("Profile deviations of the {}", gear.name);
     let prefix = format!("profile-{}", gear.name);
     let drawn = chart::profiles(&heading(page, &prefix, &title), read, LEAST_PROFILE)?;
-    Ok(html! { figure.chart.tall tabindex="0" { (PreEscaped(&drawn.svg)) } })
+    Ok(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
 }
 
-/// What stands on paper in place of closed `<details>`.
+/// Rows beyond which a table stands in closed `<details>`.
+const LONG: usize = 12;
+
+/// A table of so many `rows`; a long one in closed `<details>` named `what`.
+pub(super) fn folded(rows: usize, what: &str, table: &Markup) -> Markup {
+    html! {
+        @if rows > LONG {
+            details {
+                summary { (what) ": " (rows) " rows" }
+                (table)
+            }
+            (not_on_paper(what))
+        } @else {
+            (table)
+        }
+    }
+}
+
+/// Note on paper in place of closed `<details>`.
 pub(super) fn not_on_paper(what: &str) -> Markup {
     html! { p.paper.note { "Not printed: " (what) ". Expand it on the screen before printing." } }
 }
 
-fn figure(chart: &Chart) -> Markup {
-    html! { figure.chart tabindex="0" { (PreEscaped(&chart.svg)) } }
+/// A chart as a figure of the page.
+pub(super) fn figure(chart: &Chart) -> Markup {
+    html! { figure.chart tabindex="0" { (svg(chart)) } }
+}
+
+/// A chart as drawn for a wide and for a narrow screen; the style sheet shows one of them.
+pub(super) fn svg(chart: &Chart) -> Markup {
+    html! { (PreEscaped(&chart.svg)) (PreEscaped(chart.narrow().svg)) }
 }

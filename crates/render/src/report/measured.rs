@@ -1,5 +1,6 @@
 //! Measured backlash beside the predicted bands.
 
+use super::figures::folded;
 use super::page::{Page, Report};
 use super::phrases::plain;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
@@ -29,11 +30,8 @@ pub(super) fn section(page: &Page) -> Markup {
         return html! {};
     };
     let clearance = report.pair.study.bearing_clearance > 0.0;
-    html! {
-        section id="measured" {
-            h2 { "Measured and predicted" }
-            p { (sentence) }
-            div.scroll tabindex="0" role="region" aria-label="Measured and predicted backlash" {
+    let table = html! {
+        div.scroll tabindex="0" role="region" aria-label="Measured and predicted backlash" {
                 table {
                     caption {
                         "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
@@ -52,6 +50,12 @@ pub(super) fn section(page: &Page) -> Markup {
                     tbody { @for mating in &report.analysis.measured { (row(mating, clearance)) } }
                 }
             }
+    };
+    html! {
+        section id="measured" {
+            h2 { "Measured and predicted" }
+            p { (sentence) }
+            (folded(report.analysis.measured.len(), "Measured matings", &table))
             (sources(&report.analysis.measured))
         }
     }

@@ -53,7 +53,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         whole: Outcome::of(&runs, &picked),
         agreement: Agreement::of(&all),
         distances,
-        courses: courses(&report.analysis.revolution)
+        courses: courses(&report.analysis.curves)
             .into_iter()
             .map(|course| course.with_cycle(&report.analysis.extremes.each))
             .collect(),

@@ -1,6 +1,6 @@
 //! Backlash over the teeth and over the centre distance, and the mesh itself.
 
-use super::figures::{charted, over_distance, revolutions};
+use super::figures::{charted, folded, over_distance, revolutions};
 use super::page::Page;
 use crate::chart::PictureError;
 use crate::viewer;
@@ -16,12 +16,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         .iter()
         .map(|(id, course)| (id.as_str(), *course))
         .collect();
-    let mesh = viewer::fragment(
-        &page.report.pair.study,
-        &page.report.analysis.revolution,
-        &charts,
-    )
-    .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
+    let mesh = viewer::fragment(page.report.analysis, &charts)
+        .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
     Ok(html! {
         section id="backlash" {
             h2 { "Backlash and mesh" }
@@ -43,7 +39,8 @@ fn materials(page: &Page) -> Markup {
         .distances
         .iter()
         .flat_map(|at| at.materials.iter().map(move |(end, of)| (at, *end, of)));
-    html! {
+    let rows: Vec<_> = rows.collect();
+    let table = html! {
         div.scroll tabindex="0" role="region" aria-label="Backlash of each centre distance and material" {
             table {
                 caption { "Backlash, µm, and how many poses there are" }
@@ -59,7 +56,7 @@ fn materials(page: &Page) -> Markup {
                     th.n scope="col" { "out of mesh" }
                     @if page.whole.unproven > 0 { th.n scope="col" { "unproven" } }
                 } }
-                tbody { @for (at, end, of) in rows {
+                tbody { @for (at, end, of) in &rows {
                     tr {
                         th.n scope="row" { (stated_distance(at.center_distance)) }
                         td.w { (end.words()) }
@@ -69,7 +66,8 @@ fn materials(page: &Page) -> Markup {
                 } }
             }
         }
-    }
+    };
+    folded(rows.len(), "Each centre distance and material", &table)
 }
 
 /// Which teeth to mark together, where phases are run apart.
@@ -85,7 +83,7 @@ fn phases(page: &Page) -> Markup {
         }
     };
     let assemble = |runs: &[&RunTally]| runs.iter().filter(|run| run.assembles()).count();
-    html! {
+    let table = html! {
         @if !groups.is_empty() {
             div.scroll tabindex="0" role="region" aria-label="Assembly phases" {
                 table {
@@ -112,7 +110,8 @@ fn phases(page: &Page) -> Markup {
                 }
             }
         }
-    }
+    };
+    folded(groups.len(), "Assembly phases", &table)
 }
 
 fn counts(of: &Outcome) -> Markup {

@@ -1,22 +1,28 @@
 //! The page of a population of pairs.
 
+use super::figures::{figure, not_on_paper};
 use super::marks::mark;
 use super::phrases::{j_wt, plain, with_symbols};
 use super::shell::Shell;
+use super::stated;
 use crate::tolerance::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::population::{
     CONFIDENCE, Contributions, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
 };
 use gearlash_files::numbers::{fixed, rounded, shortest, um};
+use gearlash_files::spec::GearSpec;
 use gearlash_files::tolerance::{
-    ToleranceResult, phases_of_limits, sentence, without_backlash, without_worst_case,
+    About, Limit, ToleranceFile, ToleranceResult, phases_of_limits, sentence, without_backlash,
+    without_worst_case,
 };
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 /// What a page of a population is of.
 #[derive(Debug, Clone, Copy)]
 pub struct ToleranceReport<'a> {
+    /// The pair file.
+    pub file: &'a ToleranceFile,
     /// The run.
     pub result: &'a ToleranceResult,
     /// Its pictures.
@@ -29,6 +35,7 @@ pub struct ToleranceReport<'a> {
 pub fn tolerance_report(report: &ToleranceReport) -> String {
     let sections = [
         ("result", "Result"),
+        ("input", "Input"),
         ("spread", "Spread"),
         ("contributions", "Contributions"),
         ("worst", "Worst assemblies"),
@@ -37,6 +44,7 @@ pub fn tolerance_report(report: &ToleranceReport) -> String {
     let about = &report.result.about;
     let main = html! {
         (result(report))
+        (input(report))
         (spread(report))
         (contributions(report))
         (worst(report.result))
@@ -50,10 +58,6 @@ pub fn tolerance_report(report: &ToleranceReport) -> String {
         same: "The same pair file, seed and version give the same numbers, on any number of machines.",
     };
     shell.page(&main)
-}
-
-fn picture(svg: &str) -> Markup {
-    html! { figure { (PreEscaped(svg)) } }
 }
 
 fn result(report: &ToleranceReport) -> Markup {
@@ -78,9 +82,144 @@ fn result(report: &ToleranceReport) -> Markup {
                 ", each over its whole mesh cycle and every rotation. In brackets the interval that holds the share of the whole population with "
                 (shortest(100.0 * CONFIDENCE)) " %."
             }
-            @if let Some(svg) = &report.pictures.histogram { (picture(svg)) }
-            (picture(&report.pictures.convergence))
+            @if let Some(chart) = &report.pictures.histogram { (figure(chart)) }
+            (figure(&report.pictures.convergence))
         }
+    }
+}
+
+/// The gears, how they are assembled, what scatters and what is required.
+fn input(report: &ToleranceReport) -> Markup {
+    let spec = &report.file.pair.spec;
+    let gears = [&spec.wheel, &spec.pinion];
+    let of = |value: &dyn Fn(&GearSpec) -> String| gears.map(value);
+    let mut rows = vec![
+        ("teeth", of(&|gear| gear.teeth.to_string())),
+        ("module, mm", of(&|gear| shortest(gear.module_mm))),
+        (
+            "pressure angle, °",
+            of(&|gear| shortest(gear.pressure_angle_deg)),
+        ),
+        (
+            "helix angle, °",
+            of(&|gear| gear.helix_angle_deg.map_or("0".to_owned(), shortest)),
+        ),
+        ("profile shift", of(&|gear| shortest(gear.profile_shift))),
+        ("thickness", of(&|gear| stated::thickness(&gear.thickness))),
+        ("runout, µm", of(&|gear| stated::runout(&gear.runout))),
+        (
+            "pitch",
+            of(&|gear| stated::pitch(gear.pitch.as_ref(), false)),
+        ),
+    ];
+    if gears.iter().all(|gear| gear.helix_angle_deg.is_none()) {
+        rows.retain(|(name, _)| *name != "helix angle, °");
+    }
+    let mut assembly = Vec::new();
+    // Specs are plain data: they are written as JSON.
+    let json = serde_json::to_value(&spec.assembly).unwrap_or_default();
+    statements("", &json, &mut assembly);
+    let mut scatters = Vec::new();
+    let json = serde_json::to_value(&report.file.tolerance).unwrap_or_default();
+    statements("", &json, &mut scatters);
+    let required = required(&report.result.about);
+    html! {
+        section id="input" {
+            h2 { "Input" }
+            div.scroll tabindex="0" role="region" aria-label="Gears" {
+                table {
+                    caption { "Gears as stated" }
+                    thead { tr { th scope="col" { } th scope="col" { "wheel" } th scope="col" { "pinion" } } }
+                    tbody { @for (name, gears) in &rows {
+                        tr { th scope="row" { (name) } @for value in gears { td { (plain(value)) } } }
+                    } }
+                }
+            }
+            (stated_table("Assembly", &assembly))
+            (stated_table("What scatters, [tolerance]", &scatters))
+            p {
+                "Required: "
+                @if required.is_empty() { "nothing beyond that the gears assemble." } @else { (with_symbols(&required)) "." }
+            }
+        }
+    }
+}
+
+fn stated_table(caption: &str, rows: &[(String, String)]) -> Markup {
+    html! {
+        div.scroll tabindex="0" role="region" aria-label=(caption) {
+            table {
+                caption { (caption) }
+                tbody { @for (name, value) in rows {
+                    tr { th scope="row" { (plain(name)) } td { (plain(value)) } }
+                } }
+            }
+        }
+    }
+}
+
+/// What is required of each assembly, in words.
+fn required(about: &About) -> String {
+    let own = Limit {
+        quantity: "j_wt".to_owned(),
+        unit: "µm".to_owned(),
+        min: about.min_mm.map(|mm| rounded(1e3 * mm, 6)),
+        max: about.max_mm.map(|mm| rounded(1e3 * mm, 6)),
+    };
+    let limits = std::iter::once(&own).chain(&about.others);
+    let words = limits.filter_map(|limit| {
+        let (quantity, unit) = (&limit.quantity, &limit.unit);
+        match [limit.min, limit.max].map(|end| end.map(shortest)) {
+            [None, None] => None,
+            [Some(min), Some(max)] => Some(format!("{quantity} {min} … {max} {unit}")),
+            [Some(min), None] => Some(format!("{quantity} ≥ {min} {unit}")),
+            [None, Some(max)] => Some(format!("{quantity} ≤ {max} {unit}")),
+        }
+    });
+    let mut words: Vec<String> = words.collect();
+    words.extend(
+        about
+            .max_ppm
+            .map(|ppm| format!("at most {} ppm outside", shortest(ppm))),
+    );
+    words.join(", ")
+}
+
+/// The statements of a table of the pair file, a row each sub-table: its key and its values in a line.
+fn statements(key: &str, table: &serde_json::Value, rows: &mut Vec<(String, String)>) {
+    let Some(table) = table.as_object() else {
+        return;
+    };
+    let mut values = Vec::new();
+    for (name, value) in table {
+        match value {
+            serde_json::Value::Null | serde_json::Value::Object(_) => {}
+            serde_json::Value::Array(list) if list.len() > 8 => {
+                values.push(format!("{name} {} values", list.len()));
+            }
+            serde_json::Value::Array(list) => {
+                let list: Vec<String> = list.iter().map(ToString::to_string).collect();
+                values.push(format!("{name} {}", list.join(", ")));
+            }
+            serde_json::Value::String(text) => values.push(format!("{name} {text}")),
+            other => values.push(format!("{name} {other}")),
+        }
+    }
+    match key {
+        // At the top each key has a row.
+        "" => rows.extend(values.iter().filter_map(|value| {
+            let (name, value) = value.split_once(' ')?;
+            Some((name.to_owned(), value.to_owned()))
+        })),
+        _ if values.is_empty() => {}
+        _ => rows.push((key.to_owned(), values.join(", "))),
+    }
+    for (name, value) in table {
+        let key = match key {
+            "" => name.clone(),
+            key => format!("{key}.{name}"),
+        };
+        statements(&key, value, rows);
     }
 }
 
@@ -112,13 +251,13 @@ fn spread(report: &ToleranceReport) -> Markup {
     html! {
         section id="spread" {
             h2 { "Spread" }
-            table {
+            div.scroll { table {
                 caption { "Circumferential backlash " (j_wt()) " over the mesh cycle, µm" }
                 thead { tr { th scope="col" { } th.n scope="col" { "least" } th.n scope="col" { "greatest" } } }
                 tbody { @for (name, each) in rows {
                     tr { th scope="row" { (name) } @for mm in each { td.n { (um(mm, 2)) } } }
                 } }
-            }
+            } }
             @if statistics.cp.is_some() || statistics.cpk.is_some() {
                 p {
                     @if let Some(cp) = statistics.cp { "Cp " (fixed(cp, 2)) " " }
@@ -142,7 +281,7 @@ fn contributions(report: &ToleranceReport) -> Markup {
         section id="contributions" {
             h2 { "Contributions" }
             @match &report.pictures.contributions {
-                Some(svg) => (picture(svg)),
+                Some(chart) => (figure(chart)),
                 None => p { "None were found: too few rows of the samples, or nothing varies." },
             }
             @for (found, end) in ends {
@@ -155,15 +294,15 @@ fn contributions(report: &ToleranceReport) -> Markup {
 fn table(found: &Contributions, end: &str) -> Markup {
     let percent = |value: f64| fixed(100.0 * value, 1);
     html! {
-        table {
+        div.scroll { table {
             caption {
                 "Share of the variance of the " (end) " backlash, %, with standard errors, of " (found.rows) " rows"
                 @if found.left_out > 0 { "; " (found.left_out) " rows without such a backlash are left out" }
             }
             thead { tr {
                 th scope="col" { }
-                th.n scope="col" { "by itself" } th.n scope="col" { "±" }
-                th.n scope="col" { "in all" } th.n scope="col" { "±" }
+                th.n scope="col" { "first order" } th.n scope="col" { "±" }
+                th.n scope="col" { "total" } th.n scope="col" { "±" }
             } }
             tbody { @for one in &found.each { tr {
                 th scope="row" { (one.factor.name()) }
@@ -171,7 +310,7 @@ fn table(found: &Contributions, end: &str) -> Markup {
                     td.n { (percent(index.value)) } td.n { (percent(index.error)) }
                 }
             } } }
-        }
+        } }
     }
 }
 
@@ -199,7 +338,8 @@ fn method(result: &ToleranceResult) -> Markup {
     html! {
         section id="method" {
             h2 { "Method" }
-            p { "What scatters: " (about.quantities.join(", ")) "." }
+            details {
+                summary { "How the shares and the spread are found" }
             p {
                 "Each assembly is drawn by the seed and its number alone. Its least and greatest backlash are proven over every mating and rotation. "
                 (counts.clear) " assemblies are clear, " (counts.interference) " interfere, " (counts.jammed) " are jammed, "
@@ -222,6 +362,8 @@ fn method(result: &ToleranceResult) -> Markup {
                 "Contributions: Sobol’ indices by the estimators of Saltelli et al. (2010), standard errors by the jackknife over "
                 (GROUPS) " groups of rows."
             }
+            }
+            (not_on_paper("how the shares and the spread are found"))
         }
     }
 }

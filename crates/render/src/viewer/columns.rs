@@ -4,12 +4,12 @@ use super::contacts::{Contacts, touching};
 use super::precision::{Precision, degrees};
 use super::readout;
 use super::section::{self, HelicalColumns};
-use super::viewed::Viewed;
+use super::viewed::{Viewed, gears};
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::analysis::study::Study;
 use gearlash::contact::{LostMotion, PoseResult, Status};
-use gearlash::gear::Side;
+use gearlash::gear::{AsBuilt, Side};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, two_digits_up};
 use serde::Serialize;
@@ -36,16 +36,17 @@ impl Columns {
         runs: &[Viewed],
         charts: &[(&str, &Course)],
         start: [usize; 2],
+        outlines: &[[&AsBuilt; 2]],
         precision: Precision,
     ) -> Columns {
         let mut classes = Vec::new();
         let helical = runs.get(start[0]).and_then(|first| {
             let pose = first.poses().nth(start[1])?;
-            HelicalColumns::of(&first.run.run.assembly, &pose.simulated)
+            HelicalColumns::of(&first.shown.run.run.assembly, &pose.simulated)
         });
         let runs = runs
             .iter()
-            .map(|viewed| RunColumns::new(study, viewed, charts, precision, &mut classes));
+            .map(|viewed| RunColumns::new(viewed, charts, outlines, precision, &mut classes));
         Columns {
             free: study.locked.mate().name(),
             runs: runs.collect(),
@@ -57,12 +58,10 @@ impl Columns {
     }
 }
 
-/// Which of the study's materials `run` has, in their order.
-pub fn outlines(study: &Study, run: &ComparedRun) -> usize {
-    let mut materials = study.materials.iter();
-    materials
-        .position(|(material, ..)| *material == run.run.material)
-        .unwrap_or(0)
+/// Which of the `outlines` `run` has.
+pub fn outline_of(outlines: &[[&AsBuilt; 2]], run: &ComparedRun) -> usize {
+    let gears = gears(run);
+    outlines.iter().position(|own| *own == gears).unwrap_or(0)
 }
 
 /// Where the free gear is drawn first: in right-flank contact, or else at its nominal rotation.
@@ -105,16 +104,13 @@ pub struct RunColumns {
 impl RunColumns {
     /// The columns of `viewed`. Classes of contact that are not in `classes` yet are added there.
     pub fn new(
-        study: &Study,
         viewed: &Viewed,
         charts: &[(&str, &Course)],
+        outlines: &[[&AsBuilt; 2]],
         precision: Precision,
         classes: &mut Vec<String>,
     ) -> RunColumns {
-        let run = viewed.run;
-        let key = (run.run.assembly.center_distance(), run.run.phase);
-        let mut charts = charts.iter();
-        let chart = charts.find(|(_, course)| (course.center_distance, course.phase) == key);
+        let run = viewed.shown.run;
         let assembly = &run.run.assembly;
         let poses = || viewed.poses().map(|pose| &pose.simulated);
         let mating = |member| {
@@ -124,18 +120,30 @@ impl RunColumns {
         };
         let [right, left] =
             Side::BOTH.map(|side| Contacts::of(assembly, side, poses(), precision, classes));
-        let places = chart.map_or(Vec::new(), |(_, course)| places(run, course));
+        let a = assembly.center_distance();
+        let is_of = |course: &Course| {
+            let is_phase = viewed.shown.is_beyond || course.phase == run.run.phase;
+            is_phase && course.center_distance == a
+        };
+        let mut drawn = charts.iter().filter(|(_, course)| is_of(course));
+        let drawn = drawn.find_map(|(id, course)| {
+            let places = places(run, course);
+            let any = places.iter().any(Option::is_some);
+            any.then(|| ((*id).to_owned(), places))
+        });
+        let (chart, places) = drawn.unzip();
+        let places = places.unwrap_or_default();
         let place = |number: &usize| places.get(*number).copied().flatten();
         let all = viewed.numbers.len() == run.poses.len();
         RunColumns {
-            label: readout::run(run),
+            label: readout::run(&viewed.shown),
             center_distance_mm: assembly.center_distance(),
-            outlines: outlines(study, run),
+            outlines: outline_of(outlines, run),
             pitch_radius_mm: Member::BOTH
                 .map(|member| rounded(assembly.operating_pitch_radius(member), precision.decimals)),
             of: run.poses.len(),
             number: (!all).then(|| viewed.numbers.iter().map(|number| number + 1).collect()),
-            chart: chart.map(|(id, _)| (*id).to_owned()),
+            chart,
             chart_x: viewed.numbers.iter().map(place).collect(),
             mating: Member::BOTH.map(mating),
             left_flank: poses().map(|pose| u8::from(is_left(pose))).collect(),
@@ -161,22 +169,23 @@ impl RunColumns {
     }
 }
 
-/// Each pose's place in the curves of `course`, where the poses of a flank follow each other; none for a pose that
-/// has no point there.
+/// Each pose's place in the curves of `course`, which go through the poses of a flank in their order; none for a pose that has no
+/// point there.
 fn places(run: &ComparedRun, course: &Course) -> Vec<Option<f64>> {
     let mut lines = Side::BOTH.map(|flank| {
         let of_run =
             move |line: &&CourseLine| (line.material, line.flank) == (run.run.material, flank);
-        let points = course
-            .lines
-            .iter()
-            .filter(of_run)
-            .flat_map(|line| &line.points);
-        points.map(|point| rounded(point.x, 6))
+        let lines = course.lines.iter().filter(of_run);
+        lines.flat_map(|line| &line.points)
     });
     let poses = run.poses.iter();
     poses
-        .map(|pose| lines[usize::from(is_left(&pose.simulated))].next())
+        .map(|pose| {
+            let mating = pose.simulated.pose.mating();
+            let line = &mut lines[usize::from(is_left(&pose.simulated))];
+            let point = line.find(|point| point.mating == *mating)?;
+            Some(rounded(point.x, 6))
+        })
         .collect()
 }
 

@@ -3,13 +3,12 @@
 //! Places are mm in the picture frame, y up by a flip of the outermost group. A gear's group turns about its axis; the
 //! outline in it stands off that axis by the eccentricity.
 
-use super::columns::{free_rotation, outlines};
+use super::columns::{free_rotation, outline_of};
 use super::marks::{axis, circle, line, marks, numbers};
 use super::precision::{Precision, degrees};
 use super::section::{Winding, first};
 use crate::kit::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
-use gearlash::analysis::study::Study;
 use gearlash::gear::{AsBuilt, Placed, Side};
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::rounded;
@@ -25,7 +24,12 @@ const HALF_HEIGHT: f64 = 5.0;
 const BORDER: f64 = 2.0;
 
 /// The picture of `pose` in `run`.
-pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Precision) -> String {
+pub fn draw(
+    outlines: &[[&AsBuilt; 2]],
+    run: &ComparedRun,
+    pose: &ComparedPose,
+    precision: Precision,
+) -> String {
     let assembly = &run.run.assembly;
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let turn = |member: Member| {
@@ -35,11 +39,11 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
         };
         format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
     };
-    let material = outlines(study, run);
+    let own = outline_of(outlines, run);
     let section = first(assembly, &pose.simulated);
     let metal = |member: Member| {
         Use::new()
-            .set("href", format!("#viewer-{}-{material}", member.name()))
+            .set("href", format!("#viewer-{}-{own}", member.name()))
             .set("data-outline", member.name())
     };
     let gear = |(member, fill): (Member, &str)| {
@@ -88,7 +92,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
     let marks = Side::BOTH.map(|side| marks(assembly, pose, side, precision));
     let picture = marks.into_iter().fold(picture, Group::add);
     let [home, whole] = views(assembly, module);
-    let definitions = definitions(study, assembly, section, precision)
+    let definitions = definitions(outlines, assembly, section, precision)
         .add(ClipPath::new().set("id", "viewer-clip").add(clip));
     let sheet = SVG::new()
         .set("id", "viewer-picture")
@@ -109,19 +113,16 @@ fn at_origin<'a>(assembly: &GearPair, gear: &'a AsBuilt, member: Member) -> Plac
     Placed::new(gear, Point2::origin(), assembly.mate_direction(member))
 }
 
-/// The outlines of all materials, `viewer-wheel-0` and so on; of helical gears in a section.
+/// The outlines, `viewer-wheel-0` and so on; of helical gears in a section.
 fn definitions(
-    study: &Study,
+    outlines: &[[&AsBuilt; 2]],
     assembly: &GearPair,
     section: Option<f64>,
     precision: Precision,
 ) -> Definitions {
-    let materials = study.materials.iter().enumerate();
-    let gears = materials.flat_map(|(number, (_, wheel, pinion))| {
-        [
-            (number, Member::Wheel, wheel),
-            (number, Member::Pinion, pinion),
-        ]
+    let gears = outlines.iter().enumerate().flat_map(|(number, gears)| {
+        let both = Member::BOTH.into_iter().zip(gears);
+        both.map(move |(member, gear)| (number, member, *gear))
     });
     gears.fold(Definitions::new(), |definitions, (number, member, gear)| {
         let placed = at_origin(assembly, gear, member);

@@ -15,13 +15,12 @@ mod section;
 mod viewed;
 
 use columns::Columns;
-use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::Analysis;
 use gearlash::analysis::curves::Course;
-use gearlash::analysis::study::Study;
 use gearlash::contact::Status;
 use precision::Precision;
 use std::fmt::Write;
-use viewed::{viewed, worst};
+use viewed::{Shown, beyond, outlines, start, viewed};
 
 /// The style sheet, for the head of the page.
 pub const STYLE: &str = include_str!("viewer.css");
@@ -34,41 +33,46 @@ const SECTION_SCRIPT: &str = include_str!("section.js");
 /// a dozen charts stays below 8 MB).
 const MOST_POSES: usize = 30_000;
 
-/// The part of a page that shows the mesh of `runs`: HTML to stand in the body once; empty without a pose.
+/// The part of a page that shows the mesh of an `analysis`: HTML to stand in the body once; empty without a pose.
 ///
-/// `charts` are curves over the teeth of these runs, each with the id of its chart's `<svg>` in the page: a
-/// cursor goes along in it, and a click there leads to the nearest pose. Of more poses than a page can hold
-/// every n-th of each run is in it, with each run's least and greatest backlash; the page says so.
+/// It opens on the worst pose of the whole mesh cycle. `charts` are curves over the teeth, each with the id of its
+/// chart's `<svg>` in the page: a cursor goes along in it, and a click there leads to the nearest pose. Of more poses than
+/// a page can hold every n-th of each run is in it, with each run's least and greatest backlash; the page says so.
 ///
 /// # Errors
 /// None for results of a simulation: the columns are numbers and names.
 pub fn fragment(
-    study: &Study,
-    runs: &[ComparedRun],
+    analysis: &Analysis,
     charts: &[(&str, &Course)],
 ) -> Result<String, serde_json::Error> {
-    let Some(start) = worst(runs) else {
+    let study = analysis.study;
+    let beyond = beyond(analysis);
+    let turned = analysis.revolution.iter().map(Shown::turned);
+    let runs: Vec<Shown> = turned.chain(beyond.as_ref().map(Shown::beyond)).collect();
+    let Some(start) = start(&runs, analysis) else {
         return Ok(String::new());
     };
-    let (run, pose) = (&runs[start[0]], &runs[start[0]].poses[start[1]]);
+    let (run, pose) = (&runs[start[0]].run, &runs[start[0]].run.poses[start[1]]);
     let precision = Precision::of(&run.run.assembly);
-    let (views, every) = viewed(runs, MOST_POSES);
+    let outlines = outlines(&runs);
+    let (views, every) = viewed(&runs, MOST_POSES, start);
     let [first_run, first_pose] = start;
     let place = views[first_run].numbers.binary_search(&first_pose);
     let shown = [first_run, place.unwrap_or(0)];
-    let data = serde_json::to_string(&Columns::new(study, &views, charts, shown, precision))?;
+    let columns = Columns::new(study, &views, charts, shown, &outlines, precision);
+    let data = serde_json::to_string(&columns)?;
     let mut html = String::from("<div class=\"viewer\" id=\"viewer\">\n");
     html.push_str(CONTROLS);
     let helical = run.run.assembly.is_helical();
     if helical {
         html.push_str(SECTION_CONTROLS);
     }
-    html.push_str(&drawing::draw(study, run, pose, precision));
+    html.push_str(&drawing::draw(&outlines, run, pose, precision));
     html.push_str(&section::note(&run.run.assembly, &pose.simulated));
-    html.push_str(&readout::draw(run, start[1]));
+    html.push_str(&readout::draw(&views[first_run], start[1]));
     if every > 1 {
         let held: usize = views.iter().map(|run| run.numbers.len()).sum();
-        let all: usize = runs.iter().map(|run| run.poses.len()).sum();
+        let all: usize = runs.iter().map(|shown| shown.run.poses.len()).sum();
         let _ = writeln!(
             html,
             "<p class=\"viewer-note\">{held} of {all} poses can be looked at here: of each run every {every}{}, and those \

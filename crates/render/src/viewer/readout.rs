@@ -1,20 +1,21 @@
-//! What is said of a pose beside the picture. `viewer.js` says the same of the others.
+//! The text beside the picture of a pose. `viewer.js` writes the same of the others.
 
 use super::contacts::{class, touching};
+use super::viewed::{Shown, Viewed};
 use crate::pose_name::pose_name;
-use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::study::Material;
 use gearlash::contact::Status;
 use gearlash::gear::Side;
 use gearlash_files::numbers::{decades, fixed, trimmed, two_digits_up};
 
-/// What the marks mean.
+/// Legend of the marks.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
     Red and large: teeth have passed each other there. Blue: normals at the contacts, between involutes the line of action. \
     Red, where teeth overlap: metal of both gears. Dash-dotted: operating pitch circles.";
 
 /// A run by centre distance, material and phase.
-pub fn run(run: &ComparedRun) -> String {
+pub fn run(shown: &Shown) -> String {
+    let run = shown.run;
     let distance = trimmed(run.run.assembly.center_distance(), 3, 6);
     let material = match run.run.material {
         Material::Most => ", most material",
@@ -23,11 +24,16 @@ pub fn run(run: &ComparedRun) -> String {
     };
     let phase = run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    format!("a = {distance} mm{material}{phase}")
+    let beyond = match shown.is_beyond {
+        true => ", worst of the whole mesh cycle",
+        false => "",
+    };
+    format!("a = {distance} mm{material}{phase}{beyond}")
 }
 
 /// The list beside the picture.
-pub fn draw(run: &ComparedRun, number: usize) -> String {
+pub fn draw(viewed: &Viewed, number: usize) -> String {
+    let run = viewed.shown.run;
     let pose = &run.poses[number];
     let mating = pose.simulated.pose.mating();
     let contact = |side| match touching(&pose.simulated, side) {
@@ -52,7 +58,7 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
         format!("≤ {} µm", decades(bound))
     });
     let rows = [
-        ("run", "Run", self::run(run)),
+        ("run", "Run", self::run(&viewed.shown)),
         (
             "pose",
             "Pose",
@@ -79,7 +85,7 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
     )
 }
 
-/// What an overlap looks like.
+/// A sentence on an overlap.
 fn overlapping(j_wt_um: Option<f64>) -> String {
     match j_wt_um {
         Some(um) if um < 0.0 => {

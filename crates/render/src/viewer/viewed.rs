@@ -1,13 +1,44 @@
-//! Which poses a page holds: all, or so many of each run that the page stays in hand.
+//! The poses that a page holds: all of whole revolutions, or at most a number of them, and the worst of the mesh cycle.
 
+use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
+use gearlash::analysis::simulate::Run;
 use gearlash::contact::{Status, first_least, worst_pose};
+use gearlash::gear::AsBuilt;
+use gearlash::pair::{GearPair, Member};
 use std::collections::BTreeSet;
+
+/// A run of the page.
+#[derive(Clone, Copy)]
+pub struct Shown<'a> {
+    /// The run.
+    pub run: &'a ComparedRun,
+    /// Whether it is the worst pose of the mesh cycle, beside the even poses of the revolutions.
+    pub is_beyond: bool,
+}
+
+impl<'a> Shown<'a> {
+    /// A run over whole revolutions.
+    pub fn turned(run: &'a ComparedRun) -> Shown<'a> {
+        Shown {
+            run,
+            is_beyond: false,
+        }
+    }
+
+    /// A run of the worst pose.
+    pub fn beyond(run: &'a ComparedRun) -> Shown<'a> {
+        Shown {
+            run,
+            is_beyond: true,
+        }
+    }
+}
 
 /// A run, and which of its poses the page holds.
 pub struct Viewed<'a> {
     /// The run.
-    pub run: &'a ComparedRun,
+    pub shown: Shown<'a>,
     /// Their numbers, from 0, ascending.
     pub numbers: Vec<usize>,
 }
@@ -15,37 +46,93 @@ pub struct Viewed<'a> {
 impl<'a> Viewed<'a> {
     /// The poses, in order.
     pub fn poses(&self) -> impl Iterator<Item = &'a ComparedPose> {
-        self.numbers.iter().map(|number| &self.run.poses[*number])
+        let poses = &self.shown.run.poses;
+        self.numbers.iter().map(|number| &poses[*number])
     }
 }
 
 /// Every run of `runs` with every n-th of its poses, `n` (the second value) the least with which they are `most`
 /// together; where `n` is above 1, with its least and its greatest backlash and its first jammed, unmeshed and unproven
-/// pose beside them.
-pub fn viewed(runs: &[ComparedRun], most: usize) -> (Vec<Viewed<'_>>, usize) {
-    let all: usize = runs.iter().map(|run| run.poses.len()).sum();
+/// pose beside them. The pose at `start` (run and number) is among them.
+pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Viewed<'a>>, usize) {
+    let all: usize = runs.iter().map(|shown| shown.run.poses.len()).sum();
     let every = all.div_ceil(most.max(1)).max(1);
-    let runs = runs.iter().map(|run| {
-        let mut numbers: BTreeSet<usize> = (0..run.poses.len()).step_by(every).collect();
-        numbers.extend(extremes(run));
+    let runs = runs.iter().enumerate().map(|(index, shown)| {
+        let mut numbers: BTreeSet<usize> = (0..shown.run.poses.len()).step_by(every).collect();
+        numbers.extend(extremes(shown.run));
+        numbers.extend((index == start[0]).then_some(start[1]));
         Viewed {
-            run,
+            shown: *shown,
             numbers: numbers.into_iter().collect(),
         }
     });
     (runs.collect(), every)
 }
 
-/// Run and pose, from 0, of the worst pose as [`worst_pose`] chooses it; the first of all when none is in mesh. It is among those of [`viewed`].
-pub fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
+/// A run of the worst pose of the whole mesh cycle, where it is none of the revolutions' own.
+pub fn beyond(analysis: &Analysis) -> Option<ComparedRun> {
+    let verdict = analysis.verdict();
+    let (extremes, pair, pose) = verdict.worst()?;
+    let curves = &analysis.curves;
+    if curves
+        .iter()
+        .any(|run| number_of(run, pair, pose).is_some())
+    {
+        return None;
+    }
+    Some(ComparedRun {
+        run: Run {
+            material: extremes.material,
+            assembly: pair.clone(),
+            phase: extremes.phase,
+            poses: Vec::new(),
+        },
+        poses: vec![pose.clone()],
+    })
+}
+
+/// The number of `pose` of `pair` in a run.
+fn number_of(run: &ComparedRun, pair: &GearPair, pose: &ComparedPose) -> Option<usize> {
+    let is_it = |own: &ComparedPose| own.simulated.pose == pose.simulated.pose;
+    let number = run.poses.iter().position(is_it)?;
+    (run.run.assembly == *pair).then_some(number)
+}
+
+/// Run and number, from 0, of the worst pose of the whole mesh cycle; without one the worst of `runs` as [`worst_pose`] chooses
+/// it, or the first where none is in mesh.
+pub fn start(runs: &[Shown], analysis: &Analysis) -> Option<[usize; 2]> {
+    let verdict = analysis.verdict();
+    let proven = verdict.worst().and_then(|(_, pair, pose)| {
+        let mut numbered = runs.iter().enumerate();
+        numbered.find_map(|(index, shown)| Some([index, number_of(shown.run, pair, pose)?]))
+    });
     let poses = || {
         let numbered = runs.iter().enumerate();
-        numbered.flat_map(|(r, run)| {
-            let poses = run.poses.iter().enumerate();
+        numbered.flat_map(|(r, shown)| {
+            let poses = shown.run.poses.iter().enumerate();
             poses.map(move |(p, pose)| ([r, p], &pose.simulated))
         })
     };
-    worst_pose(poses()).or_else(|| poses().next().map(|(at, _)| at))
+    proven
+        .or_else(|| worst_pose(poses()))
+        .or_else(|| poses().next().map(|(at, _)| at))
+}
+
+/// The gears whose outlines a page draws: each pair of them once.
+pub fn outlines<'a>(runs: &[Shown<'a>]) -> Vec<[&'a AsBuilt; 2]> {
+    let mut outlines = Vec::new();
+    for shown in runs {
+        let gears = gears(shown.run);
+        if !outlines.contains(&gears) {
+            outlines.push(gears);
+        }
+    }
+    outlines
+}
+
+/// Wheel and pinion of a run.
+pub fn gears(run: &ComparedRun) -> [&AsBuilt; 2] {
+    Member::BOTH.map(|member| run.run.assembly.gear(member))
 }
 
 /// The poses of a run that must not be left out.

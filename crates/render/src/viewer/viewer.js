@@ -300,26 +300,33 @@
   });
 
   // ---- charts: a cursor at the pose, and a click to the nearest pose
+  // Each curve stands in the page twice: for a wide and for a narrow screen.
+  const drawn = (each) => ["", "-narrow"].map((width) => each.chart && document.getElementById(each.chart + width)).filter(Boolean);
   const charts = new Map();
   data.runs.forEach((each, number) => {
-    const svg = each.chart && document.getElementById(each.chart);
-    if (svg) charts.set(svg, [...(charts.get(svg) ?? []), number]);
+    for (const svg of drawn(each)) charts.set(svg, [...(charts.get(svg) ?? []), number]);
   });
-  const cursor = document.createElementNS("http://www.w3.org/2000/svg", "line");
-  cursor.setAttribute("class", "viewer-cursor");
+  const cursors = new Map([...charts.keys()].map((svg) => {
+    const cursor = document.createElementNS("http://www.w3.org/2000/svg", "line");
+    cursor.setAttribute("class", "viewer-cursor");
+    return [svg, cursor];
+  }));
 
   const frame = (svg) => Object.fromEntries(
     ["left", "right", "top", "bottom", "x0", "x1", "y0", "y1"].map((name) => [name, Number(svg.dataset[name])]));
 
   function showCursor() {
-    const svg = run().chart && document.getElementById(run().chart);
-    byId("no-curve").hidden = Boolean(svg);
-    if (!svg || value("chart_x") === null) return cursor.remove();
-    const f = frame(svg);
-    const x = f.left + (value("chart_x") - f.x0) / (f.x1 - f.x0) * (f.right - f.left);
-    for (const [name, at] of [["x1", x], ["x2", x], ["y1", f.top], ["y2", f.bottom]]) cursor.setAttribute(name, at);
-    // Labels stay readable above it.
-    svg.insertBefore(cursor, svg.querySelector(".gearlash-labels"));
+    cursors.forEach((cursor) => cursor.remove());
+    byId("no-curve").hidden = drawn(run()).length > 0;
+    if (value("chart_x") === null) return;
+    for (const svg of drawn(run())) {
+      const f = frame(svg);
+      const x = f.left + (value("chart_x") - f.x0) / (f.x1 - f.x0) * (f.right - f.left);
+      const cursor = cursors.get(svg);
+      for (const [name, at] of [["x1", x], ["x2", x], ["y1", f.top], ["y2", f.bottom]]) cursor.setAttribute(name, at);
+      // Labels stay readable above it.
+      svg.insertBefore(cursor, svg.querySelector(".gearlash-labels"));
+    }
   }
 
   // A cursor in a folded curve would not be seen.

@@ -51,8 +51,11 @@ fn over_the_distance_the_printed_limits_are_met() {
     };
     for row in &curve.measured {
         let a = row.center_distance;
-        let models: [fn(&Bands) -> Option<Band>; 2] =
-            [|bands| bands.simulated, |bands| bands.analytic];
+        let models: [fn(&Bands) -> Option<Band>; 3] = [
+            |bands| bands.simulated,
+            |bands| bands.analytic,
+            |bands| bands.line_of_action,
+        ];
         for of in models {
             assert!((end(|band| band.min_um, of, a) - row.predicted_min_um).abs() < PRINTED);
             assert!((end(|band| band.max_um, of, a) - row.predicted_max_um).abs() < PRINTED);
@@ -120,6 +123,7 @@ fn a_tooth_that_is_not_there_is_an_error() {
     let error = gearlash::analysis::curves::over_distance(
         &study("karba_86x21.toml"),
         Followed::Teeth(1, 22),
+        &[],
         METHOD,
         &tick,
     );

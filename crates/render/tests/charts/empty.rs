@@ -54,7 +54,7 @@ fn a_jammed_stretch_of_distances_is_named_and_no_band_invented() {
         .unwrap();
     rig.measured.clear();
     let tick = || ControlFlow::Continue(());
-    let curve = over_distance(&rig, Followed::Teeth(33, 33), METHOD, &tick).unwrap();
+    let curve = over_distance(&rig, Followed::Teeth(33, 33), &[], METHOD, &tick).unwrap();
     let chart = chart::distance(&heading("c", "t"), &curve, &[]).unwrap();
     let texts = texts(&chart.svg);
     assert!(texts.contains(&"jammed".to_owned()), "{texts:?}");

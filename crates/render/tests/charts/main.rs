@@ -7,6 +7,7 @@ mod empty;
 mod envelope;
 mod field;
 mod inspection;
+mod labels;
 mod one_assembly;
 mod places;
 mod texts;
@@ -42,7 +43,7 @@ fn course(fixture: &str, center_distance: f64) -> Course {
 fn over(fixture: &str, (wheel, pinion): (u32, u32)) -> OverDistance {
     let tick = || ControlFlow::Continue(());
     let teeth = Followed::Teeth(wheel, pinion);
-    over_distance(&study(fixture), teeth, METHOD, &tick).unwrap()
+    over_distance(&study(fixture), teeth, &[], METHOD, &tick).unwrap()
 }
 
 fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {

@@ -82,7 +82,7 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
     let binding = binding(&pair, curves.iter());
     let all: Vec<_> = curves.iter().collect();
     let ranges = by_distance(&all, &[]);
-    let curve = over_distance(&pair, binding, METHOD, &tick).unwrap();
+    let curve = over_distance(&pair, binding, &[], METHOD, &tick).unwrap();
     let range = &ranges[0];
     assert_eq!(ranges.len(), 1);
     let least = range.all.least.unwrap().pose.simulated.backlash.unwrap();
@@ -100,7 +100,7 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
 fn measured_values_widen_the_axis() {
     let mut study = crate::study("karba_44x44.toml");
     study.center_distances = vec![132.04, 132.1];
-    let curve = over_distance(&study, Followed::Teeth(11, 11), METHOD, &tick).unwrap();
+    let curve = over_distance(&study, Followed::Teeth(11, 11), &[], METHOD, &tick).unwrap();
     let ends = [curve.points.first(), curve.points.last()].map(|end| end.unwrap().center_distance);
     assert_eq!(curve.measured.len(), 4);
     for row in &curve.measured {

@@ -312,6 +312,7 @@ fn a_report_vouches_for_nothing() {
         method: CERTIFIED,
         runs: runs.clone(),
         revolution: runs.clone(),
+        curves: runs.clone(),
         extremes: CycleExtremes::default(),
         failed_checks: Vec::new(),
         over_distance: Vec::new(),

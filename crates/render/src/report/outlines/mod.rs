@@ -4,7 +4,7 @@ mod drawings;
 mod poses;
 mod scope;
 
-use super::figures::not_on_paper;
+use super::figures::{figure, not_on_paper};
 use super::marks::{mark, marked};
 use super::phrases::j_wt;
 use super::shell::Shell;
@@ -228,7 +228,7 @@ fn backlash(report: &OutlineReport) -> Result<Markup, PictureError> {
             subtitle: &report.pair.study.title,
         };
         let drawn = chart::outlines(BacklashUnit::Um, &heading, runs)?;
-        Ok(html! { figure.chart tabindex="0" { (PreEscaped(drawn.svg)) } })
+        Ok(figure(&drawn))
     };
     let drawn = curves.iter().take(MOST_CURVES).enumerate().map(draw);
     let drawn = drawn.collect::<Result<Vec<Markup>, PictureError>>()?;

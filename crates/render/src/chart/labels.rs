@@ -1,0 +1,175 @@
+//! Texts in a plot, placed so that none crosses a line, a mark or another text.
+//!
+//! A text wants to stand beside its place in the data. Candidates go up, down and sideways from there; the nearest one that
+//! is free is taken. Where none is near, the axis gets more room and the texts are placed again.
+
+use super::marks;
+use super::panel::{Mark, Panel};
+use super::thin;
+use crate::kit::{Anchor, Frame, Occupied, Plot, Spot, TextStyle, around};
+
+pub(super) const STYLE: TextStyle = TextStyle::new(12.0);
+/// Height of a line of a text.
+const LINE: f64 = 15.0;
+/// Height of capitals at [`STYLE`], and depth of letters and subscripts below them.
+const CAPITALS: f64 = 0.73 * 12.0;
+const DEPTH: f64 = 3.0;
+/// Between a text and the plot's edge.
+const EDGE: f64 = 3.0;
+/// From candidate to candidate, down and across.
+const STEPS: [f64; 2] = [3.0, 12.0];
+/// A text this far from where it wants to stand is said to have found no room (tuned: three lines).
+const NEAR: f64 = 48.0;
+/// Clear room round a text.
+const CLEAR: f64 = 2.0;
+
+/// A text where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Label {
+    pub lines: Vec<String>,
+    pub room: Frame,
+}
+
+impl Label {
+    /// Each line and the left end of its baseline.
+    pub fn lines(&self) -> impl Iterator<Item = (&str, Spot)> {
+        let foot = |number: usize| self.room.top + CAPITALS + LINE * number as f64;
+        let lines = self.lines.iter().enumerate();
+        lines.map(move |(number, line)| (line.as_str(), [self.room.left, foot(number)]))
+    }
+}
+
+/// On which side of the data a text lacks room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Lacking {
+    Above,
+    Below,
+}
+
+/// The texts of `panel` in `plot`, and where room is lacking, if it is: a text stands as free as it can then.
+pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>) {
+    let mut taken = obstacles(panel, plot);
+    let (mut labels, mut lacking) = (Vec::new(), None);
+    let note = marks::has_envelope(&panel.marks, plot).then(|| {
+        Mark::text(
+            [panel.x.range[1], panel.y.range[1]],
+            [-4.0, 10.0],
+            "shaded: min–max envelope of swings too narrow to draw".to_owned(),
+            Anchor::End,
+        )
+    });
+    for mark in panel.marks.iter().chain(&note) {
+        let Mark::Text {
+            at,
+            shift,
+            text,
+            anchor,
+        } = mark
+        else {
+            continue;
+        };
+        let lines = STYLE.wrapped(text, plot.frame().width() - 2.0 * EDGE, 3);
+        let widths = lines.iter().map(|line| STYLE.width(line));
+        let size = [
+            widths.fold(0.0, f64::max),
+            CAPITALS + DEPTH + LINE * (lines.len() - 1) as f64,
+        ];
+        let [x, y] = plot.spot((at[0], at[1]));
+        let left = match anchor {
+            Anchor::Start => x + shift[0],
+            Anchor::Middle => x + shift[0] - 0.5 * size[0],
+            Anchor::End => x + shift[0] - size[0],
+        };
+        // A text of several lines grows away from its place.
+        let first = y + shift[1] - 0.5 * CAPITALS;
+        let top = if shift[1] < 0.0 {
+            first + CAPITALS + DEPTH - size[1]
+        } else {
+            first
+        };
+        let (room, far) = nearest([left, top], size, plot, &taken);
+        let is_upper = y < plot.frame().middle()[1];
+        lacking = lacking.or(match far {
+            Some(far) if far <= NEAR => None,
+            _ if is_upper => Some(Lacking::Above),
+            // An axis that begins at 0 is not drawn below it.
+            Some(_) if plot.y[0] == 0.0 => None,
+            None if plot.y[0] == 0.0 => Some(Lacking::Above),
+            _ => Some(Lacking::Below),
+        });
+        taken.frame(room);
+        labels.push(Label { lines, room });
+    }
+    (labels, lacking)
+}
+
+/// The free room of a size nearest to `wanted` (its upper left corner), and how far that is; `None`: none is free.
+fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Frame, Option<f64>) {
+    let within = plot.frame();
+    let first = [
+        wanted[0]
+            .min(within.right - EDGE - size[0])
+            .max(within.left + EDGE),
+        wanted[1]
+            .min(within.bottom - EDGE - size[1])
+            .max(within.top + EDGE),
+    ];
+    let at = |left: f64, top: f64| Frame {
+        left,
+        top,
+        right: left + size[0],
+        bottom: top + size[1],
+    };
+    let ways = |axis: usize, room: f64| {
+        let count = (room / STEPS[axis]) as i32;
+        (-count..=count).map(move |step| f64::from(step) * STEPS[axis])
+    };
+    let mut candidates: Vec<(f64, Frame)> = Vec::new();
+    for down in ways(0, within.height()) {
+        for across in ways(1, 0.5 * within.width()) {
+            let frame = at(first[0] + across, first[1] + down);
+            if within.grown(0.1 - EDGE).holds(&frame) {
+                candidates.push((down.abs() + 0.4 * across.abs(), frame));
+            }
+        }
+    }
+    candidates.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let free = candidates
+        .iter()
+        .find(|(_, frame)| taken.is_clear(frame, CLEAR));
+    match free {
+        Some((far, frame)) => (*frame, Some(*far)),
+        None => (at(first[0], first[1]), None),
+    }
+}
+
+/// What stands in a plot already: lines, single values and bars.
+fn obstacles(panel: &Panel, plot: &Plot) -> Occupied {
+    let mut taken = Occupied::default();
+    for mark in &panel.marks {
+        match mark {
+            Mark::Line { points, .. } => {
+                for run in thin::runs(points, 1.0 / plot.scale()[0]) {
+                    let spots: Vec<Spot> = run.iter().map(|point| plot.spot(*point)).collect();
+                    taken.line(&spots);
+                }
+            }
+            Mark::Dots { points, .. } => {
+                let known = points.iter().filter_map(|&(x, y)| Some((x, y?)));
+                known.for_each(|point| taken.frame(around(plot.spot(point), 4.0)));
+            }
+            Mark::Bar { x, y, .. } => {
+                let ([left, bottom], [right, top]) =
+                    (plot.spot((x[0], y[0])), plot.spot((x[1], y[1])));
+                taken.frame(Frame {
+                    left,
+                    top,
+                    right,
+                    bottom,
+                });
+            }
+            Mark::Ground { .. } | Mark::Shade { .. } | Mark::Band { .. } | Mark::Text { .. } => {}
+        }
+    }
+    taken
+}

@@ -1,0 +1,254 @@
+//! More poses where curves over the teeth bend, so that a chart shows each peak.
+//!
+//! A sweep at 16 steps a pitch misses the tip of a peak that is narrower than a step. The poses added here are for
+//! drawing alone: means and counts are of the even sweep. In order:
+//!
+//! 1. The proven extremes, at their own teeth, or at every pitch where all teeth are alike. They lie on both flanks'
+//!    curves, since both go through the same rotations.
+//! 2. The middle of each step over which other teeth or other parts of them come to touch, once.
+//! 3. The middles of the steps beside a bend, and of those at a gap's edge, again and again: until a point lies within
+//!    [`FLAT`] of the chord of its neighbours, or the step is [`FINEST`].
+
+use crate::analysis::compare::{ComparedPose, ComparedRun, compare};
+use crate::analysis::extremes::{RunExtreme, RunExtremes};
+use crate::analysis::simulate::simulate_plans;
+use crate::analysis::study::{RunPlan, Study};
+use crate::contact::{Contact, Method};
+use crate::error::Error;
+use crate::gear::{ProfilePart, Side};
+use crate::pair::{GearPair, Mating, Pose};
+use std::ops::ControlFlow;
+
+/// A bend below this part of the range of all curves at its centre distance is not drawn: a chart is some 300 units high.
+const FLAT: f64 = 1.0 / 300.0;
+/// The least range that a chart shows, mm: below it rounding would bend a curve.
+const LEAST_RANGE: f64 = 1e-3;
+/// No step is halved below this, pitches (tuned: a peak that rises 100 µm in a pitch is drawn to 0.1 µm).
+const FINEST: f64 = 1.0 / 1024.0;
+/// Poses that are added to all curves together.
+const MOST: usize = 100_000;
+/// A curve over more pitches is not refined: none of them is a unit wide on a chart.
+const MOST_PITCHES: f64 = 700.0;
+
+/// `revolution`, whose runs go over whole revolutions at even steps, with the poses between them that its curves need;
+/// the proven extremes of `cycle` are among them.
+///
+/// # Errors
+/// As [`crate::analysis::simulate::simulate`].
+pub fn refined(
+    study: &Study,
+    revolution: &[ComparedRun],
+    cycle: &[RunExtremes],
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<ComparedRun>, Error> {
+    let mut curves: Vec<Curve> = revolution.iter().flat_map(Curve::of).collect();
+    let mut left = MOST;
+    let mut round = 0;
+    loop {
+        let flat = flat(&curves);
+        let wanted: Vec<Vec<(f64, Mating)>> = curves
+            .iter()
+            .map(|curve| match round {
+                0 => curve.at_extremes(cycle),
+                _ => curve.middles(&flat, round == 1),
+            })
+            .collect();
+        let count: usize = wanted.iter().map(Vec::len).sum();
+        if count > left || (count == 0 && round > 1) {
+            break;
+        }
+        left -= count;
+        round += 1;
+        let plans = curves.iter().zip(&wanted).map(|(curve, wanted)| RunPlan {
+            material: curve.run.run.material,
+            assembly: curve.run.run.assembly.clone(),
+            phase: curve.run.run.phase,
+            matings: wanted.iter().map(|(_, mating)| *mating).collect(),
+        });
+        let found = simulate_plans(study, plans.collect(), method, tick)?;
+        let found = compare(found, study.tolerance_um);
+        for ((curve, wanted), found) in curves.iter_mut().zip(wanted).zip(found) {
+            curve.insert(wanted, found.poses);
+        }
+    }
+    let mut curves = curves.into_iter();
+    let refined = revolution.iter().map(|run| ComparedRun {
+        run: run.run.clone(),
+        poses: Side::BOTH
+            .iter()
+            .filter_map(|_| curves.next())
+            .flat_map(|curve| curve.points)
+            .map(|point| point.pose)
+            .collect(),
+    });
+    Ok(refined.collect())
+}
+
+/// The bend at each centre distance that is not seen, mm.
+fn flat(curves: &[Curve]) -> impl Fn(f64) -> f64 + use<> {
+    let mut ranges: Vec<(f64, [f64; 2])> = Vec::new();
+    for curve in curves {
+        let a = curve.run.run.assembly.center_distance();
+        let found = ranges.iter().position(|range| range.0 == a);
+        let index = found.unwrap_or_else(|| {
+            ranges.push((a, [f64::INFINITY, f64::NEG_INFINITY]));
+            ranges.len() - 1
+        });
+        let [low, high] = &mut ranges[index].1;
+        for value in curve.points.iter().filter_map(Point::value) {
+            (*low, *high) = (low.min(value), high.max(value));
+        }
+    }
+    move |a| {
+        let range = ranges.iter().find(|range| range.0 == a);
+        let width = range.map_or(0.0, |(_, [low, high])| high - low);
+        FLAT * width.max(LEAST_RANGE)
+    }
+}
+
+/// The poses of one run and flank, in order.
+struct Curve<'a> {
+    run: &'a ComparedRun,
+    flank: Side,
+    points: Vec<Point>,
+}
+
+/// A pose, and how many pitches it stands beyond the first.
+struct Point {
+    pitches: f64,
+    pose: ComparedPose,
+}
+
+impl Point {
+    fn value(&self) -> Option<f64> {
+        self.pose.simulated.backlash
+    }
+
+    /// Teeth and parts that touch, right and left.
+    fn touching(&self) -> Option<[Option<[(u32, ProfilePart); 2]>; 2]> {
+        let found = self.pose.simulated.proven()?;
+        let of = |contact: &Contact| {
+            [&contact.wheel, &contact.pinion].map(|touch| (touch.tooth, touch.curve))
+        };
+        Some([found.right.as_ref().map(of), found.left.as_ref().map(of)])
+    }
+}
+
+impl<'a> Curve<'a> {
+    /// Both flanks' curves of a run.
+    fn of(run: &'a ComparedRun) -> [Curve<'a>; 2] {
+        Side::BOTH.map(|flank| {
+            let mating = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
+            let poses: Vec<&ComparedPose> = run.poses.iter().filter(mating).collect();
+            let matings = poses.iter().map(|pose| pose.simulated.pose.mating());
+            let points = super::scale::places(matings).zip(&poses);
+            Curve {
+                run,
+                flank,
+                points: points
+                    .map(|(pitches, pose)| Point {
+                        pitches,
+                        pose: (*pose).clone(),
+                    })
+                    .collect(),
+            }
+        })
+    }
+
+    fn assembly(&self) -> &'a GearPair {
+        &self.run.run.assembly
+    }
+
+    /// Places and matings of the extremes of `cycle` that lie on this curve.
+    fn at_extremes(&self, cycle: &[RunExtremes]) -> Vec<(f64, Mating)> {
+        let assembly = self.assembly();
+        let here = cycle.iter().filter(|of| {
+            of.material == self.run.run.material
+                && of.assembly.center_distance() == assembly.center_distance()
+        });
+        let mut wanted: Vec<(f64, Mating)> = Vec::new();
+        for of in here {
+            let ends = of.least.iter().chain(&of.greatest);
+            for extreme in ends.filter(|extreme| extreme.assembly == *assembly) {
+                let at = mating_of(extreme, assembly, self.flank);
+                // The whole pitches: each has one point with the fraction 0.
+                for point in &self.points {
+                    let own = point.pose.simulated.pose.mating();
+                    let is_at =
+                        (own.wheel_tooth, own.pinion_tooth) == (at.wheel_tooth, at.pinion_tooth);
+                    if own.fraction == 0.0 && (is_at || of.has_like_teeth()) {
+                        let fraction = at.fraction;
+                        wanted.push((point.pitches + fraction, Mating { fraction, ..*own }));
+                    }
+                }
+            }
+        }
+        wanted.sort_by(|one, other| one.0.total_cmp(&other.0));
+        wanted.dedup_by(|one, other| one.0 == other.0);
+        wanted.retain(|(at, _)| {
+            let next = self.points.partition_point(|point| point.pitches < *at);
+            self.points
+                .get(next)
+                .is_none_or(|point| point.pitches > *at)
+        });
+        wanted
+    }
+
+    /// Places and matings in the middles of the steps that need one: beside a bend, at a gap's edge and, where `changes`
+    /// are looked into, where something else comes to touch.
+    fn middles(&self, flat: &impl Fn(f64) -> f64, changes: bool) -> Vec<(f64, Mating)> {
+        let flat = flat(self.assembly().center_distance());
+        let points = &self.points;
+        if points.last().is_none_or(|last| last.pitches > MOST_PITCHES) {
+            return Vec::new();
+        }
+        let mut marked = vec![false; points.len().saturating_sub(1)];
+        for (step, pair) in points.windows(2).enumerate() {
+            let edge = pair[0].value().is_some() != pair[1].value().is_some();
+            marked[step] |= edge || (changes && pair[0].touching() != pair[1].touching());
+        }
+        for (step, three) in points.windows(3).enumerate() {
+            let [Some(before), Some(here), Some(after)] = [0, 1, 2].map(|i| three[i].value())
+            else {
+                continue;
+            };
+            let width = three[2].pitches - three[0].pitches;
+            let part = (three[1].pitches - three[0].pitches) / width;
+            if (here - before - part * (after - before)).abs() > flat {
+                marked[step] = true;
+                marked[step + 1] = true;
+            }
+        }
+        let steps = points.windows(2).zip(marked);
+        let wanted = steps.filter_map(|(pair, marked)| {
+            let half = 0.5 * (pair[1].pitches - pair[0].pitches);
+            if !marked || half < FINEST {
+                return None;
+            }
+            let mating = pair[0].pose.simulated.pose.mating();
+            Some((pair[0].pitches + half, mating.onward(self.assembly(), half)))
+        });
+        wanted.collect()
+    }
+
+    /// Takes in the poses found at `wanted`; of those that are not proven nothing is drawn.
+    fn insert(&mut self, wanted: Vec<(f64, Mating)>, found: Vec<ComparedPose>) {
+        let proven = wanted.into_iter().zip(found);
+        let proven = proven.filter(|(_, pose)| !pose.simulated.is_unproven());
+        self.points
+            .extend(proven.map(|((pitches, _), pose)| Point { pitches, pose }));
+        self.points
+            .sort_by(|one, other| one.pitches.total_cmp(&other.pitches));
+    }
+}
+
+/// The mating at `flank` in which the locked gear stands as in the pose of `extreme`.
+fn mating_of(extreme: &RunExtreme, assembly: &GearPair, flank: Side) -> Mating {
+    let pose = &extreme.pose.simulated.pose;
+    let there = pose.mating().at_flank(assembly, flank);
+    let locked = assembly.gear(assembly.locked());
+    let pitch = -locked.face().ascending() * locked.gear().basic_data().angular_pitch();
+    let turned = pose.locked_rotation() - Pose::new(assembly, there).locked_rotation();
+    there.onward(assembly, turned / pitch)
+}

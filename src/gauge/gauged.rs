@@ -15,7 +15,7 @@ use super::span::{Spans, spans};
 use super::stated::{Readings, StatedThickness, stated};
 use super::workpiece::Workpiece;
 use crate::error::Error;
-use crate::gear::{AsBuilt, Gear, PitchAxis, involute, thickness as formula};
+use crate::gear::{AsBuilt, Gear, PitchAxis, ProfilePart, involute, thickness as formula};
 use std::ops::ControlFlow;
 
 /// How to measure; what is `None` follows from the gear.
@@ -186,6 +186,48 @@ pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, U
         pitches.iter().flatten(),
         runout.as_ref().ok(),
     )
+}
+
+/// The least and greatest diameters of pins, mm, that touch the involutes of every space of `gear` and stand out of it. They are found around
+/// the usual pin and rounded inwards to 0.01 mm. `None`: the usual pin does not touch them.
+pub fn pin_sizes(gear: &AsBuilt) -> Option<[f64; 2]> {
+    /// Enough for 0.001 of a diameter.
+    const HALVINGS: usize = 12;
+    let work = Workpiece::new(gear);
+    let fits = |pin| {
+        seats(&work, pin).is_ok_and(|seats| {
+            let mut touched = seats.iter().flat_map(|seat| &seat.touched);
+            touched.all(|touch| touch.curve == ProfilePart::Involute)
+                && pins(&work, pin, seats).is_ok()
+        })
+    };
+    let usual = usual_pin(gear.gear());
+    if !fits(usual) {
+        return None;
+    }
+    let end = |factor: f64| {
+        let (mut inner, mut outer) = (usual, usual * factor);
+        // A pin of a thousand usual ones touches no involute.
+        for _ in 0..10 {
+            if !fits(outer) {
+                break;
+            }
+            (inner, outer) = (outer, outer * factor);
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inner + outer);
+            if fits(middle) {
+                inner = middle;
+            } else {
+                outer = middle;
+            }
+        }
+        inner
+    };
+    Some([
+        (100.0 * end(0.5)).ceil() / 100.0,
+        (100.0 * end(2.0)).floor() / 100.0,
+    ])
 }
 
 /// Roll at the middle of the active flank's height.

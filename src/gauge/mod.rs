@@ -34,7 +34,7 @@ mod workpiece;
 pub use eccentricity::Eccentricity;
 pub use flanks::{PitchReadings, ThicknessReadings};
 pub use formula::Formula;
-pub use gauged::{Gauged, Settings, gauge, graded, pitches, pose_count, profiles};
+pub use gauged::{Gauged, Settings, gauge, graded, pin_sizes, pitches, pose_count, profiles};
 pub use grades::GradedReading;
 pub use outlines::{
     OutlineGauged, OutlinePins, OutlineSeat, OutlineSpan, OutlineSpans, gauge_outline,

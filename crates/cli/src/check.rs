@@ -35,6 +35,9 @@ pub(super) struct Args {
     center_distance: Option<f64>,
     #[command(flatten)]
     drawn: DrawnArgs,
+    /// Print the names of the files that the pair files read, themselves included, one a line, and check nothing
+    #[arg(long)]
+    inputs: bool,
     /// Output format
     #[arg(long, value_enum, default_value_t = JudgedFormat::Text)]
     format: JudgedFormat,
@@ -53,6 +56,9 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let drawn = drawings(args)?;
+    if args.inputs && drawn.is_none() {
+        return studies::print_inputs(&args.pairs);
+    }
     if args.map && drawn.is_none() && args.pairs.len() > 1 {
         return Err(Error::Usage(
             "--map draws one pair: give one pair file".to_owned(),

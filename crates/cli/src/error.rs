@@ -20,11 +20,6 @@ pub enum Error {
     /// A command-line value that does not suit the file.
     #[error("{0}")]
     Usage(String),
-    /// A result that is not proven, or that the pair does not have, and so is not written.
-    #[error(
-        "nothing is written, because least and greatest backlash are not both there and proven: {0}"
-    )]
-    Unproven(String),
     /// A calculation without a result.
     #[error(transparent)]
     Run(#[from] gearlash::error::Error),
@@ -49,25 +44,6 @@ pub enum Error {
         output: PathBuf,
         /// The name under which the file was read.
         input: PathBuf,
-    },
-    /// A folder that another run is about to write to.
-    #[error("{}: another run of gearlash writes to this folder; wait for its end, or name another folder with -o", folder.display())]
-    Busy {
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// A folder in which files of two runs stand, because neither the new ones nor the old ones could be put in place.
-    #[error(
-        "{}: holds files of this run beside older ones: {reason}; putting these back failed, too: {source}. The next run that can write there puts them back",
-        folder.display()
-    )]
-    HalfWritten {
-        /// The folder.
-        folder: PathBuf,
-        /// What failed first.
-        reason: String,
-        /// What failed then.
-        source: std::io::Error,
     },
     /// Standard output that takes no more.
     #[error("standard output: cannot be written: {0}")]
@@ -111,8 +87,7 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         use gearlash::error::Error as Run;
         match self {
-            Error::Unproven(_)
-            | Error::Run(Run::CertificateFailed { .. } | Run::ContactLost { .. }) => 1,
+            Error::Run(Run::CertificateFailed { .. } | Run::ContactLost { .. }) => 1,
             Error::Run(Run::Interrupted) => 130,
             _ => 2,
         }

@@ -9,11 +9,11 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::studies;
 use crate::error::Error;
-use gearlash::gauge::{Settings, gauge, pose_count};
+use gearlash::gauge::{Settings, gauge, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
 use gearlash_files::{AnyGears, GearEntry};
 use gearlash_render::gauge::{charts, missing, page, text};
-use gearlash_results::gauge::{GaugedGear, csv_files, json, possible_files, stem, teeth_csv};
+use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, table_name, teeth_csv};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -21,8 +21,8 @@ use std::process::ExitCode;
 ///
 /// Anvils, pins, balls, measuring circles and a perfect master gear are placed in contact with the outline of the gear
 /// as built. Prints least, mean and greatest of each reading; --positions adds a table with one row per tooth.
-/// Writes the readings of each gear and material into DIR as CSV, a chart of each that deviates, and a gear file
-/// gauge_<gear>.toml that states them. Files of an earlier run for the same gear and material are replaced or removed;
+/// Writes for each gear and material one table of all readings into DIR, gauge_<gear>.csv, a chart of each reading that deviates, and
+/// a gear file gauge_<gear>.toml that states them. Files of an earlier run for the same gear and material are replaced or removed;
 /// nothing else is touched.
 ///
 /// On a drawing, and where a gear of the file is one, spans and pins are measured when asked for (--span-teeth, --pin-mm),
@@ -128,6 +128,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         });
     }
     drop(progress);
+    check_pin(args.pin_mm, &gears)?;
     for gauged in &gears {
         let short: Vec<String> = gauged.short_face().into_iter().collect();
         warn(&args.file, &short, &[]);
@@ -147,10 +148,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(folder) = folder {
         let mut files = Vec::new();
         for gauged in &gears {
-            files.extend(csv_files(gauged).map_err(unwritable)?);
-            match args.page {
-                true => files.extend(page(gauged)?),
-                false => files.extend(charts(gauged)?),
+            let table = teeth_csv(std::slice::from_ref(gauged)).map_err(unwritable)?;
+            files.push((table_name(&gauged.stem()), table));
+            if args.page {
+                files.extend(page(gauged)?);
+            } else {
+                files.extend(charts(gauged)?);
             }
             match gauged.gear_file() {
                 Ok(file) => files.push(file),
@@ -168,6 +171,26 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 fn unwritable(error: impl std::error::Error) -> Error {
     Error::Usage(format!("the readings cannot be written as text: {error}"))
+}
+
+/// Whether a gear could be measured over the pins that were asked for.
+fn check_pin(pin: Option<f64>, gears: &[GaugedGear]) -> Result<(), Error> {
+    let reason = |gauged: &GaugedGear| Some(gauged.gauged.pins.as_ref().err()?.to_string());
+    let reasons: Option<Vec<String>> = gears.iter().map(reason).collect();
+    let (Some(pin), Some(reasons)) = (pin, reasons) else {
+        return Ok(());
+    };
+    let each = gears.iter().zip(reasons).map(|(gauged, reason)| {
+        let fit = match pin_sizes(gauged.gear) {
+            Some([least, greatest]) => {
+                format!("pins of {least} … {greatest} mm touch its involutes")
+            }
+            None => "no pin touches its involutes".to_owned(),
+        };
+        format!("{}: {reason}; {fit}", gauged.name)
+    });
+    let each: Vec<String> = each.collect();
+    Err(Error::Usage(format!("--pin-mm {pin}: {}", each.join("; "))))
 }
 
 /// Whether the gear has the teeth to span.

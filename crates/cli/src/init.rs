@@ -48,12 +48,7 @@ impl From {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    if args.pair.exists() {
-        return Err(Error::Usage(format!(
-            "{}: already exists, and init never overwrites; name another, or remove it",
-            args.pair.display()
-        )));
-    }
-    Target::prepare(args.pair.clone(), &Sources::new())?.write(&explained(args.from.examples()))?;
+    Target::prepare_new(&args.pair, &Sources::new(), "init")?
+        .write(&explained(args.from.examples()))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -10,9 +10,9 @@ mod distances;
 mod drawing;
 mod error;
 mod explain;
-mod export;
 mod gauge;
 mod gears;
+mod gone;
 mod import;
 mod init;
 mod judged;
@@ -93,7 +93,6 @@ enum Command {
     Report(report::Args),
     Import(import::Args),
     Init(init::Args),
-    Export(export::Args),
     Schema(schema::Args),
     Completions(completions::Args),
     Man(man::Args),
@@ -116,7 +115,7 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
             cap_threads();
             command(cli.command)
         }
-        Err(usage) => help(&usage),
+        Err(usage) => gone::error(&words).map_or_else(|| help(&usage), Err),
     };
     match ended {
         Ok(code) => code,
@@ -137,7 +136,6 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Outline(args) => outline::run(&args),
         Command::Import(args) => import::run(&args),
         Command::Init(args) => init::run(&args),
-        Command::Export(args) => export::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args),
         Command::Man(args) => man::run(&args),

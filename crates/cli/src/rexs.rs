@@ -51,7 +51,7 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
         print(&text)?;
     }
     if let (Some(output), Some(pair)) = (&args.output, chosen) {
-        Target::prepare(output.clone(), &file.sources)?.write(&pair.pair_file)?;
+        Target::prepare_new(output, &file.sources, "import")?.write(&pair.pair_file)?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,11 +1,13 @@
 //! Reading what a command works on.
 
-use super::console::{guard, warn};
+use super::console::{guard, print, warn};
 use crate::error::Error;
+use gearlash_files::characters::plain;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::outlines::OutlineGearsFile;
 use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile, Sources};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 /// The pair file at `path`; its warnings are reported.
 ///
@@ -54,6 +56,32 @@ pub(super) fn name_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
         ));
     }
     Ok(())
+}
+
+/// Prints the names of the files that the pair files at `paths` read, one a line.
+///
+/// # Errors
+/// As [`pair`]; [`Error::Usage`] of a name that cannot be printed as it is.
+pub(super) fn print_inputs(paths: &[PathBuf]) -> Result<ExitCode, Error> {
+    let mut lines = String::new();
+    for path in paths {
+        let file = gearlash_files::read_any(path)?;
+        let sources = match &file {
+            AnyPair::Data(file) => &file.sources,
+            AnyPair::Outlines(file) => &file.sources,
+        };
+        for name in sources.names() {
+            let text = name.to_str().filter(|text| plain(text) == **text);
+            let Some(text) = text else {
+                let name = plain(&name.to_string_lossy()).to_string();
+                let reason = "this name cannot be printed as it is; rename the file";
+                return Err(Error::Usage(format!("{name}: {reason}")));
+            };
+            lines += &format!("{text}\n");
+        }
+    }
+    print(&lines)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// The gears of the file at `path`; its warnings are reported.

@@ -47,7 +47,7 @@ impl Target {
             .transpose()
     }
 
-    /// That of the file `name` in the folder of results of the file with this `stem`.
+    /// A place for the file `name` in `out/STEM`, the folder of results of an input with this `stem`.
     ///
     /// # Errors
     /// As [`Target::prepare`].
@@ -57,6 +57,26 @@ impl Target {
         sources: &Sources,
     ) -> Result<Target, Error> {
         Target::prepare(Path::new("out").join(stem).join(name), sources)
+    }
+
+    /// As [`Target::prepare`], never over an existing file. `command` names who refuses.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where a file is there; else as [`Target::prepare`].
+    pub(super) fn prepare_new(
+        path: &Path,
+        sources: &Sources,
+        command: &str,
+    ) -> Result<Target, Error> {
+        let exists = path.exists();
+        let target = Target::prepare(path.to_path_buf(), sources)?;
+        if exists {
+            return Err(Error::Usage(format!(
+                "{}: already exists, and {command} never overwrites; name another, or remove it",
+                path.display()
+            )));
+        }
+        Ok(target)
     }
 
     /// Makes the folder of `path` where it is missing and tries to write in it; never in the place of one of `sources`.
@@ -84,7 +104,7 @@ impl Target {
         print_note(&shown)
     }
 
-    /// The same, for a command whose standard output is its outcome.
+    /// Writes `content` and prints no name, for a command whose standard output is its result.
     ///
     /// # Errors
     /// As [`Target::write`].

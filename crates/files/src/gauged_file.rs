@@ -7,10 +7,11 @@
 
 use crate::characters::plain;
 use crate::spec::{
-    CrossCheckSpec, Either, GearFileSpec, GearSpec, PitchAxis, PitchKind, PitchSense, PitchSpec,
-    RunoutSpec, SpanSpec, StatementSpec, TableFileSpec, ThicknessSpec,
+    CrossCheckSpec, Either, GearFileSpec, GearSpec, LengthSpec, PitchAxis, PitchKind, PitchSense,
+    PitchSpec, RunoutSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
-use gearlash::gauge::{Gauged, StatedThickness, Unmeasured};
+use gearlash::gauge::{Gauged, Spans, StatedThickness, Unmeasured};
+use gearlash::gear::Flank;
 
 /// Why there is no gear file.
 #[derive(Debug, thiserror::Error)]
@@ -23,15 +24,6 @@ pub enum NoGearFile {
     Unwritable(#[from] toml::ser::Error),
 }
 
-/// The tables that a gear file names.
-#[derive(Debug, Clone)]
-pub struct GaugedTables {
-    /// Spans.
-    pub spans: String,
-    /// Cumulative pitch about the gear's own axis.
-    pub pitch: String,
-}
-
 /// The gear file, as TOML, of a gear that was understood as `spec` and is called `name` in a few words.
 ///
 /// # Errors
@@ -41,13 +33,14 @@ pub fn gauged_file(
     name: &str,
     spec: &GearSpec,
     readings: &Gauged,
-    tables: GaugedTables,
 ) -> Result<String, NoGearFile> {
     let mut comments = vec![
         format!("What gearlash's gauges read on this gear ({name})."),
         "The thickness is the mean: the pitch carries how it varies. The runout is twice the eccentricity, which the tip circle shows.".to_owned(),
     ];
-    let thickness = thickness(spec.teeth, readings, tables.spans, &mut comments)?;
+    let thickness = thickness(spec.teeth, readings, &mut comments)?;
+    let pitch = readings.pitch_own.as_ref().map_err(Clone::clone)?;
+    let pitch = |flank| Some(um(pitch.cumulative.flank(flank)));
     let file = GearFileSpec {
         title: format!("{}, as gauged", plain(title)),
         gear: GearSpec {
@@ -61,10 +54,10 @@ pub fn gauged_file(
                 kind: PitchKind::Cumulative,
                 axis: PitchAxis::Own,
                 sense: PitchSense::Numbers,
-                right_um: None,
-                left_um: None,
+                right_um: pitch(Flank::Right),
+                left_um: pitch(Flank::Left),
                 eccentricity: None,
-                table: Some(TableFileSpec::new(tables.pitch)),
+                table: None,
                 left: None,
                 right: None,
             }),
@@ -78,7 +71,6 @@ pub fn gauged_file(
 fn thickness(
     teeth: u32,
     readings: &Gauged,
-    table: String,
     comments: &mut Vec<String>,
 ) -> Result<ThicknessSpec, Unmeasured> {
     let stated = readings.stated.clone()?;
@@ -87,20 +79,28 @@ fn thickness(
             "{reason}: that this mean thickness cut the root is taken for granted."
         ));
     }
-    let span = |teeth: u32, per_tooth: Option<bool>| StatementSpec {
-        span: Some(SpanSpec {
-            teeth,
-            per_tooth,
-            table: Some(TableFileSpec::new(table)),
-            ..SpanSpec::default()
-        }),
-        ..StatementSpec::default()
+    let span = |spans: &Spans, per_tooth: Option<bool>| {
+        let lengths = spans.readings.iter().map(|span| span.length).collect();
+        let first = spans.readings.iter().map(|span| span.first_tooth).collect();
+        StatementSpec {
+            span: Some(SpanSpec {
+                teeth: spans.teeth,
+                length: LengthSpec {
+                    mm: Some(Either::Other(lengths)),
+                    ..LengthSpec::default()
+                },
+                first_tooth: Some(first),
+                per_tooth,
+                table: None,
+            }),
+            ..StatementSpec::default()
+        }
     };
     let mut thickness = ThicknessSpec::default();
     match (stated, &readings.spans) {
         (StatedThickness::Spans, spans) => {
-            let teeth = spans.as_ref().map_err(Clone::clone)?.teeth;
-            thickness.statement = span(teeth, Some(false));
+            let spans = spans.as_ref().map_err(Clone::clone)?;
+            thickness.statement = span(spans, Some(false));
         }
         (
             StatedThickness::Allowance {
@@ -118,11 +118,16 @@ fn thickness(
             if let (true, Ok(spans)) = (cross_check, spans) {
                 comments.push("The cross-check bears out the sign of the flanks.".to_owned());
                 thickness.cross_check = Some(CrossCheckSpec {
-                    statement: span(spans.teeth, None),
+                    statement: span(spans, None),
                     tolerance_um: None,
                 });
             }
         }
     }
     Ok(thickness)
+}
+
+/// mm to µm.
+fn um(lengths: &[f64]) -> Vec<f64> {
+    lengths.iter().map(|mm| mm * 1e3).collect()
 }

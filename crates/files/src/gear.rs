@@ -125,20 +125,9 @@ impl GearPart {
         let statement = thickness
             .as_ref()
             .and_then(|table| Statement::read(table, teeth, problems));
-        let nominal = self.basic_data.as_ref().zip(profile_shift);
         let per_tooth = thickness
             .as_ref()
-            .and_then(|thick| per_tooth::thickness(table, thick, teeth, nominal, problems));
-        let positions = thickness
-            .as_ref()
-            .filter(|table| table.has("file"))
-            .and_then(|thick| per_tooth::positions(table, thick, nominal, problems));
-        let is_positions = thickness.as_ref().is_some_and(|table| table.has("file"));
-        let (statement, per_tooth) = match (is_positions, positions) {
-            (false, _) => (statement, per_tooth),
-            (true, None) => (None, None),
-            (true, Some((mean, each))) => (Some(mean), Some(each)),
-        };
+            .and_then(|thick| per_tooth::thickness(thick, teeth, problems));
         let cross_check = thickness
             .as_ref()
             .and_then(|table| CrossCheck::read(table, statement.as_ref(), teeth, problems));
@@ -168,10 +157,9 @@ impl GearPart {
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
         let mut header_warnings = Vec::new();
         let runout_header = runout.iter().filter_map(Runout::header);
-        let thickness_header = per_tooth.iter().map(|(_, header)| header);
         let trace_headers = profiles.iter().flat_map(Profiles::headers);
         let headers = pitch_header.chain(runout_header);
-        for header in headers.chain(thickness_header).chain(trace_headers) {
+        for header in headers.chain(trace_headers) {
             header.check(&drawn, problems);
             header_warnings.extend_from_slice(header.warnings());
         }
@@ -180,7 +168,7 @@ impl GearPart {
             table,
             design,
             thickness: statement?,
-            per_tooth_um: per_tooth.unwrap_or_default().0,
+            per_tooth_um: per_tooth.unwrap_or_default(),
             cross_check: cross_check.clone().flatten(),
             pitch: sheet.flatten(),
             runout: runout?,
@@ -224,7 +212,6 @@ impl GearPart {
                 statement: statements.thickness.spec(),
                 cross_check: cross_check.map(CrossCheck::spec),
                 per_tooth_um: Some(statements.per_tooth_um),
-                file: None,
             },
             runout: runout.spec(),
             pitch: statements.pitch.as_ref().map(PitchSheet::spec),

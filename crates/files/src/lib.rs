@@ -90,7 +90,7 @@ pub fn named(path: &Path) -> &Path {
 }
 
 pub use error::{InputError, Problem};
-pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
+pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use outline_file::{OutlineFile, OutlineFormat};

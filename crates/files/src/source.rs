@@ -6,15 +6,20 @@ use super::numbers::ascii;
 use super::problems::Problems;
 use crate::characters::cut;
 use crate::error::Problem;
-use std::fs::{File, Metadata};
-use std::io::{ErrorKind, Read};
+use std::fs::File;
+use std::io::{ErrorKind, IsTerminal, Read};
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::sync::mpsc::sync_channel;
+use std::time::Duration;
 
-/// Largest file read: 16 MiB. Pitch and thickness of two gears of 10 000 teeth need one.
-const MOST_BYTES: u64 = 16 << 20;
-/// How long a pipe may wait for a program to write to it: one that is started beside needs a moment.
+/// Largest input of any kind.
+const MOST_BYTES: u64 = 64 << 20;
+/// Largest text of a pair file, gear file or gearbox model: pitch and thickness of two gears of 10 000 teeth need 1 MiB.
+const MOST_TEXT: usize = 16 << 20;
+/// How long a pipe may bring no data.
 const WAIT: Duration = Duration::from_secs(5);
+/// Bytes read at a time (tuned).
+const PIECE: usize = 1 << 16;
 
 /// Most signs that begin a key or a value of a TOML file: its parser takes some 150 bytes for each. A list of one value a tooth
 /// for the largest gear has 10 000.
@@ -25,97 +30,88 @@ const LONGEST_MESSAGE: usize = 300;
 /// The bytes of the file at `path`.
 ///
 /// # Errors
-/// One problem, its key empty: not there, a folder, over 16 MiB, unreadable.
+/// One problem, its key empty: not there, a folder, over 64 MiB, unreadable, a pipe without data for 5 s.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let metadata = std::fs::metadata(path).map_err(cannot)?;
     if metadata.is_dir() {
         return Err(Problem::of_file("is a folder", "name the file in it"));
     }
-    if metadata.len() > MOST_BYTES {
-        let mebibytes = metadata.len() as f64 / f64::from(1 << 20);
-        return Err(too_large(format!("has {} MiB", ascii(mebibytes, 1))));
-    }
-    // A pipe has no length beforehand.
-    let mut bytes = Vec::new();
-    let file = match is_pipe(&metadata) {
-        true => written_pipe(path, &mut bytes).map_err(cannot)?,
-        false => File::open(path).map_err(cannot)?,
-    };
-    rest(file, &mut bytes)?;
-    Ok(bytes)
-}
-
-#[cfg(unix)]
-fn is_pipe(metadata: &Metadata) -> bool {
-    use std::os::unix::fs::FileTypeExt;
-    metadata.file_type().is_fifo()
-}
-
-#[cfg(not(unix))]
-fn is_pipe(_: &Metadata) -> bool {
-    false
-}
-
-/// The pipe at `path`, once a program has it open to write; what has been read of it is added to `bytes`.
-///
-/// Opened without waiting, a pipe that nobody writes reads as if it had ended, one that has a writer as not ready.
-#[cfg(unix)]
-fn written_pipe(path: &Path, bytes: &mut Vec<u8>) -> std::io::Result<File> {
-    use std::os::unix::fs::OpenOptionsExt;
-    let mut options = File::options();
-    options
-        .read(true)
-        .custom_flags(rustix::fs::OFlags::NONBLOCK.bits() as i32);
-    let mut file = options.open(path)?;
-    let begun = Instant::now();
-    let mut first = [0; 4096];
-    loop {
-        match file.read(&mut first) {
-            Ok(0) if begun.elapsed() > WAIT => {
-                return Err(std::io::Error::new(
-                    ErrorKind::TimedOut,
-                    format!(
-                        "it is a pipe, and no program has written to it for {} s",
-                        WAIT.as_secs()
-                    ),
-                ));
-            }
-            Ok(0) => std::thread::sleep(Duration::from_millis(10)),
-            Ok(length) => {
-                bytes.extend_from_slice(&first[..length]);
-                break;
-            }
-            Err(error) if error.kind() == ErrorKind::WouldBlock => break,
-            Err(error) => return Err(error),
+    if metadata.is_file() {
+        if metadata.len() > MOST_BYTES {
+            return Err(too_large(metadata.len(), MOST_BYTES));
         }
+        let mut bytes = Vec::new();
+        let file = File::open(path).map_err(cannot)?;
+        let mut file = file.take(MOST_BYTES + 1);
+        file.read_to_end(&mut bytes).map_err(cannot)?;
+        return limited(bytes);
     }
-    rustix::io::ioctl_fionbio(&file, false)?;
-    Ok(file)
-}
-
-#[cfg(not(unix))]
-fn written_pipe(path: &Path, _: &mut Vec<u8>) -> std::io::Result<File> {
-    File::open(path)
+    let path = path.to_owned();
+    // Opening a pipe waits for a program that writes to it.
+    by_pieces(move || File::open(path))
 }
 
 /// The bytes of standard input, up to its end.
 ///
 /// # Errors
-/// One problem, its key empty: over 16 MiB, unreadable.
+/// As [`bytes`]; a terminal may wait.
 pub fn standard_input() -> Result<Vec<u8>, Problem> {
-    let mut bytes = Vec::new();
-    rest(std::io::stdin().lock(), &mut bytes)?;
-    Ok(bytes)
+    if std::io::stdin().is_terminal() {
+        let mut bytes = Vec::new();
+        let mut input = std::io::stdin().lock().take(MOST_BYTES + 1);
+        input.read_to_end(&mut bytes).map_err(cannot)?;
+        return limited(bytes);
+    }
+    by_pieces(|| Ok(std::io::stdin()))
 }
 
-/// Adds what is left of `file` to `bytes`.
-fn rest(file: impl Read, bytes: &mut Vec<u8>) -> Result<(), Problem> {
-    let rest = MOST_BYTES + 1 - bytes.len() as u64;
-    file.take(rest).read_to_end(bytes).map_err(cannot)?;
-    match bytes.len() as u64 > MOST_BYTES {
-        true => Err(too_large("has more than 16 MiB".to_owned())),
-        false => Ok(()),
+/// The bytes of an input that may wait for ever: another thread reads it, this one waits for each piece.
+fn by_pieces<R: Read>(
+    open: impl FnOnce() -> std::io::Result<R> + Send + 'static,
+) -> Result<Vec<u8>, Problem> {
+    let (sender, pieces) = sync_channel(1);
+    let read = move || {
+        let mut input = match open() {
+            Ok(input) => input,
+            Err(error) => return drop(sender.send(Err(error))),
+        };
+        loop {
+            let mut piece = vec![0; PIECE];
+            let read = input.read(&mut piece);
+            let is_last = !matches!(read, Ok(length) if length > 0);
+            let sent = sender.send(read.map(|length| {
+                piece.truncate(length);
+                piece
+            }));
+            if is_last || sent.is_err() {
+                return;
+            }
+        }
+    };
+    std::thread::Builder::new().spawn(read).map_err(cannot)?;
+    let mut bytes = Vec::new();
+    loop {
+        let piece = pieces.recv_timeout(WAIT).unwrap_or_else(|_| {
+            let reason = format!("no data has come for {} s", WAIT.as_secs());
+            Err(std::io::Error::new(ErrorKind::TimedOut, reason))
+        });
+        let piece = piece.map_err(cannot)?;
+        bytes.extend_from_slice(&piece);
+        if piece.is_empty() || bytes.len() as u64 > MOST_BYTES {
+            return limited(bytes);
+        }
     }
+}
+
+/// `bytes`, if these are not too many.
+fn limited(bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(Problem::of_file(
+            "has more than 64 MiB",
+            "check that this is the file you mean",
+        ));
+    }
+    Ok(bytes)
 }
 
 fn cannot(error: std::io::Error) -> Problem {
@@ -132,9 +128,14 @@ fn cannot(error: std::io::Error) -> Problem {
     }
 }
 
-fn too_large(size: String) -> Problem {
+fn too_large(size: u64, most: u64) -> Problem {
+    let mebibyte = f64::from(1 << 20);
     Problem::of_file(
-        format!("{size}, allowed is up to 16 MiB"),
+        format!(
+            "has {} MiB, allowed is up to {} MiB",
+            ascii(size as f64 / mebibyte, 1),
+            most >> 20
+        ),
         "check that this is the file you mean",
     )
 }
@@ -142,21 +143,12 @@ fn too_large(size: String) -> Problem {
 /// The text of a file of these `bytes`, without byte order mark.
 ///
 /// # Errors
-/// One problem, its key empty: not UTF-8.
+/// One problem, its key empty: not UTF-8, or over 16 MiB.
 pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
-    let text = text_with_mark(bytes)?;
-    Ok(match text.strip_prefix('\u{feff}') {
-        Some(rest) => rest.to_owned(),
-        None => text,
-    })
-}
-
-/// The same with the byte order mark, where there is one.
-///
-/// # Errors
-/// As [`text`].
-pub fn text_with_mark(bytes: Vec<u8>) -> Result<String, Problem> {
-    String::from_utf8(bytes).map_err(|error| {
+    if bytes.len() > MOST_TEXT {
+        return Err(too_large(bytes.len() as u64, MOST_TEXT as u64));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes()[..good]
             .iter()
@@ -166,7 +158,11 @@ pub fn text_with_mark(bytes: Vec<u8>) -> Result<String, Problem> {
             format!("line {line}: not UTF-8 text"),
             "save the file as UTF-8",
         )
-    })
+    })?;
+    Ok(text
+        .strip_prefix('\u{feff}')
+        .map(str::to_owned)
+        .unwrap_or(text))
 }
 
 /// Whether `text` is read as JSON: by the file's extension, by its first character when that says neither.

@@ -18,7 +18,7 @@ impl PartialEq for Sources {
     }
 }
 
-/// What two names of one file share: device and inode, whatever links lead there.
+/// Device and inode, which all names of one file share.
 #[cfg(unix)]
 type Identity = (u64, u64);
 /// The path itself, its links followed.
@@ -44,6 +44,11 @@ impl Sources {
     /// Keeps those of `others` in mind, too.
     pub fn extend(&mut self, others: &Sources) {
         self.read.extend_from_slice(&others.read);
+    }
+
+    /// The names under which files were read.
+    pub fn names(&self) -> impl Iterator<Item = &Path> {
+        self.read.iter().map(|(path, _)| path.as_path())
     }
 
     /// The name under which the file at `path` was read; `None`: it was not, or nothing is there.

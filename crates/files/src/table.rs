@@ -49,6 +49,16 @@ impl<'a> Table<'a> {
                 unknown.count_one();
                 continue;
             }
+            let path = table.path_of(&printable(name));
+            if let Some((reason, help)) = unmodelled::gone(&path) {
+                unknown.add(Problem {
+                    key: path,
+                    value: Some(node.shown()),
+                    reason: reason.to_owned(),
+                    help: help.to_owned(),
+                });
+                continue;
+            }
             let unmodelled = unmodelled::why(name);
             let help = match nearest(name, known) {
                 _ if unmodelled.is_some() => "remove it".to_owned(),
@@ -65,7 +75,7 @@ impl<'a> Table<'a> {
                 },
             };
             unknown.add(Problem {
-                key: table.path_of(&printable(name)),
+                key: path,
                 value: Some(node.shown()),
                 reason: unmodelled.map_or_else(
                     || format!("unknown key, expected {}", quoted(known, "`")),

@@ -22,7 +22,6 @@ pub const KEYS: &[&str] = &[
     "base_thickness_mm",
     "per_tooth_um",
     "cross_check",
-    "file",
 ];
 const STATEMENTS: &[&str] = KEYS.split_at(6).0;
 /// The ways to write a tolerance field.

@@ -1,4 +1,4 @@
-//! Keys that shops would look for and that no pair file has: why, in place of the list of known keys.
+//! Keys that no pair file has, or has any more: the reason, and for those that are gone what to state instead.
 
 /// Parts of a key's words, and what is taken in place of what it states.
 const TAKEN: [(&[&str], &str); 3] = [
@@ -31,6 +31,20 @@ const TAKEN: [(&[&str], &str); 3] = [
         "both gears are external: internal ones are not modelled",
     ),
 ];
+
+/// Keys that are gone: the end of their path, the reason, and the way out.
+const GONE: [(&str, &str, &str); 1] = [(
+    "thickness.file",
+    "the key is gone: thickness is not taken from the probe's positions in a curve file",
+    "state the thickness by `span`, `over_pins` or another key of the table",
+)];
+
+/// The reason and the way out of a key that is gone, by its dotted `path`.
+pub fn gone(path: &str) -> Option<(&'static str, &'static str)> {
+    GONE.iter()
+        .find(|(end, ..)| path.ends_with(end))
+        .map(|(_, reason, help)| (*reason, *help))
+}
 
 /// Why there is no key `name`, if it is one of these.
 pub fn why(name: &str) -> Option<&'static str> {

@@ -15,6 +15,9 @@ use std::time::Duration;
 /// How often the interpreter is asked for signals: no delay that a person feels, no load.
 const LISTEN: Duration = Duration::from_millis(50);
 
+/// More threads than a call may ask for: the largest machines have some hundred cores.
+const MORE_THREADS: usize = 1025;
+
 /// Told as each step of the work begins; a break ends it.
 pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
 
@@ -54,7 +57,11 @@ pub fn work<T: Send>(
     };
     let pool = match threads {
         None => None,
-        Some(0) => return Err(error(py, "threads = 0: a number from 1 on, or None")),
+        Some(threads @ (0 | MORE_THREADS..)) => {
+            let most = MORE_THREADS - 1;
+            let reason = format!("threads = {threads}: allowed is 1 … {most}, or None");
+            return Err(error(py, reason));
+        }
         Some(threads) => {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build();
             Some(pool.map_err(|reason| error(py, format!("threads = {threads}: {reason}")))?)

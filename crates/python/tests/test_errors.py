@@ -64,6 +64,7 @@ def test_all_problems_of_a_gear_are_told_at_once() -> None:
         (lambda: pair().lost_motions([1], [1], [2]), "flank"),
         (lambda: pair().revolution(steps_per_pitch=0), "steps_per_pitch = 0"),
         (lambda: pair().revolution(threads=0), "threads = 0"),
+        (lambda: pair().revolution(threads=20000), "threads = 20000: allowed is 1 … 1024"),
         (lambda: pair().chart("pie"), "kind"),
         (lambda: pair().chart("distance", mating=(21, 1)), "the wheel has teeth"),
         (lambda: gearlash.Gear(**GOOD).gauge(span_teeth=21), "span_teeth = 21"),

@@ -44,6 +44,15 @@ pub(super) fn run(args: &Args, file: &OutlineGearsFile) -> Result<ExitCode, Erro
     if let (true, Some(name)) = (gears.is_empty(), name) {
         return Err(one_only(name, &args.file));
     }
+    let reason = |gauged: &GaugedOutline| match &gauged.gauged.pins {
+        Some(Err(reason)) => Some(format!("{}: {reason}", gauged.words())),
+        _ => None,
+    };
+    let reasons: Option<Vec<String>> = gears.iter().map(reason).collect();
+    if let (Some(pin), Some(reasons)) = (args.pin_mm, reasons) {
+        let reasons = reasons.join("; ");
+        return Err(Error::Usage(format!("--pin-mm {pin}: {reasons}")));
+    }
     print(&match args.results.format {
         Format::Text => text(&file.title, &gears, args.positions, &args.screen.screen()),
         Format::Json => gauged_json(&file.title, &gears).map_err(unwritable)?,

@@ -1,40 +1,141 @@
 //! One file of results.
 
-use super::ending::unfinished;
-use super::failed;
-use super::folder::{Made, guard};
-use super::replace::clear_dead;
-use super::temporary::Temporary;
+use super::folder::Made;
+use super::{failed, guard, unfinished};
 use crate::error::Error;
 use gearlash_files::Sources;
-use std::fs::OpenOptions;
+use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-/// What a file is called until it is in its place.
-const NEW: &str = "new";
+const PREFIX: &str = ".gearlash-";
+const SUFFIX: &str = ".tmp";
+/// Bytes written to the disk at a time: a signal waits for one piece (tuned: 20 ms on a slow disk).
+const PIECE: usize = 2 << 20;
+/// A younger temporary file may not have its lock yet.
+const DEAD_AFTER: Duration = Duration::from_secs(60);
+
+/// A temporary file in the folder of its target, removed when dropped.
+#[derive(Debug)]
+pub(super) struct Temporary {
+    path: PathBuf,
+    /// Locked while the run lives.
+    file: File,
+}
+
+impl Temporary {
+    /// Makes one in `folder`.
+    pub fn new_in(folder: &Path) -> std::io::Result<Temporary> {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(PREFIX).suffix(SUFFIX);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // The umask of the process applies.
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let mut list = unfinished();
+        let (file, path) = builder.tempfile_in(folder)?.keep()?;
+        list.temporary.push(path.clone());
+        // Some file systems have no locks: a dead run's files stay there.
+        let _ = file.try_lock();
+        Ok(Temporary { path, file })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// A writer to it.
+    pub fn writer(&self) -> std::io::Result<NewFile> {
+        Ok(NewFile {
+            file: self.file.try_clone()?,
+            piece: Vec::new(),
+        })
+    }
+
+    /// Gives it its name.
+    pub fn rename(&self, target: &Path) -> std::io::Result<()> {
+        let mut list = unfinished();
+        std::fs::rename(&self.path, target)?;
+        list.temporary.retain(|other| *other != self.path);
+        list.written = true;
+        Ok(())
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let mut list = unfinished();
+        if list.temporary.contains(&self.path) {
+            let _ = std::fs::remove_file(&self.path);
+            list.temporary.retain(|other| *other != self.path);
+        }
+    }
+}
+
+/// Removes the temporary files that killed runs left in `folder`.
+pub(super) fn clear_dead(folder: &Path) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if !is_file || !name.starts_with(PREFIX) || !name.ends_with(SUFFIX) {
+            continue;
+        }
+        let changed = entry.metadata().and_then(|metadata| metadata.modified());
+        let age = changed.ok().and_then(|time| time.elapsed().ok());
+        let is_old = age.is_some_and(|age| age > DEAD_AFTER);
+        if is_old && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// A file that grows; [`Write::flush`] brings it to the disk.
+#[derive(Debug)]
+pub struct NewFile {
+    file: File,
+    /// Content that is not written yet.
+    piece: Vec<u8>,
+}
+
+impl Write for NewFile {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        let taken = content.len().min(PIECE - self.piece.len());
+        self.piece.extend_from_slice(&content[..taken]);
+        if self.piece.len() == PIECE {
+            self.flush()?;
+        }
+        Ok(taken)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        if !self.piece.is_empty() {
+            self.file.write_all(&self.piece)?;
+            self.file.sync_data()?;
+            self.piece.clear();
+        }
+        Ok(())
+    }
+}
 
 /// A file that can be written.
 pub struct OutputFile {
     /// As the user calls it.
     named: PathBuf,
-    place: Place,
-}
-
-enum Place {
-    /// In a folder: replaced in one step.
-    File { path: PathBuf, made: Made },
-    /// A pipe or a device, which is written to.
-    Special(PathBuf),
+    /// The temporary file and the target of an ordinary file; `None`: a pipe or a device, which is written to.
+    place: Option<(Temporary, PathBuf)>,
+    made: Made,
 }
 
 impl OutputFile {
-    /// Makes the folder of `path` where it is missing, clears what killed runs left in it and tries to write there.
-    ///
-    /// A link is followed, as `cp` follows it: the file it points to will be replaced.
+    /// Makes the folder of `named` where it is missing and tries to write there. A link is followed.
     ///
     /// # Errors
-    /// [`Error::Usage`] for a path that names no file or a folder, and a link that leads nowhere; [`Error::OverInput`];
+    /// [`Error::Usage`] for a path that names no file or a folder, and for a link that leads nowhere; [`Error::OverInput`];
     /// [`Error::Output`].
     pub fn prepare(named: &Path, sources: &Sources) -> Result<OutputFile, Error> {
         let wrong = |reason| Error::Usage(format!("{}: {reason}", named.display()));
@@ -43,65 +144,63 @@ impl OutputFile {
             return Err(wrong("this names no file"));
         }
         guard(sources, named, named)?;
-        let place = match std::fs::metadata(named) {
+        let (target, made) = match std::fs::metadata(named) {
             Ok(found) if found.is_dir() => {
                 return Err(wrong("this is a folder, name a file in it"));
             }
-            Ok(found) if found.is_file() => Place::File {
-                path: named.canonicalize().map_err(&failed)?,
-                made: Made::none(),
-            },
-            Ok(_) => Place::Special(named.to_path_buf()),
+            Ok(found) if found.is_file() => {
+                (Some(named.canonicalize().map_err(&failed)?), Made::none())
+            }
+            Ok(_) => (None, Made::none()),
+            Err(_) if named.is_symlink() => {
+                return Err(wrong(
+                    "this is a link to a file that is not there; name that file",
+                ));
+            }
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                if named.is_symlink() {
-                    return Err(wrong(
-                        "this is a link to a file that is not there; name that file",
-                    ));
-                }
-                Place::File {
-                    path: named.to_path_buf(),
-                    made: Made::folder(folder_of(named))?,
-                }
+                (Some(named.to_path_buf()), Made::folder(folder_of(named))?)
             }
             Err(error) => return Err(failed(error)),
         };
-        if let Place::File { path, .. } = &place {
-            clear_dead(folder_of(path));
-            Temporary::new_in(folder_of(path)).map_err(&failed)?;
-        }
+        let place = match target {
+            None => None,
+            Some(target) => {
+                clear_dead(folder_of(&target));
+                let temporary = Temporary::new_in(folder_of(&target)).map_err(&failed)?;
+                Some((temporary, target))
+            }
+        };
         Ok(OutputFile {
             named: named.to_path_buf(),
             place,
+            made,
         })
     }
 
     /// Writes `content` in one piece.
     ///
     /// # Errors
-    /// [`Error::Output`]; what was there stays.
-    pub fn write(self, content: &str) -> Result<(), Error> {
-        let failed = failed(&self.named);
-        match self.place {
-            Place::File { path, mut made } => {
-                let temporary = Temporary::new_in(folder_of(&path)).map_err(&failed)?;
-                temporary.write(NEW, content.as_bytes()).map_err(&failed)?;
-                let mut list = unfinished();
-                std::fs::rename(temporary.path().join(NEW), &path).map_err(&failed)?;
-                list.set_written();
-                drop(list);
-                made.keep();
-                Ok(())
-            }
-            Place::Special(path) => special(&path)
-                .and_then(|mut file| file.write_all(content.as_bytes()))
-                .map_err(&failed),
-        }
+    /// [`Error::Output`]; an older file stays.
+    pub fn write(mut self, content: &str) -> Result<(), Error> {
+        let written = match &self.place {
+            None => special(&self.named).and_then(|mut file| file.write_all(content.as_bytes())),
+            Some((temporary, target)) => temporary
+                .writer()
+                .and_then(|mut file| {
+                    file.write_all(content.as_bytes())
+                        .and_then(|()| file.flush())
+                })
+                .and_then(|()| temporary.rename(target)),
+        };
+        written.map_err(failed(&self.named))?;
+        self.made.keep();
+        Ok(())
     }
 }
 
-/// A pipe that nobody reads is an error, not a wait.
-fn special(path: &Path) -> std::io::Result<std::fs::File> {
-    let mut options = OpenOptions::new();
+/// Opens a pipe or a device. A pipe that nobody reads is an error, not a wait.
+fn special(path: &Path) -> std::io::Result<File> {
+    let mut options = std::fs::OpenOptions::new();
     options.write(true);
     #[cfg(unix)]
     {

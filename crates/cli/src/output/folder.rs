@@ -1,92 +1,76 @@
 //! A folder of results.
 
-use super::ending::unfinished;
-use super::exchange::Exchange;
-use super::failed;
-use super::replace::{MANIFEST, New, clear_dead, replace};
-use super::temporary::{Lock, NewFile, Temporary, is_temporary, lock, same};
+use super::file::{NewFile, Temporary, clear_dead};
+use super::{failed, guard, unfinished};
 use crate::error::Error;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use std::ffi::OsStr;
 use std::fs::File;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// A folder that can be written to, and that no other run writes to.
+/// The file that is renamed last.
+const LAST: &str = "result.json";
+/// Files that are named one by one (tuned: a line of a terminal).
+const MOST_NAMED: usize = 3;
+
+/// A folder that can be written to.
 pub struct OutputFolder {
-    /// The files written so far and their names; dropped before the folder they stand in.
-    new: Option<New>,
+    /// The files begun so far, by name.
+    new: Vec<(String, Temporary)>,
     /// As the user calls it.
-    named: PathBuf,
-    /// Where it is, links followed.
     path: PathBuf,
     made: Made,
     own: Box<dyn Fn(&str) -> bool>,
     sources: Sources,
-    /// `None` where the file system has no locks.
-    lock: Option<File>,
 }
 
 impl OutputFolder {
-    /// Makes the folder where it is missing, keeps other runs from it, clears what killed ones left, and tries to write in it.
+    /// Makes the folder where it is missing and tries to write in it.
     ///
-    /// `own` are the names of files that this run may write, and that replace or remove those of an earlier run; none of
-    /// them may be one of `sources`.
+    /// `own` are the names of files that this run may write. Own files of an earlier run are replaced or removed. None of them may be one
+    /// of `sources`.
     ///
     /// # Errors
-    /// [`Error::Output`] with the system's reason; [`Error::OverInput`]; [`Error::Busy`].
+    /// [`Error::Output`] with the system's reason; [`Error::OverInput`].
     pub fn prepare(
         path: &Path,
         sources: &Sources,
         own: impl Fn(&str) -> bool + 'static,
     ) -> Result<OutputFolder, Error> {
-        let mut made = Made::folder(path)?;
-        let failed = failed(path);
-        let real = path.canonicalize().map_err(&failed)?;
-        let held = hold(path).inspect_err(|error| {
-            if let Error::Busy { .. } = error {
-                // Empty still, but another run's by now.
-                made.keep();
-            }
-        });
         let folder = OutputFolder {
-            new: None,
-            named: path.to_path_buf(),
-            made,
+            new: Vec::new(),
+            made: Made::folder(path)?,
+            path: path.to_path_buf(),
             own: Box::new(own),
             sources: sources.clone(),
-            lock: held?,
-            path: real,
         };
-        for cleared in [folder.path.parent(), Some(&folder.path)]
-            .into_iter()
-            .flatten()
-        {
-            clear_dead(cleared);
+        clear_dead(path);
+        for name in folder.present().map_err(failed(path))? {
+            guard(sources, &path.join(&name), &path.join(&name))?;
         }
-        for name in folder.present(|name| (folder.own)(name)).map_err(&failed)? {
-            folder.guard(&name)?;
-        }
-        Temporary::new_in(&folder.path).map_err(&failed)?;
+        Temporary::new_in(path).map_err(failed(path))?;
         Ok(folder)
     }
 
-    /// Begins a file of the set, written down to the disk when it is flushed. Until [`OutputFolder::write`] nobody sees it.
+    /// Begins a file. It gets its name with [`OutputFolder::write`].
     ///
     /// # Errors
     /// [`Error::Output`], [`Error::OverInput`].
     pub fn create(&mut self, name: &str) -> Result<NewFile, Error> {
-        self.guard(name)?;
-        let file = self.gathered().and_then(|new| {
-            let file = new.temporary.create(name)?;
-            new.names.push(name.to_owned());
-            Ok(file)
-        });
-        file.map_err(self.failed(name))
+        let target = self.path.join(name);
+        guard(&self.sources, &target, &target)?;
+        let failed = failed(&target);
+        if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
+            return Err(failed(ErrorKind::IsADirectory.into()));
+        }
+        let temporary = Temporary::new_in(&self.path).map_err(&failed)?;
+        let file = temporary.writer().map_err(&failed)?;
+        self.new.push((name.to_owned(), temporary));
+        Ok(file)
     }
 
-    /// Adds a file with this `content` to the set.
+    /// Adds a file with this `content`.
     ///
     /// # Errors
     /// As [`OutputFolder::create`].
@@ -101,93 +85,59 @@ impl OutputFolder {
     ///
     /// # Errors
     /// [`Error::Output`].
-    pub fn open(&mut self, name: &str) -> Result<File, Error> {
-        let opened = self.gathered();
-        let opened = opened.and_then(|new| File::open(new.temporary.path().join(name)));
+    pub fn open(&self, name: &str) -> Result<File, Error> {
+        let mut new = self.new.iter();
+        let opened = match new.find(|(other, _)| other == name) {
+            Some((_, temporary)) => File::open(temporary.path()),
+            None => Err(ErrorKind::NotFound.into()),
+        };
         opened.map_err(self.failed(name))
     }
 
-    /// What became of the file called `name` of the set.
+    /// The error of the file called `name`.
     pub fn failed(&self, name: &str) -> impl Fn(std::io::Error) -> Error + use<> {
-        let path = self.named.join(name);
+        let path = self.path.join(name);
         move |source| failed(&path)(source)
     }
 
-    fn gathered(&mut self) -> std::io::Result<&mut New> {
-        let new = match self.new.take() {
-            Some(new) => new,
-            None => New {
-                temporary: Temporary::new_in(&self.path)?,
-                names: Vec::new(),
-            },
-        };
-        Ok(self.new.insert(new))
-    }
-
-    /// Puts the files begun so far and all `files` (name and content) in the place of the run's own files, as one set, and
-    /// says in a line what was written and where.
+    /// Adds `files` (name and content), renames all files begun, `result.json` last, and removes the own files of an earlier run that this run
+    /// does not write. Returns a line that says what was written and where.
     ///
     /// # Errors
-    /// [`Error::Output`], [`Error::OverInput`], [`Error::Busy`]: the folder is as it was.
+    /// [`Error::Output`], [`Error::OverInput`]; each file is then the old one or the new one.
     pub fn write(mut self, files: &[(String, String)]) -> Result<String, Error> {
-        if self
-            .lock
-            .as_ref()
-            .is_some_and(|lock| !same(lock, &self.path))
-        {
-            // Moved away meanwhile; what stands there now may be another run's.
-            return Err(Error::Busy { folder: self.named });
-        }
         for (name, content) in files {
             self.add(name, content)?;
         }
-        let named = self.named.clone();
-        self.gathered().map_err(failed(&named))?;
-        let Some(new) = self.new.take() else {
-            return Ok(described(&self.named, &[]));
-        };
-        let put = |name: &str| new.names.iter().any(|other| other == name);
-        for name in &new.names {
-            self.guard(name)?;
+        for (name, _) in &self.new {
+            let target = self.path.join(name);
+            guard(&self.sources, &target, &target)?;
         }
-        let replaced = |name: &OsStr| {
-            name.to_str()
-                .is_some_and(|name| (self.own)(name) || put(name) || name == MANIFEST)
-        };
-        let beside = new.temporary.path();
-        match Exchange::begin(&self.path, &replaced, &self.sources, beside) {
-            Some(exchange) => {
-                for name in &new.names {
-                    let moved = exchange.temporary().take(&new.temporary, name, "");
-                    moved.map_err(self.failed(name))?;
-                }
-                drop(new.temporary);
-                exchange.finish(&self.path)?;
+        let is_new = |name: &String| self.new.iter().any(|(other, _)| other == name);
+        for name in self.present().map_err(failed(&self.path))? {
+            let path = self.path.join(&name);
+            let is_file = path.symlink_metadata().is_ok_and(|found| found.is_file());
+            if !is_new(&name) && is_file {
+                std::fs::remove_file(&path).map_err(failed(&path))?;
             }
-            None => {
-                let stale = self.present(|name| (self.own)(name) && !put(name));
-                let mut stale = stale.map_err(failed(&self.named))?;
-                // Folders and links stay.
-                let ordinary = |name: &String| {
-                    let found = self.path.join(name).symlink_metadata();
-                    found.is_ok_and(|found| found.is_file())
-                };
-                stale.retain(ordinary);
-                replace(&self.path, &new, &stale)?;
-            }
+        }
+        let (last, first): (Vec<_>, Vec<_>) = self.new.iter().partition(|(name, _)| name == LAST);
+        for (name, temporary) in first.into_iter().chain(last) {
+            let renamed = temporary.rename(&self.path.join(name));
+            renamed.map_err(self.failed(name))?;
         }
         self.made.keep();
-        Ok(described(&self.named, &new.names))
+        Ok(self.described())
     }
 
-    /// The names in the folder that are `wanted`.
-    fn present(&self, wanted: impl Fn(&str) -> bool) -> std::io::Result<Vec<String>> {
+    /// The own files in the folder, by name.
+    fn present(&self) -> std::io::Result<Vec<String>> {
         let mut names = Vec::new();
         for entry in std::fs::read_dir(&self.path)? {
             let name = entry?.file_name();
-            let name = name.to_str().filter(|name| wanted(name));
             names.extend(
-                name.filter(|name| !is_temporary(name.as_ref()))
+                name.to_str()
+                    .filter(|name| (self.own)(name))
                     .map(str::to_owned),
             );
         }
@@ -195,60 +145,21 @@ impl OutputFolder {
         Ok(names)
     }
 
-    /// An error where the file called `name` was read.
-    fn guard(&self, name: &str) -> Result<(), Error> {
-        guard(&self.sources, &self.path.join(name), &self.named.join(name))
-    }
-}
-
-/// Files that are named one by one (tuned: a line of a terminal).
-const MOST_NAMED: usize = 3;
-
-/// What was written to `folder`, on one line.
-fn described(folder: &Path, names: &[String]) -> String {
-    let shown = names.iter().take(MOST_NAMED).map(String::as_str);
-    let mut list = match names.is_empty() {
-        true => "nothing".to_owned(),
-        false => shown.collect::<Vec<_>>().join(", "),
-    };
-    if names.len() > MOST_NAMED {
-        list += &format!(" and {} more", names.len() - MOST_NAMED);
-    }
-    plain(&format!("Written to {}: {list}", folder.display()))
-}
-
-/// An error where the file at `path`, called `named`, is one of `sources`.
-pub(super) fn guard(sources: &Sources, path: &Path, named: &Path) -> Result<(), Error> {
-    match sources.named(path) {
-        None => Ok(()),
-        Some(input) => Err(Error::OverInput {
-            output: named.to_path_buf(),
-            input: input.to_path_buf(),
-        }),
-    }
-}
-
-/// Keeps other runs from the folder at `path`.
-fn hold(path: &Path) -> Result<Option<File>, Error> {
-    loop {
-        match lock(path) {
-            Lock::Held(file) => return Ok(Some(file)),
-            Lock::Unknown => return Ok(None),
-            Lock::Taken => {
-                return Err(Error::Busy {
-                    folder: path.to_path_buf(),
-                });
-            }
-            // Another run has just put a new folder in its place.
-            Lock::Gone if path.is_dir() => {}
-            Lock::Gone => {
-                return Err(failed(path)(std::io::ErrorKind::NotFound.into()));
-            }
+    /// The written files, on one line.
+    fn described(&self) -> String {
+        let shown = self.new.iter().take(MOST_NAMED).map(|(name, _)| &name[..]);
+        let mut list = shown.collect::<Vec<_>>().join(", ");
+        if self.new.is_empty() {
+            list += "nothing";
         }
+        if self.new.len() > MOST_NAMED {
+            list += &format!(" and {} more", self.new.len() - MOST_NAMED);
+        }
+        plain(&format!("Written to {}: {list}", self.path.display()))
     }
 }
 
-/// Folders made for results: taken away again when nothing is written.
+/// Folders made for results, removed when dropped.
 pub(super) struct Made {
     /// Innermost last.
     folders: Vec<PathBuf>,
@@ -270,21 +181,18 @@ impl Made {
         let mut folders: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
         folders.reverse();
         let mut list = unfinished();
-        for folder in &folders {
-            list.add_made(folder);
-        }
+        list.made.extend(folders.iter().cloned());
         let made = Made { folders };
         let result = std::fs::create_dir_all(path).map_err(failed(path));
         drop(list);
         result.map(|()| made)
     }
 
-    /// There is something in them.
+    /// Keeps them.
     pub fn keep(&mut self) {
         let mut list = unfinished();
-        for folder in self.folders.drain(..) {
-            list.drop_made(&folder);
-        }
+        list.made.retain(|other| !self.folders.contains(other));
+        self.folders.clear();
     }
 }
 
@@ -292,9 +200,9 @@ impl Drop for Made {
     fn drop(&mut self) {
         let mut list = unfinished();
         for folder in self.folders.iter().rev() {
-            // Fails, rightly, where something else has come to stand in it.
+            // Fails if the folder is not empty, as it should.
             let _ = std::fs::remove_dir(folder);
-            list.drop_made(folder);
         }
+        list.made.retain(|other| !self.folders.contains(other));
     }
 }

@@ -1,34 +1,78 @@
-//! Writing results: the whole set of a run or nothing, and never over a file that was read.
+//! Writing results: each file whole or not at all, and never over a file that was read.
 //!
-//! A place is tried before the work begins, so that hours of it are not lost to a typing mistake. Everything is then
-//! written into temporary folders on the same file system (`temporary`), large results as they grow, and put in its place in one of two ways:
-//!
-//! - `exchange`: the temporary folder, with links to whatever else the folder holds, changes places with the folder in one
-//!   step of the system. A reader sees the old set or the new one.
-//! - `replace`: where that cannot be done, file by file, a manifest with their hashes last; undone after a failure, and by
-//!   the next run after a kill.
-//!
-//! Temporary folders are called `.gearlash-….tmp` and locked by the run they belong to; what a killed run left is
-//! recognised by its free lock and cleared by the next run in the same place.
+//! A place is tried before the work begins, so that a typing mistake does not cost hours. Each file is written under a temporary name
+//! beside its target and then renamed; `result.json` is renamed last. An error and a signal remove the temporary files. A killed process
+//! leaves them; a later run in the same folder removes them by their free lock.
 
-mod ending;
-mod exchange;
 mod file;
 mod folder;
-mod replace;
-mod temporary;
 
-pub use ending::abandon;
-pub use file::OutputFile;
+pub use file::{NewFile, OutputFile};
 pub use folder::OutputFolder;
-pub use temporary::NewFile;
 
 use crate::error::Error;
-use std::path::Path;
+use gearlash_files::Sources;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
+    temporary: Vec::new(),
+    made: Vec::new(),
+    written: false,
+});
+
+/// Temporary files and new folders of the process. A thread that makes or renames one holds the lock.
+struct Unfinished {
+    temporary: Vec<PathBuf>,
+    /// Folders made for results, innermost last.
+    made: Vec<PathBuf>,
+    /// Whether a file is in its place.
+    written: bool,
+}
+
+fn unfinished() -> MutexGuard<'static, Unfinished> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Nothing unfinished is left, and none is begun while this lives.
+pub struct Ended {
+    held: MutexGuard<'static, Unfinished>,
+}
+
+impl Ended {
+    /// Whether a file was in its place before.
+    pub fn written(&self) -> bool {
+        self.held.written
+    }
+}
+
+/// Removes all that is unfinished, for the thread that ends the process. Other threads that write wait until then.
+pub fn abandon() -> Ended {
+    let mut held = unfinished();
+    for path in std::mem::take(&mut held.temporary) {
+        let _ = std::fs::remove_file(path);
+    }
+    for path in std::mem::take(&mut held.made).iter().rev() {
+        // Fails if the folder is not empty, as it should.
+        let _ = std::fs::remove_dir(path);
+    }
+    Ended { held }
+}
 
 fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
     move |source| Error::Output {
         path: path.to_path_buf(),
         source,
+    }
+}
+
+/// An error where the file at `path`, called `named`, is one of `sources`.
+fn guard(sources: &Sources, path: &Path, named: &Path) -> Result<(), Error> {
+    match sources.named(path) {
+        None => Ok(()),
+        Some(input) => Err(Error::OverInput {
+            output: named.to_path_buf(),
+            input: input.to_path_buf(),
+        }),
     }
 }

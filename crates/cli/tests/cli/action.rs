@@ -71,18 +71,49 @@ fn the_action_gates_on_pair_files() {
     let unchanged = act(at, "check", "pairs/*.toml", true, &base);
     assert_eq!(unchanged.stdout, b"No pair file has changed.\n");
     assert_eq!(unchanged.status.code(), Some(0));
-    // A table of any folder may belong to any of them; nothing else does.
-    let commit = |name: &str| {
-        fs::create_dir_all(at.join("tables")).unwrap();
-        fs::write(at.join(name), "1\n").unwrap();
-        git(at, &["add", "."]);
-        git(at, &["commit", "--quiet", "-m", name]);
-    };
-    commit("tables/readme.md");
+    fs::write(at.join("pairs/readme.md"), "1\n").unwrap();
+    git(at, &["add", "."]);
+    git(at, &["commit", "--quiet", "-m", "readme"]);
     let unchanged = act(at, "check", "pairs/*.toml", true, &base);
     assert_eq!(unchanged.stdout, b"No pair file has changed.\n");
-    commit("tables/table.csv");
-    assert_eq!(code(act(at, "check", "pairs/*.toml", true, &base)), Some(1));
+}
+
+/// A pair whose table changes, whatever it is called, is looked at, and no other.
+#[test]
+fn a_changed_table_is_looked_at() {
+    for table in ["WHEEL.CSV", "wheel.dat", "a b.txt"] {
+        let folder = empty_folder();
+        let at = folder.path();
+        fs::create_dir(at.join("pairs")).unwrap();
+        let docs = fixture("../docs/files").join("drawing.toml");
+        fs::copy(docs, at.join("pairs/other.toml")).unwrap();
+        let keys = format!("pitch = {{ kind = \"single\", file = \"../{table}\" }}");
+        fs::write(
+            at.join("pairs/pair.toml"),
+            super::pair_with_table::pair(9, &keys),
+        )
+        .unwrap();
+        let rows = |first: u32| {
+            let rows = (1..=9).map(|tooth| format!("{tooth},{first},0\n"));
+            "tooth,left,right\n".to_owned() + &rows.collect::<String>()
+        };
+        fs::write(at.join(table), rows(0)).unwrap();
+        git(at, &["init", "--quiet"]);
+        git(at, &["add", "."]);
+        git(at, &["commit", "--quiet", "-m", "first"]);
+        let base = git(at, &["rev-parse", "HEAD"]);
+        fs::write(at.join(table), rows(1)).unwrap();
+        git(at, &["commit", "--quiet", "-a", "-m", "second"]);
+        let found = act(at, "check", "pairs/*.toml", true, &base);
+        let told = String::from_utf8(found.stdout).unwrap();
+        assert!(told.contains("pairs/pair.toml"), "{table}: {told}");
+        assert!(!told.contains("other.toml"), "{table}: {told}");
+        // A table that is gone.
+        git(at, &["rm", "--quiet", table]);
+        git(at, &["commit", "--quiet", "-m", "third"]);
+        let found = act(at, "check", "pairs/*.toml", true, &base);
+        assert_eq!(found.status.code(), Some(2), "{table}");
+    }
 }
 
 /// One file changed: it alone is looked at.
@@ -107,4 +138,28 @@ fn only_what_has_changed_is_looked_at() {
             .unwrap()
             .contains("bad.toml")
     );
+}
+
+/// A tag may move to other code, a commit does not.
+#[test]
+fn actions_of_others_are_named_by_commit() {
+    let root = fixture("..");
+    let mut files = vec![root.join("action.yml")];
+    let workflows = fs::read_dir(root.join(".github/workflows")).unwrap();
+    files.extend(workflows.map(|entry| entry.unwrap().path()));
+    let mut count = 0;
+    for file in files {
+        let text = fs::read_to_string(&file).unwrap();
+        for line in text.lines() {
+            let Some((_, action)) = line.split_once("uses: ") else {
+                continue;
+            };
+            let commit = action.split_once('@').unwrap().1;
+            let commit = commit.split_whitespace().next().unwrap();
+            let is_hash = commit.len() == 40 && commit.bytes().all(|c| c.is_ascii_hexdigit());
+            assert!(is_hash, "{}: {line}", file.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 6);
 }

@@ -113,14 +113,16 @@ fn a_pair_file_from_standard_input() {
     wrong.stderr(
         predicate::str::contains("stdin: wheel.pitch").and(predicate::str::contains("none.csv")),
     );
-    // No more than a file may have: 16 MiB.
+    // No more than a pair file may have.
     let mut large = gearlash(folder.path());
     let large = large
         .args(["check", "-"])
         .write_stdin("#".repeat((16 << 20) + 1))
         .assert()
         .code(2);
-    large.stderr(predicate::str::contains("stdin: has more than 16 MiB"));
+    large.stderr(predicate::str::contains(
+        "stdin: has 16.0 MiB, allowed is up to 16 MiB",
+    ));
 }
 
 /// Whatever order a pair file lists them in, runs come by ascending centre distance.

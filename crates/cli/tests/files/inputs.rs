@@ -17,7 +17,7 @@ fn workshop() -> tempfile::TempDir {
             .map(|i| format!("{i},{0},{0}\n", i % 3))
             .collect::<String>();
     // Names of results, and a name that is none.
-    for name in ["result.csv", "gauge_gear_pitch_own.csv", "curve.txt"] {
+    for name in ["result.csv", "gauge_gear.csv", "curve.txt"] {
         std::fs::write(at(name), &curve).unwrap();
         let named = format!("pitch = {{ kind = \"cumulative\", file = \"{name}\" }}\n");
         std::fs::write(at(&format!("of_{name}.toml")), gear(&named)).unwrap();
@@ -65,7 +65,7 @@ const TO_FILES: [&str; 19] = [
     "simulate p.toml -o inner",
     "simulate p.toml -o another",
     "gauge gauge_gear.toml -o .",
-    "gauge of_gauge_gear_pitch_own.csv.toml -o . --steps-per-pitch 1",
+    "gauge of_gauge_gear.csv.toml -o . --steps-per-pitch 1",
     "gauge gauge_gear.toml -o linked/..",
     "check p.toml --map -o by_link",
 ];

@@ -1,6 +1,7 @@
 //! Links, pipes and devices as places to read and write.
 
 use super::*;
+use std::io::BufRead;
 use std::os::unix::fs::symlink;
 use std::time::{Duration, Instant};
 
@@ -90,7 +91,7 @@ fn a_pipe_that_nobody_writes_or_reads_is_reported() {
     let told = told(&output);
     assert!(
         told.contains(
-            "pipe.toml: cannot be read: it is a pipe, and no program has written to it for 5 s"
+            "pipe.toml: cannot be read: no data has come for 5 s; start the program that writes to it"
         ),
         "{told}"
     );
@@ -119,4 +120,47 @@ fn a_pipe_that_is_written_slowly_is_read_whole() {
         output.stdout,
         run(folder.path(), "simulate p.toml --format json").stdout
     );
+}
+
+/// A pipe and standard input that begin and then bring nothing: each waited for ever.
+#[test]
+fn an_input_that_stops_is_reported() {
+    let folder = folder();
+    pipe(&folder.path().join("pipe.toml"));
+    for (script, name) in [
+        (
+            "(echo; sleep 30) > pipe.toml & GEARLASH check pipe.toml",
+            "pipe.toml",
+        ),
+        ("(echo; sleep 30) | GEARLASH check -", "stdin"),
+        ("GEARLASH check /dev/zero", "/dev/zero"),
+    ] {
+        let begun = Instant::now();
+        let script = script.replace("GEARLASH", env!("CARGO_BIN_EXE_gearlash"));
+        let mut child = Command::new("bash")
+            .current_dir(folder.path())
+            .args([
+                "-c",
+                &format!("{script}; code=$?; kill $(jobs -p) 2> /dev/null; exit $code"),
+            ])
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut told = String::new();
+        let mut stderr = std::io::BufReader::new(child.stderr.take().unwrap());
+        stderr.read_line(&mut told).unwrap();
+        assert!(begun.elapsed() < Duration::from_secs(15), "{name}");
+        let words = match name {
+            "/dev/zero" => "has more than 64 MiB",
+            _ => "no data has come for 5 s",
+        };
+        assert!(
+            told.contains(name) && told.contains(words),
+            "{name}: {told}"
+        );
+        drop(stderr);
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
 }

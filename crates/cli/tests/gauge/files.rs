@@ -66,7 +66,7 @@ fn without_a_statement_there_is_no_gear_file() {
         "{text}"
     );
     assert!(!folder.path().join("out/gauge_gear.toml").exists());
-    assert!(folder.path().join("out/gauge_gear_spans.csv").exists());
+    assert!(folder.path().join("out/gauge_gear.csv").exists());
 }
 
 /// The column of a dimension over three pins is not taken for one over two: that was 35 µm of thickness.
@@ -75,14 +75,20 @@ fn three_pins_are_not_read_as_two() {
     let folder = folder();
     run(folder.path(), &gear(21, ""), &["--pin-mm", "1.75"]);
     let over = |name: &str| {
-        let thickness = format!(
-            "thickness.over_pins = {{ pin_mm = 1.75, file = \"out/gauge_gear_{name}.csv\" }}"
-        );
-        std::fs::write(folder.path().join("again.toml"), gear(21, &thickness)).unwrap();
+        let table = std::fs::read_to_string(folder.path().join("out/gauge_gear.csv")).unwrap();
+        let mut others = ["over_two_pins_mm", "over_three_pins_mm"].into_iter();
+        let other = others.find(|other| *other != name).unwrap();
+        std::fs::write(
+            folder.path().join("out/one.csv"),
+            table.replacen(other, "other", 1),
+        )
+        .unwrap();
+        let thickness = "thickness.over_pins = { pin_mm = 1.75, file = \"out/one.csv\" }";
+        std::fs::write(folder.path().join("again.toml"), gear(21, thickness)).unwrap();
         input::read_gears(&folder.path().join("again.toml"))
     };
-    assert!(over("pins").is_ok());
-    let refused = over("three_pins").unwrap_err().to_string();
+    assert!(over("over_two_pins_mm").is_ok());
+    let refused = over("over_three_pins_mm").unwrap_err().to_string();
     assert!(
         refused.contains("is a dimension over three pins, allowed is one over two"),
         "{refused}"
@@ -101,12 +107,12 @@ fn uneven(teeth: u32) -> String {
 fn files_of_another_gear_do_not_stay() {
     let folder = folder();
     run(folder.path(), &gear(21, &uneven(21)), &[]);
-    assert!(names(folder.path()).contains("gauge_gear_three_pins.csv"));
+    assert!(names(folder.path()).contains("gauge_gear_three_pins.svg"));
     let mine = [
-        "gauge_gear_pins_mine.csv",
+        "gauge_gear_pins_mine.svg",
         "notes.txt",
-        "gauge_wheel_pins.csv",
-        "gauge_gear_most_pins.csv",
+        "gauge_wheel_pins.svg",
+        "gauge_gear_most_pins.svg",
     ];
     for name in mine {
         std::fs::write(folder.path().join("out").join(name), "mine").unwrap();
@@ -120,22 +126,11 @@ fn files_of_another_gear_do_not_stay() {
         .code(2);
     assert_eq!(names(folder.path()), before);
 
-    let without_pins = ["--pin-mm", "0.2", "--ball-mm", "1.7"];
-    run(folder.path(), &gear(20, &uneven(20)), &without_pins);
+    run(folder.path(), &gear(20, &uneven(20)), &[]);
     let after = names(folder.path());
     let gone: Vec<&String> = before.difference(&after).collect();
-    assert_eq!(
-        gone,
-        [
-            "gauge_gear_pins.csv",
-            "gauge_gear_pins.svg",
-            "gauge_gear_three_pins.csv",
-            "gauge_gear_three_pins.svg",
-        ]
-    );
-    // A folder that holds folders is written file by file, with a manifest.
-    let new: Vec<&String> = after.difference(&before).collect();
-    assert_eq!(new, ["gearlash.sha256"]);
+    assert_eq!(gone, ["gauge_gear_pins.svg", "gauge_gear_three_pins.svg"]);
+    assert_eq!(after.difference(&before).count(), 0);
 }
 
 /// Single pitch f_i = F_i − F_(i−1), that of tooth 1 from the last: in JSON, in a file of its own that is read as such, in the table
@@ -199,7 +194,7 @@ fn single_pitch_is_gauged_out() {
 
     let again = gear(
         18,
-        "pitch = { kind = \"single\", file = \"out/gauge_gear_single_pitch_own.csv\" }",
+        "pitch = { kind = \"single\", file = \"out/gauge_gear.csv\", left = \"single_pitch_own_left_um\", right = \"single_pitch_own_right_um\" }",
     );
     std::fs::write(folder.path().join("again.toml"), again).unwrap();
     let [one, other] = ["g.toml", "again.toml"].map(|name| {
@@ -272,11 +267,8 @@ fn a_perfect_gear_has_no_charts() {
     let folder = folder();
     run(folder.path(), &gear(20, ""), &[]);
     let written = names(folder.path());
-    assert!(written.contains("gauge_gear_spans.csv"), "{written:?}");
-    assert!(
-        !written.iter().any(|name| name.ends_with(".svg")),
-        "{written:?}"
-    );
+    let expected = ["gauge_gear.csv", "gauge_gear.toml"].map(str::to_owned);
+    assert_eq!(written, BTreeSet::from(expected));
     run(folder.path(), &gear(20, ""), &["--page"]);
     assert_eq!(names(folder.path()), written);
 }

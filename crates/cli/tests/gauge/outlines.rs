@@ -2,7 +2,6 @@
 
 use crate::command::{folder, gauge, stdout};
 use assert_cmd::Command;
-use predicates::prelude::PredicateBooleanExt;
 use predicates::str::contains;
 use serde_json::Value;
 use std::path::Path;
@@ -157,8 +156,11 @@ fn what_an_outline_cannot_be_asked_is_said() {
         "has one gear only",
     );
     refused(&["one.toml", "--units", "mm"], "belong to a drawing");
-    let blank = ["drawn.dxf", "--pin", "1", "--span", "1", "--format", "csv"];
-    let told = contains("material as-measured: not measured, over pins: a pin of 1 mm")
-        .and(contains("not measured, span: over 1 of 21 teeth"));
+    refused(
+        &["drawn.dxf", "--pin", "1"],
+        "--pin-mm 1: gear, outline of 21 teeth, material as-measured: a pin of 1 mm finds no rest",
+    );
+    let blank = ["drawn.dxf", "--span", "1", "--format", "csv"];
+    let told = contains("not measured, span: over 1 of 21 teeth");
     gauge(folder.path(), &blank).assert().success().stderr(told);
 }

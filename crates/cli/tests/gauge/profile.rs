@@ -104,9 +104,8 @@ fn what_was_gauged_gauges_alike() {
     }
     let chart = std::fs::read_to_string(folder.path().join("out/gauge_wheel_profile.svg")).unwrap();
     assert!(chart.contains("evaluation range") && chart.contains("roll length, mm"));
-    let table =
-        std::fs::read_to_string(folder.path().join("out/gauge_pinion_profile.csv")).unwrap();
-    assert!(table.starts_with("tooth,slope_left"), "{table}");
+    let table = std::fs::read_to_string(folder.path().join("out/gauge_pinion.csv")).unwrap();
+    assert!(table.contains("profile_slope_left_um"), "{table}");
     assert_eq!(table.lines().count(), 45);
     let before = json(folder.path(), FIXTURE);
     for (gear, name) in [(0, "wheel"), (1, "pinion")] {

@@ -47,15 +47,13 @@ fn a_protocol_as_it_is() {
     insta::assert_snapshot!(found["toml"].as_str().unwrap());
 }
 
-/// A curve file: all that it has, what of it no table uses, and the thickness that the probe's positions give.
+/// A curve file: all that it has, and what of it no table uses.
 #[test]
 fn a_curve_file() {
     let shop = fixture("curves.mka");
     let text = text(&shop, &["--gear", "pinion"]);
     for words in [
-        "Positions of the probe (Teilung:)",
-        "  left out: 2 blocks of pitch, 1 lead traces, 2 profile traces, 2 root diameters",
-        "[pinion.thickness]\nfile = \"curves.mka\"\n",
+        "1 lead traces, 20 positions of the probe, 2 profile traces, 2 root diameters",
         "[pinion.profile.trace]\nfile = \"curves.mka\"\n",
     ] {
         assert!(text.contains(words), "{words}: {text}");

@@ -1,6 +1,6 @@
 //! Which tables a file has: each kind is looked for, and read as a pair file that names it would have it read.
 
-use super::table::{ImportedTable, Kind, positioned, traced};
+use super::table::{ImportedTable, Kind, traced};
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::place::Place;
@@ -53,15 +53,6 @@ pub(super) fn tables(
         ),
     ];
     for (kind, column, name, title) in singles {
-        if kind == Kind::Thickness && is_asked(kind) && content.has_positions() {
-            let found = content.positions(&file, problems);
-            tables.extend(
-                found
-                    .filter(|(_, header)| !header.is_helical())
-                    .map(|(positions, header)| positioned(&positions, &header)),
-            );
-            continue;
-        }
         // A key that names the column says nothing of what it holds.
         let named = choice.column("column").is_none() || only.is_some();
         if is_asked(kind) && named && (only.is_some() || from.has(&[column])) {
@@ -84,9 +75,9 @@ pub(super) fn tables(
         tables.extend(traces.as_ref().map(traced));
     }
     if tables.is_empty() && problems.is_empty() && content.is_p40() {
-        content.positions(&file, problems)?;
+        content.check_p40(&file, problems)?;
         problems.add(file.problem(
-            "has no pitch (linke, rechte Zahnflanke), no profile trace (Profil:) and no positions of the probe (Teilung:)",
+            "has no pitch (linke, rechte Zahnflanke) and no profile trace (Profil:)",
             "name a file that has one of them",
         ));
         return None;

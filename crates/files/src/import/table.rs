@@ -1,6 +1,6 @@
 //! One table of a file: what it holds, where it stands, and its columns.
 
-use crate::sheet::{Column, Header, Origin, Position, Sheet, TraceSheet};
+use crate::sheet::{Column, Header, Origin, Sheet, TraceSheet};
 use serde::Serialize;
 
 /// What a table holds.
@@ -13,8 +13,6 @@ pub enum Kind {
     Runout,
     /// Thickness of each tooth.
     Thickness,
-    /// Positions of a probe at every flank, from which the thickness of each tooth follows.
-    Positions,
     /// Spans all round.
     Span,
     /// Dimensions over pins all round.
@@ -118,30 +116,6 @@ fn left_out(origin: Option<&Origin>, header: &Header) -> Option<String> {
     match origin {
         Some(origin) => origin.left_out.clone(),
         None => header.unused().map(str::to_owned),
-    }
-}
-
-pub(super) fn positioned(positions: &[Position], header: &Header) -> ImportedTable {
-    let column = |name, value: &dyn Fn(&Position) -> Value| ImportedColumn {
-        name,
-        heading: None,
-        values: positions.iter().map(value).collect(),
-    };
-    ImportedTable {
-        kind: Kind::Positions,
-        title: "Positions of the probe (Teilung:), which give the thickness of each tooth"
-            .to_owned(),
-        pitch_kind: None,
-        sheet: None,
-        header_row: None,
-        left_out: left_out(None, header),
-        columns: vec![
-            column("tooth", &|at| Value::Whole(at.tooth)),
-            column("flank", &|at| Value::Word(at.flank.name())),
-            column("phi_deg", &|at| Value::Number(at.at[0])),
-            column("x_mm", &|at| Value::Number(at.at[1])),
-            column("y_mm", &|at| Value::Number(at.at[2])),
-        ],
     }
 }
 

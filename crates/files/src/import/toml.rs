@@ -30,7 +30,6 @@ pub(super) fn lines(
                 "at = \"tooth\" (fork) or \"space\" (ball, between it and the next)",
             ),
             Kind::Thickness => ("thickness.per_tooth_um", ""),
-            Kind::Positions => ("thickness", ""),
             Kind::Span => ("thickness.span", "teeth = …, the teeth spanned"),
             // A second statement is compared with the first.
             Kind::OverPins if written.contains(&Kind::Span) => (

@@ -1,8 +1,7 @@
 //! One closed LWPOLYLINE as DXF R2000, ASCII.
 //!
-//! Written by hand: the crate `dxf` writes the time and random ids into each file, no comments, and twelve decimals. The frame is
-//! what AutoCAD asks of a file of this version (DXF Reference, R2000: tables, blocks and objects with their handles); other
-//! programs need its header and the entity.
+//! AutoCAD asks for the whole frame of a file of this version (DXF Reference, R2000: tables, blocks and objects with their handles).
+//! Other programs need its header and the entity.
 
 use super::number;
 use gearlash::outline::PathSegment;

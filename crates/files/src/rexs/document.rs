@@ -1,17 +1,16 @@
-//! What a REXS file says, XML and JSON alike: components with attributes, and relations between them.
+//! The content of a REXS file, XML or JSON: components with attributes, and relations between them.
 
 use crate::characters::{cut, plain};
 use crate::error::Problem;
 use crate::node::LONGEST;
 use std::collections::{BTreeMap, HashSet};
-use std::ops::Range;
 
 /// A whole file.
 #[derive(Debug, Clone, Default)]
 pub struct Document {
-    /// Of the format: "1.4".
+    /// Version of the format: "1.4".
     pub version: String,
-    /// What wrote the file.
+    /// The program that wrote the file.
     pub application: String,
     pub components: Vec<Component>,
     pub relations: Vec<Relation>,
@@ -26,8 +25,6 @@ pub struct Component {
     pub kind: String,
     pub name: String,
     pub attributes: Vec<Attribute>,
-    /// In bytes of the text: the element (XML), or what stands in the brackets of `attributes` (JSON).
-    pub range: Range<usize>,
 }
 
 /// One value of a component.
@@ -37,11 +34,9 @@ pub struct Attribute {
     pub unit: Option<String>,
     /// `None`: no value, or several.
     pub value: Option<String>,
-    /// In bytes of the text.
-    pub range: Range<usize>,
 }
 
-/// What components have to do with each other.
+/// A relation between components.
 #[derive(Debug, Clone)]
 pub struct Relation {
     pub id: i32,
@@ -122,12 +117,12 @@ impl Document {
 }
 
 impl Component {
-    /// What a message calls it.
+    /// Its name in messages.
     pub fn place(&self) -> String {
         format!("{} {}", cut(&self.kind, LONGEST), self.id)
     }
 
-    /// What a message calls an attribute of it.
+    /// The name of an attribute in messages.
     pub fn place_of(&self, attribute: &str) -> String {
         format!("{}, {}", self.place(), cut(attribute, LONGEST))
     }

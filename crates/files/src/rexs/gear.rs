@@ -45,12 +45,6 @@ pub struct Helix {
     pub face_width: f64,
 }
 
-/// The number of teeth and the normal module of a gear that is no other than cylindrical and external.
-pub fn external(gear: &Attributes) -> Result<(u32, f64), Fault> {
-    let (teeth, module, _) = basics(gear)?;
-    Ok((teeth, module))
-}
-
 fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
     let place = gear.component().place();
     let left_out = |why: String| Err(Fault::LeftOut(format!("{place} {why}")));

@@ -4,29 +4,25 @@
 
 use super::document::{Attribute, Component, Document, Relation, problem, shown, text_of};
 use crate::error::Problem;
-use crate::source::line_and_column;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Number;
-use serde_json::value::RawValue;
-use std::ops::Range;
 
 #[derive(Deserialize)]
-struct File<'a> {
-    #[serde(borrow)]
-    model: Model<'a>,
+struct File {
+    model: Model,
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Model<'a> {
+struct Model {
     version: String,
     #[serde(default)]
     application_id: String,
     #[serde(default)]
     relations: Vec<JsonRelation>,
-    #[serde(borrow, default)]
-    components: Vec<JsonComponent<'a>>,
+    #[serde(default)]
+    components: Vec<JsonComponent>,
     #[serde(rename = "load_spectrum")]
     load_spectrum: Option<IgnoredAny>,
 }
@@ -46,13 +42,12 @@ struct JsonRef {
 }
 
 #[derive(Deserialize)]
-struct JsonComponent<'a> {
+struct JsonComponent {
     id: i32,
     #[serde(rename = "type")]
     kind: String,
     name: Option<String>,
-    #[serde(borrow)]
-    attributes: &'a RawValue,
+    attributes: Vec<JsonAttribute>,
 }
 
 /// The single values; arrays and matrices are not read.
@@ -72,12 +67,14 @@ struct JsonAttribute {
 /// The file that `text` is.
 ///
 /// # Errors
-/// What is wrong and in which line.
+/// The fault and its line.
 pub fn read(text: &str) -> Result<Document, Problem> {
-    let body = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let file: File = serde_json::from_str(body).map_err(|error| {
+    let file: File = serde_json::from_str(text).map_err(|error| {
         let place = format!("line {} column {}", error.line(), error.column());
-        wrong(place, &error)
+        let reason = error.to_string();
+        let reason = reason.split(" at line ").next().unwrap_or_default();
+        let reason = format!("not REXS: {}", shown(reason));
+        problem(&place, reason, "export the file again")
     })?;
     let model = file.model;
     let relations = model.relations.into_iter().map(|relation| Relation {
@@ -89,14 +86,12 @@ pub fn read(text: &str) -> Result<Document, Problem> {
             .map(|each| (text_of(&each.role), each.id))
             .collect(),
     });
-    let components = model.components.iter();
+    let components = model.components.into_iter();
     Ok(Document {
         version: shown(&model.version),
         application: shown(&model.application_id),
         relations: relations.collect(),
-        components: components
-            .map(|each| component(text, each))
-            .collect::<Result<_, _>>()?,
+        components: components.map(component).collect::<Result<_, _>>()?,
         others: model
             .load_spectrum
             .map(|_| "load_spectrum".to_owned())
@@ -105,10 +100,8 @@ pub fn read(text: &str) -> Result<Document, Problem> {
     })
 }
 
-fn component(text: &str, each: &JsonComponent) -> Result<Component, Problem> {
-    let list: Vec<&RawValue> = inner(text, each.attributes)?;
-    let attributes = list.into_iter().map(|raw| {
-        let read: JsonAttribute = inner(text, raw)?;
+fn component(each: JsonComponent) -> Result<Component, Problem> {
+    let attributes = each.attributes.into_iter().map(|read| {
         let numbers = [read.floating_point, read.integer, read.reference_component];
         let texts = [
             read.string,
@@ -126,72 +119,12 @@ fn component(text: &str, each: &JsonComponent) -> Result<Component, Problem> {
             id: text_of(&read.id),
             unit: read.unit.as_deref().map(text_of),
             value: value.filter(|value| !value.is_empty()),
-            range: range_in(text, raw.get()),
         })
     });
-    let whole = range_in(text, each.attributes.get());
     Ok(Component {
         id: each.id,
         kind: text_of(&each.kind),
         name: shown(each.name.as_deref().unwrap_or_default()),
         attributes: attributes.collect::<Result<_, _>>()?,
-        range: whole.start + 1..whole.end - 1,
     })
-}
-
-/// Replaces what `edits` names, adding what has no place yet at the end of the attributes of `component`.
-pub fn edited(
-    text: &str,
-    component: &Component,
-    values: &[(&str, f64)],
-    edits: &mut Vec<(Range<usize>, String)>,
-) {
-    let last = component.attributes.last();
-    let mut added: Vec<String> = Vec::new();
-    for (id, mm) in values {
-        let object = format!("{{\"id\": \"{id}\", \"unit\": \"mm\", \"floating_point\": {mm:?}}}");
-        match component.attribute(id) {
-            Some(there) => edits.push((there.range.clone(), object)),
-            None => added.push(match last {
-                Some(last) => {
-                    let before = &text[..last.range.start];
-                    format!(",{}{object}", &before[before.trim_end().len()..])
-                }
-                None => object,
-            }),
-        }
-    }
-    if !added.is_empty() {
-        edits.push(match last {
-            Some(last) => (last.range.end..last.range.end, added.concat()),
-            None => (
-                component.range.start..component.range.start,
-                added.join(", "),
-            ),
-        });
-    }
-}
-
-/// What `raw` holds, a part of `text` that is JSON by itself.
-fn inner<'a, T: Deserialize<'a>>(text: &str, raw: &'a RawValue) -> Result<T, Problem> {
-    serde_json::from_str(raw.get()).map_err(|error| {
-        let (line, column) = line_and_column(text, range_in(text, raw.get()).start);
-        wrong(format!("line {line} column {column}"), &error)
-    })
-}
-
-/// Where `part` of `text` stands in it, in bytes.
-fn range_in(text: &str, part: &str) -> Range<usize> {
-    let start = part.as_ptr() as usize - text.as_ptr() as usize;
-    start..start + part.len()
-}
-
-fn wrong(place: String, error: &serde_json::Error) -> Problem {
-    let reason = error.to_string();
-    let reason = reason.split(" at line ").next().unwrap_or_default();
-    problem(
-        &place,
-        format!("not REXS: {}", shown(reason)),
-        "export the file again",
-    )
 }

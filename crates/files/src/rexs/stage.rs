@@ -2,7 +2,7 @@
 
 use super::document::{Component, Document};
 use super::fault::{Attributes, Fault, Unit};
-use super::gear::{self, Gear};
+use super::gear::Gear;
 use super::thickness::Thickness;
 use crate::characters::cut;
 use crate::node::LONGEST;
@@ -36,12 +36,6 @@ enum Band {
         upper: f64,
         lower: f64,
     },
-}
-
-/// Teeth and normal module of the gears of a stage that has two external cylindrical gears and no others.
-pub fn external_gears(document: &Document, stage: &Component) -> Result<[(u32, f64); 2], Fault> {
-    let [one, two] = gears(document, stage)?;
-    Ok([gear::external(&one)?, gear::external(&two)?])
 }
 
 fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], Fault> {
@@ -84,9 +78,6 @@ impl<'a> Stage<'a> {
     /// The stage that `component` is.
     pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, Fault> {
         let [one, two] = gears(document, component)?;
-        for gear in [&one, &two] {
-            gear::external(gear)?;
-        }
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
         let stage = Attributes::of(component);
         let distance = stage.need("center_distance", Unit::Millimetre)?;

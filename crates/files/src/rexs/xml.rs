@@ -5,7 +5,6 @@
 use super::document::{Attribute, Component, Document, Relation, problem, shown, text_of};
 use crate::error::Problem;
 use roxmltree::Node;
-use std::ops::Range;
 use std::str::FromStr;
 
 /// Elements and texts of a file of 16 MiB: a hundred thousand in a gearbox with its results.
@@ -15,7 +14,7 @@ const AGAIN: &str = "export the file again";
 /// The file that `text` is.
 ///
 /// # Errors
-/// What is wrong and in which line.
+/// The fault and its line.
 pub fn read(text: &str) -> Result<Document, Problem> {
     let settings = roxmltree::ParsingOptions {
         nodes_limit: MOST_NODES,
@@ -65,53 +64,12 @@ pub fn read(text: &str) -> Result<Document, Problem> {
     Ok(document)
 }
 
-/// Replaces what `edits` names, adding what has no place yet at the end of `component`.
-pub fn edited(
-    text: &str,
-    component: &Component,
-    values: &[(&str, f64)],
-    edits: &mut Vec<(Range<usize>, String)>,
-) {
-    let whole = &text[component.range.clone()];
-    let name_end = whole.find(|c: char| c.is_whitespace() || c == '>' || c == '/');
-    let name = &whole[1..name_end.unwrap_or(1)];
-    let prefix = name.strip_suffix("component").unwrap_or_default();
-    let mut added = String::new();
-    for (id, mm) in values {
-        let element =
-            format!("<{prefix}attribute id=\"{id}\" unit=\"mm\">{mm:?}</{prefix}attribute>");
-        match component.attribute(id) {
-            Some(there) => edits.push((there.range.clone(), element)),
-            None => {
-                if let Some(last) = component.attributes.last() {
-                    let before = &text[..last.range.start];
-                    added += &before[before.trim_end().len()..];
-                }
-                added += &element;
-            }
-        }
-    }
-    if added.is_empty() {
-        return;
-    }
-    let range = &component.range;
-    edits.push(match component.attributes.last() {
-        Some(last) => (last.range.end..last.range.end, added),
-        None if whole.ends_with("/>") => (range.end - 2..range.end, format!(">{added}</{name}>")),
-        None => {
-            let end = range.start + whole.rfind("</").unwrap_or(whole.len());
-            (end..end, added)
-        }
-    });
-}
-
 fn component(node: Node) -> Result<Component, Problem> {
     Ok(Component {
         id: id(node)?,
         kind: text_of(need(node, "type")?),
         name: shown(node.attribute("name").unwrap_or_default()),
         attributes: of(node, "attribute", attribute)?,
-        range: node.range(),
     })
 }
 
@@ -125,7 +83,6 @@ fn attribute(node: Node) -> Result<Attribute, Problem> {
         id: text_of(need(node, "id")?),
         unit: node.attribute("unit").map(text_of),
         value: is_single.then(|| text_of(&text)),
-        range: node.range(),
     })
 }
 

@@ -119,9 +119,16 @@ const NAMES: [(Quantity, &[&str]); 15] = [
     (Span, &["span", "wk", "zahnweite"]),
     (
         OverPins,
-        &["overpins", "pins", "mdk", "zweirollenmaß", "zweirollenmass"],
+        &[
+            "overpins",
+            "overtwopins",
+            "pins",
+            "mdk",
+            "zweirollenmaß",
+            "zweirollenmass",
+        ],
     ),
-    (OverThreePins, &["threepins"]),
+    (OverThreePins, &["threepins", "overthreepins"]),
     (RollLength, &["rolllength", "wälzlänge", "wälzweg"]),
     (Diameter, &["diameter", "durchmesser"]),
     (Deviation, &["deviation", "abweichung"]),

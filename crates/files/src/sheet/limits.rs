@@ -1,7 +1,7 @@
 //! How large a table may be. Whatever a file holds, it is refused before it takes more than some 300 MB or some seconds.
 //!
-//! A table of the largest gear has 10 000 rows of a few columns. A file has at most 16 MiB, but packed it can hold a thousand times
-//! as much, and 16 million commas are 16 million cells of 32 bytes each.
+//! A table of the largest gear has 10 000 rows of a few columns. A file has at most 64 MiB, but packed it can hold a thousand times
+//! as much, and 64 million commas are 64 million cells of 32 bytes each.
 
 /// Cells of a table: those of 10 000 teeth in 20 columns.
 pub const MOST_CELLS: usize = 200_000;

@@ -22,7 +22,6 @@ mod limits;
 pub mod number;
 mod p40;
 mod places;
-mod positions;
 mod protocol;
 mod statistic;
 mod text;
@@ -42,8 +41,6 @@ use head::Head;
 pub use header::{Header, StatedGear};
 use heading::Quantity;
 use number::Decimal;
-pub use p40::Position;
-pub use positions::{Nominal, Positions};
 pub use trace::TraceSheet;
 pub use wanted::{Coverage, Row, Wanted};
 
@@ -132,6 +129,13 @@ impl<const N: usize> Sheet<N> {
             Content::P40(text) => {
                 let p40 = p40::parse(file, text, problems)?;
                 p40.refuse_values(file, problems)?;
+                if wanted.columns.contains(&Column::Thickness) {
+                    problems.add(file.problem(
+                        "is a curve file: thickness is not taken from the probe's positions",
+                        "name a table of the thickness of each tooth, or state the thickness by span or over_pins",
+                    ));
+                    return None;
+                }
                 let wanted = Wanted {
                     teeth: wanted.teeth.or(p40.header.teeth()),
                     ..*wanted
@@ -271,32 +275,12 @@ impl Content {
         matches!(self, Content::P40(_))
     }
 
-    /// Whether there are positions of a probe.
-    pub fn has_positions(&self) -> bool {
+    /// Refuses a value file of a P40, and whatever is wrong with a file of one.
+    pub fn check_p40(&self, file: &DataFile, problems: &mut Problems) -> Option<()> {
         match self {
-            Content::P40(text) => text.lines().any(|line| line.trim() == "Teilung:"),
-            Content::Cells(_) | Content::Protocol(_) => false,
+            Content::P40(text) => p40::parse(file, text, problems)?.refuse_values(file, problems),
+            Content::Cells(_) | Content::Protocol(_) => Some(()),
         }
-    }
-
-    /// The positions of a probe, and what the file says of the gear; none of a file that cannot have them.
-    pub fn positions(
-        &self,
-        file: &DataFile,
-        problems: &mut Problems,
-    ) -> Option<(Vec<Position>, Header)> {
-        let Content::P40(text) = self else {
-            return Some((Vec::new(), Header::default()));
-        };
-        let p40 = p40::parse(file, text, problems)?;
-        p40.refuse_values(file, problems)?;
-        let teeth = p40.header.teeth().filter(|_| !p40.positions.is_empty());
-        if let Some(teeth) = teeth {
-            positions::by_tooth(&p40, file, teeth as usize, problems)?;
-        }
-        let mut header = p40.header.clone();
-        header.left_unused(file, &p40.unused(p40::POSITIONS));
-        Some((p40.positions, header))
     }
 
     /// Whether there is a table of traces.

@@ -1,8 +1,6 @@
 //! How thick the teeth are.
 
-use super::rules::{
-    at_most_one, beside, beside_list, columns, exactly_one, list_length, not_beside, within,
-};
+use super::rules::{at_most_one, beside, beside_list, columns, exactly_one, list_length, within};
 use super::value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
 use crate::limits::{ALLOWANCE, CROSS_CHECK, FLANK_OFFSET, LENGTH, PER_TOOTH};
 use gearlash::gear::MeasuringBody;
@@ -34,9 +32,6 @@ pub struct ThicknessSpec {
     #[schemars(with = "Option<Either<Vec<f64>, TableFileSpec>>")]
     #[schemars(transform = within(&PER_TOOTH), transform = columns("tooth, thickness (µm)"))]
     pub per_tooth_um: Option<Vec<f64>>,
-    /// Curve file of a P40 (.mka): mean thickness from the probe's positions, and where there is no pitch that of each tooth.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<String>,
     /// A second statement: compared, never used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cross_check: Option<CrossCheckSpec>,
@@ -189,8 +184,7 @@ pub struct OverPinsSpec {
 }
 
 fn thickness_keys(schema: &mut Schema) {
-    at_most_one(schema, &[&STATEMENTS[..], &[&["file"]]].concat());
-    not_beside(schema, "file", &["per_tooth_um", "cross_check"]);
+    at_most_one(schema, &STATEMENTS);
     beside(schema, "cross_check", &STATEMENTS);
 }
 

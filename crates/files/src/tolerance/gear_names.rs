@@ -1,10 +1,13 @@
-//! The files that names of measured gears stand for: what stands among them and is none is reported, never passed over.
+//! The files that names of measured gears stand for. Whatever else matches is reported, never passed over.
 
-use glob::{MatchOptions, Pattern, PatternError};
+use glob::{MatchOptions, Pattern};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
+
+/// Files and folders that a pattern is compared with: twice the gears that a list may have.
+const MOST_VISITED: usize = 200_000;
 
 /// What a name stands for.
 #[derive(Debug, Default)]
@@ -17,7 +20,7 @@ pub struct Named {
     pub faults: Vec<String>,
 }
 
-/// The files that `name` stands for, relative to `folder`. `*`, `?` and `[` stand for letters of a file's name, as capital as they are.
+/// The files that `name` stands for, relative to `folder`. `*`, `?` and `[` stand for letters within one name. Case matters.
 pub fn named(folder: &Path, name: &str) -> Named {
     let mut named = Named::default();
     if !name.contains(['*', '?', '[']) {
@@ -31,7 +34,7 @@ pub fn named(folder: &Path, name: &str) -> Named {
     let walk = match Walk::new(folder, name) {
         Ok(walk) => walk,
         Err(error) => {
-            named.faults.push(format!("{name:?}: {}", error.msg));
+            named.faults.push(format!("{name:?}: {error}"));
             return named;
         }
     };
@@ -58,12 +61,10 @@ enum Part {
     Named(PathBuf),
     /// Of a name like this.
     Like(Pattern),
-    /// `**`: the folder itself and all in it, links left out.
-    AnyFolder,
 }
 
 impl Walk {
-    fn new(folder: &Path, name: &str) -> Result<Walk, PatternError> {
+    fn new(folder: &Path, name: &str) -> Result<Walk, String> {
         let (mut start, mut parts) = (folder.to_path_buf(), Vec::new());
         for part in Path::new(name).components() {
             let text = part.as_os_str().to_string_lossy();
@@ -73,8 +74,12 @@ impl Walk {
                     continue;
                 }
                 Component::CurDir => continue,
-                _ if text == "**" => Part::AnyFolder,
-                _ if text.contains(['*', '?', '[']) => Part::Like(Pattern::new(&text)?),
+                _ if text.contains("**") => {
+                    return Err("`**` is not allowed, name each folder".to_owned());
+                }
+                _ if text.contains(['*', '?', '[']) => {
+                    Part::Like(Pattern::new(&text).map_err(|error| error.msg.to_owned())?)
+                }
                 _ => Part::Named(PathBuf::from(part.as_os_str())),
             });
         }
@@ -84,6 +89,7 @@ impl Walk {
     /// Every path that it stands for, in the order of their names, and whether also by capital letters; what cannot be read is one of `faults`.
     fn found(&self, faults: &mut Vec<String>) -> Vec<(PathBuf, bool)> {
         let mut found = vec![(self.start.clone(), true)];
+        let mut visited = 0;
         for part in &self.parts {
             let mut next = Vec::new();
             for (path, is_as_written) in found {
@@ -94,7 +100,15 @@ impl Walk {
                         next.extend(is_there.then_some((path, is_as_written)));
                     }
                     Part::Like(pattern) => {
-                        let each = entries(&path, faults).into_iter().filter_map(|path| {
+                        let inner = entries(&path, faults);
+                        visited += inner.len();
+                        if visited > MOST_VISITED {
+                            faults.push(format!(
+                                "a pattern meets more than {MOST_VISITED} files and folders"
+                            ));
+                            return Vec::new();
+                        }
+                        let each = inner.into_iter().filter_map(|path| {
                             let name = path.file_name()?.to_string_lossy();
                             let is_like = pattern.matches_with(&name, EITHER);
                             let is_same = is_as_written && pattern.matches(&name);
@@ -102,14 +116,6 @@ impl Walk {
                         });
                         // The file name borrows from the path.
                         next.extend(each.collect::<Vec<_>>());
-                    }
-                    Part::AnyFolder => {
-                        let mut open = vec![path];
-                        while let Some(folder) = open.pop() {
-                            let inner = entries(&folder, faults).into_iter().rev();
-                            open.extend(inner.filter(|path| path.is_dir() && !path.is_symlink()));
-                            next.push((folder, is_as_written));
-                        }
                     }
                 }
             }
@@ -188,4 +194,22 @@ pub fn duplicates(files: &[PathBuf]) -> Vec<String> {
         }
     }
     duplicates
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pattern_does_not_walk_the_file_system() {
+        for name in ["../../**", "**/*.toml", "measured/**/w.toml"] {
+            let found = named(Path::new("."), name);
+            assert!(found.files.is_empty());
+            assert_eq!(found.faults.len(), 1, "{name}");
+            assert!(found.faults[0].ends_with("`**` is not allowed, name each folder"));
+        }
+        // From the folder of this package.
+        let found = named(Path::new("src"), "../Cargo.*");
+        assert_eq!(found.files, [Path::new("src/../Cargo.toml")]);
+    }
 }

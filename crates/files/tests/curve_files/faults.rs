@@ -3,7 +3,7 @@
 use super::made::{MEW, Made};
 use super::{pair, read_with, told};
 
-const THICKNESS: &str = "thickness = { file = \"gear.mka\" }";
+const PER_TOOTH: &str = "thickness.per_tooth_um = { file = \"gear.mka\" }";
 const PITCH: &str = "pitch = { kind = \"single\", file = \"gear.mka\" }";
 const TRACE: &str = "profile = { trace = { file = \"gear.mka\" } }";
 
@@ -12,19 +12,6 @@ fn faults_have_their_words() {
     let made = Made::new(17);
     let text = made.text();
     for (from, to, keys, expected) in [
-        (
-            "Tasterdurchmesser",
-            "Werkzeug",
-            THICKNESS,
-            "no header line gives the diameter of the probe",
-        ),
-        (": 2.000", ": 3.000", THICKNESS, "fit the gear in 0 ways"),
-        (
-            "Zähnezahl z..............: 17",
-            "Zähnezahl z..............: 18",
-            THICKNESS,
-            "the pair file has teeth = 17",
-        ),
         (
             "Zähnezahl z..............: 17",
             "Zähnezahl z..............: 18",
@@ -223,12 +210,7 @@ fn a_value_file_is_one_without_values() {
     let empty = MEW.split("10111").next().unwrap().to_owned() + "26450 : V Fuß : 8999.0\r\n";
     let undefined = MEW.replace("-2.9", "-9999.0");
     for text in [MEW, &empty, &undefined] {
-        for keys in [
-            PITCH,
-            TRACE,
-            THICKNESS,
-            "thickness.per_tooth_um = { file = \"gear.mka\" }",
-        ] {
+        for keys in [PITCH, TRACE, PER_TOOTH] {
             let told = told(text, 17, keys);
             assert!(told.contains("is a value file (.mew)"), "{keys}: {told}");
         }
@@ -242,4 +224,19 @@ fn no_file() {
     let problems = read_with(b"", &pair(17, keys)).unwrap_err();
     assert_eq!(problems.len(), 1, "{problems:#?}");
     assert!(problems[0].reason.contains("nothing.mka"), "{problems:#?}");
+}
+
+/// A key that is gone names what to state instead.
+#[test]
+fn thickness_from_positions_is_gone() {
+    let keys = "thickness = { file = \"gear.mka\" }";
+    let problems = read_with(b"", &pair(17, keys)).unwrap_err();
+    assert_eq!(problems.len(), 1, "{problems:#?}");
+    assert_eq!(problems[0].key, "wheel.thickness.file");
+    assert!(problems[0].help.contains("`span`, `over_pins`"));
+    let told = told(&Made::new(17).text(), 17, PER_TOOTH);
+    assert!(
+        told.contains("thickness is not taken from the probe's positions"),
+        "{told}"
+    );
 }

@@ -20,21 +20,12 @@ fn import(text: &str, only: Option<Kind>) -> Result<Imported, String> {
     })
 }
 
-/// Every table with what it leaves unused, and the thickness that the positions give.
+/// Every table with what it leaves unused.
 #[test]
 fn all_that_a_curve_file_has() {
     let found = import(&Made::new(17).text(), None).unwrap();
     let kinds: Vec<Kind> = found.tables.iter().map(|table| table.kind).collect();
-    assert_eq!(
-        kinds,
-        [
-            Kind::Pitch,
-            Kind::Pitch,
-            Kind::Runout,
-            Kind::Positions,
-            Kind::Trace
-        ]
-    );
+    assert_eq!(kinds, [Kind::Pitch, Kind::Pitch, Kind::Runout, Kind::Trace]);
     for table in &found.tables {
         let words = table.left_out.as_deref().unwrap();
         for name in [
@@ -42,20 +33,12 @@ fn all_that_a_curve_file_has() {
             "1 twist traces",
             "2 root diameters",
             "2 tip diameters",
+            "36 positions of the probe",
         ] {
             assert!(words.contains(name), "{words}");
         }
-        let has_positions = words.contains("36 positions of the probe");
-        assert_eq!(has_positions, table.kind != Kind::Positions, "{words}");
     }
-    assert_eq!(found.tables[3].columns[0].values.len(), 36);
-    assert!(
-        found
-            .toml
-            .contains("[wheel.thickness]\nfile = \"gear.mka\"\n"),
-        "{}",
-        found.toml
-    );
+    assert!(!found.toml.contains("thickness"), "{}", found.toml);
 }
 
 /// What it offers, a pair file takes.
@@ -63,34 +46,25 @@ fn all_that_a_curve_file_has() {
 fn the_lines_are_good() {
     let made = Made::new(17);
     let toml = import(&made.text(), None).unwrap().toml;
-    let added = "at = \"space\"\n[wheel.thickness]";
     let keys = toml
-        .replacen("[wheel.thickness]", added, 1)
+        .replacen("[wheel.runout]", "[wheel.runout]\nat = \"space\"", 1)
         .replace("kind = \"single\"", "");
     let good = super::read_with(made.text().as_bytes(), &super::pair(17, &keys));
     assert!(good.is_ok(), "{keys}: {:#?}", good.err());
 }
 
+/// Thickness is stated, not taken from positions.
 #[test]
 fn positions_alone() {
     let text = Made::new(17).text();
     let (head, rest) = text.split_once("Flankenlinie:").unwrap();
     let positions = rest.split_once("Teilung:").unwrap().1;
     let alone = format!("{head}Teilung:{positions}");
-    for only in [None, Some(Kind::Thickness)] {
-        let found = import(&alone, only).unwrap();
-        assert_eq!(found.tables.len(), 1);
-        assert_eq!(found.toml, "[wheel.thickness]\nfile = \"gear.mka\"\n");
-    }
-    let last = alone.rfind("\r\n  17  L").unwrap();
-    let told = import(&alone[..last], None).unwrap_err();
+    let told = import(&alone, None).unwrap_err();
+    assert!(told.contains("has no pitch"), "{told}");
+    let told = import(&alone, Some(Kind::Thickness)).unwrap_err();
     assert!(
-        told.contains("does not have both flanks of each of 17 teeth"),
-        "{told}"
-    );
-    let told = import(&format!("{head}Flankenlinie:\r\n"), None).unwrap_err();
-    assert!(
-        told.contains("no positions of the probe (Teilung:)"),
+        told.contains("is a curve file: thickness is not taken from the probe's positions"),
         "{told}"
     );
 }

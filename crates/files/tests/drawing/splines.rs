@@ -1,7 +1,7 @@
 //! Splines against de Boor's algorithm, written here, and ezdxf 1.4.5 (`BSpline.point`).
 
 use super::*;
-use made::{dxf, line, spline};
+use made::{dxf, line, polyline, spline};
 
 const POINTS: [[f64; 2]; 6] = [
     [0.0, 0.0],
@@ -192,7 +192,7 @@ fn a_rational_circle_is_round() {
     );
 }
 
-/// Some programs write no z of flat splines, which the crate `dxf` then has no points of.
+/// Some programs write no z of flat splines.
 #[test]
 fn splines_without_z_are_the_same() {
     let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 2.5, 3.0, 3.0, 3.0, 3.0];
@@ -201,6 +201,31 @@ fn splines_without_z_are_the_same() {
     assert_eq!(
         loop_of("dxf", &dxf(&flat)).segments,
         loop_of("dxf", &dxf(&entities)).segments
+    );
+}
+
+/// Inkscape and OpenJSCAD write a z at each vertex of a light polyline; others leave noise in it.
+#[test]
+fn light_polylines_with_z_are_the_same() {
+    let flat = polyline(
+        true,
+        &[[9.0, 0.0, 0.4], [0.0, 9.0, 0.0], [-9.0, 0.0, 0.2]],
+        "",
+    );
+    let expected = loop_of("dxf", &dxf(&[flat.clone()]));
+    for z in ["0", "1e-9"] {
+        let with_z = flat.replacen(" 42 ", " 30 0 42 ", 1);
+        let (first, rest) = with_z.split_at(with_z.find(" 42 ").unwrap() + 4);
+        let with_z = first.to_owned() + &rest.replace(" 42 ", &format!(" 30 {z} 42 "));
+        assert_eq!(with_z.matches(" 30 ").count(), 3);
+        let found = loop_of("dxf", &dxf(&[with_z]));
+        assert_eq!(found.segments, expected.segments);
+    }
+    let high = flat.replace(" 42 0.4", " 30 1 42 0.4");
+    let error = drawn("dxf", &dxf(&[high]), &in_mm()).unwrap_err();
+    assert!(
+        error.to_string().contains("a point of another z"),
+        "{error}"
     );
 }
 

@@ -3,14 +3,12 @@
 #[path = "../tables/mutant.rs"]
 mod mutant;
 
-mod edited;
 mod generated;
 mod helical;
 mod left_out;
 mod mutations;
 mod oracle;
 mod read;
-mod same;
 
 use gearlash_files::InputError;
 use gearlash_files::rexs::{self, RexsFile};

@@ -9,7 +9,7 @@ use gearlash::gauge::Gauged;
 use gearlash::gear::AsBuilt;
 use gearlash_files::short_for_span;
 use gearlash_files::spec::GearSpec;
-use gearlash_files::{GaugedTables, NoGearFile, gauged_file};
+use gearlash_files::{NoGearFile, gauged_file};
 
 pub use json::json;
 pub(crate) use json::{json_of, of};
@@ -44,11 +44,7 @@ impl GaugedGear<'_> {
     /// Where the readings do not say enough for one.
     pub fn gear_file(&self) -> Result<(String, String), NoGearFile> {
         let stem = self.stem();
-        let tables = GaugedTables {
-            spans: Reading::Spans.csv(&stem),
-            pitch: Reading::PitchOwn.csv(&stem),
-        };
-        let text = gauged_file(self.title, &self.words(), self.spec, &self.gauged, tables)?;
+        let text = gauged_file(self.title, &self.words(), self.spec, &self.gauged)?;
         Ok((gear_file_name(&stem), text))
     }
 
@@ -86,6 +82,11 @@ impl GaugedGear<'_> {
     }
 }
 
+/// The table of all readings of the gear of `stem`.
+pub fn table_name(stem: &str) -> String {
+    format!("{stem}.csv")
+}
+
 /// How the files of the gear called `name` begin: `gauge_wheel`, with the material where there are two.
 pub fn stem(name: &str, material: Material) -> String {
     match material {
@@ -107,30 +108,16 @@ pub fn page_name(stem: &str) -> String {
 /// Every name that a run could write for the gear of `stem`.
 pub fn possible_files(stem: &str) -> Vec<String> {
     let readings = Reading::ALL.into_iter();
-    readings
-        .flat_map(|reading| [reading.csv(stem), reading.svg(stem)])
-        .chain([gear_file_name(stem), page_name(stem)])
-        .collect()
-}
-
-/// The CSV files of one gear: name and content. What could not be measured has none.
-///
-/// # Errors
-/// None that readings can cause; the writer's otherwise.
-pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Error> {
-    let tables = Reading::ALL.into_iter().filter_map(|reading| {
-        let table = reading.file_table(&gauged.gauged)?;
-        Some((reading.csv(&gauged.stem()), table))
-    });
-    tables
-        .map(|(name, table)| Ok((name, table.to_csv()?)))
+    let charts = readings.map(|reading| reading.svg(stem));
+    charts
+        .chain([gear_file_name(stem), page_name(stem), table_name(stem)])
         .collect()
 }
 
 /// All readings by tooth of several gears, a row a tooth; what could not be measured is left empty.
 ///
 /// # Errors
-/// As [`csv_files`].
+/// None that readings can cause; the writer's otherwise.
 pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
     let tables: Vec<Table> = gears.iter().map(all_by_tooth).collect();
     Table::all_to_csv(&tables)

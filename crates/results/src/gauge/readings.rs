@@ -78,11 +78,6 @@ impl Reading {
         format!("{stem}_{}", self.name())
     }
 
-    /// Name of its table.
-    pub fn csv(self, stem: &str) -> String {
-        format!("{}.csv", self.file_stem(stem))
-    }
-
     /// Name of its chart.
     pub fn svg(self, stem: &str) -> String {
         format!("{}.svg", self.file_stem(stem))
@@ -144,29 +139,6 @@ impl Reading {
             name: self.name(),
             columns,
         })
-    }
-
-    /// The columns of its own CSV file.
-    fn in_file(self) -> &'static [&'static str] {
-        match self {
-            Reading::Spans => &["tooth", "span"],
-            Reading::Pins => &["tooth", "pins"],
-            Reading::ThreePins => &["tooth", "three_pins"],
-            Reading::LyingPins => &["tooth", "lying_pins"],
-            Reading::Runout => &["tooth", "runout"],
-            Reading::PitchOwn
-            | Reading::SinglePitchOwn
-            | Reading::PitchDatum
-            | Reading::SinglePitchDatum => &["tooth", "left", "right"],
-            Reading::Thickness => &["tooth", "thickness"],
-            Reading::Roll => &ROLL,
-            Reading::Profile => &PROFILE,
-        }
-    }
-
-    /// The table of its own CSV file, in the words a gear file's tables are read by.
-    pub fn file_table(self, read: &Gauged) -> Option<Table> {
-        Some(self.table(read)?.of(self.in_file()))
     }
 
     /// Its columns beside those of other gauges: which, and how they are called there.

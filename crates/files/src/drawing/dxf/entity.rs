@@ -1,24 +1,26 @@
-//! One entity of a DXF, checked before it is read: that nothing it needs is missing, duplicate or no number.
+//! One entity of a DXF. It is checked before it is read: nothing it needs may be missing, duplicate or not a number.
 
 use super::pairs::Pair;
 use crate::characters::cut;
 use crate::drawing::DrawingError;
 use crate::drawing::error::LONGEST_NAME;
+use nalgebra::Point3;
 
-/// What must stand in an entity once, and what may stand in it often.
+/// Group codes that an entity must have once, and codes that it may have several times.
 struct Rule {
     kind: &'static str,
     once: &'static [u16],
     often: &'static [u16],
 }
 
-/// The entities that are read. Of a point its x alone is listed: y must follow.
+/// The entities that are read. A point is listed by its x alone: y must follow.
 const RULES: [Rule; 9] = [
     rule("LINE", &[10, 11], &[]),
     rule("ARC", &[10, 40, 50, 51], &[]),
     rule("CIRCLE", &[10, 40], &[]),
     rule("ELLIPSE", &[10, 11, 40, 41, 42], &[]),
-    rule("LWPOLYLINE", &[90], &[10, 20, 40, 41, 42, 91]),
+    // Some programs write a z at each vertex.
+    rule("LWPOLYLINE", &[90], &[10, 20, 30, 40, 41, 42, 91]),
     rule("POLYLINE", &[], &[]),
     rule("VERTEX", &[10], &[]),
     rule("SEQEND", &[], &[]),
@@ -29,7 +31,7 @@ const fn rule(kind: &'static str, once: &'static [u16], often: &'static [u16]) -
     Rule { kind, once, often }
 }
 
-/// What is beside the outline, or is none: left out with a remark.
+/// Kinds that belong to no outline: left out with a remark.
 const BESIDE: [&str; 21] = [
     "ACAD_TABLE",
     "ARC_DIMENSION",
@@ -54,7 +56,7 @@ const BESIDE: [&str; 21] = [
     "XLINE",
 ];
 
-/// What is to be done with an entity.
+/// The treatment of an entity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fate {
     /// Read it.
@@ -108,7 +110,7 @@ impl<'a> Entity<'a> {
         )
     }
 
-    /// What is to be done with it.
+    /// Its treatment.
     pub fn fate(&self) -> Fate {
         match self.kind {
             kind if RULES.iter().any(|rule| rule.kind == kind) => Fate::Read,
@@ -117,7 +119,7 @@ impl<'a> Entity<'a> {
         }
     }
 
-    /// How often `code` stands in it.
+    /// The number of its pairs with `code`.
     fn count(&self, code: u16) -> usize {
         self.pairs.iter().filter(|pair| pair.code == code).count()
     }
@@ -181,35 +183,55 @@ impl<'a> Entity<'a> {
         Ok(())
     }
 
-    /// Adds it to `text` as the reader of geometry gets it.
-    pub fn write(&self, text: &mut String) {
-        let mut line = |code: u16, value: &str| {
-            *text += &code.to_string();
-            text.push('\n');
-            *text += value;
-            text.push('\n');
-        };
-        line(0, self.kind);
-        for (index, pair) in self.pairs.iter().enumerate() {
-            // Names have been read, and numbers of elements are those of the elements.
-            if matches!(pair.code, 8 | 60..=68 | 72..=74 | 90..=99) {
+    /// The number of `code`, or `default`.
+    pub fn number(&self, code: u16, default: f64) -> f64 {
+        let value = self.value(code).and_then(|value| value.parse().ok());
+        value.unwrap_or(default)
+    }
+
+    /// The bits of the flags, group 70.
+    pub fn flags(&self) -> i32 {
+        let value = self.value(70).and_then(|value| value.parse().ok());
+        value.unwrap_or(0)
+    }
+
+    /// All numbers of `code`.
+    pub fn numbers(&self, code: u16) -> Vec<f64> {
+        let pairs = self.pairs.iter().filter(|pair| pair.code == code);
+        pairs.filter_map(|pair| pair.value.parse().ok()).collect()
+    }
+
+    /// The point whose x is of `code`; what is missing is 0.
+    pub fn point(&self, code: u16) -> Point3<f64> {
+        Point3::from([code, code + 10, code + 20].map(|code| self.number(code, 0.0)))
+    }
+
+    /// All points whose x is of `code`, each with its bulge, group 42. A z that is missing is `z`.
+    pub fn points(&self, code: u16, z: f64) -> Vec<(Point3<f64>, f64)> {
+        let mut points: Vec<(Point3<f64>, f64)> = Vec::new();
+        for pair in &self.pairs {
+            let Ok(value) = pair.value.parse() else {
                 continue;
-            }
-            line(pair.code, pair.value);
-            // The crate drops points of a spline without a z.
-            let z = pair.code + 10;
-            let after = self.pairs.get(index + 1).map(|after| after.code);
-            if self.kind == "SPLINE" && matches!(pair.code, 20 | 21) && after != Some(z) {
-                line(z, "0");
+            };
+            if pair.code == code {
+                points.push((Point3::new(value, 0.0, z), 0.0));
+            } else if let Some((point, bulge)) = points.last_mut() {
+                match pair.code {
+                    42 => *bulge = value,
+                    y if y == code + 10 => point.y = value,
+                    y if y == code + 20 => point.z = value,
+                    _ => {}
+                }
             }
         }
+        points
     }
 }
 
 /// Whether the value is a number as its code asks: whole or finite.
 fn is_number(pair: &Pair) -> bool {
     match pair.code {
-        // Numbers of knots and points, which are not passed on.
+        // Numbers of knots and points.
         72..=74 | 90..=99 => pair.value.parse::<i32>().is_ok(),
         60..=79 => pair.value.parse::<i16>().is_ok(),
         _ => pair.value.parse::<f64>().is_ok_and(f64::is_finite),

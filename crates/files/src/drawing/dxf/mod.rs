@@ -1,8 +1,7 @@
-//! DXF: the entities of the model, read by the crate `dxf`.
+//! DXF in ASCII: lines, arcs, circles, ellipses, polylines and splines of the section ENTITIES.
 //!
-//! That crate ends a list of entities at the first fault, passes over kinds it does not know and takes what is missing for zero.
-//! Therefore the pairs of the file are checked here first ([`entity`]), and the crate gets the good entities alone: what else
-//! stands in the file cannot change them. Binary DXF is refused: it could not be checked so.
+//! Each entity is checked whole ([`entity`]) and then becomes segments ([`shape`]). Other entities are left out with a remark or refused.
+//! Binary DXF is refused.
 
 mod entity;
 mod pairs;
@@ -12,6 +11,7 @@ use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, Unit};
 use entity::{Entity, Fate};
+use nalgebra::Point3;
 use pairs::{Pairs, check_format};
 
 /// `$INSUNITS` by the reference of DXF, those that are read.
@@ -59,19 +59,19 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     }
     let scale = options.unit_mm(sheet.unit()?, "no $INSUNITS in the DXF")?;
     pieces.unit_mm = scale;
-    shape::read(&sheet.text, &sheet.kept, scale, pieces)
+    shape::read(&sheet.kept, scale, pieces)
 }
 
-/// Where an entity stands that is read.
+/// An entity to read.
 #[derive(Debug)]
-pub struct Kept {
-    /// Its layer.
-    pub layer: String,
-    /// Its place.
-    pub place: String,
+pub struct Kept<'a> {
+    /// The entity.
+    pub entity: Entity<'a>,
+    /// The vertices of a POLYLINE and their bulges.
+    pub vertices: Vec<(Point3<f64>, f64)>,
 }
 
-/// What is of use in a file.
+/// The useful content of a file.
 #[derive(Debug, Default)]
 struct Sheet<'a> {
     /// The layer asked for.
@@ -81,9 +81,7 @@ struct Sheet<'a> {
     /// Layers with something that is read.
     layers: Vec<String>,
     /// The entities to read, in order.
-    kept: Vec<Kept>,
-    /// The same as a DXF's entities.
-    text: String,
+    kept: Vec<Kept<'a>>,
     /// How many entities there were.
     count: usize,
     /// Within the vertices of a polyline: where it stands, and whether it is kept.
@@ -92,7 +90,7 @@ struct Sheet<'a> {
 
 impl<'a> Sheet<'a> {
     /// Reads through the section that begins here.
-    fn section(&mut self, pairs: &mut Pairs, pieces: &mut Pieces) -> Result<(), DrawingError> {
+    fn section(&mut self, pairs: &mut Pairs<'a>, pieces: &mut Pieces) -> Result<(), DrawingError> {
         let name = pairs.next()?;
         if name.code != 2 {
             let reason = "section without a name";
@@ -102,12 +100,12 @@ impl<'a> Sheet<'a> {
                 "export it again as DXF",
             ));
         }
-        let (mut variable, mut entity): (&str, Option<Entity>) = ("", None);
+        let (mut variable, mut entity): (&str, Option<Entity<'a>>) = ("", None);
         loop {
             let pair = pairs.next()?;
             if name.value == "ENTITIES" && pair.code == 0 {
                 if let Some(entity) = entity.take() {
-                    self.keep(&entity, pieces)?;
+                    self.keep(entity, pieces)?;
                 }
                 self.count += 1;
                 entity = Some(Entity {
@@ -165,7 +163,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// Sorts an entity that is complete.
-    fn keep(&mut self, entity: &Entity, pieces: &mut Pieces) -> Result<(), DrawingError> {
+    fn keep(&mut self, entity: Entity<'a>, pieces: &mut Pieces) -> Result<(), DrawingError> {
         let of_polyline = matches!(entity.kind, "VERTEX" | "SEQEND");
         if let Some((place, kept)) = self.polyline.take() {
             if !of_polyline {
@@ -173,7 +171,11 @@ impl<'a> Sheet<'a> {
             }
             if kept {
                 entity.check()?;
-                entity.write(&mut self.text);
+                if let ("VERTEX", Some(polyline)) = (entity.kind, self.kept.last_mut()) {
+                    polyline
+                        .vertices
+                        .push((entity.point(10), entity.number(42, 0.0)));
+                }
             }
             if entity.kind == "VERTEX" {
                 self.polyline = Some((place, kept));
@@ -217,15 +219,14 @@ impl<'a> Sheet<'a> {
                     pieces.leave_out(words, &place);
                 }
                 let kept = asked && hidden.is_none();
-                if kept {
-                    entity.write(&mut self.text);
-                    self.kept.push(Kept {
-                        layer: layer.to_owned(),
-                        place: place.clone(),
-                    });
-                }
                 if entity.kind == "POLYLINE" {
                     self.polyline = Some((place, kept));
+                }
+                if kept {
+                    self.kept.push(Kept {
+                        entity,
+                        vertices: Vec::new(),
+                    });
                 }
             }
             _ => {}

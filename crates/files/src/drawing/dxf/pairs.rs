@@ -47,7 +47,7 @@ pub fn check_format(bytes: &[u8]) -> Result<(), DrawingError> {
 }
 
 impl<'a> Pairs<'a> {
-    /// Those of `text`.
+    /// The pairs of `text`.
     pub fn of(text: &'a str) -> Pairs<'a> {
         Pairs {
             lines: text.split('\n'),

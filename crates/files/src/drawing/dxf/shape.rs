@@ -1,16 +1,15 @@
 //! Entities of a DXF as segments in mm.
 
 use super::Kept;
+use super::entity::Entity;
 use crate::drawing::DrawingError;
 use crate::drawing::bspline::BSpline;
 use crate::drawing::curve::{bulged, elliptic};
 use crate::drawing::limits::SAME_MM;
 use crate::drawing::piece::Piece;
 use crate::drawing::pieces::Pieces;
-use dxf::entities::{Entity, EntityType, LwPolyline, Polyline, Spline};
-use dxf::{Drawing, Point, Vector};
 use gearlash::outline::PathSegment;
-use nalgebra::{Point2, Vector2};
+use nalgebra::{Point2, Point3, Vector2};
 use std::f64::consts::TAU;
 
 /// Bits of the flags of polylines and of their vertices.
@@ -18,46 +17,32 @@ const CLOSED: i32 = 1;
 const SPLINE_FIT: i32 = 4;
 const IN_SPACE: i32 = 8 | 16 | 64;
 
+/// Part of a point's distance from the origin that its z may be off.
+const NOISE: f64 = 1e-6;
+
 /// Segments, and how far they may lie from what is drawn.
 type BoundedSegments = (Vec<PathSegment>, f64);
 
-/// Adds the entities of `text`, of which `kept` says where each stands; their unit is `scale` mm.
-pub fn read(
-    text: &str,
-    kept: &[Kept],
-    scale: f64,
-    pieces: &mut Pieces,
-) -> Result<(), DrawingError> {
-    let whole = format!("0\nSECTION\n2\nENTITIES\n{text}0\nENDSEC\n0\nEOF\n");
-    let unread = |reason: String| {
-        let place = kept.first().map_or("the file", |first| &first.place);
-        DrawingError::syntax(place, reason, "export it again as DXF")
-    };
-    let drawing =
-        Drawing::load(&mut whole.as_bytes()).map_err(|error| unread(error.to_string()))?;
-    let entities: Vec<_> = drawing.entities().collect();
-    if entities.len() != kept.len() {
-        let (read, all) = (entities.len(), kept.len());
-        return Err(unread(format!("only {read} of {all} entities can be read")));
-    }
+/// Adds the `kept` entities; their unit is `scale` mm.
+pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), DrawingError> {
     let mut height = None;
-    for (entity, kept) in entities.into_iter().zip(kept) {
+    for kept in kept {
+        let layer = kept.entity.layer();
+        let place = kept.entity.place();
         let mut space = Space {
             scale,
             mirrored: false,
             height: &mut height,
-            place: &kept.place,
+            place: &place,
         };
-        let (segments, bound) = space.segments(entity)?;
-        pieces.add(
-            &kept.layer,
-            Piece {
-                segments,
-                name: kept.layer.clone(),
-                bound,
-                place: kept.place.clone(),
-            },
-        )?;
+        let (segments, bound) = space.segments(kept)?;
+        let piece = Piece {
+            segments,
+            name: layer.to_owned(),
+            bound,
+            place,
+        };
+        pieces.add(layer, piece)?;
     }
     Ok(())
 }
@@ -80,71 +65,88 @@ impl Space<'_> {
         DrawingError::refused(self.place, kind, help)
     }
 
-    /// Its segments.
-    fn segments(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
-        match &entity.specific {
-            EntityType::Line(line) => {
-                let ends = [self.point(&line.p1)?, self.point(&line.p2)?];
+    /// The segments of an entity.
+    fn segments(&mut self, kept: &Kept) -> Result<BoundedSegments, DrawingError> {
+        let entity = &kept.entity;
+        // The ends of a line are in the space of the drawing, all else in that of the entity.
+        if entity.kind != "LINE" && entity.kind != "SPLINE" {
+            self.seen_from(entity)?;
+        }
+        match entity.kind {
+            "LINE" => {
+                let ends = [self.point(entity.point(10))?, self.point(entity.point(11))?];
                 Ok((vec![PathSegment::Line(ends)], 0.0))
             }
-            EntityType::Circle(circle) => {
-                self.seen_from(&circle.normal)?;
-                self.round(&circle.center, circle.radius, 0.0, TAU)
+            "CIRCLE" => self.round(entity, 0.0, TAU),
+            "ARC" => {
+                let [start, end] = [50, 51].map(|code| entity.number(code, 0.0).to_radians());
+                self.round(entity, start, turn(start, end))
             }
-            EntityType::Arc(arc) => {
-                self.seen_from(&arc.normal)?;
-                let (start, end) = (arc.start_angle.to_radians(), arc.end_angle.to_radians());
-                self.round(&arc.center, arc.radius, start, turn(start, end))
-            }
-            EntityType::Ellipse(ellipse) => {
-                self.seen_from(&ellipse.normal)?;
+            "ELLIPSE" => {
                 let left = if self.mirrored { -1.0 } else { 1.0 };
-                // Centre and axes are of the drawing's space, not of the entity's.
+                // So are centre and axes of an ellipse.
                 self.mirrored = false;
-                let centre = self.point(&ellipse.center)?;
-                if ellipse.major_axis.z != 0.0 {
+                let centre = self.point(entity.point(10))?;
+                let axis = entity.point(11);
+                if axis.z != 0.0 {
                     return Err(self.refused("an ellipse that is not flat"));
                 }
-                let major = Vector2::new(ellipse.major_axis.x, ellipse.major_axis.y) * self.scale;
-                let minor = Vector2::new(-major.y, major.x) * (left * ellipse.minor_axis_ratio);
-                let (start, end) = (ellipse.start_parameter, ellipse.end_parameter);
+                let major = Vector2::new(axis.x, axis.y) * self.scale;
+                let minor = Vector2::new(-major.y, major.x) * (left * entity.number(40, 0.0));
+                let [start, end] = [41, 42].map(|code| entity.number(code, 0.0));
                 Ok(elliptic(centre, [major, minor], start, turn(start, end)))
             }
-            EntityType::LwPolyline(line) => self.light(line, entity.common.elevation),
-            EntityType::Polyline(line) => self.old(line),
-            EntityType::Spline(spline) => self.spline(spline),
-            _ => Err(self.refused("an entity of another kind")),
+            "LWPOLYLINE" => {
+                let vertices = entity.points(10, entity.number(38, 0.0));
+                self.through(vertices, entity.flags() & CLOSED != 0)
+            }
+            "POLYLINE" => {
+                let flags = entity.flags();
+                if flags & IN_SPACE != 0 {
+                    return Err(self.refused("a 3-D POLYLINE or mesh"));
+                }
+                if flags & SPLINE_FIT != 0 {
+                    return Err(self.refused("a POLYLINE fitted as a spline"));
+                }
+                self.through(kept.vertices.clone(), flags & CLOSED != 0)
+            }
+            _ => self.spline(entity),
         }
     }
 
     /// Sets which way x points by the direction an entity is seen from.
-    fn seen_from(&mut self, normal: &Vector) -> Result<(), DrawingError> {
+    fn seen_from(&mut self, entity: &Entity) -> Result<(), DrawingError> {
+        let [x, y, z] = [(210, 0.0), (220, 0.0), (230, 1.0)]
+            .map(|(code, default)| entity.number(code, default));
         // As printed: 1 up to its last digits.
-        if normal.x.abs().max(normal.y.abs()) > 1e-12 || normal.z == 0.0 {
+        if x.abs().max(y.abs()) > 1e-12 || z == 0.0 {
             return Err(self.refused("an extrusion direction other than 0, 0, ±1"));
         }
-        self.mirrored = normal.z < 0.0;
+        self.mirrored = z < 0.0;
         Ok(())
     }
 
     /// A point in mm; all must be of one height.
-    fn point(&mut self, point: &Point) -> Result<Point2<f64>, DrawingError> {
+    fn point(&mut self, point: Point3<f64>) -> Result<Point2<f64>, DrawingError> {
         let z = if self.mirrored { -point.z } else { point.z } * self.scale;
-        if !((z - *self.height.get_or_insert(z)).abs() <= SAME_MM) {
+        let x = if self.mirrored { -point.x } else { point.x };
+        let flat = Point2::new(x, point.y) * self.scale;
+        // Some programs write noise.
+        let noise = SAME_MM.max(NOISE * flat.coords.norm());
+        if !((z - *self.height.get_or_insert(z)).abs() <= noise) {
             return Err(self.refused("a point of another z than those before"));
         }
-        let x = if self.mirrored { -point.x } else { point.x };
-        Ok(Point2::new(x, point.y) * self.scale)
+        Ok(flat)
     }
 
     fn round(
         &mut self,
-        centre: &Point,
-        radius: f64,
+        entity: &Entity,
         start: f64,
         sweep: f64,
     ) -> Result<BoundedSegments, DrawingError> {
-        let centre = self.point(centre)?;
+        let centre = self.point(entity.point(10))?;
+        let radius = entity.number(40, 0.0);
         if !(radius > 0.0) {
             return Err(DrawingError::Number {
                 place: self.place.to_owned(),
@@ -161,35 +163,16 @@ impl Space<'_> {
         ))
     }
 
-    fn light(&mut self, line: &LwPolyline, z: f64) -> Result<BoundedSegments, DrawingError> {
-        self.seen_from(&line.extrusion_direction)?;
-        let vertices = line.vertices.iter();
-        let vertices = vertices.map(|vertex| (Point::new(vertex.x, vertex.y, z), vertex.bulge));
-        self.through(vertices, line.flags & CLOSED != 0)
-    }
-
-    fn old(&mut self, line: &Polyline) -> Result<BoundedSegments, DrawingError> {
-        self.seen_from(&line.normal)?;
-        if line.flags & IN_SPACE != 0 {
-            return Err(self.refused("a 3-D POLYLINE or mesh"));
-        }
-        if line.flags & SPLINE_FIT != 0 {
-            return Err(self.refused("a POLYLINE fitted as a spline"));
-        }
-        let vertices = line.vertices();
-        let vertices = vertices.map(|vertex| (vertex.location.clone(), vertex.bulge));
-        self.through(vertices, line.flags & CLOSED != 0)
-    }
-
     /// The lines and arcs through vertices, each with the bulge of what follows it.
     fn through(
         &mut self,
-        vertices: impl Iterator<Item = (Point, f64)>,
+        vertices: Vec<(Point3<f64>, f64)>,
         closed: bool,
     ) -> Result<BoundedSegments, DrawingError> {
         let hand = if self.mirrored { -1.0 } else { 1.0 };
         let vertices: Vec<(Point2<f64>, f64)> = vertices
-            .map(|(point, bulge)| Ok((self.point(&point)?, hand * bulge)))
+            .into_iter()
+            .map(|(point, bulge)| Ok((self.point(point)?, hand * bulge)))
             .collect::<Result<_, DrawingError>>()?;
         let next = vertices
             .iter()
@@ -201,16 +184,20 @@ impl Space<'_> {
         Ok((segments, bounds.into_iter().fold(0.0, f64::max)))
     }
 
-    fn spline(&mut self, spline: &Spline) -> Result<BoundedSegments, DrawingError> {
-        if spline.control_points.is_empty() && !spline.fit_points.is_empty() {
+    fn spline(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
+        let points = entity.points(10, 0.0).into_iter();
+        if points.len() == 0 && entity.value(11).is_some() {
             return Err(self.refused("a SPLINE with fit points only"));
         }
-        let points = spline.control_points.iter().map(|point| self.point(point));
+        let points = points.map(|(point, _)| self.point(point));
         let curve = BSpline {
-            degree: usize::try_from(spline.degree_of_curve).unwrap_or(0),
-            knots: spline.knot_values.clone(),
+            degree: entity
+                .value(71)
+                .and_then(|text| text.parse().ok())
+                .unwrap_or(0),
             points: points.collect::<Result<_, DrawingError>>()?,
-            weights: spline.weight_values.clone(),
+            knots: entity.numbers(40),
+            weights: entity.numbers(41),
         };
         if let Some(fault) = curve.fault() {
             return Err(self.refused(fault));

@@ -37,16 +37,6 @@ pub struct FlankTrace {
     pub values: Vec<(u64, Option<f64>)>,
 }
 
-/// Where the probe was at a flank.
-#[derive(Debug)]
-pub struct Position {
-    pub line: u64,
-    pub tooth: u32,
-    pub flank: Flank,
-    /// Rotation `PHI`, degrees, and `X`, `Y`, `Z`, mm.
-    pub at: [f64; 4],
-}
-
 /// A numbered header line.
 #[derive(Debug)]
 pub struct Numbered {
@@ -67,7 +57,6 @@ pub struct P40<'a> {
     pub unmeasured: Unmeasured,
     pub blocks: Vec<Block<'a>>,
     pub profiles: Vec<FlankTrace>,
-    pub positions: Vec<Position>,
     /// How many there are of what is never used.
     unused: BTreeMap<&'static str, usize>,
 }
@@ -83,7 +72,6 @@ impl P40<'_> {
             unmeasured: Unmeasured::default(),
             blocks: Vec::new(),
             profiles: Vec::new(),
-            positions: Vec::new(),
             unused: BTreeMap::new(),
         }
     }
@@ -116,7 +104,6 @@ impl P40<'_> {
         let mut there = self.unused.clone();
         there.insert(PROFILES, self.profiles.len());
         there.insert(PITCH, self.blocks.len());
-        there.insert(POSITIONS, self.positions.len());
         there.remove(used);
         let named = there.iter().filter(|(_, count)| **count > 0);
         let named: Vec<String> = named

@@ -1,24 +1,26 @@
-//! The data of a curve file: traces, diameters, the tables of pitch, the probe's positions.
+//! The data of a curve file: traces, the tables of pitch, and what is only counted: diameters and the probe's positions.
 //!
 //! A head closes what stands open before it. What follows a head that is wrong is passed over: one mistake is one problem.
 
 use super::super::block::{self, Block};
 use super::super::limits::MOST_ROWS;
-use super::super::number::Unmeasured;
 use super::super::number::tooth as tooth_number;
 use super::super::number::without_zero;
-use super::content::{CORRECT, FlankTrace, P40, PROFILES, Position};
+use super::content::{CORRECT, FlankTrace, P40, POSITIONS, PROFILES};
 use super::trace_head::{self, Title};
 use crate::data_file::DataFile;
 use crate::problems::Problems;
-use gearlash::gear::Flank;
 
 const DIAMETERS: [(&str, &str); 2] = [
     ("Fußkreisdurchmesser", "root diameters"),
     ("Kopfkreisdurchmesser", "tip diameters"),
 ];
-/// The columns of `Teilung:`.
+/// The head of the probe's positions.
+const TEILUNG: &str = "Teilung:";
+/// Their columns.
 const COLUMNS: [&str; 6] = ["Z-Nr.", "Seite", "PHI", "X", "Y", "Z"];
+/// One of their rows.
+const POSITION: &str = "a tooth, R or L, and PHI in degrees, X, Y and Z in mm";
 
 /// What the lines that follow belong to.
 #[derive(Debug)]
@@ -66,7 +68,7 @@ impl<'f> Data<'f> {
             || Title::of(text).is_some()
             || text.starts_with(trace_head::BEGIN)
             || DIAMETERS.iter().any(|(known, _)| text.starts_with(known))
-            || text == "Teilung:";
+            || text == TEILUNG;
         if head {
             if let Some(reason) = self.cut_short() {
                 wrong(format!("the trace before it ends too early: {reason}"));
@@ -104,12 +106,17 @@ impl<'f> Data<'f> {
                 Err((reason, false)) => Err(reason),
                 Ok(()) => Ok(()),
             },
-            Open::Positions(true) => take_position(file, p40, (line, text)),
+            Open::Positions(true) => {
+                p40.count_unused(POSITIONS, 1);
+                let reason = || format!("{}, allowed is {POSITION}", file.quote(text));
+                is_position(text).then_some(()).ok_or_else(reason)
+            }
             Open::Positions(false) => {
                 let is_named = text.split_whitespace().eq(COLUMNS);
-                self.open = match is_named {
-                    true => Open::Positions(true),
-                    false => Open::Wrong,
+                self.open = if is_named {
+                    Open::Positions(true)
+                } else {
+                    Open::Wrong
                 };
                 let reason = || format!("{}, allowed is {}", file.quote(text), COLUMNS.join(" "));
                 is_named.then_some(()).ok_or_else(reason)
@@ -156,12 +163,9 @@ impl<'f> Data<'f> {
             self.title = None;
             return Ok(Open::Diameters(name));
         }
-        if text == "Teilung:" {
+        if text == TEILUNG {
             self.title = None;
-            return match p40.positions.is_empty() {
-                true => Ok(Open::Positions(false)),
-                false => Err("duplicate block Teilung:".to_owned()),
-            };
+            return Ok(Open::Positions(false));
         }
         let mut rest = text;
         if let Some((title, behind)) = Title::of(text) {
@@ -276,49 +280,13 @@ fn take_row<'a>(
     Ok(())
 }
 
-fn take_position(file: &DataFile, p40: &mut P40, (line, text): (u64, &str)) -> Result<(), String> {
-    let wrong = || {
-        let words = file.quote(text);
-        format!("{words}, allowed is a tooth, R or L, and PHI in degrees, X, Y and Z in mm")
-    };
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let [tooth, side, numbers @ ..] = &words[..] else {
-        return Err(wrong());
-    };
-    let tooth = tooth_number(tooth).filter(|tooth| (1..=10_000).contains(tooth));
-    let flank = match *side {
-        "R" => Some(Flank::Right),
-        "L" => Some(Flank::Left),
-        _ => None,
-    };
-    let numbers: Option<Vec<_>> = numbers.iter().map(|word| without_zero(word)).collect();
-    let numbers = numbers.unwrap_or_default();
-    // A place may be any number of the preamble's: PHI of tooth 1 is 0.
-    let unmeasured = Unmeasured::default();
-    if let Some(number) = numbers.iter().find(|number| unmeasured.is(number)) {
-        return Err(format!(
-            "{} {}",
-            file.bare(number.text),
-            unmeasured.words(number)
-        ));
-    }
-    let [phi, x, y, z] = numbers[..] else {
-        return Err(wrong());
-    };
-    let is_small = [phi, x, y, z]
-        .iter()
-        .all(|number| number.value.abs() <= 1e6);
-    let (Some(tooth), Some(flank), true) = (tooth, flank, is_small) else {
-        return Err(wrong());
-    };
-    if p40.positions.len() >= MOST_ROWS {
-        return Err(too_many());
-    }
-    p40.positions.push(Position {
-        line,
-        tooth,
-        flank,
-        at: [phi, x, y, z].map(|number| number.value),
-    });
-    Ok(())
+/// Whether `text` is a row of the probe's positions.
+fn is_position(text: &str) -> bool {
+    let mut words = text.split_whitespace();
+    let tooth = words.next().and_then(tooth_number);
+    let side = words.next();
+    let numbers = words.map(without_zero).collect::<Option<Vec<_>>>();
+    tooth.is_some()
+        && matches!(side, Some("R" | "L"))
+        && numbers.is_some_and(|four| four.len() == 4)
 }

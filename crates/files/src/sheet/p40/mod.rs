@@ -16,7 +16,7 @@ use super::wanted::TraceRow;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 use content::{CORRECT, Kind};
-pub use content::{P40, PITCH, POSITIONS, Position};
+pub use content::{P40, PITCH};
 use curves::Data;
 use head::Head;
 use values::Values;

@@ -1,0 +1,77 @@
+//! Commands and options that are gone, and what takes their place.
+
+use crate::error::Error;
+use std::ffi::OsString;
+
+/// A command or an option that is gone.
+struct Gone {
+    command: &'static str,
+    /// The option, with a space and its value where only that value is gone. Empty: the whole command.
+    option: &'static str,
+    /// The successor, as an instruction or a fact.
+    instead: &'static str,
+}
+
+const GONE: [Gone; 4] = [
+    Gone {
+        command: "export",
+        option: "",
+        instead: "gearlash check PAIR --format json has the least and greatest backlash of every run",
+    },
+    Gone {
+        command: "merge",
+        option: "",
+        instead: "gearlash tolerance PAIR --from-rows 'rows-*.csv' gives the statistics of the rows of several runs",
+    },
+    Gone {
+        command: "tolerance",
+        option: "--shard",
+        instead: "gearlash tolerance PAIR --first N --assemblies M --rows FILE.csv computes a range of assemblies",
+    },
+    Gone {
+        command: "match",
+        option: "--shard",
+        instead: "gearlash match compares all gears in one run; gearlash.dask in Python uses several machines",
+    },
+];
+
+/// The error of a command line that uses something gone; `words` begin with the program's name.
+pub(super) fn error(words: &[OsString]) -> Option<Error> {
+    let words = words.iter().skip(1).map(|word| word.to_string_lossy());
+    let words: Vec<String> = words.map(|word| word.replacen('=', " ", 1)).collect();
+    let command = words.iter().find(|word| !word.starts_with('-'))?;
+    let all = words.join(" ") + " ";
+    let gone = GONE.iter().find(|gone| {
+        gone.command == command && all.contains(format!(" {} ", gone.option).trim_start())
+    })?;
+    let what = format!("{} {}", gone.command, gone.option);
+    let (what, instead) = (what.trim_end(), gone.instead);
+    Some(Error::Usage(format!("gearlash {what} is gone: {instead}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(line: &str) -> Option<String> {
+        let words: Vec<OsString> = line.split(' ').map(OsString::from).collect();
+        error(&words).map(|error| error.to_string())
+    }
+
+    #[test]
+    fn a_command_that_is_gone_names_what_to_do_instead() {
+        let told = message("gearlash -q export box.rexs pair.toml --stage 10").unwrap();
+        assert!(told.starts_with("gearlash export is gone: gearlash check PAIR --format json"));
+        assert!(message("gearlash exports pair.toml").is_none());
+        assert!(message("gearlash check export").is_none());
+    }
+
+    #[test]
+    fn every_entry_is_found_by_its_own_words() {
+        for gone in GONE {
+            let line = format!("gearlash {} {} pair.toml", gone.command, gone.option);
+            let told = message(&line.replace("  ", " ")).unwrap();
+            assert!(told.ends_with(gone.instead), "{told}");
+        }
+    }
+}

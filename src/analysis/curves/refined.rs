@@ -120,13 +120,16 @@ struct Point {
     pose: ComparedPose,
 }
 
+/// Tooth and part of it that touch, of wheel and pinion.
+type Touching = [(u32, ProfilePart); 2];
+
 impl Point {
     fn value(&self) -> Option<f64> {
         self.pose.simulated.backlash
     }
 
     /// Teeth and parts that touch, right and left.
-    fn touching(&self) -> Option<[Option<[(u32, ProfilePart); 2]>; 2]> {
+    fn touching(&self) -> Option<[Option<Touching>; 2]> {
         let found = self.pose.simulated.proven()?;
         let of = |contact: &Contact| {
             [&contact.wheel, &contact.pinion].map(|touch| (touch.tooth, touch.curve))

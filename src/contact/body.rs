@@ -30,6 +30,21 @@ pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
     })
 }
 
+/// Whether a free flank may touch a locked tooth's far flank: the flank of the tooth it faces that it does not face.
+///
+/// Only gears of three or four teeth do. Both base circles then lie on one side of the contact normal, which is their outer tangent. The flanks'
+/// lengths along it, `T = r_b ξ`, have the sum `√(B² − (r_b1 − r_b2)²)`, with `B` the distance of both outlines' centres. No flank has more than at
+/// its tip. A free gear's far flank is never met first: a force on it turns the gear the other way.
+pub(super) fn may_meet_far_flanks(assembly: &GearPair) -> bool {
+    let gears = Member::BOTH.map(|member| assembly.gear(member));
+    let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
+    let [one, other] = gears.map(|gear| gear.gear());
+    let tips = [one, other].map(|gear| gear.base_radius() * gear.tip_roll());
+    let between = one.base_radius() - other.base_radius();
+    let nearest = assembly.center_distance() - off;
+    (tips[0] + tips[1]).powi(2) >= nearest * nearest - between * between
+}
+
 /// Whether there may be a pose of which [`is_solid`] is true: nearly never.
 pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
     let locked = assembly.gear(assembly.locked());

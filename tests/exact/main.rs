@@ -20,6 +20,7 @@ mod modified;
 mod odd_teeth;
 mod outlines;
 mod perfect;
+mod proofs;
 mod random;
 mod reference;
 mod reference_poses;

@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--helical] [--depth any|grazing|on-root]
 //! [--longest SECONDS] [--brute] [--print I]`.
+//! Whole gears are a referee besides: just inside both contacts of a clear pose no metal may stand in the other gear's.
 //! Ends with 1 when the methods differ by more than both error bounds together, disagree on a status, or the
 //! certificate refuses; or when a class of contact was not met; poses that a method gave up are
 //! counted and named. The
@@ -17,6 +18,7 @@ use clap::{Parser, ValueEnum};
 use gearlash::contact::ExactKernel;
 use gearlash::pair::Pose;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -108,13 +110,35 @@ fn main() -> ExitCode {
     println!("seed {seed}, {:.1?}", start.elapsed());
     println!("{}", tally.report());
     name("unproven", &tally.unproven);
+    let left = tally.left.iter().take(NAMED).collect::<Vec<_>>();
+    println!("{} poses left to the polygons: {left:?}", tally.left.len());
     let border: Vec<(u64, String)> = tally
         .border
         .iter()
         .map(|(i, what)| (*i, (*what).to_owned()))
         .collect();
     name("on a border", &border);
-    verdict(&tally, kind, depth, seed)
+    let overlaps = whole(kind, depth, seed, options.first..options.first + poses);
+    name("fault", &overlaps);
+    match overlaps.is_empty() {
+        true => verdict(&tally, kind, depth, seed),
+        false => ExitCode::FAILURE,
+    }
+}
+
+/// Clear spur poses in which whole gears overlap just inside a contact.
+fn whole(kind: Teeth, depth: Option<Depth>, seed: u64, indices: Range<u64>) -> Vec<(u64, String)> {
+    if matches!(kind, Teeth::Helical) {
+        return Vec::new();
+    }
+    let complaint = |index: u64| {
+        let drawn = Drawn::new(depth, seed, index);
+        let pose = Pose::new(&drawn.assembly, drawn.mating);
+        let found = ExactKernel::new(&drawn.assembly).lost_motion(&pose).ok()?;
+        let complaint = clearance::overlap_just_inside(&drawn.assembly, &pose, &found)?;
+        Some((index, complaint))
+    };
+    indices.into_par_iter().filter_map(complaint).collect()
 }
 
 /// What brute force has against the exact method, and poses it gave up.

@@ -26,7 +26,7 @@ const TIE_MM: f64 = 1e-9;
 
 /// Both gears' half teeth of one side.
 #[derive(Debug, Clone)]
-pub(super) struct FlankProblem {
+pub(in crate::contact) struct FlankProblem {
     pub side: Side,
     pub locked: Arc<Teeth>,
     pub free: Arc<Teeth>,
@@ -218,7 +218,7 @@ pub(in crate::contact) fn lens_half(radius: f64, other: f64, distance: f64) -> O
 
 /// The half teeth of one side at one pose.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PosedFlanks<'a> {
+pub(in crate::contact) struct PosedFlanks<'a> {
     pub problem: &'a FlankProblem,
     /// Rotation of the locked gear.
     pub turned: C,
@@ -310,6 +310,16 @@ impl<'a> PosedFlanks<'a> {
             far: teeth.far(place),
             root_end: teeth.root_end(place),
         }
+    }
+
+    /// Directions of the locked and the free half tooth of a step, the free gear at rotation 0, rad; within ±π.
+    #[inline]
+    pub fn angles(&self, step: i64) -> [f64; 2] {
+        let (locked_place, free_place) = self.places(step);
+        let (locked, free) = (&self.problem.locked, &self.problem.free);
+        let ahead = self.ahead + step as f64 * locked.pitch + locked.offset(locked_place);
+        let free = free.angle(free_place) + free.offset(free_place);
+        [reduced(PI + ahead), reduced(free)]
     }
 
     /// Where the gaps of a step are counted from: its free tooth faces the mate at a gap of so many pitches.

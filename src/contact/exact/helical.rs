@@ -105,6 +105,11 @@ impl Helical {
         }
     }
 
+    /// Places along the face, mm, and the sections there that hold the tightest of all pairs of involutes.
+    pub fn sections(&self) -> &[(f64, Section)] {
+        &self.sections
+    }
+
     /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes.
     pub fn places(&self) -> impl Iterator<Item = f64> {
         self.sections.iter().map(|&(b, _)| b)

@@ -10,7 +10,8 @@
 //! A half tooth runs from the far corner of the tip land, where the tooth's other flank
 //! begins, over the land and down to the middle of the space, turned flank by flank as measured;
 //! right halves face right halves, left halves left. Tips that hardly reach each other meet on the far
-//! half of a land: where the tip circles cross is then all that is left of the mesh.
+//! half of a land: where the tip circles cross is then all that is left of the mesh. Gears of three or four teeth may stand beside a tip land,
+//! on the locked tooth's far flank (`far_flanks`).
 //!
 //! Where several pairs touch together (within 1e-9 mm at the free gear's base
 //! circle, as all do between perfect gears) the contact named is the one
@@ -28,6 +29,7 @@ mod deepest;
 mod direct;
 mod envelope;
 mod extremes;
+mod far_flanks;
 mod flank_heights;
 mod flank_pieces;
 mod flank_problem;
@@ -49,7 +51,11 @@ mod tests;
 mod tightest;
 
 pub use extremes::{Doubt, Extreme, Extremes};
-pub(super) use flank_problem::lens_half;
+pub(super) use flank_problem::{FlankProblem, PosedFlanks, lens_half};
+pub(super) use placed::Placed;
+pub(super) use section::Section;
+pub(super) use shape::HalfToothShape;
+pub(super) use teeth::reduced;
 
 use super::effort::Effort;
 use super::lost_motion::LostMotion;
@@ -57,7 +63,7 @@ use super::over_face::FoundOverFace;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
 use helical::Helical;
-use section::{Section, Wanted};
+use section::Wanted;
 
 /// Lost motion of one assembly on its exact curves.
 ///
@@ -169,6 +175,16 @@ impl ExactKernel {
                 Ok(found.lost_motion)
             }
         }
+    }
+
+    /// The measuring plane: all there is of a spur pair.
+    pub(super) fn plane(&self) -> &Section {
+        &self.section
+    }
+
+    /// The sections of helical gears that hold the tightest of all pairs of involutes, and their places along the face, mm; `None` of spur gears.
+    pub(super) fn sections_over_face(&self) -> Option<&[(f64, Section)]> {
+        self.helical.as_ref().map(|helical| helical.sections())
     }
 
     /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; that of the measuring plane of spur gears.

@@ -6,7 +6,7 @@ use crate::gear::{Osculating, ProfilePart};
 
 /// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Placed<'a> {
+pub(in crate::contact) struct Placed<'a> {
     pub shape: &'a HalfToothShape,
     pub centre: C,
     pub direction: C,

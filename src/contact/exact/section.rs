@@ -2,6 +2,7 @@
 
 use super::curves::SearchExhausted;
 use super::direct::{self, DirectSolver, Envelopes};
+use super::far_flanks::with_far_flanks;
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::modified::OuterGears;
 use super::report;
@@ -10,7 +11,7 @@ use super::shape::turn;
 use super::teeth::reduced;
 use super::tightest::Touching;
 use crate::contact::Effort;
-use crate::contact::body::{is_solid, may_be_solid, reaches_over_an_axis};
+use crate::contact::body::{is_solid, may_be_solid, may_meet_far_flanks, reaches_over_an_axis};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -45,13 +46,13 @@ impl<'a> Wanted<'a> {
 
 /// One transverse section of an assembly: all there is of a spur pair.
 #[derive(Debug, Clone)]
-pub(super) struct Section {
+pub(in crate::contact) struct Section {
     pub right: FlankProblem,
     pub left: FlankProblem,
     /// What is the same at every centre distance, beside the teeth.
     envelopes: Envelopes,
     /// What spares searching, the same for both sides; `None` where all must be searched.
-    pub solver: Option<DirectSolver>,
+    pub(super) solver: Option<DirectSolver>,
     /// The same where profiles deviate.
     outer: Option<Box<OuterGears>>,
     free: Member,
@@ -59,6 +60,8 @@ pub(super) struct Section {
     pub bodies: Option<Box<GearPair>>,
     /// Whether no pose can be assembled.
     pub blocked: bool,
+    /// Whether a free tooth may meet a locked tooth's far flank first.
+    meets_far_flanks: bool,
 }
 
 impl Section {
@@ -88,6 +91,24 @@ impl Section {
         }
     }
 
+    /// One of its sides.
+    pub fn side(&self, side: Side) -> &FlankProblem {
+        match side {
+            Side::Right => &self.right,
+            Side::Left => &self.left,
+        }
+    }
+
+    /// Which gear is free.
+    pub fn free(&self) -> Member {
+        self.free
+    }
+
+    /// Whether a tooth may meet the mate's far flank first.
+    pub fn meets_far_flanks(&self) -> bool {
+        self.meets_far_flanks
+    }
+
     /// Angular pitch of the free gear, rad.
     pub fn free_pitch(&self) -> f64 {
         self.right.free.pitch
@@ -111,6 +132,7 @@ impl Section {
         // Of both gears the left half teeth mirror the right ones.
         let solver = DirectSolver::new(&right, assembly, envelopes.clone());
         Section {
+            meets_far_flanks: may_meet_far_flanks(assembly),
             right,
             left,
             envelopes,
@@ -123,7 +145,7 @@ impl Section {
     }
 
     /// As [`super::ExactKernel::lost_motion`].
-    pub fn lost_motion(&self, pose: &Pose, wanted: Wanted) -> Result<LostMotion, Error> {
+    pub(super) fn lost_motion(&self, pose: &Pose, wanted: Wanted) -> Result<LostMotion, Error> {
         self.with(pose, wanted, |posed, asked| match &self.outer {
             None => direct::touching(posed, self.solver.as_ref(), asked),
             Some(outer) => outer.touching(posed, asked),
@@ -131,7 +153,11 @@ impl Section {
     }
 
     /// As [`super::ExactKernel::lost_motion_by_search`].
-    pub fn lost_motion_by_search(&self, pose: &Pose, wanted: Wanted) -> Result<LostMotion, Error> {
+    pub(super) fn lost_motion_by_search(
+        &self,
+        pose: &Pose,
+        wanted: Wanted,
+    ) -> Result<LostMotion, Error> {
         self.with(pose, wanted, search::by_search)
     }
 
@@ -167,7 +193,11 @@ impl Section {
                 effort: wanted.effort,
                 floor: floor(&posed, wanted.known, pose),
             };
-            match method(&posed, asked) {
+            let found = method(&posed, asked).and_then(|found| match self.meets_far_flanks {
+                true => with_far_flanks(&posed, found, asked),
+                false => Ok(found),
+            });
+            match found {
                 Ok(touching) => {
                     Ok(touching.map(|touching| report::contact(&posed, &touching, self.free)))
                 }

@@ -12,7 +12,7 @@ pub(super) use crate::contact::gap::{C, CurvePoint, turn};
 
 /// The right-hand half tooth, its centre line on +x.
 #[derive(Debug, Clone)]
-pub(super) struct HalfToothShape {
+pub(in crate::contact) struct HalfToothShape {
     /// From the tip to the root.
     parts: [Part; 4],
     // What follows, down to the corners, is about involute and fillet of a half tooth that a rack generates.
@@ -83,13 +83,13 @@ impl HalfToothShape {
     }
 
     /// Its flank in pieces.
-    pub fn flank_pieces(&self) -> &FlankPieces {
+    pub(super) fn flank_pieces(&self) -> &FlankPieces {
         let part = self.part(ProfilePart::Involute);
         self.pieces.get_or_init(|| Box::new(FlankPieces::new(part)))
     }
 
     /// How far its flank stands out; `None` of one that has edges or is no involute.
-    pub fn flank_heights(&self) -> Option<&FlankHeights> {
+    pub(super) fn flank_heights(&self) -> Option<&FlankHeights> {
         let part = self.part(ProfilePart::Involute);
         let heights = || FlankHeights::new(part).map(Box::new);
         self.heights.get_or_init(heights).as_deref()

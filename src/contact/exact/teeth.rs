@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 /// One side of all teeth of a gear.
 #[derive(Debug, Clone)]
-pub(super) struct Teeth {
+pub(in crate::contact) struct Teeth {
     /// That of the gear without profile deviations.
     pub shape: HalfToothShape,
     /// The half teeth where profiles deviate, and which each place has.
@@ -213,7 +213,7 @@ fn centred(place: i64, count: u32) -> f64 {
 ///
 /// Cody and Waite's reduction: 2π in three parts of which the first two have few
 /// enough digits for their product with a count of turns to be exact.
-pub(super) fn reduced(angle: f64) -> f64 {
+pub(in crate::contact) fn reduced(angle: f64) -> f64 {
     const PARTS: [f64; 3] = [
         6.283_185_303_211_212,
         3.968_374_316_654_089e-9,

@@ -155,8 +155,8 @@ impl<'a> Certifier<'a> {
         let mut touching = false;
         let allowed = effort.left().saturating_mul(LOOKS_A_UNIT.into());
         let mut left = allowed.min(EFFORT.into()) as u32;
-        for steps in steps_in_reach(assembly, pose) {
-            let problem = FlankProblem::new(&self.kernel.teeth, pose, side, steps);
+        let steps = steps_in_reach(assembly, pose);
+        for problem in FlankProblem::all(&self.kernel.teeth, pose, side, steps) {
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + problem.rounding()) / lever;
@@ -169,14 +169,15 @@ impl<'a> Certifier<'a> {
                 Seen::Touch => touching = true,
                 Seen::Overlap => {
                     return Err(format!(
-                        "a pair {steps} teeth on touches before the rotation {} rad",
-                        contact.rotation
+                        "tooth {} of the locked gear and tooth {} of the free one touch before the rotation {} rad",
+                        problem.locked_tooth, problem.free_tooth, contact.rotation
                     ));
                 }
                 Seen::TooMuch => {
                     return Err(format!(
-                        "the effort allowed for one pose was spent on a pair {steps} teeth on: too many stretches \
-                         of the outlines are too near each other to be told apart"
+                        "the effort allowed for one pose was spent on tooth {} of the locked gear and tooth {} of the free one: too many \
+                         stretches of the outlines are too near each other to be told apart",
+                        problem.locked_tooth, problem.free_tooth
                     ));
                 }
             }
@@ -247,8 +248,7 @@ fn first_touching(
     side: Side,
     effort: &Effort,
 ) -> Result<bool, Error> {
-    let problems: Vec<FlankProblem> = steps_in_reach(teeth.assembly, pose)
-        .map(|steps| FlankProblem::new(teeth, pose, side, steps))
-        .collect();
+    let steps = steps_in_reach(teeth.assembly, pose);
+    let problems: Vec<FlankProblem> = FlankProblem::all(teeth, pose, side, steps).collect();
     Ok(!search(&problems, finest_chord(teeth.assembly), effort)?.is_empty())
 }

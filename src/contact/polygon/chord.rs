@@ -306,6 +306,11 @@ pub(super) struct Half<'a> {
 }
 
 impl<'a> Half<'a> {
+    /// Which side of its tooth it is.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
     /// The half tooth on `side` of `tooth`; `profile` is its own.
     pub fn new(profile: Profile<'a>, cut: &'a CutGear, side: Side, tooth: u32) -> Half<'a> {
         let cut = &cut.sides[usize::from(side == Side::Left)];

@@ -5,12 +5,14 @@
 //! tighter.
 
 use super::chord::{Chord, CutGear, Half};
+use crate::contact::body::may_meet_far_flanks;
 use crate::contact::parry::Closest;
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 /// A curve that may be farther to either side than this part of its distance (the sine of an angle) is looked at in two halves.
 const WIDE: f64 = 0.05;
@@ -76,15 +78,41 @@ pub(super) struct FlankProblem<'a> {
 impl<'a> FlankProblem<'a> {
     /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
     pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FlankProblem<'a> {
+        FlankProblem::on(teeth, pose, [side; 2], steps)
+    }
+
+    /// All pairs of half teeth of `steps` that may touch: where the far flank of a locked tooth may be met, it with the same free half tooth.
+    pub fn all(
+        teeth: &CutTeeth<'a>,
+        pose: &'a Pose,
+        side: Side,
+        steps: Range<i64>,
+    ) -> impl Iterator<Item = FlankProblem<'a>> {
+        let far = may_meet_far_flanks(teeth.assembly).then_some(side.other());
+        let sides = [side].into_iter().chain(far);
+        steps.flat_map(move |steps| {
+            let on = move |locked| FlankProblem::on(teeth, pose, [locked, side], steps);
+            sides.clone().map(on)
+        })
+    }
+
+    /// A half tooth on the first side of the locked tooth, and one on the second of the free tooth that faces it there.
+    fn on(
+        teeth: &CutTeeth<'a>,
+        pose: &'a Pose,
+        [locked_side, side]: [Side; 2],
+        steps: i64,
+    ) -> FlankProblem<'a> {
         let assembly = teeth.assembly;
         let (locked, free) = (assembly.locked(), assembly.free());
         let mating = pose.mating().tooth(locked);
         let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
-        let half = |member, cut, tooth| {
+        let half = |member, cut, side, tooth| {
             Half::new(assembly.gear(member).profile(side, tooth), cut, side, tooth)
         };
-        let locked_frame = frame(assembly, locked, pose.locked_rotation(), side, locked_tooth);
+        let rotation = pose.locked_rotation();
+        let locked_frame = frame(assembly, locked, rotation, locked_side, locked_tooth);
         let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
         let axis = assembly.axis(free);
         let back = locked_frame.rotation.inverse();
@@ -97,8 +125,8 @@ impl<'a> FlankProblem<'a> {
             side,
             locked_tooth,
             free_tooth,
-            locked: half(locked, teeth.locked, locked_tooth),
-            free: half(free, teeth.free, free_tooth),
+            locked: half(locked, teeth.locked, locked_side, locked_tooth),
+            free: half(free, teeth.free, side, free_tooth),
             axis: back * (axis - locked_frame.translation.vector),
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,

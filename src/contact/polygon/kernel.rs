@@ -73,9 +73,9 @@ impl<'a> PolygonKernel<'a> {
         side: Side,
         effort: &Effort,
     ) -> Result<Option<Contact>, Error> {
-        let problems: Vec<FlankProblem> = steps_in_reach(self.teeth.assembly, pose)
-            .map(|steps| FlankProblem::new(&self.teeth, pose, side, steps))
-            .collect();
+        let steps = steps_in_reach(self.teeth.assembly, pose);
+        let problems: Vec<FlankProblem> =
+            FlankProblem::all(&self.teeth, pose, side, steps).collect();
         let found = search(&problems, self.finest, effort)?;
         let tightest = |end: fn(&FoundTouch) -> f64| {
             let openings = found.iter().map(end);

@@ -46,20 +46,13 @@ impl Place {
         let free_frame = problem.at(touching);
         let points = closest.points;
         let locked = part(
-            problem,
             &problem.locked,
             problem.locked_tooth,
             &chords[0],
             &points[0],
         );
         let on_free = free_frame.inverse_transform_point(&points[1]);
-        let free = part(
-            problem,
-            &problem.free,
-            problem.free_tooth,
-            &chords[1],
-            &on_free,
-        );
+        let free = part(&problem.free, problem.free_tooth, &chords[1], &on_free);
         let frame = &problem.locked_frame;
         let point = frame * nalgebra::center(&points[0], &points[1]);
         // The other gear's curve gives an edge its normal, and of
@@ -108,12 +101,12 @@ impl Place {
 }
 
 /// What `half` brings at the point `at` of its chord, in its own frame.
-fn part(problem: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
+fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
     let profile = half.profile();
     let gear = profile.gear();
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
     let radius = at.coords.norm();
-    let normal = profile.normal(curve, parameter, problem.side);
+    let normal = profile.normal(curve, parameter, half.side());
     let named = match curve {
         _ if radius >= gear.tip_radius() - CORNER => ProfilePart::Tip,
         ProfilePart::Fillet if radius < gear.root_radius() + CORNER => ProfilePart::Root,

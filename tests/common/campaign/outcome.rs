@@ -2,9 +2,11 @@
 
 use super::draw::Drawn;
 use super::over_face;
-use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
+use gearlash::contact::{
+    Certifier, Contact, CutPair, ExactKernel, LostMotion, Prover, Status, Touch,
+};
 use gearlash::error::Error;
-use gearlash::gear::{Profile, ProfilePart};
+use gearlash::gear::{Profile, ProfilePart, Side};
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
@@ -12,8 +14,11 @@ use std::time::{Duration, Instant};
 /// A contact this near to the form circle, mm, is the joint of involute and fillet.
 const JOINT: f64 = 1e-6;
 
-/// What took how long: exact method, polygon method, certificate.
-pub const METHODS: [&str; 3] = ["exact", "polygon", "certificate"];
+/// What took how long: exact method, polygon method, certificate, proof by directions.
+pub const METHODS: [&str; 4] = ["exact", "polygon", "certificate", "proof"];
+
+/// A result is moved by so many bounds, and neither certificate nor prover may accept it.
+const MOVED: f64 = 3.0;
 
 /// How a pose came out.
 pub enum Verdict {
@@ -38,7 +43,9 @@ pub struct Agreement {
 pub struct Outcome {
     pub exact: Option<LostMotion>,
     pub verdict: Verdict,
-    pub times: [Duration; 3],
+    pub times: [Duration; 4],
+    /// Why the exact result is left to the polygons, where the prover does not prove it.
+    pub left_to_polygons: Option<&'static str>,
     /// Units of effort that the exact method took, and might have taken.
     pub effort: [u64; 2],
 }
@@ -63,8 +70,17 @@ impl Outcome {
             Ok(exact) => Certifier::new(cut.kernel(assembly)).check(&pose, exact),
             Err(_) => Ok(()),
         };
-        let times = [exact_took, polygon_took, start.elapsed()];
+        let certificate_took = start.elapsed();
+        let prover = Prover::new(assembly, &kernel);
+        let start = Instant::now();
+        let proof = exact.as_ref().ok().map(|exact| prover.check(&pose, exact));
+        let times = [exact_took, polygon_took, certificate_took, start.elapsed()];
+        let moved = exact
+            .as_ref()
+            .ok()
+            .and_then(|exact| accepts_moved(&prover, &pose, exact));
         let verdict = match (&exact, &polygon, certificate) {
+            _ if moved.is_some() => Verdict::Fault(moved.unwrap_or_default()),
             (_, _, Err(error @ Error::CertificateFailed { .. })) => {
                 let both = seen(&exact, &polygon);
                 Verdict::Fault(format!("{error}\n{both}"))
@@ -79,8 +95,38 @@ impl Outcome {
             verdict,
             times,
             effort,
+            left_to_polygons: proof.and_then(Result::err),
         }
     }
+}
+
+/// Of a result that `prover` proves, a rotation that it proves too where it is moved by [`MOVED`] bounds.
+fn accepts_moved(prover: &Prover, pose: &Pose, found: &LostMotion) -> Option<String> {
+    if found.solid {
+        return None;
+    }
+    let proof = prover.proof(pose, found).ok()?;
+    for side in &proof.sides {
+        let Some((open, touch)) = side.open.zip(side.touch) else {
+            continue;
+        };
+        let by = 0.5 * MOVED * (open - touch.closed);
+        for by in [by, -by] {
+            let mut moved = *found;
+            let contact = match side.side {
+                Side::Right => &mut moved.right,
+                Side::Left => &mut moved.left,
+            };
+            contact.as_mut()?.rotation += by;
+            if prover.check(pose, &moved).is_ok() {
+                let name = side.side.name();
+                return Some(format!(
+                    "the prover accepts the {name} contact moved by {by:e} rad: {found:?}, open {open}, {touch:?}"
+                ));
+            }
+        }
+    }
+    None
 }
 
 fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) -> String {

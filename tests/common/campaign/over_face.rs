@@ -32,7 +32,8 @@ pub fn outcome(drawn: &Drawn, cut: &CutPair) -> Outcome {
             Ok(_) => judge(drawn, &both, &certified),
         },
         exact: exact.ok(),
-        times: [took, both_took, certified_took],
+        times: [took, both_took, certified_took, Duration::ZERO],
+        left_to_polygons: None,
         effort: kernel.effort(&pose),
     }
 }

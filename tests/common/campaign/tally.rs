@@ -55,8 +55,10 @@ pub struct Tally {
     pub faults: Vec<(u64, String)>,
     pub unproven: Vec<(u64, String)>,
     pub border: Vec<(u64, &'static str)>,
+    /// Poses that the prover leaves to the polygons.
+    pub left: Vec<u64>,
     /// Of each method: all time, the slowest pose, and its index.
-    pub times: [(Duration, Duration, u64); 3],
+    pub times: [(Duration, Duration, u64); 4],
     /// Effort of the exact method: the greatest of a pose, what it might have been, and the pose's index.
     pub effort: ([u64; 2], u64),
     /// Poses of which one method took longer than the issue allows, 0.1 s.
@@ -74,6 +76,11 @@ impl Tally {
             if took > *most {
                 (*most, *slowest) = (took, index);
             }
+        }
+        if let Some(reason) = outcome.left_to_polygons {
+            let class = ("left to the polygons", reason.to_owned());
+            *self.classes.entry(class).or_default() += 1;
+            self.left.push(index);
         }
         if outcome.effort[0] > self.effort.0[0] {
             self.effort = (outcome.effort, index);
@@ -108,6 +115,7 @@ impl Tally {
         self.faults.extend(other.faults);
         self.unproven.extend(other.unproven);
         self.border.extend(other.border);
+        self.left.extend(other.left);
         for (ours, theirs) in self.times.iter_mut().zip(other.times) {
             ours.0 += theirs.0;
             if theirs.1 > ours.1 {

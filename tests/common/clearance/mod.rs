@@ -23,6 +23,8 @@ use std::rc::Rc;
 use stood::{Frame, Stood};
 #[allow(unused_imports)] // likewise
 pub use verdict::{against, contacts};
+#[allow(unused_imports)] // likewise
+pub use whole::{overlap, overlap_just_inside};
 
 /// Points a curve before zooming.
 const POINTS: usize = 24;

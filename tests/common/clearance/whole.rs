@@ -2,8 +2,12 @@
 
 use super::Stood;
 use super::half::Half;
+use gearlash::contact::LostMotion;
 use gearlash::gear::{AsBuilt, Side};
 use gearlash::pair::{GearPair, Pose};
+
+/// How far inside a contact whole gears must be clear, rad: what points 1/60 of a curve apart may miss is of no matter, and rounding is less.
+const INSIDE: f64 = 1e-7;
 
 /// Points a curve.
 const POINTS: usize = 60;
@@ -17,6 +21,26 @@ pub fn overlap(assembly: &GearPair, pose: &Pose, rotation: f64) -> f64 {
     let free = Stood::new(assembly, assembly.free());
     let stand = [(&locked, pose.locked_rotation()), (&free, rotation)];
     deepest(stand[0], stand[1]).max(deepest(stand[1], stand[0]))
+}
+
+/// What speaks against a clear pose just inside either contact: metal of whole gears in the other's. Half teeth do not see a tooth that
+/// reaches the mate's far flank.
+pub fn overlap_just_inside(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Option<String> {
+    let play = found.angle().filter(|play| *play > 4.0 * INSIDE)?;
+    let (right, left) = (found.right?, found.left?);
+    let bound = right.error + left.error;
+    if bound > 0.1 * play {
+        return None;
+    }
+    let inside = [
+        ("right", right.rotation + right.error + INSIDE),
+        ("left", left.rotation - left.error - INSIDE),
+    ];
+    inside.into_iter().find_map(|(name, rotation)| {
+        let deep = overlap(assembly, pose, rotation);
+        (deep > 0.0)
+            .then(|| format!("whole gears overlap by {deep:e} mm inside the {name} contact"))
+    })
 }
 
 /// Whether the gears overlap wherever the free one is turned to.

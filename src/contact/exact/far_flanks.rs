@@ -1,0 +1,105 @@
+//! The far flank of a locked tooth: what a half tooth does not have beyond the far corner of its tip land.
+//!
+//! A free half tooth closes against the locked half tooth that it faces. Of gears of three or four teeth it may close against that tooth's far flank
+//! instead, and stand beside its tip land ([`crate::contact::body::may_meet_far_flanks`]). The far flank is the mirror image of the near one, turned
+//! so that its tip corner is the far corner.
+
+use super::candidate::CandidateContact;
+use super::curves::SearchExhausted;
+use super::flank_problem::PosedFlanks;
+use super::search::Asked;
+use super::tightest::Touching;
+use crate::contact::gap::{
+    Arc, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest, turn,
+};
+use crate::gear::{ProfilePart, smooth};
+
+/// Parts of a far half tooth that may be met, and of the free half tooth that meets them.
+const PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
+
+/// What touches first: `found`, or the far flank of a locked tooth that `found` lets pass.
+///
+/// # Errors
+/// The step whose pair could not be settled.
+#[cold]
+pub(super) fn with_far_flanks(
+    posed: &PosedFlanks,
+    found: Option<Touching>,
+    asked: Asked,
+) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+    let Some(mut tightest) = found else {
+        return Ok(None);
+    };
+    for step in posed.steps() {
+        let floor = (tightest.greatest + posed.problem.tie).max(asked.floor);
+        if let Some(candidate) =
+            far_contact(posed, step, floor, asked).map_err(|lost| (step, lost))?
+        {
+            tightest = Touching {
+                step,
+                greatest: candidate.gap,
+                candidate,
+            };
+        }
+    }
+    Ok(Some(tightest))
+}
+
+/// The greatest gap of a step's free half tooth and the locked tooth's far half, if it exceeds `floor`.
+fn far_contact(
+    posed: &PosedFlanks,
+    step: i64,
+    floor: f64,
+    asked: Asked,
+) -> Result<Option<CandidateContact>, SearchExhausted> {
+    let (locked, free) = (posed.locked(step), posed.free(step));
+    let shape = locked.shape;
+    // Its far corner is the mirror image of the near one, turned.
+    let direction = locked.direction * turn(locked.far.arg() + shape.tip_corner().arg());
+    let far = |part| PlacedCurve {
+        mirrored: true,
+        direction,
+        ..locked.curve(part)
+    };
+    let mut nodes = Vec::new();
+    for part in PARTS {
+        let (low, high) = shape.range(part);
+        for (low, high) in smooth(shape.curve(part).edges(), low, high) {
+            let arc = Arc::new(far(part), part as usize, low, high);
+            for mate in [ProfilePart::Involute, ProfilePart::Fillet] {
+                let (low, high) = free.range(mate);
+                let ends = smooth(free.shape.curve(mate).edges(), low, high);
+                nodes.extend(ends.map(|(low, high)| {
+                    (arc, Arc::new(free.curve(mate), mate as usize, low, high))
+                }));
+            }
+        }
+    }
+    let origin = posed.origin_of(step);
+    let most = asked.effort.left().min(MOST_NODES as u64) as usize;
+    let mut left = most;
+    let part = |name: usize| ProfilePart::ALL[name];
+    let found = greatest(&mut nodes, origin, floor, &mut left);
+    asked.effort.spend((most - left) as u64);
+    let found: Option<CurveContact> =
+        found.map_err(|(locked, free)| SearchExhausted(part(locked), part(free)))?;
+    Ok(found.map(|found| {
+        let on_locked = (part(found.locked.0), found.locked.1);
+        let on_free = (part(found.free.0), found.free.1);
+        let p: CurvePoint = far(on_locked.0).at(on_locked.1);
+        let q = free.at(on_free.0, on_free.1);
+        let turned = p.point * q.point.conj();
+        let corners = [shape.is_corner(on_locked), free.is_corner(on_free)];
+        let opposite = || -q.normal * turned / turned.norm();
+        let (normal, slope) = common_normal(&p, &q, corners, opposite);
+        CandidateContact {
+            gap: origin.gap(turned),
+            slack: found.slack,
+            slope,
+            locked: on_locked,
+            free: on_free,
+            point: p.point,
+            normal,
+        }
+    }))
+}

@@ -1,0 +1,268 @@
+//! Two convex pieces that face each other at a rotation of the free gear, and directions that keep them apart.
+//!
+//! The frame is that of [`crate::contact::exact`]: free axis at the origin, locked axis at `(a, 0)`, left side mirrored. A piece stands at
+//! `C + e^{iθ} P`; the free gear turns by `μ` about the origin. The room between the supporting lines in a direction `n = e^{iν}` out of the
+//! locked metal is
+//!
+//! ```text
+//! s   = (C_F − C_L)·n − h_L(ν − θ_L) − h_F(ν + π − θ_F − μ)
+//! s_ν = (C_F − C_L)·in − h_L' − h_F',   s_νν = −(ρ_L + ρ_F) − s
+//! s_μ = h_F' − C_F·in,   the arm of a force along n about the free axis.
+//! ```
+//!
+//! `s > 0` in one direction proves the pieces apart, however the direction was found. Where the arm is above 0 too, `s` rises with `μ` until the
+//! normal passes the axis on its far side: the pieces stay apart as the free gear turns on. Only such directions count. A piece that stays off the
+//! disc in which the free piece turns, by a direction of its own, is *out of reach* at every rotation.
+
+use super::convex::{Convex, along, dot, wrapped};
+use crate::contact::gap::{C, turn};
+use std::f64::consts::PI;
+
+/// Directions tried before two pieces are given up.
+const MOST_DIRECTIONS: u32 = 48;
+
+/// Directions looked at on either side of the first, rad.
+const HALF_RANGE: f64 = 1.7;
+
+/// Greatest step between two directions, rad.
+const GREATEST_STEP: f64 = 0.3;
+
+/// Two half teeth where a pose puts them, the locked one first.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct At {
+    /// Centres of the outlines, mm.
+    pub centres: [C; 2],
+    /// `θ` of each, rad, the free one's with its rotation; within ±π.
+    pub angles: [f64; 2],
+    /// `e^{iθ}`.
+    pub directions: [C; 2],
+}
+
+/// The room between two pieces in one direction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Room {
+    /// `s`, mm.
+    pub room: f64,
+    /// `s_ν`, mm.
+    pub slope: f64,
+    /// `ρ_L + ρ_F`, mm.
+    pub radius: f64,
+    /// `s_μ`, mm.
+    pub arm: f64,
+}
+
+impl Room {
+    /// Whether it keeps the pieces apart as the free gear turns on.
+    #[inline]
+    pub fn holds(&self, need: f64) -> bool {
+        self.room > need && self.arm > 0.0
+    }
+}
+
+/// A direction that proves two pieces apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Apart {
+    /// Out of the locked metal; at this and every greater rotation.
+    Direction(C),
+    /// It keeps the locked piece off the disc in which the free one turns.
+    OutOfReach(C),
+}
+
+impl At {
+    /// The room between `locked` and `free` in the direction `n = e^{iν}`, `ν` within ±π.
+    #[inline]
+    pub fn room(&self, locked: &Convex, free: &Convex, nu: f64, n: C) -> Room {
+        let own = n * self.directions[0].conj();
+        let l = locked.support(wrapped(nu - self.angles[0]), own);
+        let own = -n * self.directions[1].conj();
+        let f = free.support(wrapped(wrapped(nu + PI) - self.angles[1]), own);
+        let d = self.centres[1] - self.centres[0];
+        Room {
+            room: dot(d, n) - l.reach - f.reach,
+            slope: along(d, n) - l.along - f.along,
+            radius: l.radius + f.radius,
+            arm: f.along - along(self.centres[1], n),
+        }
+    }
+
+    /// A direction that keeps the two apart, by more than `need` mm: found by Newton's method on `s_ν` in a bracket, first from `start`, then
+    /// from the free tooth's own side; `looks` counts the directions tried.
+    pub fn separated(
+        &self,
+        locked: &Convex,
+        free: &Convex,
+        start: f64,
+        need: f64,
+        looks: &mut u32,
+    ) -> Option<Apart> {
+        let own_side = wrapped(self.angles[1] + 0.5 * PI);
+        self.separated_from(locked, free, start, need, looks)
+            .or_else(|| self.out_of_reach(locked, free, need, looks))
+            .or_else(|| {
+                let far = wrapped(own_side - start).abs() > 0.5;
+                far.then(|| self.separated_from(locked, free, own_side, need, looks))?
+            })
+    }
+
+    fn separated_from(
+        &self,
+        locked: &Convex,
+        free: &Convex,
+        start: f64,
+        need: f64,
+        looks: &mut u32,
+    ) -> Option<Apart> {
+        // Directions from the start between which the greatest room lies.
+        let (mut low, mut high) = (-HALF_RANGE, HALF_RANGE);
+        let mut off = 0.0;
+        for tried in 0..MOST_DIRECTIONS {
+            *looks += 1;
+            let nu = wrapped(start + off);
+            let n = turn(nu);
+            let here = self.room(locked, free, nu, n);
+            if here.holds(need) {
+                return Some(Apart::Direction(n));
+            }
+            if here.slope > 0.0 {
+                low = off;
+            } else {
+                high = off;
+            }
+            let bend = here.radius + here.room;
+            let newton = match bend > 1e-9 {
+                true => (here.slope / bend).clamp(-GREATEST_STEP, GREATEST_STEP),
+                false => 0.1f64.copysign(here.slope),
+            };
+            // By `s + s'' ≤ 0` no direction within a right angle has more than this.
+            if tried > 2
+                && newton.abs() < 1e-5
+                && here.room + here.slope * newton < 0.0
+                && bend > 1e-3
+            {
+                return None;
+            }
+            let next = off + newton;
+            let next = match next > low && next < high && (tried < 8 || tried % 2 == 1) {
+                true => next,
+                false => 0.5 * (low + high),
+            };
+            if (next - off).abs() < 1e-15 {
+                return None;
+            }
+            off = next;
+        }
+        None
+    }
+
+    /// A direction that keeps the locked piece off the disc about the free axis in which the free piece turns.
+    pub fn out_of_reach(
+        &self,
+        locked: &Convex,
+        free: &Convex,
+        need: f64,
+        looks: &mut u32,
+    ) -> Option<Apart> {
+        let radius = free.farthest(self.centres[1] * self.directions[1].conj());
+        let n = self.beyond(locked, radius, need, looks)?;
+        Some(Apart::OutOfReach(n))
+    }
+
+    /// A direction that keeps the locked piece off the disc of this radius, mm, about the free axis.
+    pub fn beyond(&self, locked: &Convex, radius: f64, need: f64, looks: &mut u32) -> Option<C> {
+        let mut nu = (-self.centres[0]).arg();
+        for _ in 0..24 {
+            *looks += 1;
+            let n = turn(nu);
+            let l = locked.support(wrapped(nu - self.angles[0]), n * self.directions[0].conj());
+            let room = -dot(self.centres[0], n) - l.reach - radius;
+            if room > need {
+                return Some(n);
+            }
+            let slope = -along(self.centres[0], n) - l.along;
+            let bend = l.radius + room + radius;
+            let is_hopeless = slope.abs() < 0.3 * bend && room + slope * slope / bend < 0.0;
+            if !(bend > 0.0) || is_hopeless {
+                return None;
+            }
+            nu = wrapped(nu + (slope / bend).clamp(-0.5, 0.5));
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::exact::HalfToothShape;
+    use crate::gear::{Gear, GearDesign, Profile};
+
+    fn shape(teeth: u32) -> HalfToothShape {
+        let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+        HalfToothShape::new(&Profile::new(&gear))
+    }
+
+    /// The right-hand halves of 20 and 30 teeth at 50.4 mm, eccentric, the free one turned by `rotation`.
+    fn at(rotation: f64) -> At {
+        let angles = [PI + 0.03, wrapped(0.02 + rotation)];
+        At {
+            centres: [C::new(50.4, 0.01), turn(rotation) * C::new(0.02, -0.03)],
+            angles,
+            directions: angles.map(turn),
+        }
+    }
+
+    /// The slopes of the room by the direction and by the rotation, against differences.
+    #[test]
+    fn slopes_are_those_of_the_room() {
+        let shapes = [shape(20), shape(30)];
+        let [locked, free] = shapes
+            .each_ref()
+            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let room = |rotation: f64, nu: f64| at(rotation).room(&locked, &free, nu, turn(nu));
+        const STEP: f64 = 1e-6;
+        for k in 0..60 {
+            let (rotation, nu) = (0.02 * f64::from(k % 10) - 0.1, 1.2 + 0.02 * f64::from(k));
+            let here = room(rotation, nu);
+            let beside = [-STEP, STEP].map(|by| [room(rotation, nu + by), room(rotation + by, nu)]);
+            let slope = |i: usize| (beside[1][i].room - beside[0][i].room) / (2.0 * STEP);
+            assert!((slope(0) - here.slope).abs() < 1e-4, "{k}: {here:?}");
+            assert!((slope(1) - here.arm).abs() < 1e-4, "{k}: {here:?}");
+            let bend = (beside[1][0].slope - beside[0][0].slope) / (2.0 * STEP);
+            let smooth = beside
+                .iter()
+                .all(|b| (b[0].radius - here.radius).abs() < 1e-3);
+            assert!(
+                !smooth || (bend + here.radius + here.room).abs() < 1e-3,
+                "{k}: {bend}"
+            );
+        }
+    }
+
+    /// What one direction with a positive arm keeps apart stays apart as the free gear turns on, up to a right angle: by directions found anew.
+    #[test]
+    fn what_is_apart_stays_apart() {
+        let shapes = [shape(20), shape(30)];
+        let [locked, free] = shapes
+            .each_ref()
+            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let mut looks = 0;
+        let mut kept = 0;
+        for start in 0..40 {
+            let rotation = -0.1 + 0.01 * f64::from(start);
+            let apart = at(rotation).separated(&locked, &free, 1.9, 1e-12, &mut looks);
+            let Some(Apart::Direction(n)) = apart else {
+                continue;
+            };
+            kept += 1;
+            let first = at(rotation).room(&locked, &free, n.arg(), n).room;
+            for on in 1..30 {
+                let there = at(rotation + 0.04 * f64::from(on));
+                let here = there.room(&locked, &free, n.arg(), n);
+                assert!(here.arm <= 0.0 || here.room > first, "{start} {on}");
+                let apart = there.separated(&locked, &free, 1.9, 1e-12, &mut looks);
+                assert!(apart.is_some(), "{start} {on}");
+            }
+        }
+        assert!(kept > 10 && kept < 40, "{kept}");
+    }
+}

@@ -1,0 +1,279 @@
+//! Convex pieces of a half tooth, by their support functions.
+//!
+//! For a direction `n = e^{iω}` the support of a convex piece is `h(ω) = max P·n`. Its derivative `h'` is the support point's coordinate along
+//! `i n`, and `h + h''` is the radius of curvature there, not below 0. An involute with the roll `ξ` has the normal `e^{iω}`, `ω = ξ − ψ_b − π/2`, and
+//!
+//! ```text
+//! h = r_b ξ,   h' = r_b,   h'' = 0.
+//! ```
+//!
+//! Directions and points are in the half tooth's own frame: right-hand half, centre line on +x.
+
+use crate::contact::exact::HalfToothShape;
+use crate::contact::gap::C;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// `a·b`.
+#[inline]
+pub(super) fn dot(a: C, b: C) -> f64 {
+    a.re * b.re + a.im * b.im
+}
+
+/// `a·(i b)`.
+#[inline]
+pub(super) fn along(a: C, b: C) -> f64 {
+    a.im * b.re - a.re * b.im
+}
+
+/// A support function in one direction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Support {
+    /// `h`, mm.
+    pub reach: f64,
+    /// `h'`, mm.
+    pub along: f64,
+    /// `h + h''`, mm: radius of curvature of the outline there.
+    pub radius: f64,
+}
+
+impl Support {
+    #[inline]
+    fn of_point(point: C, n: C) -> Support {
+        Support {
+            reach: dot(point, n),
+            along: along(point, n),
+            radius: 0.0,
+        }
+    }
+
+    #[inline]
+    fn farther(self, other: Support) -> Support {
+        if other.reach > self.reach {
+            other
+        } else {
+            self
+        }
+    }
+}
+
+/// The convex hull of form point, involute, tip corner and tip land of a half tooth, up to the far corner of the land.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Top<'a> {
+    shape: &'a HalfToothShape,
+    far: C,
+}
+
+/// An arc about the gear's centre.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arc {
+    radius: f64,
+    /// Directions of its ends from the centre, rad, and the points there.
+    low: f64,
+    high: f64,
+    ends: [C; 2],
+}
+
+/// A convex piece of a half tooth.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Convex<'a> {
+    Top(Top<'a>),
+    Arc(Arc),
+    /// The hull of two points: a chord of a hollow curve, which reaches no farther.
+    Chord([C; 2]),
+}
+
+impl<'a> Convex<'a> {
+    /// The top of a half tooth of this shape, `far` the far corner of its tip land.
+    pub fn top(shape: &'a HalfToothShape, far: C) -> Convex<'a> {
+        Convex::Top(Top { shape, far })
+    }
+
+    /// The arc of this radius, mm, between two directions, rad.
+    pub fn arc(radius: f64, low: f64, high: f64) -> Convex<'a> {
+        let at = |angle: f64| C::from_polar(radius, angle);
+        Convex::Arc(Arc {
+            radius,
+            low,
+            high,
+            ends: [at(low), at(high)],
+        })
+    }
+
+    /// The support in the direction `n = e^{iω}`, `ω` within ±π.
+    #[inline]
+    pub fn support(&self, omega: f64, n: C) -> Support {
+        match self {
+            Convex::Top(top) => top.support(omega, n),
+            Convex::Arc(arc) => arc.support(omega, n),
+            Convex::Chord([a, b]) => Support::of_point(*a, n).farther(Support::of_point(*b, n)),
+        }
+    }
+
+    /// Greatest distance, mm, from an axis at `−off` in the piece's own frame.
+    pub fn farthest(&self, off: C) -> f64 {
+        match self {
+            Convex::Top(top) => {
+                let [low, high] = [top.shape.tip_corner().arg(), top.far.arg()];
+                let land = farthest_of_arc(top.shape.tip_radius, low, high, off);
+                let ends = [top.shape.tip_corner(), top.far, top.shape.joint];
+                let ends = ends.map(|end| (off + end).norm());
+                ends.into_iter().fold(land, f64::max)
+            }
+            Convex::Arc(arc) => farthest_of_arc(arc.radius, arc.low, arc.high, off),
+            Convex::Chord(ends) => {
+                let [a, b] = ends.map(|end| (off + end).norm());
+                a.max(b)
+            }
+        }
+    }
+
+    /// Greatest radius of curvature, mm, in directions within `play` of `omega`.
+    pub fn greatest_radius(&self, omega: f64, play: f64) -> f64 {
+        match self {
+            Convex::Top(top) => top.greatest_radius(omega, play),
+            Convex::Arc(arc) => arc.radius,
+            Convex::Chord(_) => 0.0,
+        }
+    }
+}
+
+/// Greatest distance of an arc about the origin from an axis at `−off`.
+fn farthest_of_arc(radius: f64, low: f64, high: f64, off: C) -> f64 {
+    let from_middle = wrapped(off.arg() - 0.5 * (low + high));
+    let half = 0.5 * (high - low);
+    let at = 0.5 * (low + high) + from_middle.clamp(-half, half);
+    (off + C::from_polar(radius, at)).norm()
+}
+
+/// `angle` within ±π, where it is less than three half turns.
+#[inline]
+pub(super) fn wrapped(angle: f64) -> f64 {
+    if angle > PI {
+        angle - 2.0 * PI
+    } else if angle < -PI {
+        angle + 2.0 * PI
+    } else {
+        angle
+    }
+}
+
+impl Top<'_> {
+    #[inline]
+    fn support(&self, omega: f64, n: C) -> Support {
+        let shape = self.shape;
+        let roll = omega + shape.half_base + FRAC_PI_2;
+        if roll < shape.form_roll {
+            return Support::of_point(shape.joint, n);
+        }
+        if roll <= shape.tip_roll {
+            return Support {
+                reach: shape.base * roll,
+                along: shape.base,
+                radius: shape.base * roll,
+            };
+        }
+        // Clockwise of the corner's own direction the corner, then the land.
+        let corner = shape.tip_corner();
+        if along(n, corner) <= 0.0 && dot(n, corner) > 0.0 {
+            return Support::of_point(corner, n);
+        }
+        if along(n, self.far) <= 0.0 && dot(n, self.far) > 0.0 {
+            return Support {
+                reach: shape.tip_radius,
+                along: 0.0,
+                radius: shape.tip_radius,
+            };
+        }
+        // From beyond the far corner to straight from behind.
+        Support::of_point(self.far, n).farther(Support::of_point(shape.joint, n))
+    }
+
+    fn greatest_radius(&self, omega: f64, play: f64) -> f64 {
+        let shape = self.shape;
+        let roll = omega + shape.half_base + FRAC_PI_2;
+        let mut most = 0.0f64;
+        if roll + play >= shape.form_roll && roll - play <= shape.tip_roll {
+            most = shape.base * (roll + play).min(shape.tip_roll);
+        }
+        let [low, high] = [shape.tip_corner().arg(), self.far.arg()];
+        if omega + play >= low && omega - play <= high {
+            most = most.max(shape.tip_radius);
+        }
+        most
+    }
+}
+
+impl Arc {
+    fn support(&self, omega: f64, n: C) -> Support {
+        let half = 0.5 * (self.high - self.low);
+        if wrapped(omega - 0.5 * (self.low + self.high)).abs() <= half {
+            return Support {
+                reach: self.radius,
+                along: 0.0,
+                radius: self.radius,
+            };
+        }
+        let [a, b] = self.ends.map(|end| Support::of_point(end, n));
+        a.farther(b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::gap::turn;
+    use crate::gear::{Gear, GearDesign, Profile, ProfilePart};
+    use std::f64::consts::TAU;
+
+    /// Points of the outline, 4000 a curve: no farther than the support, and nearly as far. Ordinary, undercut and large gears; lands that the mate
+    /// flank's deviation makes wider and narrower.
+    #[test]
+    fn a_top_reaches_as_far_as_its_farthest_point() {
+        for (teeth, wider) in [(9, 0.0), (20, 0.01), (44, -0.01), (200, 0.0)] {
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            let shape = HalfToothShape::new(&Profile::new(&gear));
+            let far = shape.tip_corner().conj() * turn(wider);
+            let top = Convex::top(&shape, far);
+            let along = |low: f64, high: f64, part| {
+                let shape = &shape;
+                (0..=4000).map(move |k| shape.at(part, low + (high - low) * f64::from(k) / 4000.0))
+            };
+            let (form, tip) = shape.range(ProfilePart::Involute);
+            let (_, corner) = shape.range(ProfilePart::Tip);
+            let land = along(-far.arg(), corner, ProfilePart::Tip);
+            let points: Vec<C> = along(form, tip, ProfilePart::Involute)
+                .chain(land)
+                .map(|sample| sample.point)
+                .collect();
+            for k in 0..720 {
+                let omega = wrapped(0.003 + TAU * f64::from(k) / 720.0);
+                let n = turn(omega);
+                let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
+                let support = top.support(omega, n);
+                let over = support.reach - farthest;
+                assert!((-1e-12..1e-6).contains(&over), "{teeth} {omega}: {over:e}");
+                const STEP: f64 = 1e-5;
+                let [before, behind] = [omega - STEP, omega + STEP]
+                    .map(|omega| top.support(wrapped(omega), turn(omega)));
+                // Not where one curve's normals end.
+                if before.radius > 0.0 && behind.radius > 0.0 || support.radius == 0.0 {
+                    let slope = (behind.reach - before.reach) / (2.0 * STEP);
+                    assert!(
+                        (slope - support.along).abs() < 1e-4,
+                        "{teeth} {omega}: {slope}"
+                    );
+                }
+                let most = top.greatest_radius(omega, 0.02);
+                for off in [-0.02, 0.0, 0.02] {
+                    let there = top.support(wrapped(omega + off), turn(omega + off));
+                    assert!(there.radius <= most + 1e-12, "{teeth} {omega} {off}");
+                }
+            }
+            for off in [C::ZERO, C::new(0.3, 0.2), C::new(-0.1, 0.4)] {
+                let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
+                let over = top.farthest(off) - farthest;
+                assert!((-1e-12..1e-6).contains(&over), "{teeth} {off}: {over:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,548 @@
+//! A hollow curve and a convex mate that stays off it.
+//!
+//! A convex piece `B` does not cross a hollow curve if every point of the curve has a direction that keeps `B` off it. Over a stretch of the curve
+//! one direction does for all points, if it keeps `B` off the chord by more than the curve's sag, or off both ends where the curve reaches no
+//! farther. Near a touch it is the curve's own tangents that do. Let `σ(ν)` be the distance of `B` from the tangent whose normal is `e^{iν}`. With the curve's radius `R` and
+//! that of `B`, `ρ`,
+//!
+//! ```text
+//! σ'' + σ = R − ρ ≥ m,   so   σ(ν_0 + x) ≥ m + (σ_0 − m) cos x + σ_0' sin x   for |x| ≤ π:
+//! ```
+//!
+//! the difference has the non-negative kernel `sin(x − y)`. One evaluation proves the whole neighbourhood of a touch.
+
+use super::at::{Apart, At};
+use super::convex::{Convex, along, dot, wrapped};
+use crate::contact::gap::C;
+use crate::gear::{Fillet, Part, PartCurve};
+use std::f64::consts::PI;
+
+/// Stretches that a curve is cut into beforehand (tuned: 4 to 8 are as good).
+const STRETCHES: u32 = 6;
+
+/// Halvings of a stretch: below this only a touch is left.
+const DEEPEST: u32 = 26;
+
+/// A fillet, cut into stretches.
+#[derive(Debug, Clone)]
+pub(super) struct Hollow {
+    curve: PartCurve,
+    /// `r`, mm, of a fillet's generating circle.
+    pitch_radius: f64,
+    /// From one end to the other.
+    pub whole: Stretch,
+    stretches: Vec<Stretch>,
+}
+
+/// A stretch of a hollow curve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stretch {
+    /// Parameters of its ends.
+    pub ends: [f64; 2],
+    /// Points of its ends and unit normals there, out of the metal.
+    pub points: [C; 2],
+    normals: [C; 2],
+    /// Unit normal of its chord, out of the metal, and its direction, rad.
+    pub normal: C,
+    angle: f64,
+    /// How far the curve may lie off the chord, mm.
+    pub sag: f64,
+    /// Least and greatest radius of curvature, mm, where it is known to be hollow.
+    radii: Option<[f64; 2]>,
+}
+
+/// How far a mate stands off the tangent at one point of a curve.
+#[derive(Debug, Clone, Copy)]
+struct OffTangent {
+    /// `σ` and `σ'`, mm.
+    room: f64,
+    slope: f64,
+    /// The mate's radius of curvature, mm, and the direction in which it is looked at, rad, in its own frame.
+    radius: f64,
+    omega: f64,
+    /// Of the free gear.
+    arm: f64,
+}
+
+/// How a stretch of a hollow curve and a mate are proven apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum OffStretch {
+    /// By one direction for all points.
+    Apart(Apart),
+    /// By the tangent of each point; the normal of the middle one, out of the locked metal.
+    Tangents(C),
+}
+
+impl Hollow {
+    /// A fillet, whose generating circle has this radius, mm. It may bulge where no mate touches it.
+    pub fn new(part: &Part, pitch_radius: f64) -> Hollow {
+        let (low, high) = part.range();
+        let curve = &part.curve;
+        let stretch = |low: f64, high: f64| Stretch::new(curve, pitch_radius, [low, high]);
+        let at = |k: u32| match k {
+            // The end is itself, to the last bit.
+            STRETCHES => high,
+            _ => low + (high - low) * f64::from(k) / f64::from(STRETCHES),
+        };
+        Hollow {
+            stretches: (0..STRETCHES).map(|k| stretch(at(k), at(k + 1))).collect(),
+            whole: stretch(low, high),
+            curve: curve.clone(),
+            pitch_radius,
+        }
+    }
+
+    fn parts(&self, stretch: &Stretch, at: f64) -> [Stretch; 2] {
+        let [low, high] = stretch.ends;
+        [[low, at], [at, high]].map(|ends| Stretch::new(&self.curve, self.pitch_radius, ends))
+    }
+
+    fn halves(&self, stretch: &Stretch) -> [Stretch; 2] {
+        self.parts(stretch, 0.5 * (stretch.ends[0] + stretch.ends[1]))
+    }
+}
+
+impl Stretch {
+    fn new(curve: &PartCurve, pitch_radius: f64, ends: [f64; 2]) -> Stretch {
+        let [(a, na), (b, nb)] = ends.map(|t| at(curve, t));
+        let (_, middle) = at(curve, 0.5 * (ends[0] + ends[1]));
+        let chord = b - a;
+        let length = chord.norm();
+        let normal = C::new(chord.im, -chord.re) / length;
+        let normal = match length > 0.0 {
+            true if dot(normal, middle) < 0.0 => -normal,
+            true => normal,
+            false => middle,
+        };
+        // Of a hollow curve the normal turns one way: to the middle and from there by less than a right angle.
+        let turns_little = dot(na, middle) > 0.0 && dot(middle, nb) > 0.0;
+        let radii = radii(curve, pitch_radius, ends).filter(|_| turns_little);
+        // The tangents at both ends enclose it; of a curve that may turn either way, lines as steep as its steepest.
+        let (_, half_turn) = curve.spread(ends[0], ends[1]);
+        let slope = match radii {
+            Some(_) if dot(na, nb) > -0.5 => along(na, nb).abs() / (1.0 + dot(na, nb)),
+            None if half_turn < 0.5 => (2.0 * half_turn).tan(),
+            _ => f64::INFINITY,
+        };
+        Stretch {
+            ends,
+            points: [a, b],
+            normals: [na, nb],
+            normal,
+            angle: normal.arg(),
+            sag: 0.5 * length * slope,
+            radii,
+        }
+    }
+
+    /// Whether no point reaches farther in the direction `n` than both ends: the only other greatest `P·n` of a hollow curve is where the normal is
+    /// `−n`.
+    fn reaches_no_farther(&self, n: C) -> bool {
+        self.radii.is_some() && self.normals.iter().all(|normal| dot(n, *normal) >= 0.0)
+    }
+}
+
+fn at(curve: &PartCurve, t: f64) -> (C, C) {
+    let (point, normal) = curve.at(t);
+    (C::new(point.x, point.y), C::new(normal.x, normal.y))
+}
+
+/// Least and greatest radius of curvature of a hollow curve between two parameters; `None` where it is not known to be hollow.
+fn radii(curve: &PartCurve, pitch_radius: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    match curve.convexity(low, high) {
+        Some((least, most)) if most < 0.0 => Some([-1.0 / least, -1.0 / most]),
+        Some(_) => None,
+        None => match curve {
+            PartCurve::Trochoid(fillet) => shallow_radii(fillet, pitch_radius, [low, high]),
+            _ => None,
+        },
+    }
+}
+
+/// Those of a fillet whose tool's round stands outside its pitch line, `h_0 < 0`.
+///
+/// `R = S/q` with `c = 1/cos γ`: `q = 1 + h_0 c²/r` falls, `S = ρ + h_0 c² (ρ + h_0 c)/r` has one minimum, at `c = −2ρ/3h_0`.
+fn shallow_radii(fillet: &Fillet, r: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    let (depth, round) = (fillet.depth(), fillet.tip_round());
+    if fillet.is_elliptic() || depth >= 0.0 {
+        return None;
+    }
+    let q = |c: f64| 1.0 + depth * c * c / r;
+    let s = |c: f64| round + depth * c * c * (round + depth * c) / r;
+    let (from, to) = (1.0 / low.cos(), 1.0 / high.cos());
+    let least = s((2.0 * round / (-3.0 * depth)).clamp(from, to));
+    let most = s(from).max(s(to));
+    (q(to) > 0.0 && least > 0.0).then(|| [least / q(from), most / q(to)])
+}
+
+/// The least of `m + (σ − m) cos x + σ' sin x` over `|x| ≤ w`, `w` below a right angle.
+fn least_room(room: f64, slope: f64, m: f64, w: f64) -> f64 {
+    let across = room - m;
+    let (sin, cos) = w.sin_cos();
+    if across < 0.0 && slope.abs() * cos < -across * sin {
+        // m − √(across² + slope²), without cancelling.
+        let amount = across.hypot(slope);
+        return match m + amount > 0.0 {
+            true => (room * (2.0 * m - room) - slope * slope) / (m + amount),
+            false => m - amount,
+        };
+    }
+    m + across * cos - slope.abs() * sin
+}
+
+impl At {
+    /// How far `mate` stands off the line through a point of gear `owner` across a normal, both in its own frame; `angle` is the normal's direction.
+    #[inline]
+    fn off_line(
+        &self,
+        owner: usize,
+        (point, normal): (C, C),
+        angle: f64,
+        mate: &Convex,
+    ) -> OffTangent {
+        let other = 1 - owner;
+        let p = self.centres[owner] + self.directions[owner] * point;
+        let n = self.directions[owner] * normal;
+        let own = -n * self.directions[other].conj();
+        let omega = wrapped(wrapped(self.angles[owner] + angle + PI) - self.angles[other]);
+        let support = mate.support(omega, own);
+        let d = self.centres[other] - p;
+        OffTangent {
+            room: dot(d, n) - support.reach,
+            slope: along(d, n) - support.along,
+            radius: support.radius,
+            omega,
+            arm: match owner {
+                0 => support.along - along(self.centres[1], n),
+                _ => along(p, n),
+            },
+        }
+    }
+
+    /// The same of the tangent at a point of a curve.
+    fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> OffTangent {
+        self.off_line(owner, (point, normal), normal.arg(), mate)
+    }
+
+    /// A normal of gear `owner`, in its own frame, as the direction out of the locked metal.
+    pub fn out_of_locked(&self, owner: usize, normal: C) -> C {
+        let n = self.directions[owner] * normal;
+        if owner == 0 { n } else { -n }
+    }
+
+    /// Whether the normal of a stretch's chord keeps `mate` off all of it.
+    #[inline]
+    pub fn is_off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex, need: f64) -> bool {
+        let line = (stretch.points[0], stretch.normal);
+        let off = self.off_line(owner, line, stretch.angle, mate);
+        off.arm > 0.0
+            && off.room > need
+            && (stretch.reaches_no_farther(stretch.normal) || off.room > need + stretch.sag)
+    }
+
+    /// Whether `mate` stands off all of a hollow curve of gear `owner` by more than `need` mm. Each stretch proven is told to `tell`; `looks`
+    /// counts what is looked at, up to `most`.
+    pub fn is_off_hollow(
+        &self,
+        (owner, hollow): (usize, &Hollow),
+        mate: &Convex,
+        need: f64,
+        (looks, most): (&mut u32, u32),
+        tell: &mut impl FnMut([f64; 2], OffStretch),
+    ) -> bool {
+        let mut open: Vec<(Stretch, u32)> = Vec::new();
+        for stretch in &hollow.stretches {
+            open.push((*stretch, 0));
+            while let Some((stretch, depth)) = open.pop() {
+                let proof = self.off_stretch((owner, hollow), &stretch, mate, need, looks);
+                if let Some(proof) = proof {
+                    tell(stretch.ends, proof);
+                    continue;
+                }
+                if depth >= DEEPEST || *looks > most {
+                    return false;
+                }
+                let halves = match self.place_to_cut((owner, hollow), &stretch, mate) {
+                    Some(at) => hollow.parts(&stretch, at),
+                    None => hollow.halves(&stretch),
+                };
+                open.extend(halves.map(|half| (half, depth + 1)));
+            }
+        }
+        true
+    }
+
+    /// The parameter beside the nearest tangents, at which to cut: what is left about them is proven in one.
+    fn place_to_cut(
+        &self,
+        (owner, hollow): (usize, &Hollow),
+        stretch: &Stretch,
+        mate: &Convex,
+    ) -> Option<f64> {
+        let [low, high] = stretch.ends;
+        let middle = 0.5 * (low + high);
+        let off = self.off_tangent(owner, at(&hollow.curve, middle), mate);
+        let bend = stretch.radii?[0] - off.radius - off.room;
+        let turn = along(stretch.normals[1], stretch.normals[0]);
+        if !(bend > 0.0) || turn == 0.0 {
+            return None;
+        }
+        let nearest = middle - off.slope / bend * (high - low) / turn;
+        let width = 0.2 * (high - low);
+        let [below, above] = [nearest - width, nearest + width];
+        [above, below]
+            .into_iter()
+            .find(|at| *at > low + 0.05 * width && *at < high - 0.05 * width)
+    }
+
+    /// How `mate` is proven off a stretch.
+    fn off_stretch(
+        &self,
+        (owner, hollow): (usize, &Hollow),
+        stretch: &Stretch,
+        mate: &Convex,
+        need: f64,
+        looks: &mut u32,
+    ) -> Option<OffStretch> {
+        *looks += 1;
+        let start = self.out_of_locked(owner, stretch.normal);
+        if self.is_off_chord(owner, stretch, mate, need) {
+            return Some(OffStretch::Apart(Apart::Direction(start)));
+        }
+        if self.is_off_tangents((owner, hollow), stretch, mate, need) {
+            let (_, normal) = at(&hollow.curve, 0.5 * (stretch.ends[0] + stretch.ends[1]));
+            return Some(OffStretch::Tangents(self.out_of_locked(owner, normal)));
+        }
+        let chord = Convex::Chord(stretch.points);
+        let (locked, free) = match owner {
+            0 => (&chord, mate),
+            _ => (mate, &chord),
+        };
+        let start = start.im.atan2(start.re);
+        let apart = self.separated(locked, free, start, need, looks)?;
+        let back = self.directions[owner].conj();
+        let is_of_curve = match apart {
+            Apart::Direction(n) if owner == 1 => stretch.reaches_no_farther(-n * back),
+            // The disc in which a free chord turns is not that of its curve.
+            Apart::OutOfReach(_) if owner == 1 => false,
+            Apart::Direction(n) | Apart::OutOfReach(n) => stretch.reaches_no_farther(n * back),
+        };
+        let apart = match is_of_curve {
+            true => apart,
+            false => self.separated(locked, free, start, need + stretch.sag, looks)?,
+        };
+        Some(OffStretch::Apart(apart))
+    }
+
+    /// Whether the tangents of all points of a stretch keep `mate` off.
+    fn is_off_tangents(
+        &self,
+        (owner, hollow): (usize, &Hollow),
+        stretch: &Stretch,
+        mate: &Convex,
+        need: f64,
+    ) -> bool {
+        let (point, normal) = at(&hollow.curve, 0.5 * (stretch.ends[0] + stretch.ends[1]));
+        let off = self.off_tangent(owner, (point, normal), mate);
+        let turns = stretch.normals.map(|end| along(end, normal).abs().asin());
+        let play = turns[0].max(turns[1]);
+        let Some(radii) = stretch.radii else {
+            return false;
+        };
+        let round = mate.greatest_radius(off.omega, play);
+        let least = least_room(off.room, off.slope, radii[0] - round, play);
+        // The arm turns by no more than its point's distance from the axis and a radius.
+        let (point, radius) = match owner {
+            0 => (
+                mate.farthest(self.centres[1] * self.directions[1].conj()),
+                round,
+            ),
+            _ => (
+                (self.centres[1] + self.directions[1] * point).norm() + radii[1] * play,
+                radii[1],
+            ),
+        };
+        let is_short = stretch.normals.iter().all(|end| dot(*end, normal) > 0.0);
+        is_short && play < 0.5 && least > need && off.arm > play * (point + radius)
+    }
+
+    /// Whether two hollow curves stay off each other: of any two stretches, one stands off the other's chord, by more than its sag where
+    /// the other's curve may reach farther than its chord.
+    pub fn is_off_both(
+        &self,
+        [locked, free]: [&Hollow; 2],
+        need: f64,
+        (looks, most): (&mut u32, u32),
+        tell: &mut impl FnMut([[f64; 2]; 2], usize, OffStretch),
+    ) -> bool {
+        let mut open: Vec<[Stretch; 2]> = Vec::new();
+        for l in &locked.stretches {
+            open.extend(free.stretches.iter().map(|f| [*l, *f]));
+        }
+        while let Some([l, f]) = open.pop() {
+            let chords = [&l, &f].map(|stretch| Convex::Chord(stretch.points));
+            let mut proof = |owner: usize| {
+                let ((hollow, stretch), mate) = match owner {
+                    0 => ((locked, &l), &f),
+                    _ => ((free, &f), &l),
+                };
+                let chord = &chords[1 - owner];
+                let off = self.off_stretch((owner, hollow), stretch, chord, need, looks)?;
+                if self.holds_for_curve(1 - owner, mate, stretch, off) {
+                    return Some((owner, off));
+                }
+                let need = need + mate.sag;
+                let off = self.off_stretch((owner, hollow), stretch, chord, need, looks)?;
+                Some((owner, off))
+            };
+            if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
+                tell([l.ends, f.ends], owner, proof);
+                continue;
+            }
+            if *looks > most || open.len() > 400 {
+                return false;
+            }
+            for half in locked.halves(&l) {
+                open.extend(free.halves(&f).map(|other| [half, other]));
+            }
+        }
+        true
+    }
+
+    /// Whether what keeps the chord of a stretch of gear `owner` off `mate` keeps the curve off, however far it lies off the chord.
+    fn holds_for_curve(
+        &self,
+        owner: usize,
+        stretch: &Stretch,
+        mate: &Stretch,
+        proof: OffStretch,
+    ) -> bool {
+        let back = self.directions[owner].conj();
+        match proof {
+            // Between the directions of both ends it is so if it is for both.
+            OffStretch::Tangents(_) => mate.normals.iter().all(|n| {
+                let own = -(self.directions[1 - owner] * n) * back;
+                stretch.reaches_no_farther(own)
+            }),
+            OffStretch::Apart(Apart::Direction(n)) => {
+                let out = if owner == 0 { n } else { -n };
+                stretch.reaches_no_farther(out * back)
+            }
+            // The disc of a chord is not that of the curve.
+            OffStretch::Apart(Apart::OutOfReach(_)) => false,
+        }
+    }
+
+    /// Whether a fillet of the locked gear stays off the disc of this radius, mm, about the free axis.
+    pub fn is_beyond(
+        &self,
+        hollow: &Hollow,
+        radius: f64,
+        need: f64,
+        (looks, most): (&mut u32, u32),
+        tell: &mut impl FnMut([f64; 2], C),
+    ) -> bool {
+        let mut open = hollow.stretches.clone();
+        while let Some(stretch) = open.pop() {
+            let chord = Convex::Chord(stretch.points);
+            match self.beyond(&chord, radius, need + stretch.sag, looks) {
+                Some(n) => tell(stretch.ends, n),
+                None if *looks > most => return false,
+                None => open.extend(hollow.halves(&stretch)),
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Gear, GearDesign, ProfilePart};
+
+    /// A fillet of 30 teeth whose gear is locked, at the angle 0; a mate whose own centre stands at `centre`. The free axis lies where the mate has a
+    /// long lever about it.
+    fn facing(normal: C, centre: C) -> At {
+        let shift = -normal * C::i() * 50.0;
+        At {
+            centres: [shift, shift + centre],
+            angles: [0.0, 0.0],
+            directions: [C::ONE; 2],
+        }
+    }
+
+    fn is_off(at: &At, hollow: &Hollow, mate: &Convex) -> bool {
+        at.is_off_hollow((0, hollow), mate, 1e-14, (&mut 0, 4000), &mut |_, _| ())
+    }
+
+    /// Discs and corners that stand off a fillet by 1e-12 mm are proven off it, those that reach in by as much are not, at any place. Source: the
+    /// curve's own points and normals, and its radius of curvature by differences.
+    #[test]
+    fn a_fillet_is_told_from_what_touches_it() {
+        let gear = Gear::nominal(GearDesign::plain(30, 2.0)).unwrap();
+        let part = gear.part(ProfilePart::Fillet);
+        let hollow = Hollow::new(part, gear.basic_data().reference_radius());
+        let (low, high) = part.range();
+        // The free axis lies where the mate has a lever in all directions of the fillet.
+        let (_, middle) = at(&part.curve, 0.5 * (low + high));
+        let mut tried = 0;
+        for k in 1..40 {
+            let t = low + (high - low) * f64::from(k) / 40.0;
+            let (point, normal) = at(&part.curve, t);
+            let [(p, n), (q, m)] = [t - 1e-6, t + 1e-6].map(|t| at(&part.curve, t));
+            let radius = (q - p).norm() / along(n, m).abs();
+            for share in [0.0, 0.3, 0.9] {
+                let disc = share * radius;
+                let points = (0..=2000)
+                    .map(|k| at(&part.curve, low + (high - low) * f64::from(k) / 2000.0).0);
+                let distances = points.map(|p| (p - point - normal * disc).norm());
+                if distances.fold(f64::MAX, f64::min) < disc - 1e-9 {
+                    // Nearer to the root the fillet is too narrow for this disc.
+                    continue;
+                }
+                tried += 1;
+                for (gap, expected) in [(1e-12, true), (-1e-12, false)] {
+                    let centre = point + normal * (disc + gap);
+                    let there = facing(middle, centre);
+                    let mate = match share > 0.0 {
+                        true => Convex::arc(disc, -PI, PI),
+                        false => Convex::Chord([C::ZERO; 2]),
+                    };
+                    let found = is_off(&there, &hollow, &mate);
+                    assert_eq!(found, expected, "{k} {share} {gap}");
+                }
+            }
+            // A disc rounder than the fillet reaches in on both sides of where it would touch.
+            let centre = point + normal * (1.2 * radius);
+            let mate = Convex::arc(1.2 * radius, -PI, PI);
+            let inside = k > 4 && k < 36;
+            assert!(
+                !inside || !is_off(&facing(middle, centre), &hollow, &mate),
+                "{k}"
+            );
+        }
+        assert!(tried > 60, "{tried}");
+    }
+
+    /// The bound of a room over a stretch of directions, against samples of a function with the same second derivative.
+    #[test]
+    fn no_room_is_less_than_the_least() {
+        for (room, slope, m) in [
+            (0.1, 0.3, 2.0),
+            (1e-9, 1e-6, 0.5),
+            (0.2, -0.5, -0.3),
+            (2.0, 0.1, 1.0),
+        ] {
+            let w = 0.4;
+            let at = |x: f64| m + (room - m) * x.cos() + slope * x.sin();
+            let sampled = (-1000..=1000)
+                .map(|k| at(w * f64::from(k) / 1000.0))
+                .fold(f64::MAX, f64::min);
+            let least = least_room(room, slope, m, w);
+            assert!(
+                least <= sampled + 1e-15 && sampled - least < 1e-6 * (1.0 + m.abs()),
+                "{room} {slope} {m}: {least}, {sampled}"
+            );
+        }
+    }
+}

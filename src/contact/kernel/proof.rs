@@ -1,0 +1,100 @@
+//! What proves a pose: for each side the directions that keep all pairs of half teeth apart a little more open, and a point in the metal of both
+//! teeth that touch a little more closed. [`super::checker`] verifies it from the outlines alone.
+
+use crate::gear::Side;
+use crate::pair::{GearPair, Pose};
+use nalgebra::{Point2, Vector2};
+
+/// The proof of both contacts of a pose, of helical gears in each of the sections they were proven in.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Proof {
+    /// Right and left side, section by section.
+    pub sides: Vec<SideProof>,
+}
+
+impl Proof {
+    /// Verifies from the outlines alone that it proves `pose` of `assembly`: a program of its own, which shares nothing with what made it.
+    ///
+    /// # Errors
+    /// The first thing that is not as the proof says.
+    pub fn verify(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
+        super::checker::verify(assembly, pose, self)
+    }
+}
+
+/// The proof of one side of one transverse section.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SideProof {
+    /// Which flanks.
+    pub side: Side,
+    /// Where along the axes, mm from the measuring plane; 0 of spur gears.
+    pub section: f64,
+    /// Rotation of the free gear in that section, rad, at which all pairs are apart; `None` where nothing touches at any rotation.
+    pub open: Option<f64>,
+    /// What shows that something touches; `None` where nothing does, and in sections in which another one touches first.
+    pub touch: Option<TouchProof>,
+    /// What keeps the parts of all pairs in reach apart.
+    pub apart: Vec<Separation>,
+}
+
+/// A point in the metal of two teeth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct TouchProof {
+    /// Rotation of the free gear, rad, at which both teeth have the point.
+    pub closed: f64,
+    /// Tooth of the locked gear.
+    pub locked_tooth: u32,
+    /// Tooth of the free gear.
+    pub free_tooth: u32,
+    /// The point in the picture, mm.
+    pub point: Point2<f64>,
+}
+
+/// Two pieces of two half teeth, and what keeps them apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Separation {
+    /// Tooth of the locked gear.
+    pub locked_tooth: u32,
+    /// Tooth of the free gear.
+    pub free_tooth: u32,
+    /// Piece of the locked half tooth.
+    pub locked: Piece,
+    /// Piece of the free half tooth.
+    pub free: Piece,
+    /// What keeps them apart.
+    pub by: Reason,
+    /// Unit vector out of the locked metal, in the picture: the direction of the reason, or the middle one of the tangents' normals.
+    pub normal: Vector2<f64>,
+}
+
+/// A piece of a half tooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Piece {
+    /// Form point, involute, tip corner and tip land, up to the far corner.
+    Top,
+    /// The fillet between two of its parameters, rad.
+    Fillet([f64; 2]),
+    /// The root land.
+    Root,
+}
+
+/// Why two pieces are apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Reason {
+    /// A line across the normal stands between them, and the free piece moves away from it as it turns on.
+    Direction,
+    /// A line across the normal stands between the locked piece and the disc in which the free gear's teeth turn.
+    OutOfReach,
+    /// The locked fillet's tangent at each of its points stands between it and the mate.
+    LockedTangents,
+    /// The free fillet's tangent at each of its points stands between it and the mate.
+    FreeTangents,
+}

@@ -5,14 +5,13 @@ use std::fs::File;
 use std::io::Read;
 
 /// Every command that prints, with what it needs.
-const PRINTING: [&str; 16] = [
+const PRINTING: [&str; 15] = [
     "simulate p.toml",
     "simulate p.toml --format json",
     "simulate p.toml --format csv",
     "compare p.toml",
     "compare p.toml --format json",
     "compare p.toml --format junit",
-    "compare p.toml --format github",
     "check p.toml",
     "report p.toml -o -",
     "chart p.toml --kind inspection -o -",

@@ -23,26 +23,27 @@ struct Half<'a> {
 /// How far a piece reaches in a direction: greatest `P·n`, and where.
 type Reach = (f64, Point2<f64>);
 
-/// As [`Proof::verify`].
-pub(super) fn verify(assembly: &GearPair, pose: &Pose, proof: &Proof) -> Result<(), String> {
-    for side in Side::BOTH {
-        if !proof.sides.iter().any(|proven| proven.side == side) {
-            return Err(format!("nothing is said of the {} side", side.name()));
-        }
-    }
-    for side in &proof.sides {
-        let (section, here);
-        let (assembly, pose) = match assembly.is_helical() {
-            true => {
-                section = assembly.section(side.section);
-                here = pose.in_section(assembly, side.section);
-                (&section, &here)
+impl Proof {
+    /// Verifies from the outlines alone that it proves `pose` of `assembly`: a program of its own, which shares nothing with what made it.
+    ///
+    /// # Errors
+    /// The first thing that is not as the proof says.
+    pub fn verify(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
+        for side in Side::BOTH {
+            if !self.sides.iter().any(|proven| proven.side == side) {
+                return Err(format!("nothing is said of the {} side", side.name()));
             }
-            false => (assembly, pose),
-        };
-        verify_side(assembly, pose, side)?;
+        }
+        for side in &self.sides {
+            if !assembly.is_helical() {
+                verify_side(assembly, pose, side)?;
+                continue;
+            }
+            let here = pose.in_section(assembly, side.section);
+            verify_side(&assembly.section(side.section), &here, side)?;
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<(), String> {

@@ -1,8 +1,7 @@
 //! What proves a pose: for each side the directions that keep all pairs of half teeth apart a little more open, and a point in the metal of both
-//! teeth that touch a little more closed. [`super::checker`] verifies it from the outlines alone.
+//! teeth that touch a little more closed. [`Proof::verify`] checks it from the outlines alone.
 
 use crate::gear::Side;
-use crate::pair::{GearPair, Pose};
 use nalgebra::{Point2, Vector2};
 
 /// The proof of both contacts of a pose, of helical gears in each of the sections they were proven in.
@@ -11,16 +10,6 @@ use nalgebra::{Point2, Vector2};
 pub struct Proof {
     /// Right and left side, section by section.
     pub sides: Vec<SideProof>,
-}
-
-impl Proof {
-    /// Verifies from the outlines alone that it proves `pose` of `assembly`: a program of its own, which shares nothing with what made it.
-    ///
-    /// # Errors
-    /// The first thing that is not as the proof says.
-    pub fn verify(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
-        super::checker::verify(assembly, pose, self)
-    }
 }
 
 /// The proof of one side of one transverse section.

@@ -15,9 +15,8 @@
 
 use super::factor::Factor;
 use super::members::Population;
-use super::row::{TENTHS_NM_PER_MM, tenths};
 use super::sample::chunks;
-use super::spread::Overflow;
+use super::spread::{Overflow, TENTHS_NM_PER_MM, tenths};
 use super::stream::{Draw, Run};
 use crate::error::Error;
 use crate::parallel;

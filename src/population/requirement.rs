@@ -1,7 +1,7 @@
 //! The limits that each assembly must keep, and how one stands to them.
 
 use super::assembly::{Assembly, Outcome, OutcomeKind};
-use super::row::tenths;
+use super::spread::tenths;
 use crate::analysis::extremes::WIDTH;
 use crate::analysis::requirement::{Limits, Quantity, Requirements};
 use crate::pair::GearPair;

@@ -5,9 +5,7 @@
 
 use super::assembly::{Outcome, OutcomeKind};
 use super::requirement::Standing;
-
-/// Whole tenths of a nanometre in a millimetre.
-pub const TENTHS_NM_PER_MM: f64 = 1e7;
+use super::spread::tenths;
 
 /// One assembly of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,11 +26,6 @@ pub struct Row {
     pub is_above: bool,
     /// Distance to the nearest limit, tenths of a nanometre. `None` without a limit or a value.
     pub margin: Option<i64>,
-}
-
-/// `mm` in whole tenths of a nanometre. A length that `i64` cannot hold becomes the nearest that it can.
-pub(super) fn tenths(mm: f64) -> i64 {
-    (mm * TENTHS_NM_PER_MM).round() as i64
 }
 
 impl Row {

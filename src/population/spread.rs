@@ -2,6 +2,14 @@
 
 use std::collections::BTreeMap;
 
+/// Whole tenths of a nanometre in a millimetre.
+pub const TENTHS_NM_PER_MM: f64 = 1e7;
+
+/// `mm` in whole tenths of a nanometre. A length that `i64` cannot hold becomes the nearest that it can.
+pub(super) fn tenths(mm: f64) -> i64 {
+    (mm * TENTHS_NM_PER_MM).round() as i64
+}
+
 /// Width of a bin of the histogram, tenths of a nanometre.
 pub const BIN_TENTHS_NM: i64 = 100;
 

@@ -1,8 +1,7 @@
 //! Statistics of a population from its sums: shares, spread, capability.
 
 use super::requirement::Requirement;
-use super::row::TENTHS_NM_PER_MM;
-use super::spread::{BIN_TENTHS_NM, Spread};
+use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
 use super::tally::Tally;
 use statrs::function::beta::beta_reg;
 

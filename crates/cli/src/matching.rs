@@ -2,9 +2,8 @@
 
 use super::console::{ScreenArgs, guard, print, tell, warn};
 use super::progress::Progress;
-use super::tolerance::Format;
+use super::results::{Format, ResultsArgs};
 use crate::error::{Error, exit_code};
-use crate::output::OutputFolder;
 use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_render::match_map;
 use gearlash_results::text;
@@ -33,12 +32,8 @@ pub(super) struct Args {
     /// Wanted backlash in µm, from which a pair is to stray least over its mesh cycle [default: the middle of [require], or its one limit]
     #[arg(long, value_name = "UM", value_parser = target, allow_negative_numbers = true)]
     target_um: Option<f64>,
-    /// Folder for results [default: out/<file stem>; with --format json or csv none]
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
-    /// Format of the printed result
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    #[command(flatten)]
+    results: ResultsArgs,
     #[command(flatten)]
     screen: ScreenArgs,
 }
@@ -53,13 +48,9 @@ fn target(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let own = Path::new("out").join(
-        gearlash_files::named(&args.pair)
-            .file_stem()
-            .unwrap_or_default(),
-    );
-    let folder = args.format.folder(args.output.as_deref(), &own);
-    guard_folders(args, folder.as_deref())?;
+    let name = gearlash_files::named(&args.pair);
+    let stem = Path::new(name.file_stem().unwrap_or_default());
+    guard_folders(args, args.results.path(stem).as_deref())?;
     let folders = [args.wheels.as_path(), args.pinions.as_path()];
     let wanted = args.target_um.map(|um| 1e-3 * um);
     let file = read_match(&args.pair, folders, wanted)
@@ -76,8 +67,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             .iter()
             .for_each(|line| tell(&format!("{kind}: {line}")));
     }
-    let prepared = folder.map(|folder| OutputFolder::prepare(&folder, sources, is_own));
-    let prepared = prepared.transpose()?;
+    let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
     let result = matched(&file)?;
     let json = result.to_json();
     let matrix = result
@@ -89,12 +79,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (second, matrix.clone()),
         (third, match_map(&result)),
     ];
-    match args.format {
+    match args.results.format {
         Format::Text => print(&text::matched(&result, &args.screen.screen()))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&matrix)?,
     }
-    args.format.write(prepared, &files)?;
+    if let Some(folder) = prepared {
+        args.results.write(folder, &files)?;
+    }
     Ok(exit_code(result.is_complete()))
 }
 

@@ -47,12 +47,16 @@ impl ResultsArgs {
         sources: &Sources,
         own: impl Fn(&str) -> bool + 'static,
     ) -> Result<Option<OutputFolder>, Error> {
-        let path = match (&self.output, self.format) {
-            (Some(folder), _) => folder.clone(),
-            (None, Format::Text) if !self.no_files => Path::new("out").join(stem),
-            (None, _) => return Ok(None),
-        };
-        OutputFolder::prepare(&path, sources, own).map(Some)
+        let path = self.path(stem);
+        let prepared = path.map(|path| OutputFolder::prepare(&path, sources, own));
+        prepared.transpose()
+    }
+
+    /// The folder that the files go to; `None`: nothing is written.
+    pub(super) fn path(&self, stem: impl AsRef<Path>) -> Option<PathBuf> {
+        let own = || Path::new("out").join(stem);
+        let writes = self.format == Format::Text && !self.no_files;
+        self.output.clone().or_else(|| writes.then(own))
     }
 
     /// Writes `files`, beside those begun already, and, after a table, says where they are.

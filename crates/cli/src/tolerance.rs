@@ -5,10 +5,9 @@ mod rows;
 
 use super::console::{ScreenArgs, guard, print_note, warn};
 use super::progress::Progress;
+use super::results::ResultsArgs;
 use crate::error::Error;
-use crate::output::OutputFolder;
 use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Tally};
-use gearlash_files::Sources;
 use gearlash_files::tolerance::{
     BLOCK, MOST_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
 };
@@ -17,8 +16,6 @@ use rows::RowsFile;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-
-pub(super) use results::Format;
 
 /// Draw assemblies as [tolerance] of the pair file says, and find the share of them that misses [require]
 ///
@@ -31,9 +28,6 @@ pub(super) use results::Format;
 pub(super) struct Args {
     /// The pair file (TOML or JSON) with [tolerance], - for standard input
     pair: PathBuf,
-    /// Folder for results [default: out/<file stem>; with --format json or csv none]
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
     /// Number of assemblies, in place of the pair file's
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
     assemblies: Option<u64>,
@@ -44,14 +38,13 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.csv")]
     rows: Option<PathBuf>,
     /// Compute the rows of M assemblies from number N on, and no statistics
-    #[arg(long, value_name = "N", requires = "rows", conflicts_with_all = ["output", "format"], value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
+    #[arg(long, value_name = "N", requires = "rows", conflicts_with_all = ["output", "format", "no_files"], value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
     first: Option<u64>,
     /// Draw nothing: give the statistics of the rows in these files, which together have every assembly once. * and ? stand for letters of a name
     #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ["rows", "first"])]
     from_rows: Vec<PathBuf>,
-    /// Format of the printed result
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    #[command(flatten)]
+    results: ResultsArgs,
     #[command(flatten)]
     screen: ScreenArgs,
 }
@@ -69,9 +62,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return range(args, &file, first);
     }
     let run = ToleranceRun::new(&file, &args.pair, args.assemblies, args.seed)?;
-    let own = Path::new("out").join(&file.pair.stem);
-    let folder = args.format.folder(args.output.as_deref(), &own);
-    let prepared = prepare(folder.as_deref(), &sources)?;
+    let folder = args.results.path(&file.pair.stem);
+    let prepared = args.results.folder(&file.pair.stem, &sources, is_own)?;
+    if let Some(folder) = &folder {
+        guard_worst(folder)?;
+    }
     let tally = if rows_files.is_empty() {
         let numbers = 1..run.assemblies() + 1;
         let rows = args.rows.as_deref();
@@ -94,7 +89,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ContributionsError::Error(error) => Error::Run(error),
         ContributionsError::Overflow(error) => Error::Usage(error.to_string()),
     })?;
-    tell_result(&file, &result, prepared, args.format, &args.screen.screen())
+    tell_result(
+        &file,
+        &result,
+        prepared,
+        &args.results,
+        &args.screen.screen(),
+    )
 }
 
 /// The rows of `args.assemblies` from number `first` on, by default up to the last of the pair file.
@@ -168,14 +169,4 @@ fn draw(
             Err(error)
         }
     }
-}
-
-/// The folder at `path`, which holds no pair file of the user's own in the place of a result.
-fn prepare(path: Option<&Path>, sources: &Sources) -> Result<Option<OutputFolder>, Error> {
-    let Some(path) = path else {
-        return Ok(None);
-    };
-    let folder = OutputFolder::prepare(path, sources, is_own)?;
-    guard_worst(path)?;
-    Ok(Some(folder))
 }

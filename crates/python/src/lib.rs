@@ -41,6 +41,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     )?;
     module.add_function(wrap_pyfunction!(population::tolerance_assemblies, module)?)?;
     module.add_function(wrap_pyfunction!(population::tolerance_rows, module)?)?;
+    module.add_function(wrap_pyfunction!(population::rows_columns, module)?)?;
     module.add_function(wrap_pyfunction!(population::tolerance_result, module)?)?;
     module.add_function(wrap_pyfunction!(population::match_cells, module)?)?;
     module.add_function(wrap_pyfunction!(population::match_result, module)?)?;

@@ -8,57 +8,16 @@ use gearlash::population::{ContributionsError, Outcome, OutcomeKind, Row};
 use gearlash_files::InputError;
 use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_files::tolerance::{
-    BLOCK, MOST_ASSEMBLIES, RowsHead, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
-    tenths_to_um, um_to_tenths,
+    BLOCK, MOST_ASSEMBLIES, RowsReader, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
+    row_line, tenths_to_um,
 };
-use numpy::{IntoPyArray, PyReadonlyArray1};
+use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
 
 /// The farthest that a wanted backlash may lie from 0, µm, as that of the command.
 const MOST_TARGET_UM: f64 = 1e5;
-
-/// Version, hash of the input, seed, first assembly and count.
-type Head = (String, String, u64, u64, u64);
-
-/// The columns of rows.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct Columns<'py> {
-    assembly: PyReadonlyArray1<'py, u64>,
-    outcome: PyReadonlyArray1<'py, u8>,
-    least_um: PyReadonlyArray1<'py, f64>,
-    greatest_um: PyReadonlyArray1<'py, f64>,
-    proven: PyReadonlyArray1<'py, bool>,
-    below: PyReadonlyArray1<'py, bool>,
-    above: PyReadonlyArray1<'py, bool>,
-    margin_um: PyReadonlyArray1<'py, f64>,
-}
-
-impl Columns<'_> {
-    /// The rows; `None` where a column is shorter than another, or a value is none of a row.
-    fn rows(&self) -> Option<Vec<Row>> {
-        let length = |um: f64| match um.is_nan() {
-            true => Some(None),
-            false => um_to_tenths(um).map(Some),
-        };
-        let count = self.assembly.as_array().len();
-        let row = |index: usize| {
-            Some(Row {
-                number: *self.assembly.get(index).filter(|number| **number > 0)?,
-                kind: *OutcomeKind::ALL.get(usize::from(*self.outcome.get(index)?))?,
-                least: length(*self.least_um.get(index)?)?,
-                greatest: length(*self.greatest_um.get(index)?)?,
-                is_proven: *self.proven.get(index)?,
-                is_below: *self.below.get(index)?,
-                is_above: *self.above.get(index)?,
-                margin: length(*self.margin_um.get(index)?)?,
-            })
-        };
-        (0..count).map(row).collect()
-    }
-}
 
 fn read(py: Python<'_>, path: &Path) -> PyResult<ToleranceFile> {
     let file = py.detach(|| read_tolerance(path));
@@ -90,17 +49,17 @@ pub fn tolerance_assemblies(py: Python<'_>, path: PathBuf) -> PyResult<u64> {
     Ok(read(py, &path)?.tolerance.assemblies.into())
 }
 
-/// The rows of `count` assemblies from `first` on: header, columns, and the warnings of the files. Without a count: up to the last of the pair file.
+/// The text of a file with the rows of `count` assemblies from `first` on, and the warnings of the files. Without a count: up to the last of the pair file.
 #[pyfunction]
 #[pyo3(signature = (path, first, count, seed, threads=None))]
-pub fn tolerance_rows<'py>(
-    py: Python<'py>,
+pub fn tolerance_rows(
+    py: Python<'_>,
     path: PathBuf,
     first: u64,
     count: Option<u64>,
     seed: Option<u64>,
     threads: Option<usize>,
-) -> PyResult<(Head, Bound<'py, PyDict>, Vec<String>)> {
+) -> PyResult<(String, Vec<String>)> {
     let file = read(py, &path)?;
     let all = u64::from(file.tolerance.assemblies);
     let count = count.unwrap_or((all + 1).saturating_sub(first));
@@ -120,29 +79,42 @@ pub fn tolerance_rows<'py>(
     if let Some(reason) = run.too_many_impossible(tally.tally()) {
         return Err(error(py, reason));
     }
-    let columns = PyDict::new(py);
-    let um = |length: fn(&Row) -> Option<i64>| -> Vec<f64> {
-        let each = rows.iter().map(length);
-        each.map(|tenths| tenths.map_or(f64::NAN, tenths_to_um))
-            .collect()
-    };
-    let is = |flag: fn(&Row) -> bool| -> Vec<bool> { rows.iter().map(flag).collect() };
-    let numbers: Vec<u64> = rows.iter().map(|row| row.number).collect();
-    let codes: Vec<u8> = rows.iter().map(|row| row.kind as u8).collect();
-    columns.set_item("assembly", numbers.into_pyarray(py))?;
-    columns.set_item("outcome", codes.into_pyarray(py))?;
-    columns.set_item("least_um", um(|row| row.least).into_pyarray(py))?;
-    columns.set_item("greatest_um", um(|row| row.greatest).into_pyarray(py))?;
-    columns.set_item("proven", is(|row| row.is_proven).into_pyarray(py))?;
-    columns.set_item("below", is(|row| row.is_below).into_pyarray(py))?;
-    columns.set_item("above", is(|row| row.is_above).into_pyarray(py))?;
-    columns.set_item("margin_um", um(|row| row.margin).into_pyarray(py))?;
-    let head = run.head(first, count);
-    let head = (head.version, head.input_sha256, head.seed, first, count);
-    Ok((head, columns, warnings(&file)))
+    let mut text = run.head(first, count).lines();
+    text.extend(rows.iter().map(row_line));
+    Ok((text, warnings(&file)))
 }
 
-/// The result of a run as the JSON of `gearlash tolerance`, and the warnings of the files: of the given rows, or of rows that it draws itself.
+/// Seed, first assembly and columns of the text of a file of rows. A length is NaN where there is none.
+#[pyfunction]
+pub fn rows_columns<'py>(py: Python<'py>, text: &str) -> PyResult<(u64, u64, Bound<'py, PyDict>)> {
+    let (head, rows) =
+        RowsReader::begin("rows", text.as_bytes()).map_err(|reason| input(py, &reason))?;
+    let rows: Result<Vec<Row>, InputError> = rows.collect();
+    let rows = rows.map_err(|reason| input(py, &reason))?;
+    let um = |length: fn(&Row) -> Option<i64>| {
+        let each = rows.iter().map(length);
+        let each = each.map(|tenths| tenths.map_or(f64::NAN, tenths_to_um));
+        each.collect::<Vec<f64>>().into_pyarray(py)
+    };
+    let is = |flag: fn(&Row) -> bool| {
+        let each = rows.iter().map(flag);
+        each.collect::<Vec<bool>>().into_pyarray(py)
+    };
+    let numbers: Vec<u64> = rows.iter().map(|row| row.number).collect();
+    let codes: Vec<u8> = rows.iter().map(|row| row.kind as u8).collect();
+    let columns = PyDict::new(py);
+    columns.set_item("assembly", numbers.into_pyarray(py))?;
+    columns.set_item("outcome", codes.into_pyarray(py))?;
+    columns.set_item("least_um", um(|row| row.least))?;
+    columns.set_item("greatest_um", um(|row| row.greatest))?;
+    columns.set_item("proven", is(|row| row.is_proven))?;
+    columns.set_item("below", is(|row| row.is_below))?;
+    columns.set_item("above", is(|row| row.is_above))?;
+    columns.set_item("margin_um", um(|row| row.margin))?;
+    Ok((head.seed, head.first, columns))
+}
+
+/// The result of a run as the JSON of `gearlash tolerance`, and the warnings of the files: of the given texts of rows, or of rows that it draws itself.
 #[pyfunction]
 #[pyo3(signature = (path, assemblies, seed, rows=None, threads=None))]
 pub fn tolerance_result(
@@ -150,33 +122,16 @@ pub fn tolerance_result(
     path: PathBuf,
     assemblies: Option<u64>,
     seed: Option<u64>,
-    rows: Option<Vec<(Head, Columns<'_>)>>,
+    rows: Option<Vec<String>>,
     threads: Option<usize>,
 ) -> PyResult<(String, Vec<String>)> {
     let file = read(py, &path)?;
     let run = run(py, &file, &path, assemblies, seed)?;
     let mut tally = RowsTally::new(&run);
     let tally = if let Some(rows) = rows {
-        for (index, (head, columns)) in rows.iter().enumerate() {
-            let name = format!("rows[{index}]");
-            let (version, input_sha256, seed, first, count) = head.clone();
-            let head = RowsHead {
-                version,
-                input_sha256,
-                seed,
-                first,
-                count,
-            };
-            let begun = tally.begin(&name, &head);
-            begun.map_err(|reason| input(py, &reason))?;
-            let rows = columns.rows().ok_or_else(|| {
-                error(
-                    py,
-                    format!("{name}: a column is too short, or has a value that no row has"),
-                )
-            })?;
-            let counted = rows.iter().try_for_each(|row| tally.add(row));
-            counted.map_err(|reason| error(py, reason))?;
+        for (index, text) in rows.iter().enumerate() {
+            let added = tally.add_text(&format!("rows[{index}]"), text.as_bytes());
+            added.map_err(|reason| input(py, &reason))?;
         }
         tally.finish().map_err(|reason| input(py, &reason))?
     } else {

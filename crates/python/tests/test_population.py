@@ -107,6 +107,7 @@ def test_rows_are_those_of_the_command(pair: Path, tmp_path: Path) -> None:
     file = tmp_path / "rows.csv"
     command("tolerance", pair, "--first", 31, "--assemblies", 50, "--rows", file, "-q")
     rows = gearlash.tolerance_rows(pair, first=31, assemblies=50)
+    assert rows.to_csv() == file.read_text(encoding="utf-8")
     frame = rows.to_pandas()
     read = pandas.read_csv(file, comment="#")
     assert list(frame.columns) == list(read.columns) and len(rows) == len(read) == 50
@@ -146,18 +147,18 @@ def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -
         # Its first range kills the worker's process, once: the file says that it has been done.
         mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-killed-{os.getpid()}")
 
-        def deadly(first: int) -> tuple[gearlash.Rows, list[str]]:
+        def deadly(first: int) -> Any:
             if os.getpid() == victim and not os.path.exists(mark):
                 Path(mark).touch()
                 os.kill(victim, signal.SIGKILL)
-            return gearlash.dask._rows(os.fspath(pair), (first, 75), None, 1)
+            return gearlash._core.tolerance_rows(os.fspath(pair), first, 75, None, 1)
 
         try:
             found = client.gather(client.map(deadly, range(1, 600, 75), pure=False))
             assert os.path.exists(mark)
         finally:
             Path(mark).unlink(missing_ok=True)
-    rows = [each for each, _ in found]
+    rows = [gearlash.Rows(text) for text, _ in found]
     result = gearlash.tolerance(pair, assemblies=600, rows=rows)
     assert json.dumps(result.record) == json.dumps(whole)
 

@@ -1,10 +1,10 @@
 //! The result of a run: printed, and written to a folder.
 
-use crate::console::{print, print_note};
+use crate::console::print;
 use crate::date::today;
 use crate::error::{Error, exit_code};
 use crate::output::OutputFolder;
-use clap::ValueEnum;
+use crate::results::{Format, ResultsArgs};
 use gearlash::population::WORST;
 use gearlash_files::tolerance::{
     ToleranceFile, ToleranceResult, histogram_csv, is_worst_file, worst_file, worst_name,
@@ -12,7 +12,7 @@ use gearlash_files::tolerance::{
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
 use gearlash_results::text::Screen;
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 const HISTOGRAM: &str = "histogram.svg";
@@ -28,44 +28,8 @@ const FILES: [&str; 7] = [
     "index.html",
 ];
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-pub(crate) enum Format {
-    /// A readable table
-    Text,
-    /// The whole result
-    Json,
-    /// The numbers, a row each
-    Csv,
-}
-
-impl Format {
-    /// The folder for results: the `named` one. Where none is named, text goes to the command's `own` folder, and the other formats write no files.
-    pub(crate) fn folder(self, named: Option<&Path>, own: &Path) -> Option<PathBuf> {
-        match self {
-            Format::Text => Some(named.unwrap_or(own).to_path_buf()),
-            Format::Json | Format::Csv => named.map(Path::to_path_buf),
-        }
-    }
-
-    /// Writes `files` to `folder`, where there is one, and, after a table, says where they are.
-    pub(crate) fn write(
-        self,
-        folder: Option<OutputFolder>,
-        files: &[(String, String)],
-    ) -> Result<(), Error> {
-        let Some(folder) = folder else {
-            return Ok(());
-        };
-        let written = folder.write(files)?;
-        match self {
-            Format::Text => print_note(&format!("\n{written}\n")),
-            Format::Json | Format::Csv => Ok(()),
-        }
-    }
-}
-
 /// Whether a run may write a file called `name`.
-pub(crate) fn is_own(name: &str) -> bool {
+pub(super) fn is_own(name: &str) -> bool {
     FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
 }
 
@@ -87,11 +51,11 @@ pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
 }
 
 /// Prints `result` and writes it to `folder`, where there is one.
-pub(crate) fn tell_result(
+pub(super) fn tell_result(
     file: &ToleranceFile,
     result: &ToleranceResult,
     folder: Option<OutputFolder>,
-    format: Format,
+    args: &ResultsArgs,
     screen: &Screen,
 ) -> Result<ExitCode, Error> {
     let date = today()?;
@@ -121,11 +85,13 @@ pub(crate) fn tell_result(
         let (name, text) = worst_file(index, worst);
         files.push((name, text.map_err(Error::unwritable("the result"))?));
     }
-    match format {
+    match args.format {
         Format::Text => print(&gearlash_results::text::tolerance(result, screen))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }
-    format.write(folder, &files)?;
+    if let Some(folder) = folder {
+        args.write(folder, &files)?;
+    }
     Ok(exit_code(result.is_met() != Some(false)))
 }

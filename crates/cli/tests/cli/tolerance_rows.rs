@@ -142,7 +142,7 @@ fn rows_that_make_no_run_are_named() {
         ),
         (
             "table.csv",
-            "table.csv: is no file of rows: line 1 is no header",
+            "table.csv: is no file of rows: its first lines are no header",
         ),
         ("pair.toml", "pair.toml: is no file of rows"),
         ("none.csv", "--from-rows none.csv: no such file"),

@@ -24,7 +24,7 @@ pub use impossible::TooManyImpossible;
 pub use limit::{Limit, in_words};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{About, Convergence, ToleranceResult};
-pub use rows::{RowsHead, RowsTally, row_line, tenths_to_um, um_to_tenths};
+pub use rows::{RowsHead, RowsReader, RowsTally, row_line, tenths_to_um};
 pub use run::{BLOCK, Tick, ToleranceRun, shell_word};
 pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};
 pub use worst::{Worst, is_worst_file, worst_file, worst_name};

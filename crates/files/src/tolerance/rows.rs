@@ -88,7 +88,7 @@ pub fn tenths_to_um(tenths: i64) -> f64 {
 }
 
 /// `um` in whole tenths of a nanometre; `None` of what is no such length.
-pub fn um_to_tenths(um: f64) -> Option<i64> {
+fn um_to_tenths(um: f64) -> Option<i64> {
     let tenths = (um * TENTHS_PER_UM).round();
     (tenths.abs() <= MOST_TENTHS).then_some(tenths as i64)
 }
@@ -121,7 +121,7 @@ fn parse_row(line: &str) -> Option<Row> {
         um_to_tenths(text.parse().ok()?).map(Some)
     };
     let row = Row {
-        number: field()?.parse().ok()?,
+        number: field()?.parse().ok().filter(|number| *number > 0)?,
         kind: outcome_kind(field()?)?,
         least: um(field()?)?,
         greatest: um(field()?)?,
@@ -136,6 +136,74 @@ fn parse_row(line: &str) -> Option<Row> {
 fn outcome_kind(name: &str) -> Option<OutcomeKind> {
     let mut all = OutcomeKind::ALL.into_iter();
     all.find(|kind| kind.name() == name)
+}
+
+/// The rows of a file, line by line. A last line that is cut off, as after a kill, is no row.
+pub struct RowsReader<'a, R> {
+    name: &'a str,
+    text: R,
+    /// Number of the last line that was read.
+    number: u64,
+    line: Vec<u8>,
+}
+
+impl<'a, R: BufRead> RowsReader<'a, R> {
+    /// The header of the file called `name`, and its rows.
+    ///
+    /// # Errors
+    /// [`InputError`]: no file of rows.
+    pub fn begin(name: &'a str, text: R) -> Result<(RowsHead, RowsReader<'a, R>), InputError> {
+        let mut rows = RowsReader {
+            name,
+            text,
+            number: 0,
+            line: Vec::new(),
+        };
+        let head = rows.line()?.and_then(RowsHead::parse);
+        let is_columns = rows.line()? == Some(COLUMNS);
+        match head.filter(|_| is_columns) {
+            Some(head) => Ok((head, rows)),
+            None => Err(wrong(
+                name,
+                "is no file of rows: its first lines are no header",
+                HELP,
+            )),
+        }
+    }
+
+    /// The next line without its end; `None` after the last one.
+    fn line(&mut self) -> Result<Option<&str>, InputError> {
+        self.line.clear();
+        let mut text = std::io::Read::take(&mut self.text, LONGEST_LINE);
+        let read = text.read_until(b'\n', &mut self.line);
+        read.map_err(|error| unreadable(self.name, &error))?;
+        self.number += 1;
+        let is_long = self.line.len() as u64 == LONGEST_LINE;
+        let is_whole = self.line.last() == Some(&b'\n') || is_long;
+        let text = std::str::from_utf8(&self.line).unwrap_or("").trim_end();
+        Ok(is_whole.then_some(text))
+    }
+}
+
+impl<R: BufRead> Iterator for RowsReader<'_, R> {
+    type Item = Result<Row, InputError>;
+
+    fn next(&mut self) -> Option<Result<Row, InputError>> {
+        let name = self.name;
+        let row = match self.line() {
+            Ok(None) => return None,
+            Err(error) => return Some(Err(error)),
+            Ok(Some(line)) => {
+                parse_row(line).ok_or_else(|| line.chars().take(80).collect::<String>())
+            }
+        };
+        let number = self.number;
+        let wrong = |line| {
+            let reason = format!("line {number} is no row: {line:?}");
+            wrong(name, reason, "compute its rows again")
+        };
+        Some(row.map_err(wrong))
+    }
 }
 
 /// Sums over the rows of a run, from however many sources, and which assemblies they are.
@@ -168,11 +236,8 @@ impl<'a> RowsTally<'a> {
         &self.tally
     }
 
-    /// Begins the rows of `source`, a file or what else is named in messages.
-    ///
-    /// # Errors
-    /// [`InputError`]: rows of another run.
-    pub fn begin(&mut self, source: &str, head: &RowsHead) -> Result<(), InputError> {
+    /// Begins the rows of `source`, as messages name it.
+    fn begin(&mut self, source: &str, head: &RowsHead) -> Result<(), InputError> {
         let wanted = self.run.head(head.first, head.count);
         if let Some((name, own, wanted)) = head.difference(&wanted) {
             return Err(wrong(
@@ -199,52 +264,28 @@ impl<'a> RowsTally<'a> {
         Ok(())
     }
 
-    /// Adds the rows of the file at `path`. A last line that is cut off, as after a kill, is no row.
+    /// Adds the rows of the file at `path`.
     ///
     /// # Errors
-    /// [`InputError`]: a file that cannot be read, of another run, or with a line that is no row.
+    /// As [`RowsTally::add_text`]; a file that cannot be read.
     pub fn add_file(&mut self, path: &Path) -> Result<(), InputError> {
         let name = path.display().to_string();
-        let help = "name files that gearlash tolerance --rows wrote";
-        let file = File::open(path).map_err(|error| {
-            let reason = match error.kind() {
-                ErrorKind::NotFound => "file not found".to_owned(),
-                _ => format!("cannot be read: {error}"),
-            };
-            wrong(&name, reason, help)
-        })?;
-        let mut file = BufReader::with_capacity(1 << 16, file);
-        let (mut line, mut number) = (Vec::new(), 0u64);
-        loop {
-            line.clear();
-            let read = std::io::Read::take(&mut file, LONGEST_LINE).read_until(b'\n', &mut line);
-            read.map_err(|error| wrong(&name, format!("cannot be read: {error}"), help))?;
-            number += 1;
-            let is_cut = (line.len() as u64) < LONGEST_LINE && line.last() != Some(&b'\n');
-            if number > 2 && is_cut {
-                return Ok(());
-            }
-            let text = std::str::from_utf8(&line).unwrap_or("").trim_end();
-            match number {
-                1 => {
-                    let head = RowsHead::parse(text).ok_or_else(|| {
-                        wrong(&name, "is no file of rows: line 1 is no header", help)
-                    })?;
-                    self.begin(&name, &head)?;
-                }
-                2 if text == COLUMNS => (),
-                _ => {
-                    let row = parse_row(text).filter(|row| row.number > 0);
-                    let row = row.ok_or_else(|| {
-                        let shown: String = text.chars().take(80).collect();
-                        let reason = format!("line {number} is no row: {shown:?}");
-                        wrong(&name, reason, "compute its rows again")
-                    })?;
-                    let added = self.add(&row);
-                    added.map_err(|error| wrong(&name, error.to_string(), help))?;
-                }
-            }
+        let file = File::open(path).map_err(|error| unreadable(&name, &error))?;
+        self.add_text(&name, BufReader::with_capacity(1 << 16, file))
+    }
+
+    /// Adds the rows of the `text` of a file called `name`.
+    ///
+    /// # Errors
+    /// [`InputError`]: rows of another run, or a line that is no row.
+    pub fn add_text(&mut self, name: &str, text: impl BufRead) -> Result<(), InputError> {
+        let (head, rows) = RowsReader::begin(name, text)?;
+        self.begin(name, &head)?;
+        for row in rows {
+            let added = self.add(&row?);
+            added.map_err(|error| wrong(name, error.to_string(), HELP))?;
         }
+        Ok(())
     }
 
     /// The sums over all assemblies of the run.
@@ -309,6 +350,17 @@ impl<'a> RowsTally<'a> {
             Err(InputError::of(self.run.path(), problems))
         }
     }
+}
+
+/// The way out of a file that has no rows.
+const HELP: &str = "name files that gearlash tolerance --rows wrote";
+
+fn unreadable(source: &str, error: &std::io::Error) -> InputError {
+    let reason = match error.kind() {
+        ErrorKind::NotFound => "file not found".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    };
+    wrong(source, reason, HELP)
 }
 
 fn wrong(source: &str, reason: impl Into<String>, help: &str) -> InputError {

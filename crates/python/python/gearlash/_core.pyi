@@ -9,7 +9,6 @@ __version__: str
 STATUSES: list[str]
 OUTCOMES: list[str]
 
-Head = tuple[str, str, int, int, int]
 MatchFiles = tuple[str, str, str, float | None]
 Cell = tuple[int, int, float | None, float | None, bool, bool, int]
 
@@ -76,12 +75,13 @@ def check(pair: Pair, threads: int | None = None) -> str: ...
 def tolerance_assemblies(path: str) -> int: ...
 def tolerance_rows(
     path: str, first: int, count: int | None, seed: int | None, threads: int | None = None
-) -> tuple[Head, dict[str, NDArray[Any]], list[str]]: ...
+) -> tuple[str, list[str]]: ...
+def rows_columns(text: str) -> tuple[int, int, dict[str, NDArray[Any]]]: ...
 def tolerance_result(
     path: str,
     assemblies: int | None,
     seed: int | None,
-    rows: list[tuple[Head, dict[str, NDArray[Any]]]] | None = None,
+    rows: list[str] | None = None,
     threads: int | None = None,
 ) -> tuple[str, list[str]]: ...
 def match_cells(

@@ -5,6 +5,7 @@ import os
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -50,14 +51,25 @@ class Rows(Table):
     As a table (``to_pandas``, ``to_arrow``) the columns of a file of ``gearlash tolerance --rows``. Lengths are NaN where an assembly has none.
     """
 
-    def __init__(self, head: _core.Head, arrays: dict[str, np.ndarray[Any, Any]]) -> None:
-        self._head = head
-        self._arrays = arrays
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def to_csv(self) -> str:
+        """The text of that file, which ``gearlash tolerance --from-rows`` reads."""
+        return self._text
+
+    @cached_property
+    def _read(self) -> "tuple[int, int, dict[str, np.ndarray[Any, Any]]]":
+        return _core.rows_columns(self._text)
+
+    @property
+    def _arrays(self) -> "dict[str, np.ndarray[Any, Any]]":
+        return self._read[2]
 
     @property
     def seed(self) -> int:
         """The seed."""
-        return self._head[2]
+        return self._read[0]
 
     @property
     def assembly(self) -> np.ndarray[Any, Any]:
@@ -83,7 +95,7 @@ class Rows(Table):
         return len(self.assembly)
 
     def __repr__(self) -> str:
-        return f"Rows({len(self)} assemblies from {self._head[3]} on, seed {self.seed})"
+        return f"Rows({len(self)} assemblies from {self._read[1]} on, seed {self.seed})"
 
 
 class Tolerance(Result):
@@ -207,9 +219,9 @@ def tolerance_rows(
 
     An assembly depends on the seed and its number alone: :func:`tolerance` takes rows computed anywhere.
     """
-    head, arrays, warned = _core.tolerance_rows(os.fspath(path), first, assemblies, seed, threads)
+    text, warned = _core.tolerance_rows(os.fspath(path), first, assemblies, seed, threads)
     warn(warned)
-    return Rows(head, arrays)
+    return Rows(text)
 
 
 def tolerance(
@@ -224,7 +236,7 @@ def tolerance(
 
     ``rows`` are those of all its assemblies, in any order; without them they are drawn here.
     """
-    given = None if rows is None else [(each._head, each._arrays) for each in rows]
+    given = None if rows is None else [each.to_csv() for each in rows]
     text, warned = _core.tolerance_result(os.fspath(path), assemblies, seed, given, threads)
     warn(warned)
     return Tolerance(text)

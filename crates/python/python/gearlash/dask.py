@@ -8,19 +8,10 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from gearlash import _core
-from gearlash._population import Matched, Path, Rows, Tolerance, warn
+from gearlash._population import Matched, Path, Tolerance, warn
 
 if TYPE_CHECKING:
     from distributed import Client
-
-
-def _rows(
-    path: str, numbers: tuple[int, int], seed: int | None, threads: int | None
-) -> tuple[Rows, list[str]]:
-    """The rows of so many assemblies from a number on, and the warnings of the files."""
-    first, count = numbers
-    head, arrays, warned = _core.tolerance_rows(path, first, count, seed, threads)
-    return Rows(head, arrays), warned
 
 
 def _gathered(client: "Client", function: Any, items: list[Any], retries: int) -> list[Any]:
@@ -55,10 +46,12 @@ def tolerance(
     whole = os.path.abspath(path)
     total = _core.tolerance_assemblies(whole) if assemblies is None else assemblies
     found = _gathered(
-        client, lambda numbers: _rows(whole, numbers, seed, threads), _ranges(total, ranges), retries
+        client,
+        lambda numbers: _core.tolerance_rows(whole, numbers[0], numbers[1], seed, threads),
+        _ranges(total, ranges),
+        retries,
     )
-    rows = [(each._head, each._arrays) for each, _ in found]
-    text, warned = _core.tolerance_result(whole, assemblies, seed, rows)
+    text, warned = _core.tolerance_result(whole, assemblies, seed, [rows for rows, _ in found])
     warn(warned)
     return Tolerance(text)
 

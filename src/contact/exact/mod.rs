@@ -48,7 +48,8 @@ mod teeth;
 mod tests;
 mod tightest;
 
-pub use extremes::{Doubt, Extreme, Extremes};
+pub(crate) use extremes::is_narrow;
+pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
 pub(super) use flank_problem::lens_half;
 
 use super::effort::Effort;

@@ -1,7 +1,7 @@
 //! The least and the greatest of a cycle as a result, and the poses seen on the way to it.
 
 use super::course::Course;
-use crate::contact::lost_motion::Status;
+use crate::contact::lost_motion::{LostMotion, Status};
 use crate::error::Error;
 use crate::pair::Mating;
 
@@ -86,8 +86,8 @@ pub(super) struct PosesSeen {
     pub jammed: Option<Mating>,
     pub unmeshed: Option<Mating>,
     lost: bool,
-    /// Whether the cycle was sampled.
-    pub sampled: bool,
+    /// What bounds the least from below and the greatest from above where the cycle was sampled, rad.
+    pub sampled: Option<[f64; 2]>,
 }
 
 /// The lost motion at a pose, rad.
@@ -99,13 +99,17 @@ pub(super) struct Seen {
 }
 
 impl PosesSeen {
-    /// Looks at a pose.
-    pub fn look(&mut self, course: &Course, mating: Mating) -> Result<(), Error> {
+    /// Looks at a pose; `None` where the contact is lost.
+    pub fn look(
+        &mut self,
+        course: &Course,
+        mating: Mating,
+    ) -> Result<Option<LostMotion>, Error> {
         let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
         course.effort.spend(effort);
         let Some(found) = found? else {
             self.lost = true;
-            return Ok(());
+            return Ok(None);
         };
         match found.status() {
             Status::Jammed => self.jammed = self.jammed.or(Some(mating)),
@@ -119,7 +123,7 @@ impl PosesSeen {
                 mating,
             });
         }
-        Ok(())
+        Ok(Some(found))
     }
 
     fn take(&mut self, seen: Seen) {
@@ -136,6 +140,12 @@ impl PosesSeen {
         let per_radian = course.per_radian();
         // The attained value bounds one end, the proof the other.
         let extreme = |seen: Seen, is_least: bool, (bound, doubt): Proof| {
+            // The better bound of the search and of the poses.
+            let bound = match self.sampled {
+                Some([low, _]) if is_least => bound.max(low),
+                Some([_, high]) if !is_least => bound.min(high),
+                _ => bound,
+            };
             let (bound, doubt) = if self.lost {
                 (f64::NAN, Some(Doubt::ContactLost))
             } else {

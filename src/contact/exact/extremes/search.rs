@@ -33,7 +33,7 @@ pub(super) enum Which {
 
 impl Which {
     /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
-    fn key(self, low: f64, high: f64) -> f64 {
+    pub fn key(self, low: f64, high: f64) -> f64 {
         let key = match self {
             Which::Least => -low,
             Which::Greatest => high,

@@ -19,9 +19,11 @@ pub(super) struct Planned {
     first: Mating,
     /// Matings that differ.
     distinct: u64,
+    /// Whether the pair has several assembly phases that differ.
+    differ: bool,
     /// Phases of the same pair that are searched: they share the effort of one pair.
     phases: u64,
-    /// Its assembly phase, where phases differ.
+    /// Its assembly phase, where several are searched.
     pub phase: Option<(u32, u32)>,
 }
 
@@ -44,6 +46,12 @@ pub(super) struct SearchedEnd {
 }
 
 impl Planned {
+    /// Wheel and pinion tooth that name its assembly phase; `None` where the pair has one, or all are alike.
+    pub fn covers(&self) -> Option<(u32, u32)> {
+        self.differ
+            .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
+    }
+
     pub fn search(&self) -> Result<Searched, Error> {
         let assembly = &self.run.assembly;
         let effort = &self.effort(assembly);
@@ -205,7 +213,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
         let count = phases.len() as u64;
         for pinion_tooth in phases {
             let first = first_of_phase(pinion_tooth);
-            let own = differ.then_some((first.wheel_tooth, first.pinion_tooth));
+            let own = (count > 1).then_some((first.wheel_tooth, first.pinion_tooth));
             plans.push(Planned {
                 phase: own,
                 run: RunPlan {
@@ -214,6 +222,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 },
                 first,
                 distinct,
+                differ,
                 phases: count,
             });
         }

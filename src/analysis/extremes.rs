@@ -29,8 +29,10 @@ pub struct RunExtremes {
     pub material: Material,
     /// As assembled.
     pub assembly: GearPair,
-    /// Wheel and pinion tooth that name the assembly phase; `None` where the pair has one, or all are alike.
+    /// Wheel and pinion tooth that name the assembly phase, where the study has several.
     pub phase: Option<(u32, u32)>,
+    /// Wheel and pinion tooth that name the assembly phase; `None` where the pair has one, or all are alike.
+    pub covers: Option<(u32, u32)>,
     /// Matings of the cycle: lcm(z_1, z_2).
     pub matings: u64,
     /// How the worst of its poses ends.
@@ -178,6 +180,7 @@ impl RunExtremes {
             material: planned.run.material,
             assembly: planned.run.assembly.clone(),
             phase: planned.phase,
+            covers: planned.covers(),
             matings: hunting_pitches(&planned.run.assembly),
             status: found.status,
             least,

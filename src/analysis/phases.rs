@@ -16,7 +16,7 @@ pub struct PhaseGroup<'a> {
 }
 
 /// Assembly phases of a pair.
-pub fn phase_count(assembly: &GearPair) -> u32 {
+pub(super) fn phase_count(assembly: &GearPair) -> u32 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     SweepPlan::phase_count(wheel, pinion)
 }
@@ -35,7 +35,7 @@ impl CoveredPhases {
     pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
         let (mut phases, mut all) = (Vec::new(), 1);
         for run in runs {
-            if let Some(phase) = run.phase {
+            if let Some(phase) = run.covers {
                 phases.push(phase);
                 all = phase_count(&run.assembly) as usize;
             }

@@ -2,7 +2,7 @@
 
 use crate::clearance;
 use crate::random::{self, Random};
-use gearlash::contact::{Certifier, Contact, CutGear, Doubt, ExactKernel, PolygonKernel, Status};
+use gearlash::contact::{Certifier, Contact, CutGear, ExactKernel, PolygonKernel, Status};
 use gearlash::gear::{AsBuilt, Deviations, Flank, Gear, Modification, Pitch, Relief, Trace};
 use gearlash::pair::{GearPair, Member, Pose};
 use rayon::prelude::*;

@@ -176,3 +176,77 @@ pub(super) fn is_clear_over(
     }
     false
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::shape::turn;
+    use super::*;
+    use crate::gear::{Gear, GearDesign, Profile};
+
+    /// Both paths are those of points turned about their axes, but for the third order. Source: the points turned.
+    #[test]
+    fn a_path_is_that_of_the_points_turned() {
+        let (distance, rate, gap) = (50.0, -1.3, 0.2);
+        let (centre, free_centre) = (C::new(49.9, 0.3), C::new(0.2, -0.1));
+        let (l, f) = (-turn(0.1), turn(-0.05));
+        let (locked_corner, free_corner) = (C::new(31.0, 2.0), C::new(21.0, 1.5));
+        let about = |point: C, x: f64| turn(x) * (point - distance) + distance;
+        let free = |x: f64| {
+            let p = turn(gap + rate * x) * (free_centre + f * free_corner);
+            (p - about(centre, x)) * (l * turn(x)).conj()
+        };
+        let locked = |x: f64| {
+            let p = about(centre + l * locked_corner, x);
+            let turned = turn(gap + rate * x);
+            (p - turned * free_centre) * (turned * f).conj()
+        };
+        let turned = turn(gap);
+        let paths = [
+            CornerPath::of_free(
+                turned * (free_centre + f * free_corner),
+                centre,
+                l,
+                distance,
+                rate,
+            ),
+            CornerPath::of_locked(
+                centre - distance + l * locked_corner,
+                turned * free_centre,
+                turned * f,
+                distance,
+                rate,
+            ),
+        ];
+        for k in -10..=10 {
+            let x = 0.02 * f64::from(k);
+            for (path, there) in paths.iter().zip([free(x), locked(x)]) {
+                let near = path.point + path.speed * x + path.acceleration * (0.5 * x * x);
+                let most = path.jerk * x.abs().powi(3) / 6.0 + 1e-12;
+                assert!((there - near).norm() <= most, "{x}: {there} {near} {most}");
+            }
+        }
+    }
+
+    /// A corner beside a fillet, at rest, is clear in front of it and not behind. Source: the fillet's own points and normals.
+    #[test]
+    fn a_corner_is_clear_in_front_of_the_fillet_alone() {
+        for teeth in [12, 18, 40] {
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            let shape = HalfToothShape::new(&Profile::new(&gear));
+            for k in 1..20 {
+                let gamma = shape.fillet_end * f64::from(k) / 20.0;
+                let sample = shape.at(ProfilePart::Fillet, gamma);
+                for height in [-1e-4, -1e-6, 1e-6, 1e-4] {
+                    let path = CornerPath {
+                        point: sample.point + sample.normal * height,
+                        speed: C::ZERO,
+                        acceleration: C::ZERO,
+                        jerk: 0.0,
+                    };
+                    let clear = path.is_clear(&shape, 0.0, 0.0, 0.0);
+                    assert_eq!(clear, height > 0.0, "{teeth} {gamma} {height}");
+                }
+            }
+        }
+    }
+}

@@ -259,7 +259,10 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
         last = next;
     }
     let mut bounds = [f64::NEG_INFINITY, f64::INFINITY];
-    for which in until.sought() {
+    // A body that touches is no flank.
+    let section = &course.kernel.section;
+    let has_bounds = section.bodies.is_none() && !section.blocked;
+    for which in until.sought().iter().filter(|_| has_bounds) {
         let bound = sampled.refine(*which, &mut stretches, poses / 3, found, until)?;
         bounds[usize::from(*which == Which::Greatest)] = bound;
     }

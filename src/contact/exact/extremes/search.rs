@@ -104,7 +104,8 @@ impl Candidates<'_> {
         let cell = Cell::of_part(top.mating, top.part);
         let course = self.search.course;
         let middle = course.mating(top.mating, 0.5 * (cell.from + cell.to));
-        found.look(course, middle)
+        found.look(course, middle)?;
+        Ok(())
     }
 
     /// Looks at the most promising stretch where its extreme is expected, and drops what cannot beat that: of gears that repeat themselves

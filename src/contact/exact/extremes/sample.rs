@@ -26,7 +26,7 @@ const MOST: [u64; 2] = [200_000, 6_000];
 
 /// Poses a pitch on the average, at most, and poses that any cycle may have.
 const PER_PITCH: u64 = 32;
-const FEW: u64 = 8_000;
+const FEW: u64 = 2_000;
 
 /// Times the neighbourhood of the best poses is cut into a quarter: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;

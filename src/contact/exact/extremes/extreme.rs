@@ -100,11 +100,7 @@ pub(super) struct Seen {
 
 impl PosesSeen {
     /// Looks at a pose; `None` where the contact is lost.
-    pub fn look(
-        &mut self,
-        course: &Course,
-        mating: Mating,
-    ) -> Result<Option<LostMotion>, Error> {
+    pub fn look(&mut self, course: &Course, mating: Mating) -> Result<Option<LostMotion>, Error> {
         let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
         course.effort.spend(effort);
         let Some(found) = found? else {

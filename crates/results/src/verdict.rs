@@ -646,7 +646,10 @@ fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String
 pub fn doubt(extreme: &RunExtreme) -> Option<String> {
     match &extreme.pose.simulated.found {
         Err(unproven) => Some(plain(&unproven.reason)),
-        Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),
+        Ok(_) => {
+            let doubt = extreme.doubt.filter(|_| !extreme.is_proven());
+            doubt.map(|doubt| in_words(doubt).to_owned())
+        }
     }
 }
 

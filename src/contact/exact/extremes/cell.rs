@@ -71,11 +71,7 @@ impl Cell {
                 faces: ends.iter().map(|end| end[k]).collect(),
                 effort: course.effort,
             };
-            let mut rooms = Vec::with_capacity(8);
-            for step in table.steps(k, self.mating, self.part) {
-                over.add(step, &mut rooms);
-            }
-            rooms
+            over.rooms(table.steps(k, self.mating, self.part))
         });
         let (lowest, low) = least(&rooms);
         let (highest, high) = greatest(&rooms);

@@ -1,21 +1,22 @@
 //! The checks of a pair as a judged file, and the map of what touches as CSV.
 
+use crate::check::CheckRow;
+use crate::column::{Object, Row};
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
 use crate::run::contact_count;
-use crate::table::{Column, Table, Unit};
 use crate::text::check::{governing, outlines, text, unit};
 use crate::verdict::lines;
 use crate::verdict_json::{VerdictRecord, verdict_record};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::pair::Member;
 use gearlash_files::PairFile;
+use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
 use gearlash_files::spec::PairSpec;
 use serde::Serialize;
-use serde_json::{Map, Value, to_value};
+use serde_json::{Value, to_value};
 
 #[derive(Debug, Serialize)]
 struct FileRecord<'a> {
@@ -29,28 +30,9 @@ struct FileRecord<'a> {
     verdict: VerdictRecord,
     extremes: Vec<Value>,
     checks_verdict: &'static str,
-    checks: Vec<CheckRecord<'a>>,
+    checks: Vec<Object<'static>>,
     contact: Value,
     runs: Vec<GroupRecord>,
-}
-
-#[derive(Debug, Serialize)]
-struct CheckRecord<'a> {
-    id: &'static str,
-    title: &'static str,
-    gear: Option<&'static str>,
-    formula: Option<f64>,
-    outlines: Option<f64>,
-    limit: Option<f64>,
-    margin: Option<f64>,
-    unit: &'static str,
-    verdict: &'static str,
-    center_distance_mm: f64,
-    material: &'static str,
-    details: Map<String, Value>,
-    note: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unproven: Option<&'a str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -113,7 +95,12 @@ pub fn checked(
         checks: diagnosis
             .groups
             .iter()
-            .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))
+            .flat_map(|group| {
+                group
+                    .checks
+                    .iter()
+                    .map(|check| CheckRow::columns().object(&CheckRow::new(group, check, true)))
+            })
             .collect(),
         contact: contact_count(&diagnosis.contact),
         runs: diagnosis.groups.iter().map(group_record).collect(),
@@ -163,52 +150,23 @@ fn group_record(group: &Group) -> GroupRecord {
     }
 }
 
-fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
-    let details = check.details.iter();
-    CheckRecord {
-        id: check.id,
-        title: check.title,
-        gear: check.gear.map(Member::name),
-        formula: check.formula,
-        outlines: check.outlines,
-        limit: check.limit,
-        margin: check.margin,
-        unit: check.unit,
-        verdict: check.verdict.name(),
-        center_distance_mm: group.assembly.center_distance(),
-        material: group.material.name(),
-        details: details
-            .map(|(name, value)| ((*name).to_owned(), (*value).into()))
-            .collect(),
-        note: &check.note,
-        unproven: check.unproven.as_deref(),
-    }
-}
-
 /// `map` as CSV, a row a pose.
 ///
 /// # Errors
-/// None that a map can cause; the writer's otherwise.
+/// None: it is written to memory.
 pub fn map_csv(map: &ContactMap) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["center_distance_mm", "fraction", "class", "j_wt_um"])?;
     let distances = map.distances.iter();
-    let places = distances.flat_map(|distance| {
-        let fractions = map.fractions.iter();
-        fractions.map(|fraction| (*distance, *fraction))
-    });
-    let (distances, fractions): (Vec<f64>, Vec<f64>) = places.unzip();
-    let cells = || map.cells.iter();
-    let table = Table {
-        name: "map",
-        columns: vec![
-            Column::new("center_distance_mm", Unit::Mm, distances),
-            Column::new("fraction", Unit::None, fractions),
-            Column::new("class", Unit::None, cells().map(|cell| cell.class.name())),
-            Column::new(
-                "j_wt_um",
-                Unit::Um,
-                cells().map(|cell| cell.backlash.map(|j| j * 1e3)),
-            ),
-        ],
-    };
-    table.to_csv()
+    let places = distances.flat_map(|a| map.fractions.iter().map(move |fraction| (a, fraction)));
+    for ((a, fraction), cell) in places.zip(&map.cells) {
+        let j_wt = cell.backlash.map(|mm| (mm * 1e3).to_string());
+        writer.write_record([
+            &a.to_string(),
+            &fraction.to_string(),
+            cell.class.name(),
+            &j_wt.unwrap_or_default(),
+        ])?;
+    }
+    csv_text(writer)
 }

@@ -16,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod check;
 mod checks;
 mod column;
 mod comparison;
@@ -29,7 +30,6 @@ mod notes;
 pub mod outlines;
 mod pose;
 mod run;
-mod table;
 pub mod text;
 mod unit;
 pub mod verdict;
@@ -39,6 +39,5 @@ mod written;
 pub use checks::{checked, map_csv};
 pub use comparison::ComparedPair;
 pub use pose::doubts;
-pub use table::{Cell, Column, Table, Unit};
 pub use verdict_json::{extremes_json, pose_json};
 pub use written::{ResultFile, ResultWriter, result_file};

@@ -6,6 +6,7 @@
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::diagnosis;
 use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes, WIDTH};
+use gearlash::analysis::phases::CoveredPhases;
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
@@ -382,10 +383,16 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         return vec![String::new()];
     }
     let matings = verdict.matings();
-    let phases = each(verdict.runs.iter().filter_map(|run| run.phase)).len();
-    let over = match phases {
-        0 => format!("{matings} matings"),
-        phases => format!("{matings} matings × {phases} phases"),
+    let covered = each(verdict.runs.iter().filter_map(|run| run.covers));
+    let over = match (CoveredPhases::of(verdict.runs), &covered[..]) {
+        (_, []) => format!("{matings} matings"),
+        (CoveredPhases::All, phases) => format!("{matings} matings × {} phases", phases.len()),
+        (CoveredPhases::Some(_), [(wheel, pinion)]) => {
+            format!("{matings} matings of phase {wheel}·{pinion} alone")
+        }
+        (CoveredPhases::Some(_), phases) => {
+            format!("{matings} matings of {} phases alone", phases.len())
+        }
     };
     let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
         true => "every rotation and runout direction",

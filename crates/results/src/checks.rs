@@ -1,5 +1,7 @@
 //! The checks of a pair as a judged file, and the map of what touches as CSV.
 
+use crate::check::CheckRow;
+use crate::column::{Object, Row};
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
@@ -10,12 +12,11 @@ use crate::verdict::lines;
 use crate::verdict_json::{VerdictRecord, verdict_record};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::pair::Member;
 use gearlash_files::PairFile;
 use gearlash_files::numbers::fixed;
 use gearlash_files::spec::PairSpec;
 use serde::Serialize;
-use serde_json::{Map, Value, to_value};
+use serde_json::{Value, to_value};
 
 #[derive(Debug, Serialize)]
 struct FileRecord<'a> {
@@ -29,28 +30,9 @@ struct FileRecord<'a> {
     verdict: VerdictRecord,
     extremes: Vec<Value>,
     checks_verdict: &'static str,
-    checks: Vec<CheckRecord<'a>>,
+    checks: Vec<Object<'static>>,
     contact: Value,
     runs: Vec<GroupRecord>,
-}
-
-#[derive(Debug, Serialize)]
-struct CheckRecord<'a> {
-    id: &'static str,
-    title: &'static str,
-    gear: Option<&'static str>,
-    formula: Option<f64>,
-    outlines: Option<f64>,
-    limit: Option<f64>,
-    margin: Option<f64>,
-    unit: &'static str,
-    verdict: &'static str,
-    center_distance_mm: f64,
-    material: &'static str,
-    details: Map<String, Value>,
-    note: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unproven: Option<&'a str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -113,7 +95,12 @@ pub fn checked(
         checks: diagnosis
             .groups
             .iter()
-            .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))
+            .flat_map(|group| {
+                group
+                    .checks
+                    .iter()
+                    .map(|check| CheckRow::columns().object(&CheckRow::new(group, check, true)))
+            })
             .collect(),
         contact: contact_count(&diagnosis.contact),
         runs: diagnosis.groups.iter().map(group_record).collect(),
@@ -160,28 +147,6 @@ fn group_record(group: &Group) -> GroupRecord {
         center_distance_mm: group.assembly.center_distance(),
         material: group.material.name(),
         contact: contact_count(&group.contact),
-    }
-}
-
-fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
-    let details = check.details.iter();
-    CheckRecord {
-        id: check.id,
-        title: check.title,
-        gear: check.gear.map(Member::name),
-        formula: check.formula,
-        outlines: check.outlines,
-        limit: check.limit,
-        margin: check.margin,
-        unit: check.unit,
-        verdict: check.verdict.name(),
-        center_distance_mm: group.assembly.center_distance(),
-        material: group.material.name(),
-        details: details
-            .map(|(name, value)| ((*name).to_owned(), (*value).into()))
-            .collect(),
-        note: &check.note,
-        unproven: check.unproven.as_deref(),
     }
 }
 

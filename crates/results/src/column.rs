@@ -15,7 +15,7 @@ use crate::layout::{self, Screen, Table, Tone};
 use crate::unit;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::characters::plain;
-use gearlash_files::numbers::{NONE, backlash_ascii, power, stated_distance};
+use gearlash_files::numbers::{NONE, ascii, backlash_ascii, power, stated_distance};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// A row type.
@@ -119,6 +119,8 @@ pub enum Unit {
     Beside,
     /// An error bound of a backlash, by its order of magnitude.
     Bound,
+    /// A measure with four decimals.
+    Measure,
     /// A status or a verdict, coloured by how grave it is.
     Grave,
 }
@@ -206,11 +208,13 @@ pub struct Columns<R> {
 }
 
 /// A key of JSON and what stands under it.
+#[derive(Debug)]
 struct Node {
     key: String,
     under: Under,
 }
 
+#[derive(Debug)]
 enum Under {
     Value(usize),
     Object(Vec<Node>),
@@ -323,6 +327,7 @@ fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64, screen: &Screen) 
         (Value::Number(um), Unit::Backlash | Unit::Beside) => backlash_ascii(unit, *um, a, 3),
         (Value::Number(um), Unit::Bound) => power(unit.of_um(*um, a), 0),
         (Value::Number(mm), Unit::Distance) => stated_distance(*mm),
+        (Value::Number(value), Unit::Measure) => ascii(*value, 4),
         (Value::Number(value), _) => value.to_string(),
         (Value::Word(word), Unit::Grave) => match Tone::of(word) {
             Some(tone) => screen.toned(tone, word),
@@ -368,6 +373,7 @@ fn add(nodes: &mut Vec<Node>, key: &str, number: usize) {
 }
 
 /// A row as a JSON object.
+#[derive(Debug)]
 pub struct Object<'a> {
     nodes: &'a [Node],
     values: Vec<Value>,

@@ -1,12 +1,15 @@
 //! The checks of a pair as text.
 
 use super::verdict::heading;
-use crate::layout::{Column, Screen, Table, Tone};
+use crate::check::CheckRow;
+pub use crate::check::unit;
+use crate::column::Row;
+use crate::layout::{Screen, Tone};
 use crate::verdict::{lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
-use gearlash::pair::Member;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
@@ -19,41 +22,11 @@ pub fn text(
 ) -> String {
     let mut text = heading(&study.title, &lines(verdict), screen);
     let several = diagnosis.groups.len() > 1;
-    let mut columns = vec![
-        Column::new("verdict"),
-        Column::new("check").left().broken(),
-        Column::new("gear").left(),
-    ];
-    if several {
-        columns.extend(["a mm", "material"].map(|heading| Column::new(heading).spare(2)));
-    }
-    columns.extend([
-        Column::new("formula").spare(1),
-        Column::new("outlines"),
-        Column::new("limit"),
-        Column::new("margin"),
-        Column::new("").left(),
-        Column::new("").left().below(),
-    ]);
-    let mut rows = Table::new(columns);
-    for (group, check) in governing(diagnosis) {
-        let mut row = vec![
-            screen.toned(tone(check.verdict), check.verdict.name()),
-            check.title.to_owned(),
-            check.gear.map_or("", Member::name).to_owned(),
-        ];
-        if several {
-            row.push(stated_distance(group.assembly.center_distance()));
-            row.push(group.material.name().to_owned());
-        }
-        row.push(ascii(check.formula, 4));
-        row.push(outlines(check, |value| ascii(value, 4)));
-        row.extend([check.limit, check.margin].map(|value| ascii(value, 4)));
-        row.push(unit(check.unit).to_owned());
-        row.push(check.note.clone());
-        rows.add(row);
-    }
-    text += &rows.text(screen);
+    let rows = governing(diagnosis).into_iter();
+    let rows: Vec<CheckRow> = rows
+        .map(|(group, check)| CheckRow::new(group, check, several))
+        .collect();
+    text += &CheckRow::columns().table(&rows, |_| f64::NAN, BacklashUnit::Um, screen);
     if several {
         text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
     }
@@ -63,14 +36,6 @@ pub fn text(
     }
     text += &contact(diagnosis);
     screen.fold(&text)
-}
-
-fn tone(verdict: Verdict) -> Tone {
-    match verdict {
-        Verdict::Pass => Tone::Good,
-        Verdict::Warn | Verdict::Unproven => Tone::Doubtful,
-        Verdict::Fail => Tone::Bad,
-    }
 }
 
 /// Each check of the gravest verdict, then of the least margin, the first of equals.
@@ -196,13 +161,5 @@ pub fn outlines(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String 
     match (&check.unproven, check.outlines) {
         (Some(_), None) => "unproven".to_owned(),
         (_, outlines) => shown(outlines),
-    }
-}
-
-/// A check's unit as it is shown.
-pub fn unit(unit: &'static str) -> &'static str {
-    match unit {
-        "1" => "",
-        unit => unit,
     }
 }

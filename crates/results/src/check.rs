@@ -1,0 +1,87 @@
+//! A check of a pair at one centre distance and material.
+
+use crate::column::{Columns, Row, Value, columns};
+use crate::layout;
+use gearlash::analysis::diagnosis::{Check, Group};
+use gearlash::pair::Member;
+use std::sync::LazyLock;
+
+/// A check, and where it was made.
+#[derive(Debug)]
+pub struct CheckRow {
+    center_distance: f64,
+    material: &'static str,
+    /// Whether the pair has other centre distances or materials, so that people must see which one this is.
+    is_of_several: bool,
+    check: Check,
+}
+
+impl CheckRow {
+    /// The row of a `check` of `group`, of a pair that has several groups or this one alone.
+    pub fn new(group: &Group, check: &Check, is_of_several: bool) -> CheckRow {
+        CheckRow {
+            center_distance: group.assembly.center_distance(),
+            material: group.material.name(),
+            is_of_several,
+            check: check.clone(),
+        }
+    }
+
+    /// `value`, which people see where there are several groups.
+    fn of_several(&self, value: impl Into<Value>) -> Value {
+        Value::optional(self.is_of_several.then_some(value))
+    }
+
+    fn details(&self) -> Value {
+        let details = self.check.details.iter();
+        let details = details.map(|(name, value)| ((*name).to_owned(), (*value).into()));
+        Value::Json(serde_json::Value::Object(details.collect()))
+    }
+
+    /// The value on the outlines as people see it.
+    fn outlines_seen(&self) -> Value {
+        match (&self.check.unproven, self.check.outlines) {
+            (Some(_), None) => "unproven".into(),
+            (_, value) => value.into(),
+        }
+    }
+}
+
+impl Row for CheckRow {
+    fn columns() -> &'static Columns<CheckRow> {
+        static COLUMNS: LazyLock<Columns<CheckRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: CheckRow {
+                "" Grave [people(shown("verdict"))] => row.check.verdict.name();
+                "id" Plain => row.check.id;
+                "title" Plain [heading(shown("check").left().broken())] => row.check.title;
+                "gear" Plain => row.check.gear.map(Member::name);
+                "" Plain [people(shown("gear").left())] => row.check.gear.map_or("", Member::name);
+                "" Distance [people(shown("a mm").spare(2))] => row.of_several(row.center_distance);
+                "" Plain [people(shown("material").spare(2))] => row.of_several(row.material);
+                "formula" Measure [heading(shown("formula").spare(1))] => row.check.formula;
+                "outlines" Plain => row.check.outlines;
+                "" Measure [people(shown("outlines"))] => row.outlines_seen();
+                "limit" Measure [heading(shown("limit"))] => row.check.limit;
+                "margin" Measure [heading(shown("margin"))] => row.check.margin;
+                "unit" Plain => row.check.unit;
+                "" Plain [people(shown("").left())] => unit(row.check.unit);
+                "verdict" Plain => row.check.verdict.name();
+                "center_distance_mm" Plain => row.center_distance;
+                "material" Plain => row.material;
+                "details" Plain => row.details();
+                "note" Plain [heading(shown("").left().below())] => row.check.note.clone();
+                "unproven" Plain => Value::optional(row.check.unproven.clone());
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+/// The unit of a check as people see it.
+pub fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "1" => "",
+        unit => unit,
+    }
+}

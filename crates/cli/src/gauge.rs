@@ -137,7 +137,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     print(&match args.results.format {
         Format::Text => text(&study.title, &gears, args.positions, &args.screen.screen()),
         Format::Json => json(&study.title, &gears).map_err(unwritable)?,
-        Format::Csv => teeth_csv(&gears).map_err(unwritable)?,
+        Format::Csv => teeth_csv(gears.iter().map(GaugedGear::by_tooth)).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.
@@ -148,7 +148,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(folder) = folder {
         let mut files = Vec::new();
         for gauged in &gears {
-            let table = teeth_csv(std::slice::from_ref(gauged)).map_err(unwritable)?;
+            let table = teeth_csv([gauged.by_tooth()]).map_err(unwritable)?;
             files.push((table_name(&gauged.stem()), table));
             if args.page {
                 files.extend(page(gauged)?);

@@ -6,13 +6,13 @@ use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
 use crate::run::contact_count;
-use crate::table::{Column, Table, Unit};
 use crate::text::check::{governing, outlines, text, unit};
 use crate::verdict::lines;
 use crate::verdict_json::{VerdictRecord, verdict_record};
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
 use gearlash_files::PairFile;
+use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
 use gearlash_files::spec::PairSpec;
 use serde::Serialize;
@@ -153,27 +153,20 @@ fn group_record(group: &Group) -> GroupRecord {
 /// `map` as CSV, a row a pose.
 ///
 /// # Errors
-/// None that a map can cause; the writer's otherwise.
+/// None: it is written to memory.
 pub fn map_csv(map: &ContactMap) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["center_distance_mm", "fraction", "class", "j_wt_um"])?;
     let distances = map.distances.iter();
-    let places = distances.flat_map(|distance| {
-        let fractions = map.fractions.iter();
-        fractions.map(|fraction| (*distance, *fraction))
-    });
-    let (distances, fractions): (Vec<f64>, Vec<f64>) = places.unzip();
-    let cells = || map.cells.iter();
-    let table = Table {
-        name: "map",
-        columns: vec![
-            Column::new("center_distance_mm", Unit::Mm, distances),
-            Column::new("fraction", Unit::None, fractions),
-            Column::new("class", Unit::None, cells().map(|cell| cell.class.name())),
-            Column::new(
-                "j_wt_um",
-                Unit::Um,
-                cells().map(|cell| cell.backlash.map(|j| j * 1e3)),
-            ),
-        ],
-    };
-    table.to_csv()
+    let places = distances.flat_map(|a| map.fractions.iter().map(move |fraction| (a, fraction)));
+    for ((a, fraction), cell) in places.zip(&map.cells) {
+        let j_wt = cell.backlash.map(|mm| (mm * 1e3).to_string());
+        writer.write_record([
+            &a.to_string(),
+            &fraction.to_string(),
+            cell.class.name(),
+            &j_wt.unwrap_or_default(),
+        ])?;
+    }
+    csv_text(writer)
 }

@@ -9,7 +9,8 @@ use gearlash::analysis::study::Material;
 use gearlash::gauge::gauge_outline;
 use gearlash_files::outlines::{OutlineGearEntry, OutlineGearsFile};
 use gearlash_render::gauge::outlines as text;
-use gearlash_results::outlines::{GaugedOutline, gauged_csv, gauged_json};
+use gearlash_results::gauge::teeth_csv;
+use gearlash_results::outlines::{GaugedOutline, gauged_json};
 use std::process::ExitCode;
 
 /// Runs the command.
@@ -56,7 +57,7 @@ pub(super) fn run(args: &Args, file: &OutlineGearsFile) -> Result<ExitCode, Erro
     print(&match args.results.format {
         Format::Text => text(&file.title, &gears, args.positions, &args.screen.screen()),
         Format::Json => gauged_json(&file.title, &gears).map_err(unwritable)?,
-        Format::Csv => gauged_csv(&gears).map_err(unwritable)?,
+        Format::Csv => teeth_csv(gears.iter().map(GaugedOutline::by_tooth)).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.

@@ -115,7 +115,9 @@ fn a_pair_of_outlines_and_a_gear_file() {
         ],
     ));
     assert_eq!(csv.lines().count(), 21);
-    assert!(csv.starts_with("gear,material,tooth,span_mm,over_two_pins_mm,over_three_pins_mm\nwheel,as-measured,1,,44."), "{csv}");
+    let columns = "gear,material,tooth,span_mm,over_two_pins_mm,over_three_pins_mm,runout_um,";
+    assert!(csv.starts_with(columns), "{csv}");
+    assert!(csv.contains("\nwheel,as-measured,1,,44."), "{csv}");
     let text = stdout(&mut gauge(
         folder.path(),
         &["wheel_20.dxf", "--span", "3", "--positions"],

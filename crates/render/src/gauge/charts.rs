@@ -12,7 +12,7 @@ use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_results::gauge::{GaugedGear, Reading, page_name};
+use gearlash_results::gauge::{Chart, GaugedGear, page_name};
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
@@ -59,7 +59,7 @@ pub fn page(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureErro
 /// File name and SVG of bars over teeth; `None` where none of them would be seen.
 fn bars(
     gauged: &GaugedGear,
-    reading: Reading,
+    chart: Chart,
     x_axis: &str,
     panels: &[BarPanel],
 ) -> Result<Option<(String, String)>, PictureError> {
@@ -70,13 +70,13 @@ fn bars(
     }
     let stem = gauged.stem();
     let heading = Heading {
-        prefix: &reading.file_stem(&stem),
+        prefix: &chart.file_stem(&stem),
         title: gauged.title,
         subtitle: &subtitle(gauged),
     };
     let x_axis = format!("{x_axis} · {NUMBERS}");
-    let chart = bar_panels(&heading, &x_axis, panels)?;
-    Ok(Some((reading.svg(&stem), chart.svg)))
+    let svg = bar_panels(&heading, &x_axis, panels)?.svg;
+    Ok(Some((chart.svg(&stem), svg)))
 }
 
 fn subtitle(gauged: &GaugedGear) -> String {
@@ -114,12 +114,10 @@ fn length_chart(
     length: &Length,
     by_tooth: &ByTooth,
 ) -> Result<Option<(String, String)>, PictureError> {
-    let table = by_tooth.reading.table(&gauged.gauged);
-    let column = table
-        .as_ref()
-        .and_then(|table| table.column(by_tooth.column));
-    let lengths = column.map_or(Vec::new(), |column| column.numbers());
-    let less = lengths.iter().map(|mm| Some((mm - length.mean) * 1e3));
+    let less = by_tooth
+        .values
+        .iter()
+        .map(|mm| Some((mm - length.mean) * 1e3));
     let series = [BarSeries {
         name: "reading",
         values: less.collect(),
@@ -132,7 +130,7 @@ fn length_chart(
         limits: Vec::new(),
         level: LEVEL,
     };
-    bars(gauged, by_tooth.reading, by_tooth.tooth, &[panel])
+    bars(gauged, by_tooth.chart, by_tooth.tooth, &[panel])
 }
 
 /// Runout and pitch, with the lines of their accuracy grades.
@@ -143,8 +141,8 @@ fn deviation_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictur
         files.extend(runout(gauged, read)?);
     }
     for (name, read) in [
-        (Reading::PitchOwn, &read.pitch_own),
-        (Reading::PitchDatum, &read.pitch_datum),
+        (Chart::PITCH_OWN, &read.pitch_own),
+        (Chart::PITCH_DATUM, &read.pitch_datum),
     ] {
         if let Ok(read) = read {
             files.extend(pitch(gauged, name, read)?);
@@ -174,13 +172,13 @@ fn runout(
             .collect(),
         level: LEVEL,
     };
-    bars(gauged, Reading::Runout, "tooth before the ball", &[panel])
+    bars(gauged, Chart::RUNOUT, "tooth before the ball", &[panel])
 }
 
 /// Single pitch above cumulative pitch.
 fn pitch(
     gauged: &GaugedGear,
-    reading: Reading,
+    chart: Chart,
     read: &PitchReadings,
 ) -> Result<Option<(String, String)>, PictureError> {
     let about = match read.axis {
@@ -240,7 +238,7 @@ fn pitch(
         },
     ];
     let x_axis = "tooth · + along ascending numbers";
-    bars(gauged, reading, x_axis, &panels)
+    bars(gauged, chart, x_axis, &panels)
 }
 
 /// The greatest reading of `quantity` about `axis`: of both flanks that with the coarser grade.
@@ -302,12 +300,12 @@ fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Pictur
     }
     let stem = gauged.stem();
     let heading = Heading {
-        prefix: &Reading::Profile.file_stem(&stem),
+        prefix: &Chart::PROFILE.file_stem(&stem),
         title: gauged.title,
         subtitle: &subtitle(gauged),
     };
     let svg = profiles(&heading, read, 100.0 * LEVEL)?.svg;
-    Ok(Some((Reading::Profile.svg(&stem), svg)))
+    Ok(Some((Chart::PROFILE.svg(&stem), svg)))
 }
 
 /// The double-flank roll test as a curve over one revolution.
@@ -335,7 +333,7 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
     }
     let stem = gauged.stem();
     let heading = Heading {
-        prefix: &Reading::Roll.file_stem(&stem),
+        prefix: &Chart::ROLL.file_stem(&stem),
         title: gauged.title,
         subtitle: &subtitle(gauged),
     };
@@ -361,5 +359,5 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
         dots: false,
     };
     let svg = lines(&heading, axes, &[line])?.svg;
-    Ok(Some((Reading::Roll.svg(&stem), svg)))
+    Ok(Some((Chart::ROLL.svg(&stem), svg)))
 }

@@ -1,7 +1,7 @@
 //! Lengths with their least, mean and greatest reading: the rows of the text, the charts of each less its mean.
 
 use gearlash::gauge::OverPins;
-use gearlash_results::gauge::{GaugedGear, Reading};
+use gearlash_results::gauge::{Chart, GaugedGear};
 
 /// One length, mm.
 pub(super) struct Length {
@@ -20,9 +20,9 @@ pub(super) struct Length {
 
 /// A length at each tooth.
 pub(super) struct ByTooth {
-    pub reading: Reading,
-    /// Its column in the reading's table.
-    pub column: &'static str,
+    pub chart: Chart,
+    /// The lengths, mm, from tooth 1 on.
+    pub values: Vec<f64>,
     /// Its symbol.
     pub symbol: String,
     /// What the tooth of a reading is to it.
@@ -46,32 +46,22 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             error: spans.error(),
             formula: formula.span,
             by_tooth: Some(ByTooth {
-                reading: Reading::Spans,
-                column: "span",
+                chart: Chart::SPANS,
+                values: spans.readings.iter().map(|one| one.length).collect(),
                 symbol: format!("W_{}", spans.teeth),
                 tooth: "first tooth spanned",
             }),
         });
     }
     if let Ok(pins) = &read.pins {
-        let two = (&pins.two, formula.over_two, Reading::Pins, "pins");
-        let three = (
-            &pins.three,
-            formula.over_three,
-            Reading::ThreePins,
-            "three_pins",
-        );
-        let lying = (
-            &pins.lying,
-            formula.over_lying,
-            Reading::LyingPins,
-            "lying_pins",
-        );
+        let two = (&pins.two, formula.over_two, Chart::PINS);
+        let three = (&pins.three, formula.over_three, Chart::THREE_PINS);
+        let lying = (&pins.lying, formula.over_lying, Chart::LYING_PINS);
         let [twice, thrice] = match wound {
             true => ["two balls", "three balls"],
             false => ["two pins", "three pins"],
         };
-        for ((list, formula, reading, column), what, symbol, tooth) in [
+        for ((list, formula, chart), what, symbol, tooth) in [
             (two, twice, "M_dK", "tooth before the first pin"),
             (three, thrice, "M_dK", "tooth before the single pin"),
             (
@@ -89,8 +79,8 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
                     error: OverPins::error(list),
                     formula,
                     by_tooth: Some(ByTooth {
-                        reading,
-                        column,
+                        chart,
+                        values: list.iter().map(|one| one.length).collect(),
                         symbol: symbol.to_owned(),
                         tooth,
                     }),
@@ -109,8 +99,8 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             error: thickness.error,
             formula: Some(formula.thickness),
             by_tooth: Some(ByTooth {
-                reading: Reading::Thickness,
-                column: "arc",
+                chart: Chart::THICKNESS,
+                values: thickness.arcs.clone(),
                 symbol: if wound { "s_t" } else { "s" }.to_owned(),
                 tooth: "tooth",
             }),

@@ -1,6 +1,5 @@
 //! Spans and pins read on outlines, as a short table of each gear.
 
-use super::text::tooth_by_tooth;
 use gearlash::contact::{OutlineTouch, Region};
 use gearlash::gauge::OverPins;
 use gearlash_files::characters::plain;
@@ -121,6 +120,5 @@ fn remarks(gauged: &GaugedOutline) -> String {
 }
 
 fn positions(gauged: &GaugedOutline) -> String {
-    let teeth = gauged.entry.gear.teeth();
-    format!("\n{}", tooth_by_tooth(teeth, &gauged.by_tooth()))
+    format!("\n{}", gauged.by_tooth().text())
 }

@@ -8,7 +8,7 @@ use gearlash::gauge::{
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use gearlash_results::gauge::{GaugedGear, by_tooth};
+use gearlash_results::gauge::GaugedGear;
 use gearlash_results::text::{Column, Screen, Table};
 use std::fmt::Write;
 
@@ -276,29 +276,9 @@ fn touched(what: &str, touches: &[[Touch; 2]]) -> String {
 
 /// Every reading tooth by tooth.
 fn position_table(gauged: &GaugedGear) -> String {
-    let teeth = gauged.gear.gear().basic_data().teeth();
     format!(
         "\nBy tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.\n\
          f: single pitch, F: cumulative; ball and s less their means.\n{}",
-        tooth_by_tooth(teeth, &by_tooth(&gauged.gauged))
+        gauged.by_tooth().text()
     )
-}
-
-/// A row a tooth of the columns that have cells.
-pub(super) fn tooth_by_tooth(teeth: u32, columns: &[(&str, gearlash_results::Column)]) -> String {
-    let shown = || {
-        columns
-            .iter()
-            .filter(|(_, column)| !column.cells.is_empty())
-    };
-    let headings = std::iter::once("tooth").chain(shown().map(|(heading, _)| *heading));
-    let mut table = Table::new(headings.map(Column::new));
-    for tooth in 1..=teeth {
-        let cells = shown().map(|(_, column)| {
-            let value = column.cell(tooth as usize - 1).number();
-            ascii(value, column.unit.decimals())
-        });
-        table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
-    }
-    table.text(&Screen::default())
 }

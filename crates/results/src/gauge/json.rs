@@ -1,10 +1,10 @@
 //! The readings as JSON.
 
 use super::GaugedGear;
-use super::readings::{Reading, roll};
-use crate::table::{Column, Table};
+use gearlash::contact::Touch;
 use gearlash::gauge::{
-    FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading, Unmeasured,
+    BallReading, FlankProfiles, GradedReading, OverPins, PitchReadings, ProfileReading, RollPose,
+    Span, Unmeasured,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
 use gearlash_files::characters;
@@ -35,28 +35,28 @@ fn gear(gauged: &GaugedGear) -> Value {
         "spans": of(&read.spans, |spans| json!({
             "teeth": spans.teeth,
             "formula_mm": formula.span,
-            "readings": rows(read, Reading::Spans, &["tooth", "span", "error_bound", "touched"], &LENGTH),
+            "readings": spans.readings.iter().map(span).collect::<Value>(),
         })),
         "pins": of(&read.pins, |pins| json!({
             "pin_mm": pins.diameter,
             "formula_two_mm": formula.over_two,
-            "two": over(read, Reading::Pins, "pins"),
+            "two": over(&pins.two),
             "formula_three_mm": formula.over_three,
-            "three": over(read, Reading::ThreePins, "three_pins"),
+            "three": over(&pins.three),
         })),
         "runout": of(&read.runout, |runout| json!({
             "ball_mm": runout.diameter,
             "total_um": runout.total() * 1e3,
             "error_bound_um": runout.error() * 1e3,
-            "readings": rows(read, Reading::Runout, &["tooth", "radius", "error_bound", "touched"], &RADIUS),
+            "readings": runout.readings.iter().map(ball).collect::<Value>(),
         })),
         "eccentricity": {
             "um": read.eccentricity.amount * 1e3,
             "high_tooth": read.eccentricity.high_tooth,
             "error_bound_um": read.eccentricity.error * 1e3,
         },
-        "pitch_own": of(&read.pitch_own, |found| pitch(found, read, [Reading::SinglePitchOwn, Reading::PitchOwn])),
-        "pitch_datum": of(&read.pitch_datum, |found| pitch(found, read, [Reading::SinglePitchDatum, Reading::PitchDatum])),
+        "pitch_own": of(&read.pitch_own, pitch),
+        "pitch_datum": of(&read.pitch_datum, pitch),
         "thickness": of(&read.thickness, |thickness| json!({
             "circle_mm": 2.0 * thickness.radius,
             "formula_mm": formula.thickness,
@@ -86,8 +86,8 @@ fn gear(gauged: &GaugedGear) -> Value {
             "tooth_to_tooth_um": found.tooth_to_tooth().found * 1e3,
             "tooth_to_tooth_missed_um": found.tooth_to_tooth().missed * 1e3,
             "error_bound_um": 2.0 * found.reading_error() * 1e3,
-            "poses": poses(roll(&found.poses)),
-            "between": poses(roll(&found.between)),
+            "poses": poses(&found.poses),
+            "between": poses(&found.between),
         })),
     });
     if let Some(hand) = gauged.gear.gear().basic_data().hand() {
@@ -106,10 +106,10 @@ fn of_helix(gauged: &GaugedGear, hand: Hand, shown: &mut Value) {
     if read.spans.is_ok() {
         shown["spans"]["direction"] = json!("normal");
     }
-    if read.pins.is_ok() {
+    if let Ok(pins) = &read.pins {
         shown["pins"]["two_and_three_are"] = json!("balls");
         shown["pins"]["formula_lying_mm"] = json!(read.formula.over_lying);
-        shown["pins"]["lying"] = over(read, Reading::LyingPins, "lying_pins");
+        shown["pins"]["lying"] = over(&pins.lying);
     }
     if let Ok(thickness) = &read.thickness {
         let normal = |arc: &f64| arc * thickness.normal;
@@ -128,49 +128,66 @@ pub(crate) fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -
     }
 }
 
-/// Keys of a row of lengths, and of radii.
-const LENGTH: [&str; 4] = ["tooth", "mm", "error_bound_um", "touched"];
-const RADIUS: [&str; 4] = ["tooth", "radius_mm", "error_bound_um", "touched"];
-/// Keys of a dimension over pins.
-const OVER: [&str; 4] = ["tooth", "opposite", "mm", "error_bound_um"];
-/// Keys of a pose of the roll test.
-const POSE: [&str; 6] = [
-    "tooth",
-    "fraction",
-    "rotation_rad",
-    "mm",
-    "error_bound_um",
-    "class",
-];
-
-/// The columns `names` of a reading, a row a tooth, under `keys`.
-fn rows(read: &Gauged, reading: Reading, names: &[&str], keys: &[&str]) -> Value {
-    let table = reading.table(read);
-    table.map_or_else(|| json!([]), |table| table.of(names).to_json(keys))
+fn span(one: &Span) -> Value {
+    json!({
+        "tooth": one.first_tooth,
+        "mm": one.length,
+        "error_bound_um": one.error * 1e3,
+        "touched": touched(&one.touched),
+    })
 }
 
-fn over(read: &Gauged, reading: Reading, length: &str) -> Value {
-    let names = ["tooth", "opposite", length, "error_bound"];
-    rows(read, reading, &names, &OVER)
+fn ball(one: &BallReading) -> Value {
+    json!({
+        "tooth": one.seat.tooth,
+        "radius_mm": one.radius,
+        "error_bound_um": one.seat.error * 1e3,
+        "touched": touched(&one.seat.touched),
+    })
 }
 
-fn poses(columns: Vec<Column>) -> Value {
-    let name = Reading::Roll.name();
-    Table { name, columns }.to_json(&POSE)
-}
-
-fn pitch(found: &PitchReadings, read: &Gauged, readings: [Reading; 2]) -> Value {
-    let [single, cumulative] = readings.map(|reading| reading.table(read));
-    let list = |table: &Option<Table>, side: Flank| {
-        let column = table.as_ref()?.column(side.name())?;
-        Some(column.numbers())
+/// Dimensions over pins.
+pub(crate) fn over(list: &[OverPins]) -> Value {
+    let row = |one: &OverPins| {
+        json!({
+            "tooth": one.tooth,
+            "opposite": one.opposite,
+            "mm": one.length,
+            "error_bound_um": one.error * 1e3,
+        })
     };
+    list.iter().map(row).collect()
+}
+
+/// The teeth and curves that a gauge touches.
+fn touched(touches: &[Touch]) -> Value {
+    let one = |touch: &Touch| json!({ "tooth": touch.tooth, "curve": touch.curve.name(), "radius_mm": touch.radius });
+    touches.iter().map(one).collect()
+}
+
+/// Poses of a roll test.
+fn poses(list: &[RollPose]) -> Value {
+    let row = |pose: &RollPose| {
+        json!({
+            "tooth": pose.mating.wheel_tooth,
+            "fraction": pose.mating.fraction,
+            "rotation_rad": pose.rotation,
+            "mm": pose.distance,
+            "error_bound_um": pose.error * 1e3,
+            "class": pose.class.name(),
+        })
+    };
+    list.iter().map(row).collect()
+}
+
+fn pitch(found: &PitchReadings) -> Value {
+    let um = |lengths: &[f64]| lengths.iter().map(|mm| mm * 1e3).collect::<Vec<f64>>();
     let flank = |side| {
         json!({
             "single_greatest_um": found.greatest_single(side) * 1e3,
             "total_um": found.total(side) * 1e3,
-            "single_um": list(&single, side),
-            "cumulative_um": list(&cumulative, side),
+            "single_um": um(&found.single(side)),
+            "cumulative_um": um(found.cumulative.flank(side)),
         })
     };
     json!({

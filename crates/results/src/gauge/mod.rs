@@ -3,7 +3,6 @@
 mod json;
 mod readings;
 
-use super::table::{Cell, Column, Table, Unit};
 use gearlash::analysis::study::Material;
 use gearlash::gauge::Gauged;
 use gearlash::gear::AsBuilt;
@@ -12,8 +11,8 @@ use gearlash_files::spec::GearSpec;
 use gearlash_files::{NoGearFile, gauged_file};
 
 pub use json::json;
-pub(crate) use json::{json_of, of};
-pub use readings::{Reading, by_tooth};
+pub(crate) use json::{json_of, of, over};
+pub use readings::{ByTooth, Chart, Readings, teeth_csv};
 
 /// One gear in one material and what the gauges read on it.
 #[derive(Debug)]
@@ -59,6 +58,16 @@ impl GaugedGear<'_> {
             self.helix(),
             self.material.name()
         )
+    }
+
+    /// Its readings tooth by tooth.
+    pub fn by_tooth(&self) -> ByTooth<'_> {
+        ByTooth {
+            gear: self.name,
+            material: self.material.name(),
+            teeth: self.gear.gear().basic_data().teeth(),
+            readings: Readings::Stated(&self.gauged),
+        }
     }
 
     /// Helix angle and hand, after a comma; empty of a spur gear.
@@ -107,39 +116,8 @@ pub fn page_name(stem: &str) -> String {
 
 /// Every name that a run could write for the gear of `stem`.
 pub fn possible_files(stem: &str) -> Vec<String> {
-    let readings = Reading::ALL.into_iter();
-    let charts = readings.map(|reading| reading.svg(stem));
+    let charts = Chart::ALL.into_iter().map(|chart| chart.svg(stem));
     charts
         .chain([gear_file_name(stem), page_name(stem), table_name(stem)])
         .collect()
-}
-
-/// All readings by tooth of several gears, a row a tooth; what could not be measured is left empty.
-///
-/// # Errors
-/// None that readings can cause; the writer's otherwise.
-pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
-    let tables: Vec<Table> = gears.iter().map(all_by_tooth).collect();
-    Table::all_to_csv(&tables)
-}
-
-fn all_by_tooth(gauged: &GaugedGear) -> Table {
-    let teeth = gauged.gear.gear().basic_data().teeth();
-    let same = |name, word: &'static str| {
-        let cells = vec![Cell::from(word); teeth as usize];
-        Column::new(name, Unit::None, cells)
-    };
-    let readings = by_tooth(&gauged.gauged).into_iter();
-    let columns = [
-        same("gear", gauged.name),
-        same("material", gauged.material.name()),
-        Column::new("tooth", Unit::None, 1..=teeth),
-    ];
-    Table {
-        name: "teeth",
-        columns: columns
-            .into_iter()
-            .chain(readings.map(|(_, column)| column))
-            .collect(),
-    }
 }

@@ -1,305 +1,268 @@
-//! The readings of a gear, each as a table with a row a tooth: what every writer and chart takes them from.
+//! The readings of a gear tooth by tooth: one list of columns for CSV and for people.
 
-use crate::table::{Column, Table, Unit};
-use gearlash::contact::Touch;
-use gearlash::gauge::{Gauged, OverPins, PitchReadings, ProfileReading, ProfileReadings, RollPose};
-use gearlash::gear::Flank;
-use serde_json::{Value, json};
+use crate::layout::{self, Screen, Table};
+use gearlash::gauge::{
+    Gauged, OutlineGauged, OutlinePins, OverPins, Pins, PitchReadings, ProfileReading,
+};
+use gearlash::gear::{Flank, PitchAxis};
+use gearlash_files::characters::csv_text;
+use gearlash_files::numbers::ascii;
 
-/// One gauge's readings; the stem of the gear (`gauge_wheel`, `gauge_wheel_most`) comes before it in the names of files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reading {
-    /// Span W_k over each tooth and the next.
-    Spans,
-    /// Dimension over two pins.
-    Pins,
-    /// Dimension over three pins; named so that it is not read as one over two.
-    ThreePins,
-    /// Dimension over two cylindrical pins along the spaces of a helical gear, whose other dimensions are over balls.
-    LyingPins,
-    /// Ball in each space.
-    Runout,
-    /// Cumulative pitch about the gear's own centre.
-    PitchOwn,
-    /// Single pitch there.
-    SinglePitchOwn,
-    /// Cumulative pitch about the rotation axis.
-    PitchDatum,
-    /// Single pitch there.
-    SinglePitchDatum,
-    /// Arc thickness.
-    Thickness,
-    /// Double-flank roll test.
-    Roll,
-    /// Profile deviation.
-    Profile,
+/// The readings of a gear by its data, or of a drawn one.
+#[derive(Debug, Clone, Copy)]
+pub enum Readings<'a> {
+    /// Of a gear by its data.
+    Stated(&'a Gauged),
+    /// Of a drawn gear.
+    Drawn(&'a OutlineGauged),
 }
 
-/// How a reading's column is called beside those of other gauges: its name with the unit, and a narrow heading.
-type Wide = (&'static str, &'static str, &'static str);
+/// The readings of one gear in one material.
+#[derive(Debug, Clone, Copy)]
+pub struct ByTooth<'a> {
+    /// `wheel`, `pinion` or `gear`.
+    pub gear: &'static str,
+    /// The name of the material.
+    pub material: &'static str,
+    /// The number of its teeth.
+    pub teeth: u32,
+    /// The readings.
+    pub readings: Readings<'a>,
+}
 
-impl Reading {
-    /// Every reading, in the order of files.
-    pub const ALL: [Reading; 12] = [
-        Reading::Spans,
-        Reading::Pins,
-        Reading::ThreePins,
-        Reading::LyingPins,
-        Reading::Runout,
-        Reading::PitchOwn,
-        Reading::SinglePitchOwn,
-        Reading::PitchDatum,
-        Reading::SinglePitchDatum,
-        Reading::Thickness,
-        Reading::Roll,
-        Reading::Profile,
-    ];
+/// A column: its name in CSV, its heading for people, their decimals, and its values, a tooth each.
+struct Column {
+    name: &'static str,
+    heading: &'static str,
+    decimals: usize,
+    values: fn(Readings) -> Option<Vec<f64>>,
+}
 
-    /// As files call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Reading::Spans => "spans",
-            Reading::Pins => "pins",
-            Reading::ThreePins => "three_pins",
-            Reading::LyingPins => "lying_pins",
-            Reading::Runout => "runout",
-            Reading::PitchOwn => "pitch_own",
-            Reading::SinglePitchOwn => "single_pitch_own",
-            Reading::PitchDatum => "pitch_datum",
-            Reading::SinglePitchDatum => "single_pitch_datum",
-            Reading::Thickness => "thickness",
-            Reading::Roll => "roll",
-            Reading::Profile => "profile",
+/// A column of lengths, mm.
+const fn mm(
+    name: &'static str,
+    heading: &'static str,
+    values: fn(Readings) -> Option<Vec<f64>>,
+) -> Column {
+    Column {
+        name,
+        heading,
+        decimals: 6,
+        values,
+    }
+}
+
+/// A column of deviations, µm.
+const fn um(
+    name: &'static str,
+    heading: &'static str,
+    values: fn(Readings) -> Option<Vec<f64>>,
+) -> Column {
+    Column {
+        name,
+        heading,
+        decimals: 3,
+        values,
+    }
+}
+
+/// The column that only helical gears fill: spur gears do not have it.
+const LYING: &str = "over_lying_pins_mm";
+
+/// Every reading that belongs to a tooth.
+#[rustfmt::skip]
+const COLUMNS: [Column; 20] = [
+    mm("span_mm", "W_k mm", spans),
+    mm("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two, |pins| &pins.two)),
+    mm("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three, |pins| &pins.three)),
+    mm(LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying, |_| &[])),
+    um("runout_um", "ball", |read| in_um(&stated(read)?.runout.as_ref().ok()?.deviations())),
+    um("single_pitch_own_left_um", "f own left", |read| single(read, PitchAxis::Own, Flank::Left)),
+    um("single_pitch_own_right_um", "f own right", |read| single(read, PitchAxis::Own, Flank::Right)),
+    um("pitch_own_left_um", "F own left", |read| cumulative(read, PitchAxis::Own, Flank::Left)),
+    um("pitch_own_right_um", "F own right", |read| cumulative(read, PitchAxis::Own, Flank::Right)),
+    um("single_pitch_datum_left_um", "f datum left", |read| single(read, PitchAxis::Datum, Flank::Left)),
+    um("single_pitch_datum_right_um", "f datum right", |read| single(read, PitchAxis::Datum, Flank::Right)),
+    um("pitch_datum_left_um", "F datum left", |read| cumulative(read, PitchAxis::Datum, Flank::Left)),
+    um("pitch_datum_right_um", "F datum right", |read| cumulative(read, PitchAxis::Datum, Flank::Right)),
+    um("thickness_um", "s − mean", |read| in_um(&stated(read)?.thickness.as_ref().ok()?.deviations())),
+    um("profile_slope_left_um", "f_Hα left", |read| profile(read, Flank::Left, |one| one.slope)),
+    um("profile_slope_right_um", "f_Hα right", |read| profile(read, Flank::Right, |one| one.slope)),
+    um("profile_form_left_um", "f_fα left", |read| profile(read, Flank::Left, |one| one.form)),
+    um("profile_form_right_um", "f_fα right", |read| profile(read, Flank::Right, |one| one.form)),
+    um("profile_total_left_um", "F_α left", |read| profile(read, Flank::Left, |one| one.total)),
+    um("profile_total_right_um", "F_α right", |read| profile(read, Flank::Right, |one| one.total)),
+];
+
+fn stated(read: Readings<'_>) -> Option<&Gauged> {
+    match read {
+        Readings::Stated(gauged) => Some(gauged),
+        Readings::Drawn(_) => None,
+    }
+}
+
+fn spans(read: Readings) -> Option<Vec<f64>> {
+    let lengths = match read {
+        Readings::Stated(gauged) => {
+            let spans = gauged.spans.as_ref().ok()?.readings.iter();
+            spans.map(|one| one.length).collect()
+        }
+        Readings::Drawn(gauged) => {
+            let spans = gauged.spans.as_ref()?.as_ref().ok()?.readings.iter();
+            spans.map(|one| one.length).collect()
+        }
+    };
+    Some(lengths)
+}
+
+fn pins(
+    read: Readings,
+    stated: fn(&Pins) -> &[OverPins],
+    drawn: fn(&OutlinePins) -> &[OverPins],
+) -> Option<Vec<f64>> {
+    let list = match read {
+        Readings::Stated(gauged) => stated(gauged.pins.as_ref().ok()?),
+        Readings::Drawn(gauged) => drawn(gauged.pins.as_ref()?.as_ref().ok()?),
+    };
+    (!list.is_empty()).then(|| list.iter().map(|one| one.length).collect())
+}
+
+fn pitch(read: Readings<'_>, axis: PitchAxis) -> Option<&PitchReadings> {
+    let gauged = stated(read)?;
+    match axis {
+        PitchAxis::Own => gauged.pitch_own.as_ref().ok(),
+        PitchAxis::Datum => gauged.pitch_datum.as_ref().ok(),
+    }
+}
+
+fn single(read: Readings, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
+    in_um(&pitch(read, axis)?.single(flank))
+}
+
+fn cumulative(read: Readings, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
+    in_um(pitch(read, axis)?.cumulative.flank(flank))
+}
+
+/// Profile deviations; none where no flank deviates.
+fn profile(read: Readings, flank: Flank, of: fn(&ProfileReading) -> f64) -> Option<Vec<f64>> {
+    let found = stated(read)?.profile.as_ref().ok()?;
+    found
+        .deviates()
+        .then(|| in_um(&found.flank(flank).by_tooth(of)))?
+}
+
+fn in_um(lengths: &[f64]) -> Option<Vec<f64>> {
+    Some(lengths.iter().map(|mm| mm * 1e3).collect())
+}
+
+impl ByTooth<'_> {
+    /// The columns with their values.
+    fn columns(&self) -> impl Iterator<Item = (&'static Column, Option<Vec<f64>>)> {
+        COLUMNS
+            .iter()
+            .map(|column| (column, (column.values)(self.readings)))
+    }
+
+    /// A row a tooth for people; a column without values is left out.
+    pub fn text(&self) -> String {
+        let shown: Vec<(&Column, Vec<f64>)> = self
+            .columns()
+            .filter_map(|(column, values)| Some((column, values?)))
+            .collect();
+        let headings = shown.iter().map(|(column, _)| column.heading);
+        let headings = std::iter::once("tooth").chain(headings);
+        let mut table = Table::new(headings.map(layout::Column::new));
+        for tooth in 1..=self.teeth {
+            let cells = shown.iter().map(|(column, values)| {
+                let value = values.get(tooth as usize - 1).copied();
+                ascii(value, column.decimals)
+            });
+            table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
+        }
+        table.text(&Screen::default())
+    }
+}
+
+/// The readings of several gears as CSV, a row a tooth; a value that was not measured is left empty.
+///
+/// # Errors
+/// None: it is written to memory.
+pub fn teeth_csv<'a>(gears: impl IntoIterator<Item = ByTooth<'a>>) -> Result<String, csv::Error> {
+    let gears: Vec<ByTooth> = gears.into_iter().collect();
+    let each: Vec<Vec<_>> = gears.iter().map(|gear| gear.columns().collect()).collect();
+    let is_shown = |index: usize| {
+        COLUMNS[index].name != LYING || each.iter().any(|columns| columns[index].1.is_some())
+    };
+    let shown: Vec<usize> = (0..COLUMNS.len())
+        .filter(|index| is_shown(*index))
+        .collect();
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let names = shown.iter().map(|index| COLUMNS[*index].name);
+    writer.write_record(["gear", "material", "tooth"].into_iter().chain(names))?;
+    for (gear, columns) in gears.iter().zip(&each) {
+        for tooth in 1..=gear.teeth {
+            let cell = |index: &usize| {
+                let value = columns[*index].1.as_ref()?.get(tooth as usize - 1)?;
+                Some(value.to_string())
+            };
+            let cells = shown.iter().map(|index| cell(index).unwrap_or_default());
+            let head = [
+                gear.gear.to_owned(),
+                gear.material.to_owned(),
+                tooth.to_string(),
+            ];
+            writer.write_record(head.into_iter().chain(cells))?;
         }
     }
+    csv_text(writer)
+}
+
+/// A reading that has a chart; the stem of the gear (`gauge_wheel`, `gauge_wheel_most`) comes before its name in the name of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Chart(&'static str);
+
+impl Chart {
+    /// Span W_k over each tooth and the next.
+    pub const SPANS: Chart = Chart("spans");
+    /// Dimension over two pins.
+    pub const PINS: Chart = Chart("pins");
+    /// Dimension over three pins.
+    pub const THREE_PINS: Chart = Chart("three_pins");
+    /// Dimension over two cylindrical pins along the spaces of a helical gear.
+    pub const LYING_PINS: Chart = Chart("lying_pins");
+    /// Ball in each space.
+    pub const RUNOUT: Chart = Chart("runout");
+    /// Pitch about the gear's own centre.
+    pub const PITCH_OWN: Chart = Chart("pitch_own");
+    /// Pitch about the rotation axis.
+    pub const PITCH_DATUM: Chart = Chart("pitch_datum");
+    /// Arc thickness.
+    pub const THICKNESS: Chart = Chart("thickness");
+    /// Double-flank roll test.
+    pub const ROLL: Chart = Chart("roll");
+    /// Profile deviation.
+    pub const PROFILE: Chart = Chart("profile");
+    /// Every chart.
+    pub const ALL: [Chart; 10] = [
+        Chart::SPANS,
+        Chart::PINS,
+        Chart::THREE_PINS,
+        Chart::LYING_PINS,
+        Chart::RUNOUT,
+        Chart::PITCH_OWN,
+        Chart::PITCH_DATUM,
+        Chart::THICKNESS,
+        Chart::ROLL,
+        Chart::PROFILE,
+    ];
 
     /// Name of its file of the gear of `stem`, without an ending.
     pub fn file_stem(self, stem: &str) -> String {
-        format!("{stem}_{}", self.name())
+        format!("{stem}_{}", self.0)
     }
 
-    /// Name of its chart.
+    /// Name of its file.
     pub fn svg(self, stem: &str) -> String {
         format!("{}.svg", self.file_stem(stem))
     }
-
-    /// The readings, a row a tooth; `None` where it was not measured.
-    pub fn table(self, read: &Gauged) -> Option<Table> {
-        let columns = match self {
-            Reading::Spans => {
-                let list = &read.spans.as_ref().ok()?.readings;
-                vec![
-                    Column::new("tooth", Unit::None, list.iter().map(|one| one.first_tooth)),
-                    Column::new("span", Unit::Mm, list.iter().map(|one| one.length)),
-                    error(list.iter().map(|one| one.error)),
-                    touched(list.iter().map(|one| one.touched.as_slice())),
-                ]
-            }
-            Reading::Pins => over("pins", &read.pins.as_ref().ok()?.two),
-            Reading::ThreePins => {
-                let list = &read.pins.as_ref().ok()?.three;
-                (!list.is_empty()).then(|| over("three_pins", list))?
-            }
-            Reading::LyingPins => {
-                let list = &read.pins.as_ref().ok()?.lying;
-                (!list.is_empty()).then(|| over("lying_pins", list))?
-            }
-            Reading::Runout => {
-                let runout = read.runout.as_ref().ok()?;
-                let list = &runout.readings;
-                vec![
-                    Column::new("tooth", Unit::None, list.iter().map(|one| one.seat.tooth)),
-                    Column::new("runout", Unit::Um, um(&runout.deviations())),
-                    Column::new("radius", Unit::Mm, list.iter().map(|one| one.radius)),
-                    error(list.iter().map(|one| one.seat.error)),
-                    touched(list.iter().map(|one| one.seat.touched.as_slice())),
-                ]
-            }
-            Reading::PitchOwn => flanks(read.pitch_own.as_ref().ok()?, cumulative),
-            Reading::SinglePitchOwn => flanks(read.pitch_own.as_ref().ok()?, PitchReadings::single),
-            Reading::PitchDatum => flanks(read.pitch_datum.as_ref().ok()?, cumulative),
-            Reading::SinglePitchDatum => {
-                flanks(read.pitch_datum.as_ref().ok()?, PitchReadings::single)
-            }
-            Reading::Thickness => {
-                let thickness = read.thickness.as_ref().ok()?;
-                vec![
-                    teeth(thickness.arcs.len()),
-                    Column::new("thickness", Unit::Um, um(&thickness.deviations())),
-                    Column::new("arc", Unit::Mm, thickness.arcs.iter().copied()),
-                ]
-            }
-            Reading::Roll => roll(&read.roll.as_ref().ok()?.poses),
-            Reading::Profile => {
-                let found = read.profile.as_ref().ok()?;
-                found.deviates().then(|| profiles(found))?
-            }
-        };
-        Some(Table {
-            name: self.name(),
-            columns,
-        })
-    }
-
-    /// Its columns beside those of other gauges: which, and how they are called there.
-    fn wide(self) -> &'static [Wide] {
-        match self {
-            Reading::Spans => &[("span", "span_mm", "W_k mm")],
-            Reading::Pins => &[("pins", "over_two_pins_mm", "two pins mm")],
-            Reading::ThreePins => &[("three_pins", "over_three_pins_mm", "three pins mm")],
-            Reading::LyingPins => &[("lying_pins", "over_lying_pins_mm", "lying pins mm")],
-            Reading::Runout => &[("runout", "runout_um", "ball")],
-            Reading::SinglePitchOwn => &[
-                ("left", "single_pitch_own_left_um", "f own left"),
-                ("right", "single_pitch_own_right_um", "f own right"),
-            ],
-            Reading::PitchOwn => &[
-                ("left", "pitch_own_left_um", "F own left"),
-                ("right", "pitch_own_right_um", "F own right"),
-            ],
-            Reading::SinglePitchDatum => &[
-                ("left", "single_pitch_datum_left_um", "f datum left"),
-                ("right", "single_pitch_datum_right_um", "f datum right"),
-            ],
-            Reading::PitchDatum => &[
-                ("left", "pitch_datum_left_um", "F datum left"),
-                ("right", "pitch_datum_right_um", "F datum right"),
-            ],
-            Reading::Thickness => &[("thickness", "thickness_um", "s − mean")],
-            Reading::Roll => &[],
-            Reading::Profile => &[
-                ("slope_left", "profile_slope_left_um", "f_Hα left"),
-                ("slope_right", "profile_slope_right_um", "f_Hα right"),
-                ("form_left", "profile_form_left_um", "f_fα left"),
-                ("form_right", "profile_form_right_um", "f_fα right"),
-                ("total_left", "profile_total_left_um", "F_α left"),
-                ("total_right", "profile_total_right_um", "F_α right"),
-            ],
-        }
-    }
-}
-
-/// The readings that stand beside each other, in the order shown: the single pitch before the cumulative.
-const SIDE_BY_SIDE: [Reading; 11] = [
-    Reading::Spans,
-    Reading::Pins,
-    Reading::ThreePins,
-    Reading::LyingPins,
-    Reading::Runout,
-    Reading::SinglePitchOwn,
-    Reading::PitchOwn,
-    Reading::SinglePitchDatum,
-    Reading::PitchDatum,
-    Reading::Thickness,
-    Reading::Profile,
-];
-
-/// Every reading that stands at a tooth: each with its heading in a narrow table. What was not measured has no cells.
-pub fn by_tooth(read: &Gauged) -> Vec<(&'static str, Column)> {
-    // Spur gears have no column that only helical ones fill.
-    let readings = SIDE_BY_SIDE.into_iter();
-    let shown = readings.filter(|&one| one != Reading::LyingPins || one.table(read).is_some());
-    let columns = shown.flat_map(|reading| {
-        let table = reading.table(read);
-        reading.wide().iter().map(move |(own, name, heading)| {
-            let column = table.as_ref().and_then(|table| table.column(own));
-            let unit = match name.ends_with("_mm") {
-                true => Unit::Mm,
-                false => Unit::Um,
-            };
-            let cells = column.map_or(Vec::new(), |column| column.cells.clone());
-            (*heading, Column { name, unit, cells })
-        })
-    });
-    columns.collect()
-}
-
-/// The columns of a roll test, each pose a row.
-pub const ROLL: [&str; 6] = [
-    "tooth",
-    "fraction",
-    "rotation_rad",
-    "a_mm",
-    "error_bound_um",
-    "class",
-];
-
-/// The columns of the profiles, each tooth a row.
-const PROFILE: [&str; 7] = [
-    "tooth",
-    "slope_left",
-    "slope_right",
-    "form_left",
-    "form_right",
-    "total_left",
-    "total_right",
-];
-
-/// `f_Hα`, `f_fα` and `F_α` of both flanks.
-fn profiles(read: &ProfileReadings) -> Vec<Column> {
-    let of: [fn(&ProfileReading) -> f64; 3] = [|one| one.slope, |one| one.form, |one| one.total];
-    let values = of
-        .iter()
-        .flat_map(|of| [Flank::Left, Flank::Right].map(|side| um(&read.flank(side).by_tooth(of))));
-    let count = read.flank(Flank::Left).of_tooth.len();
-    let names = PROFILE.into_iter().skip(1);
-    let columns = names.zip(values);
-    std::iter::once(teeth(count))
-        .chain(columns.map(|(name, values)| Column::new(name, Unit::Um, values)))
-        .collect()
-}
-
-/// Poses of a roll test.
-pub fn roll(poses: &[RollPose]) -> Vec<Column> {
-    let [tooth, fraction, rotation, a, bound, class] = ROLL;
-    let mating = || poses.iter().map(|pose| pose.mating);
-    vec![
-        Column::new(tooth, Unit::None, mating().map(|mating| mating.wheel_tooth)),
-        Column::new(fraction, Unit::None, mating().map(|mating| mating.fraction)),
-        Column::new(rotation, Unit::Rad, poses.iter().map(|pose| pose.rotation)),
-        Column::new(a, Unit::Mm, poses.iter().map(|pose| pose.distance)),
-        Column::new(bound, Unit::Um, poses.iter().map(|pose| pose.error * 1e3)),
-        Column::new(class, Unit::None, poses.iter().map(|p| p.class.name())),
-    ]
-}
-
-fn teeth(count: usize) -> Column {
-    Column::new("tooth", Unit::None, (1u32..).take(count))
-}
-
-fn error(bounds: impl Iterator<Item = f64>) -> Column {
-    Column::new("error_bound", Unit::Um, bounds.map(|mm| mm * 1e3))
-}
-
-fn touched<'a>(touches: impl Iterator<Item = &'a [Touch]>) -> Column {
-    let one = |touch: &Touch| json!({ "tooth": touch.tooth, "curve": touch.curve.name(), "radius_mm": touch.radius });
-    let list = |touches: &[Touch]| touches.iter().map(one).collect::<Value>();
-    Column::new("touched", Unit::None, touches.map(list))
-}
-
-fn over(name: &'static str, list: &[OverPins]) -> Vec<Column> {
-    vec![
-        Column::new("tooth", Unit::None, list.iter().map(|one| one.tooth)),
-        Column::new("opposite", Unit::None, list.iter().map(|one| one.opposite)),
-        Column::new(name, Unit::Mm, list.iter().map(|one| one.length)),
-        error(list.iter().map(|one| one.error)),
-    ]
-}
-
-fn cumulative(pitch: &PitchReadings, side: Flank) -> Vec<f64> {
-    pitch.cumulative.flank(side).to_vec()
-}
-
-fn flanks(pitch: &PitchReadings, values: fn(&PitchReadings, Flank) -> Vec<f64>) -> Vec<Column> {
-    let [left, right] = [Flank::Left, Flank::Right].map(|side| um(&values(pitch, side)));
-    vec![
-        teeth(left.len()),
-        Column::new("left", Unit::Um, left),
-        Column::new("right", Unit::Um, right),
-    ]
-}
-
-/// mm to µm.
-fn um(lengths: &[f64]) -> Vec<f64> {
-    lengths.iter().map(|mm| mm * 1e3).collect()
 }

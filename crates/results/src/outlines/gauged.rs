@@ -1,9 +1,8 @@
 //! Spans and pins read on outlines, as tables, JSON and CSV: keys and columns as of gears by their data.
 
-use crate::gauge::{json_of, of};
-use crate::{Cell, Column, Table, Unit};
+use crate::gauge::{ByTooth, Readings, json_of, of, over};
 use gearlash::contact::OutlineTouch;
-use gearlash::gauge::{OutlineGauged, OverPins, Unmeasured};
+use gearlash::gauge::{OutlineGauged, Unmeasured};
 use gearlash_files::outlines::OutlineGearEntry;
 use serde_json::{Value, json};
 
@@ -41,68 +40,22 @@ impl GaugedOutline<'_> {
         spans.chain(pins).map(line).collect()
     }
 
-    /// Every reading, a row a tooth, each column with its heading in a narrow table; what was not measured has no cells.
-    pub fn by_tooth(&self) -> Vec<(&'static str, Column)> {
-        let spans = self.gauged.spans.iter().flatten();
-        let pins = || self.gauged.pins.iter().flatten();
-        let mm = |name, lengths| Column::new::<f64>(name, Unit::Mm, lengths);
-        let lengths =
-            |list: &[OverPins]| -> Vec<f64> { list.iter().map(|one| one.length).collect() };
-        let spans: Vec<f64> = spans
-            .flat_map(|spans| &spans.readings)
-            .map(|one| one.length)
-            .collect();
-        vec![
-            ("W_k mm", mm("span_mm", spans)),
-            (
-                "two pins mm",
-                mm(
-                    "over_two_pins_mm",
-                    pins().flat_map(|pins| lengths(&pins.two)).collect(),
-                ),
-            ),
-            (
-                "three pins mm",
-                mm(
-                    "over_three_pins_mm",
-                    pins().flat_map(|pins| lengths(&pins.three)).collect(),
-                ),
-            ),
-        ]
-    }
-
-    fn table(&self) -> Table {
-        let teeth = self.entry.gear.teeth();
-        let same = |name, word: &'static str| {
-            Column::new(name, Unit::None, vec![Cell::from(word); teeth as usize])
-        };
-        let columns = [
-            same("gear", self.entry.name),
-            same("material", self.entry.material.name()),
-            Column::new("tooth", Unit::None, 1..=teeth),
-        ];
-        let readings = self.by_tooth().into_iter().map(|(_, column)| column);
-        Table {
-            name: "teeth",
-            columns: columns.into_iter().chain(readings).collect(),
+    /// The readings tooth by tooth.
+    pub fn by_tooth(&self) -> ByTooth<'_> {
+        ByTooth {
+            gear: self.entry.name,
+            material: self.entry.material.name(),
+            teeth: self.entry.gear.teeth(),
+            readings: Readings::Drawn(&self.gauged),
         }
     }
-}
-
-/// All readings of several gears as CSV, a row a tooth.
-///
-/// # Errors
-/// None that readings can cause; the writer's otherwise.
-pub fn gauged_csv(gears: &[GaugedOutline]) -> Result<String, csv::Error> {
-    let tables: Vec<Table> = gears.iter().map(GaugedOutline::table).collect();
-    Table::all_to_csv(&tables)
 }
 
 /// All gears as JSON: lengths in mm, bounds in µm. What was asked for and not measured is `{ "not_measured": reason }`; what was not asked for
 /// has no key.
 ///
 /// # Errors
-/// As [`gauged_csv`].
+/// None that readings can cause; the writer's otherwise.
 pub fn gauged_json(title: &str, gears: &[GaugedOutline]) -> Result<String, serde_json::Error> {
     json_of(title, gears.iter().map(gear).collect())
 }
@@ -147,11 +100,6 @@ fn gear(gauged: &GaugedOutline) -> Value {
         });
     }
     value
-}
-
-fn over(list: &[OverPins]) -> Value {
-    let row = |one: &OverPins| json!({ "tooth": one.tooth, "opposite": one.opposite, "mm": one.length, "error_bound_um": one.error * 1e3 });
-    list.iter().map(row).collect()
 }
 
 fn touched(touches: &[OutlineTouch]) -> Value {

@@ -8,8 +8,8 @@ use gearlash::population::{ContributionsError, Outcome, OutcomeKind, Row};
 use gearlash_files::InputError;
 use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_files::tolerance::{
-    BLOCK, MOST_ASSEMBLIES, RowsReader, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
-    row_line, tenths_to_um,
+    BLOCK, MOST_ASSEMBLIES, RowsHead, RowsReader, RowsTally, ToleranceFile, ToleranceRun,
+    read_tolerance, row_line, tenths_to_um,
 };
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
@@ -79,7 +79,7 @@ pub fn tolerance_rows(
     if let Some(reason) = run.too_many_impossible(tally.tally()) {
         return Err(error(py, reason));
     }
-    let mut text = run.head(first, count).lines();
+    let mut text = RowsHead::of(&run, first, count).lines();
     text.extend(rows.iter().map(row_line));
     Ok((text, warnings(&file)))
 }

@@ -4,7 +4,7 @@ use super::results::is_own;
 use crate::error::Error;
 use crate::signals;
 use gearlash::population::{Row, Tally};
-use gearlash_files::tolerance::{RowsTally, ToleranceRun, named, row_line, shell_word};
+use gearlash_files::tolerance::{RowsHead, RowsTally, ToleranceRun, named, row_line, shell_word};
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::ops::Range;
@@ -66,7 +66,7 @@ impl<'a> RowsFile<'a> {
             ),
             _ => wrong(path, format!("cannot be written: {error}")),
         })?;
-        let head = run.head(numbers.start, numbers.end - numbers.start);
+        let head = RowsHead::of(run, numbers.start, numbers.end - numbers.start);
         let mut rows = RowsFile {
             path: path.to_path_buf(),
             file,

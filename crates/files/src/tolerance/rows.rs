@@ -45,6 +45,18 @@ pub struct RowsHead {
 }
 
 impl RowsHead {
+    /// The header of the rows of `count` assemblies of `run` from `first` on.
+    pub fn of(run: &ToleranceRun, first: u64, count: u64) -> RowsHead {
+        let (input_sha256, seed) = run.identity();
+        RowsHead {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            input_sha256: input_sha256.to_owned(),
+            seed,
+            first,
+            count,
+        }
+    }
+
     /// The first lines of a file of rows.
     pub fn lines(&self) -> String {
         let (version, input, seed) = (&self.version, &self.input_sha256, self.seed);
@@ -238,7 +250,7 @@ impl<'a> RowsTally<'a> {
 
     /// Begins the rows of `source`, as messages name it.
     fn begin(&mut self, source: &str, head: &RowsHead) -> Result<(), InputError> {
-        let wanted = self.run.head(head.first, head.count);
+        let wanted = RowsHead::of(self.run, head.first, head.count);
         if let Some((name, own, wanted)) = head.difference(&wanted) {
             return Err(wrong(
                 source,

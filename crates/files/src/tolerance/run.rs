@@ -4,7 +4,6 @@ use super::impossible::TooManyImpossible;
 use super::limit::limits;
 use super::population::ToleranceFile;
 use super::result::{About, ToleranceResult};
-use super::rows::RowsHead;
 use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{
@@ -80,15 +79,9 @@ impl<'a> ToleranceRun<'a> {
         self.file.tolerance.contribution_rows.into()
     }
 
-    /// The header of the rows of `count` assemblies from `first` on.
-    pub fn head(&self, first: u64, count: u64) -> RowsHead {
-        RowsHead {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            input_sha256: self.input_sha256.clone(),
-            seed: self.seed,
-            first,
-            count,
-        }
+    /// SHA-256 of the input, and the seed.
+    pub(super) fn identity(&self) -> (&str, u64) {
+        (&self.input_sha256, self.seed)
     }
 
     /// The command that writes the rows of the assemblies `numbers` to `file`.

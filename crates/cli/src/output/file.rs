@@ -1,6 +1,6 @@
 //! One file of results.
 
-use super::folder::Made;
+use super::made::Made;
 use super::{failed, guard, unfinished};
 use crate::error::Error;
 use gearlash_files::Sources;

@@ -6,6 +6,7 @@
 
 mod file;
 mod folder;
+mod made;
 
 pub use file::{NewFile, OutputFile};
 pub use folder::OutputFolder;

@@ -79,7 +79,7 @@ impl AssemblesFrom {
                     let there = kernel.least(&pair, over, width, effort)?;
                     let least = there.least;
                     tight.extend(there.lost.or(least.map(|least| least.mating)));
-                    // The attained value where nothing narrow is proven.
+                    // Of what is not proven, what was found.
                     let value = least.map(|least| match least.is_proven() {
                         true => least.low,
                         false => least.high,

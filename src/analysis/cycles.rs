@@ -1,17 +1,17 @@
 //! The mesh cycles of a study, and what the search finds in each: at its centre distance, and at both ends of the bearing clearance.
 
 use super::assembles_from::AssemblesFrom;
-use super::directions::{self, AnyDirection, Directed, Search, is_open};
+use super::directions::{self, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
-use super::phases::{phase, phase_count};
+use super::phases::phase;
 use super::study::{RunPlan, Study};
-use crate::contact::{Effort, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status};
+use crate::contact::{Effort, ExactKernel, Extreme, Extremes, Status};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
 
-/// Width of a proven bracket of `j_wt`, mm.
-pub const WIDTH: f64 = PROVEN_WIDTH;
+/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
+pub const WIDTH: f64 = 1e-6;
 
 /// A run and where its cycle begins.
 pub(super) struct Planned {
@@ -19,11 +19,6 @@ pub(super) struct Planned {
     first: Mating,
     /// Matings that differ.
     distinct: u64,
-    /// Whether the pair has several assembly phases that differ.
-    differ: bool,
-    /// Phases of the same pair that are searched: they share the effort of one pair.
-    phases: u64,
-    /// Its assembly phase, where several are searched.
     pub phase: Option<(u32, u32)>,
 }
 
@@ -46,21 +41,16 @@ pub(super) struct SearchedEnd {
 }
 
 impl Planned {
-    /// Wheel and pinion tooth that name its assembly phase; `None` where the pair has one, or all are alike.
-    pub fn covers(&self) -> Option<(u32, u32)> {
-        self.differ
-            .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
-    }
-
     pub fn search(&self) -> Result<Searched, Error> {
         let assembly = &self.run.assembly;
-        let effort = &self.effort(assembly);
+        let effort = &Effort::of_extremes(assembly);
+        let of = |pair: &GearPair| self.cycle(pair, effort);
         let greatest = |pair: &GearPair| {
             let over = (self.first, self.distinct);
             ExactKernel::new(pair).greatest(pair, over, WIDTH, effort)
         };
         if is_open(assembly) {
-            let all = self.any_direction(assembly, effort)?;
+            let all = directions::extremes(assembly, &of, WIDTH)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
@@ -69,7 +59,7 @@ impl Planned {
                 poses: all.poses,
             });
         }
-        let found = self.cycle(assembly, effort)?;
+        let found = of(assembly)?;
         let extremes = [found.least, found.greatest].into_iter().flatten();
         let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
         let assembles_from = self.assembles_from(assembly, &found, 0.0, effort)?;
@@ -98,14 +88,14 @@ impl Planned {
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
         let assembly = assembly.at(assembly.center_distance() + farther)?;
-        let effort = &self.effort(&assembly);
+        let effort = &Effort::of_extremes(&assembly);
         let of = |found: &Extremes| match is_least {
             true => found.least,
             false => found.greatest,
         };
         let (found, pose) = match is_open(&assembly) {
             true => {
-                let all = self.any_direction(&assembly, effort)?;
+                let all = directions::extremes(&assembly, &|pair| self.cycle(pair, effort), WIDTH)?;
                 // The least comes first.
                 let before = !is_least && all.found.least.is_some();
                 let pose = all.poses.into_iter().nth(usize::from(before));
@@ -129,20 +119,10 @@ impl Planned {
         })
     }
 
-    /// What the search of `assembly` may do.
-    fn effort(&self, assembly: &GearPair) -> Effort {
-        Effort::of_extremes(assembly).part(self.phases)
-    }
-
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
         let over = (self.first, self.distinct);
         ExactKernel::new(pair).extremes_within(pair, over, WIDTH, effort)
-    }
-
-    /// The extremes of `pair` over the cycle and all directions of its runout.
-    fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
-        any_direction(pair, (self.first, self.distinct), WIDTH, effort)
     }
 
     /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
@@ -157,10 +137,12 @@ impl Planned {
         if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
             return Ok(None);
         }
-        // A pair that needs no search ends by its number of cells: with a share of the effort, what can be proven would not be.
+        // Of spur pairs each distance ends by its number of cells: with a share of the effort, what can be proven would not be.
         let endless = Effort::endless();
-        let is_short = !pair.is_helical() && ExactKernel::new(pair).is_direct();
-        let effort = if is_short { &endless } else { effort };
+        let effort = match pair.is_helical() {
+            true => effort,
+            false => &endless,
+        };
         let over = (self.first, self.distinct);
         let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;
         Ok(from.map(|from| AssemblesFrom {
@@ -189,41 +171,35 @@ fn meshes_to(
     }))
 }
 
-/// Every centre distance and material in every assembly phase that the study is about: those of its listed matings, or all of them where it lists none.
+/// Every centre distance and material, each in the phases that the study is about.
 pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     let runs = study.runs()?;
     let mut plans: Vec<Planned> = Vec::new();
     for run in runs {
-        let mut phases: Vec<u32> = if study.all_phases {
-            (1..=phase_count(&run.assembly)).collect()
-        } else {
-            run.matings
-                .iter()
-                .map(|mating| phase(&run.assembly, mating))
-                .collect()
-        };
-        phases.sort_unstable();
-        phases.dedup();
+        let mut firsts: Vec<Mating> = Vec::new();
+        for mating in &run.matings {
+            let first = first_of_phase(&run.assembly, mating);
+            if !firsts.contains(&first) {
+                firsts.push(first);
+            }
+        }
         // Against perfect teeth it does not matter which are met.
         let distinct = distinct(&run.assembly);
-        let differ = phase_count(&run.assembly) > 1 && phases_differ(&run.assembly);
-        if !differ {
-            phases.truncate(1);
+        if distinct < hunting_pitches(&run.assembly) {
+            firsts.truncate(1);
         }
-        let count = phases.len() as u64;
-        for pinion_tooth in phases {
-            let first = first_of_phase(pinion_tooth);
-            let own = (count > 1).then_some((first.wheel_tooth, first.pinion_tooth));
+        let several = firsts.len() > 1;
+        firsts.sort_by_key(|first| first.pinion_tooth);
+        for first in firsts {
+            let own = several.then_some((first.wheel_tooth, first.pinion_tooth));
             plans.push(Planned {
-                phase: own,
+                phase: run.phase.or(own),
                 run: RunPlan {
                     matings: Vec::new(),
                     ..run.clone()
                 },
                 first,
                 distinct,
-                differ,
-                phases: count,
             });
         }
     }
@@ -236,36 +212,28 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
 /// # Errors
 /// As [`ExactKernel::extremes`].
 pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<Extremes, Error> {
-    let first = first_of_phase(phase);
+    let first = Mating {
+        wheel_tooth: 1,
+        pinion_tooth: phase,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
     let distinct = distinct(assembly);
     let effort = &Effort::of_extremes(assembly);
-    let over = (first, distinct);
-    if is_open(assembly) {
-        Ok(any_direction(assembly, over, width, effort)?.found)
-    } else {
-        ExactKernel::new(assembly).extremes_within(assembly, over, width, effort)
+    let search = |pair: &GearPair| {
+        ExactKernel::new(pair).extremes_within(pair, (first, distinct), width, effort)
+    };
+    match is_open(assembly) {
+        true => Ok(directions::extremes(assembly, &search, width)?.found),
+        false => search(assembly),
     }
 }
 
-/// The extremes of `pair` over matings and all directions of its runout, in brackets of about `width` mm.
-fn any_direction(
-    pair: &GearPair,
-    over: (Mating, u64),
-    width: f64,
-    effort: &Effort,
-) -> Result<AnyDirection, Error> {
-    // The bracket holds that of a search and what the direction adds.
-    let width = 0.4 * width;
-    let least = |pair: &GearPair| ExactKernel::new(pair).least(pair, over, width, effort);
-    let greatest = |pair: &GearPair| ExactKernel::new(pair).greatest(pair, over, width, effort);
-    directions::extremes(pair, &least, &greatest)
-}
-
-/// The mating of wheel tooth 1 that names an assembly phase.
-fn first_of_phase(pinion_tooth: u32) -> Mating {
+/// The mating of wheel tooth 1 that names the assembly phase of `mating`.
+fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
     Mating {
         wheel_tooth: 1,
-        pinion_tooth,
+        pinion_tooth: phase(assembly, mating),
         flank: Side::Right,
         fraction: 0.0,
     }

@@ -83,8 +83,6 @@ pub struct Study {
     pub bearing_clearance: f64,
     /// The poses of every run; `None`: exactly the rows of `measured`.
     pub sweep: Option<SweepPlan>,
-    /// Whether the extremes are of every assembly phase; else of those of the listed matings.
-    pub all_phases: bool,
     /// Measured rows in the order of their file; empty when there is none.
     pub measured: Vec<MeasuredRow>,
     /// Chordal error of the polygons, mm.
@@ -147,7 +145,6 @@ impl Study {
             band: None,
             bearing_clearance: 0.0,
             sweep: Some(SweepPlan::wheel_revolution(pair, steps_per_pitch, (1, 1))),
-            all_phases: false,
             measured: Vec::new(),
             // 0.01 µm: the default of a pair file.
             chord: 1e-5,

@@ -50,8 +50,7 @@ mod teeth;
 mod tests;
 mod tightest;
 
-pub(crate) use extremes::is_narrow;
-pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
+pub use extremes::{Doubt, Extreme, Extremes};
 pub(super) use flank_problem::{FlankProblem, PosedFlanks, lens_half};
 pub(super) use placed::Placed;
 pub(super) use section::Section;

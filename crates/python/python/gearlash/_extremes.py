@@ -1,6 +1,5 @@
 """Least and greatest backlash of the whole mesh cycle, and the checks of a pair."""
 
-import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -15,15 +14,13 @@ class Extreme:
     """An extreme of the backlash over the whole mesh cycle and every rotation, and a pose that attains it."""
 
     j_wt_um: tuple[float, float]
-    """Bracket of the circumferential backlash, µm; infinite at an end where nothing bounds it."""
-    found_j_wt_um: float
-    """Circumferential backlash at ``pose``, µm."""
+    """Circumferential backlash, µm: no less, and no more."""
     wheel_arcmin: float
     pinion_arcmin: float
     proven: bool
-    """Whether the bracket is at most 0.001 µm wide."""
+    """Whether no rotation lies beyond the bracket, and that is as narrow as it should be."""
     doubt: str | None
-    """Why it is wider."""
+    """Why it is not."""
     uncertainty_um: float | None
     """Expanded uncertainty, where the pair states uncertainties."""
     pose: Pose
@@ -37,8 +34,7 @@ class Extreme:
             return None
         low, high = record["j_wt_um"]
         return cls(
-            j_wt_um=(-math.inf if low is None else low, math.inf if high is None else high),
-            found_j_wt_um=record["found_j_wt_um"],
+            j_wt_um=(low, high),
             wheel_arcmin=record["lost_motion_arcmin"]["wheel"],
             pinion_arcmin=record["lost_motion_arcmin"]["pinion"],
             proven=record["proven"],

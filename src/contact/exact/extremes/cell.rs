@@ -71,7 +71,11 @@ impl Cell {
                 faces: ends.iter().map(|end| end[k]).collect(),
                 effort: course.effort,
             };
-            over.rooms(table.steps(k, self.mating, self.part))
+            let mut rooms = Vec::with_capacity(8);
+            for step in table.steps(k, self.mating, self.part) {
+                over.add(step, &mut rooms);
+            }
+            rooms
         });
         let (lowest, low) = least(&rooms);
         let (highest, high) = greatest(&rooms);

@@ -13,7 +13,6 @@
 
 use super::super::flank_problem::PosedFlanks;
 use super::super::shape::{C, HalfToothShape, turn};
-use super::corner_path::CornerPath;
 use super::dip::Tip;
 use crate::gear::ProfilePart;
 
@@ -73,28 +72,6 @@ impl<'a> OnFillet<'a> {
         match self.tip {
             Tip::Locked => &self.posed.problem.free.shape,
             Tip::Free => &self.posed.problem.locked.shape,
-        }
-    }
-
-    /// The corner's path past the fillet, at a gap that changes at `rate` with the locked gear's turn.
-    pub fn path(&self, gap: f64, rate: f64) -> CornerPath {
-        let problem = self.posed.problem;
-        let pair = self.posed.pair(self.step);
-        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
-        let l = -turn(pair.locked_base + locked.half_base);
-        let turned = turn(gap);
-        let f = turned * turn(pair.free_base + free.half_base);
-        let (centre, free_centre) = (self.posed.centre, turned * self.posed.free_centre);
-        let distance = problem.distance;
-        match self.tip {
-            Tip::Free => {
-                let corner = free_centre + f * free.tip_corner();
-                CornerPath::of_free(corner, centre, l, distance, rate)
-            }
-            Tip::Locked => {
-                let corner = centre - distance + l * locked.tip_corner();
-                CornerPath::of_locked(corner, free_centre, f, distance, rate)
-            }
         }
     }
 

@@ -11,7 +11,6 @@
 
 mod cell;
 mod clearance;
-mod corner_path;
 mod course;
 mod dip;
 mod dips_over_face;
@@ -33,8 +32,7 @@ use crate::contact::effort::Effort;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 use course::Course;
-pub(crate) use extreme::is_narrow;
-pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
+pub use extreme::{Doubt, Extreme, Extremes};
 use extreme::{PosesSeen, UNKNOWN};
 use sample::Until;
 use search::{Search, Which};
@@ -181,8 +179,7 @@ impl ExactKernel {
         let search = |which| Search {
             course,
             table: &table,
-            width: search::PROOF_SHARE * width,
-            equal: search::EQUAL_SHARE * width,
+            width,
             which,
             // A third each to both searches and to what is sampled if they do not close.
             spare: match which {
@@ -196,8 +193,8 @@ impl ExactKernel {
         let wanted = wanted.filter(|which| stays || *which == Which::Greatest);
         let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
-        let mut ranked = search::rank(&searches, &mut found)?;
-        for (search, ranked) in searches.iter().zip(&mut ranked) {
+        let ranked = search::rank(&searches, &mut found)?;
+        for (search, ranked) in searches.iter().zip(ranked) {
             let proof = search.run(ranked, &mut found)?;
             match search.which {
                 Which::Least => least = proof,
@@ -206,9 +203,6 @@ impl ExactKernel {
         }
         if !stays && of.contains(&Which::Least) {
             sample::sample(course, &mut found, until)?;
-        }
-        for (search, ranked) in searches.iter().zip(ranked) {
-            search.name_first(ranked.near, &mut found)?;
         }
         Ok(found.extremes(course, [least, greatest]))
     }

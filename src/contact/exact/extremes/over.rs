@@ -1,12 +1,11 @@
 //! What bounds the room of one side over a stretch of a mating: pair by pair of half teeth.
 
 use super::clearance::Lines;
-use super::corner_path;
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
 use super::dip::Dip;
 use super::fillet::{self, OnFillet, Reached};
 use super::rolls::PIECE;
-use super::room::{self, PairRoom};
+use super::room::PairRoom;
 use super::separation::{Separation, lowest_roll};
 use super::table::OpenStep;
 use crate::contact::Effort;
@@ -80,84 +79,28 @@ impl<'a> Over<'a> {
         PairRoom::convex(room, rates, bend, touches)
     }
 
-    /// What bounds the room of each of `steps`: that of its involutes, and that of a corner and a fillet.
-    pub fn rooms(&self, steps: impl Iterator<Item = OpenStep>) -> Vec<PairRoom> {
-        let mut rooms = Vec::with_capacity(8);
-        let mut dipping = Vec::new();
-        for step in steps {
-            if !self.faces.is_empty() {
-                self.effort.spend(2 * STEP);
-                let found = self.add_over_face(step, &mut rooms);
-                if step.dips {
-                    self.add_dips(step, &mut rooms, |dip, rooms| {
-                        self.add_dip_over_face(step, dip, &found, rooms)
-                    });
-                }
-                continue;
-            }
-            self.effort.spend(STEP);
-            let found = self.add_involutes(&self.ends, step.step, &mut rooms);
+    /// Adds what bounds the room of the pair at `step`: that of its involutes, and that of a corner and a fillet.
+    pub fn add(&self, step: OpenStep, rooms: &mut Vec<PairRoom>) {
+        if !self.faces.is_empty() {
+            self.effort.spend(2 * STEP);
+            let found = self.add_over_face(step, rooms);
             if step.dips {
-                dipping.push((step, found.map(|found| found.gap)));
+                self.add_dips(step, rooms, |dip, rooms| {
+                    self.add_dip_over_face(step, dip, &found, rooms)
+                });
             }
+            return;
         }
-        if !dipping.is_empty() {
-            self.add_spur_dips(&dipping, &mut rooms);
-        }
-        rooms
-    }
-
-    /// Adds the room of tip corners and fillets of spur gears. What is clear of the fillet at the room of all involutes has no less.
-    fn add_spur_dips(&self, dipping: &[(OpenStep, [f64; 2])], rooms: &mut Vec<PairRoom>) {
-        let Some((line, above)) = room::line_below(rooms) else {
-            return self.add_all_spur_dips(dipping, rooms);
-        };
-        let mut at_line = false;
-        let mut open = Vec::new();
-        for (step, near) in dipping {
-            let clear = |line: [f64; 2]| {
-                let mut dips = self.side.dips.iter();
-                dips.all(|dip| self.is_clear(step.step, dip, line))
-            };
-            if clear(line.map(|room| room + above)) {
-                continue;
-            }
-            match clear(line) {
-                true => at_line = true,
-                false => open.push((*step, *near)),
-            }
-        }
-        if at_line {
-            rooms.push(PairRoom::straight(line));
-        }
-        self.add_all_spur_dips(&open, rooms);
-    }
-
-    fn add_all_spur_dips(&self, dipping: &[(OpenStep, [f64; 2])], rooms: &mut Vec<PairRoom>) {
-        for (step, near) in dipping {
-            self.add_dips(*step, rooms, |dip, rooms| {
-                let room = self.on_fillet(&self.ends, step.step, dip, *near);
+        self.effort.spend(STEP);
+        let found = self.add_involutes(&self.ends, step.step, rooms);
+        if step.dips {
+            let near = found.map(|found| found.gap);
+            self.add_dips(step, rooms, |dip, rooms| {
+                let room = self.on_fillet(&self.ends, step.step, dip, near);
                 rooms.extend(room);
                 room.is_some()
             });
         }
-    }
-
-    /// Whether the corner of `dip` at `step` is clear of the fillet while the side has the room of a straight line between the ends `line`.
-    fn is_clear(&self, step: i64, dip: &Dip, line: [f64; 2]) -> bool {
-        self.effort.spend(DIP);
-        let problem = self.side.problem;
-        let [first, last] = [0, 1].map(|k| self.ends[k].gap(line[k] + self.rounding()));
-        let angle = self.ends[0].angle_to(&self.ends[1]);
-        let rate = (last - first) / angle;
-        let need = self.rounding() * problem.free.shape.base;
-        let path = |at: f64| {
-            let flanks = self.ends[0].flanks.turned_on(at * angle);
-            let gap = first + at * (last - first);
-            OnFillet::new(flanks, step, dip.tip).path(gap, rate)
-        };
-        let mate = self.side.mate(dip.tip);
-        corner_path::is_clear_over((0.5, 0.5), angle, mate, dip.deepest, need, &path)
     }
 
     /// Adds the room of the involutes of a section that stands as `ends`, and their ends: what keeps them apart.

@@ -149,13 +149,7 @@ impl<'a> Rolls<'a> {
         let dips = self.side.dips.iter();
         let dips = dips.filter(|dip| dip.may_dip(at, play));
         let dips = dips.map(|dip| match &self.lines {
-            Some(lines) => {
-                let mate = self.side.mate(dip.tip);
-                match dip.stays_clear(mate, (at, play), lines, self.spread) {
-                    true => [f64::INFINITY; 2],
-                    false => dip.clearance(at, play, lines, self.spread),
-                }
-            }
+            Some(lines) => dip.clearance(at, play, lines, self.spread),
             None => [f64::NEG_INFINITY; 2],
         });
         Part {

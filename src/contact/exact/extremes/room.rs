@@ -61,20 +61,6 @@ impl PairRoom {
     }
 }
 
-/// A straight line that no room lies below at either end, and how far the least of all rooms may lie above it; `None` without rooms that have bounds.
-pub(super) fn line_below(rooms: &[PairRoom]) -> Option<([f64; 2], f64)> {
-    let line = [0.0, 1.0].map(|end| {
-        let each = rooms.iter().map(|room| room.low(end));
-        each.fold(f64::INFINITY, f64::min)
-    });
-    let above = rooms.iter().map(|room| {
-        let over = |end: usize| room.low(end as f64) - line[end];
-        over(0).max(over(1)) + room.bend / 8.0
-    });
-    let above = above.fold(f64::INFINITY, f64::min);
-    (line.iter().all(|end| end.is_finite()) && above.is_finite()).then_some((line, above))
-}
-
 /// Where the sum of both sides is least, and its bound there.
 pub(super) fn least(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     let [right, left] = rooms;

@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::course::{Course, PARTS};
-use super::extreme::{Doubt, PosesSeen, Proof, Seen};
+use super::extreme::{Doubt, PosesSeen, Proof};
 use super::sample::{self, Until};
 use super::table::{Bounds, Table};
 use crate::error::Error;
@@ -10,16 +10,6 @@ use std::collections::BinaryHeap;
 
 /// Cells looked into for one extreme, at most (tuned: a hundred settle an ordinary one; so many take some 20 ms).
 const MOST_CELLS: usize = 4_000;
-
-/// Cells looked into for one place that may be equal to the best, at most.
-const CELLS_OF_A_PLACE: usize = 24;
-
-/// Places that may be equal to the best, at most (tuned: 300 kB).
-const MOST_PLACES: usize = 4_096;
-
-/// Shares of the wanted width: what the proof leaves open, and within what of the best a place is equal to it. Rounding takes the rest.
-pub(super) const PROOF_SHARE: f64 = 0.55;
-pub(super) const EQUAL_SHARE: f64 = 0.4;
 
 /// Matings whose stretches are taken up before what was overtaken is dropped (tuned: 160 kB of stretches).
 const STRIDE: u64 = 512;
@@ -33,7 +23,7 @@ pub(super) enum Which {
 
 impl Which {
     /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
-    pub fn key(self, low: f64, high: f64) -> f64 {
+    fn key(self, low: f64, high: f64) -> f64 {
         let key = match self {
             Which::Least => -low,
             Which::Greatest => high,
@@ -55,8 +45,6 @@ impl Which {
 struct Candidates<'a> {
     search: &'a Search<'a>,
     kept: Vec<Bounds>,
-    /// Those which cannot beat the best found, but may be equal to it.
-    near: Vec<Bounds>,
     /// The most promising.
     top: Option<Bounds>,
     /// How promising that is.
@@ -74,7 +62,6 @@ impl Candidates<'_> {
         Candidates {
             search,
             kept: Vec::new(),
-            near: Vec::new(),
             top: None,
             key: f64::NEG_INFINITY,
             sure: f64::NEG_INFINITY,
@@ -87,7 +74,7 @@ impl Candidates<'_> {
         let which = self.search.which;
         let key = which.key(bounds.low, bounds.high);
         self.sure = self.sure.max(which.sure(bounds.low, bounds.high));
-        if key < self.sure - self.search.equal {
+        if key < self.sure {
             return;
         }
         self.kept.push(bounds);
@@ -104,8 +91,7 @@ impl Candidates<'_> {
         let cell = Cell::of_part(top.mating, top.part);
         let course = self.search.course;
         let middle = course.mating(top.mating, 0.5 * (cell.from + cell.to));
-        found.look(course, middle)?;
-        Ok(())
+        found.look(course, middle)
     }
 
     /// Looks at the most promising stretch where its extreme is expected, and drops what cannot beat that: of gears that repeat themselves
@@ -129,18 +115,15 @@ impl Candidates<'_> {
 
     /// Drops what cannot beat the best found by more than the width.
     fn drop(&mut self, found: &PosesSeen) {
-        let search = self.search;
-        let (which, dropped, near) = (search.which, &mut self.dropped, &mut self.near);
-        let enough = search.best(found) + search.width;
+        let (which, dropped) = (self.search.which, &mut self.dropped);
+        let enough = self.search.best(found) + self.search.width;
         self.kept.retain(|kept| {
             let key = which.key(kept.low, kept.high);
             if key <= enough {
                 *dropped = dropped.max(key);
-                near.push(*kept);
             }
             key > enough
         });
-        search.keep_near(near, found);
     }
 
     /// What has to be looked into.
@@ -154,11 +137,8 @@ impl Candidates<'_> {
                 ..Cell::of_part(bounds.mating, bounds.part)
             },
         });
-        let open: Vec<Open> = open.collect();
-        self.near.extend(&self.kept);
         Ranked {
-            open,
-            near: self.near,
+            open: open.collect(),
             bound: self.search.best(found).max(self.dropped),
         }
     }
@@ -168,10 +148,8 @@ impl Candidates<'_> {
 pub(super) struct Search<'a> {
     pub course: &'a Course<'a>,
     pub table: &'a Table,
-    /// What the proof may leave open, rad.
+    /// Of the bracket, rad.
     pub width: f64,
-    /// Places within so much of the best are equal to it, rad.
-    pub equal: f64,
     pub which: Which,
     /// Effort that is left to what comes after this search.
     pub spare: u64,
@@ -215,8 +193,6 @@ impl Ord for Open {
 #[derive(Debug, Default)]
 pub(super) struct Ranked {
     open: Vec<Open>,
-    /// Places that may be equal to the best.
-    pub near: Vec<Bounds>,
     /// How promising the best of the rest is.
     bound: f64,
 }
@@ -270,9 +246,9 @@ impl Search<'_> {
     }
 
     /// The bound that holds for the whole cycle, rad, of the `ranked` stretches of the same search.
-    pub fn run(&self, ranked: &mut Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
-        let mut bound = ranked.bound;
-        let mut open = BinaryHeap::from(std::mem::take(&mut ranked.open));
+    pub fn run(&self, ranked: Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
+        let Ranked { open, mut bound } = ranked;
+        let mut open = BinaryHeap::from(open);
         for _ in 0..MOST_CELLS {
             if self.course.effort.left() < self.spare {
                 break;
@@ -317,74 +293,6 @@ impl Search<'_> {
             false => Doubt::Unbounded,
         };
         Ok((self.value(top), Some(doubt)))
-    }
-
-    /// Keeps of `near` what may be equal to the best found, the first in the order of teeth where that is too much.
-    fn keep_near(&self, near: &mut Vec<Bounds>, found: &PosesSeen) {
-        let least = self.best(found) - self.equal;
-        near.retain(|bounds| self.key(bounds.low, bounds.high) >= least);
-        if near.len() > MOST_PLACES {
-            near.sort_by_cached_key(|bounds| self.place(bounds));
-            near.truncate(MOST_PLACES);
-        }
-    }
-
-    /// Wheel tooth, pinion tooth and part of a stretch.
-    fn place(&self, bounds: &Bounds) -> (u32, u32, usize) {
-        let index = self.course.first_alike(bounds.mating);
-        let (wheel, pinion) = self.course.teeth(index);
-        (wheel, pinion, bounds.part)
-    }
-
-    /// Names of all places equal to the best found the first: least wheel tooth, then least pinion tooth, then least fraction. The last bit of a sine would
-    /// decide otherwise.
-    pub fn name_first(&self, mut near: Vec<Bounds>, found: &mut PosesSeen) -> Result<(), Error> {
-        let least = self.best(found) - self.equal;
-        if !least.is_finite() {
-            return Ok(());
-        }
-        self.keep_near(&mut near, found);
-        near.sort_by_cached_key(|bounds| self.place(bounds));
-        for bounds in near {
-            if self.course.effort.left() < self.spare {
-                break;
-            }
-            if let Some(seen) = self.first_within(&bounds, least)? {
-                match self.which {
-                    Which::Least => found.least = Some(seen),
-                    Which::Greatest => found.greatest = Some(seen),
-                }
-                break;
-            }
-        }
-        Ok(())
-    }
-
-    /// A pose of a stretch that reaches as far as `least`, in the first cell that has one.
-    fn first_within(&self, bounds: &Bounds, least: f64) -> Result<Option<Seen>, Error> {
-        let index = self.course.first_alike(bounds.mating);
-        let mut open = vec![Cell::of_part(bounds.mating, bounds.part)];
-        for _ in 0..CELLS_OF_A_PLACE {
-            let Some(cell) = open.pop() else {
-                break;
-            };
-            let cell = cell.bounded(self.course, self.table);
-            if self.key(cell.low, cell.high) < least {
-                continue;
-            }
-            let at = self.expected(&cell);
-            let mut seen = PosesSeen::default();
-            seen.look(self.course, self.course.mating(index, at))?;
-            if self.best(&seen) >= least {
-                return Ok(match self.which {
-                    Which::Least => seen.least,
-                    Which::Greatest => seen.greatest,
-                });
-            }
-            let [before, after] = cell.cut(at);
-            open.extend([after, before]);
-        }
-        Ok(None)
     }
 
     fn value(&self, key: f64) -> f64 {

@@ -94,7 +94,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             Err(error) => Err(error),
         };
         if is_text && is_alone {
-            outcome.files.push(JudgedFile::Judged(judged?));
+            outcome.files.push(JudgedFile::Judged(Box::new(judged?)));
         } else {
             outcome
                 .files

@@ -133,7 +133,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     for (path, file) in files {
         let judged = file.and_then(|file| compared(args, &path, &file, unproven, &progress));
         if is_text && is_alone {
-            outcome.files.push(JudgedFile::Judged(judged?));
+            outcome.files.push(JudgedFile::Judged(Box::new(judged?)));
         } else {
             outcome
                 .files

@@ -26,6 +26,9 @@ pub(super) enum JudgedFormat {
     Markdown,
 }
 
+/// A file and its content, or the error of reading it.
+pub(super) type ReadFile<T> = (PathBuf, Result<T, Error>);
+
 /// Reads each of `paths`; a file that cannot be read does not stop the others.
 ///
 /// # Errors
@@ -33,7 +36,7 @@ pub(super) enum JudgedFormat {
 pub(super) fn read<T>(
     paths: &[PathBuf],
     read: impl Fn(&Path) -> Result<T, Error>,
-) -> Result<Vec<(PathBuf, Result<T, Error>)>, Error> {
+) -> Result<Vec<ReadFile<T>>, Error> {
     studies::name_stdin_once(paths)?;
     Ok(paths
         .iter()
@@ -52,7 +55,7 @@ pub(super) fn judged_file(
 ) -> Result<JudgedFile, Error> {
     use gearlash::error::Error as Run;
     let error = match judged {
-        Ok(judged) => return Ok(JudgedFile::Judged(judged)),
+        Ok(judged) => return Ok(JudgedFile::Judged(Box::new(judged))),
         Err(error) => error,
     };
     match error {

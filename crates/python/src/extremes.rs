@@ -43,9 +43,8 @@ pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<St
         is_proven,
         &screen,
     );
-    let files = vec![JudgedFile::Judged(
-        judged.map_err(|reason| error(py, reason))?,
-    )];
+    let judged = judged.map_err(|reason| error(py, reason))?;
+    let files = vec![JudgedFile::Judged(Box::new(judged))];
     let outcome = Outcome {
         command: "check",
         files,

@@ -134,7 +134,7 @@ impl ComparedPair<'_> {
             remarks: self.file.remarks.clone(),
             text: self.text(&lines.to_string(), screen),
             markdown: self.markdown(),
-            json: to_value(&self.record(&verdict, agrees && kept))?,
+            json: to_value(self.record(&verdict, agrees && kept))?,
             verdict: lines,
         })
     }
@@ -231,7 +231,7 @@ impl ComparedPair<'_> {
 
     /// A table with a row a run.
     fn markdown(&self) -> String {
-        let mut text = format!("{}", escape_markdown(&self.first_line()));
+        let mut text = escape_markdown(&self.first_line());
         if self.allows_off_line() {
             text += " Contact off the line of action is allowed.";
         }

@@ -66,7 +66,7 @@ impl Case {
 #[derive(Debug)]
 pub enum JudgedFile {
     /// The file was judged.
-    Judged(Judged),
+    Judged(Box<Judged>),
     /// The file cannot be read, or its pair not be judged.
     Unreadable {
         /// The file as named on the command line.

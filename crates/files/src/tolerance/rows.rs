@@ -411,9 +411,9 @@ mod tests {
             kind,
             least,
             greatest,
-            is_proven: number % 2 == 0,
-            is_below: number % 3 == 0,
-            is_above: number % 5 == 0,
+            is_proven: number.is_multiple_of(2),
+            is_below: number.is_multiple_of(3),
+            is_above: number.is_multiple_of(5),
             margin,
         }
     }

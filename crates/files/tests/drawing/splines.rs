@@ -212,7 +212,7 @@ fn light_polylines_with_z_are_the_same() {
         &[[9.0, 0.0, 0.4], [0.0, 9.0, 0.0], [-9.0, 0.0, 0.2]],
         "",
     );
-    let expected = loop_of("dxf", &dxf(&[flat.clone()]));
+    let expected = loop_of("dxf", &dxf(std::slice::from_ref(&flat)));
     for z in ["0", "1e-9"] {
         let with_z = flat.replacen(" 42 ", " 30 0 42 ", 1);
         let (first, rest) = with_z.split_at(with_z.find(" 42 ").unwrap() + 4);

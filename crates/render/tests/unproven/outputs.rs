@@ -61,7 +61,7 @@ fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
     let judged = pair.judged(&Screen::default()).unwrap();
     Outcome {
         command: "compare",
-        files: vec![JudgedFile::Judged(judged)],
+        files: vec![JudgedFile::Judged(Box::new(judged))],
     }
 }
 

@@ -77,7 +77,7 @@ impl Shop {
         fs::write(self.folder.path().join("pair.toml"), text).unwrap();
         let mut command = gearlash(self.folder.path());
         let output = command
-            .args(["check", "pair.toml", "--format", "json"])
+            .args(["check", "pair.toml", "--format", "json", "--verbose"])
             .output()
             .unwrap();
         let told = String::from_utf8(output.stderr).unwrap();
@@ -86,7 +86,7 @@ impl Shop {
                 let mut found: Value = serde_json::from_slice(&output.stdout).unwrap();
                 // They name the file.
                 for key in ["warnings", "remarks"] {
-                    found.as_object_mut().unwrap().remove(key);
+                    found["files"][0].as_object_mut().unwrap().remove(key);
                 }
                 Ok((found, told))
             }

@@ -3,6 +3,7 @@
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
+use crate::remedies::RemedyRecord;
 use crate::run::contact_count;
 use crate::table::{Column, Table, Unit};
 use crate::text::check::{governing, outlines, text, unit};
@@ -32,6 +33,7 @@ struct FileRecord<'a> {
     checks: Vec<CheckRecord<'a>>,
     contact: Value,
     runs: Vec<GroupRecord>,
+    remedies: &'a [RemedyRecord],
 }
 
 #[derive(Debug, Serialize)]
@@ -69,6 +71,7 @@ pub fn checked(
     file: &PairFile,
     diagnosis: &Diagnosis,
     verdict: &Verdict,
+    remedies: &[RemedyRecord],
     is_proven: bool,
     screen: &Screen,
 ) -> serde_json::Result<Judged> {
@@ -117,6 +120,7 @@ pub fn checked(
             .collect(),
         contact: contact_count(&diagnosis.contact),
         runs: diagnosis.groups.iter().map(group_record).collect(),
+        remedies,
     };
     Ok(Judged {
         file: name.to_owned(),
@@ -125,7 +129,7 @@ pub fn checked(
         cases,
         warnings: file.warnings.clone(),
         remarks: file.remarks.clone(),
-        text: text(&file.study, verdict, diagnosis, screen),
+        text: text(&file.study, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
         json: to_value(&record)?,
         verdict: lines,

@@ -2,6 +2,7 @@
 
 use super::verdict::heading;
 use crate::layout::{Column, Screen, Table, Tone};
+use crate::remedies::{self, RemedyRecord};
 use crate::verdict::{lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
@@ -15,6 +16,7 @@ pub fn text(
     study: &Study,
     verdict: &CycleVerdict,
     diagnosis: &Diagnosis,
+    remedies: &[RemedyRecord],
     screen: &Screen,
 ) -> String {
     let mut text = heading(&study.title, &lines(verdict), screen);
@@ -62,6 +64,7 @@ pub fn text(
         let _ = writeln!(text, "\n{word}: {reason}.");
     }
     text += &contact(diagnosis);
+    text += &remedies::text(remedies);
     screen.fold(&text)
 }
 

@@ -47,4 +47,4 @@ pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,
 };
 pub use scene::{FreePlacement, LineOfAction, Scene};
-pub use sweep::{BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks};
+pub use sweep::{BLOCK, CutPair, EVERY, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks};

@@ -22,6 +22,9 @@ pub struct PoseResult {
     pub with_clearance: Option<[Result<Option<f64>, Unproven>; 2]>,
     /// With [`super::Method::Both`]: how the polygon method lies off the exact one; `None` where neither found contacts.
     pub polygon_difference: Option<PolygonDifference>,
+    /// Whether polygons looked at it: they are asked where another proof is not found, at some poses of each sweep, and with
+    /// [`super::Method::Both`].
+    pub polygon_checked: bool,
 }
 
 /// How the polygon method lies off the exact one at a pose.

@@ -3,6 +3,7 @@
 use super::by_sections::Sections;
 use super::effort::Effort;
 use super::exact::ExactKernel;
+use super::kernel::Prover;
 use super::lost_motion::LostMotion;
 use super::over_face::FoundOverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
@@ -18,7 +19,8 @@ use std::ops::ControlFlow;
 pub enum Method {
     /// On the smooth curves.
     Exact {
-        /// Whether polygons must bear out each rotation found.
+        /// Whether each rotation found must be proven: by directions that keep all teeth apart, and at every [`EVERY`]th pose, and where directions
+        /// do not prove it, by polygons.
         certify: bool,
     },
     /// On polygons cut ever finer round each contact.
@@ -34,6 +36,9 @@ const CERTIFICATE_CHORDAL_ERROR: f64 = 3e-4;
 
 /// How far both methods may differ, mm, whatever their error bounds: 1e-6 µm of `j_wt`.
 pub const METHODS_AGREE_WITHIN: f64 = 1e-9;
+
+/// Of so many poses of a sweep, the first is checked by polygons too.
+pub const EVERY: usize = 64;
 
 /// The gears of one material, cut once for all centre distances.
 pub struct CutPair {
@@ -79,6 +84,8 @@ struct Solver<'a> {
     guides: bool,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
+    /// Proves what the kernel found, where that is asked for.
+    prover: Option<Prover<'a>>,
     /// In place of both, of helical gears.
     sections: Option<Sections<'a>>,
     certify: bool,
@@ -97,6 +104,10 @@ impl<'a> Solver<'a> {
             assembly,
             polygon: (polygon && spur).then(|| cut.refined_kernel(assembly)),
             certifier: (certify && spur).then(|| Certifier::new(cut.kernel(assembly))),
+            prover: kernel
+                .as_ref()
+                .filter(|_| certify)
+                .map(|kernel| Prover::new(assembly, kernel)),
             sections: places.map(|kernel| Sections {
                 assembly,
                 cut: [&cut.wheel, &cut.pinion],
@@ -108,8 +119,9 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
-    fn find(&self, pose: &Pose) -> Result<SolvedPose, Error> {
+    /// The contacts at `pose`, and how far the polygon method lies off where both are asked for. Where they are to be proven, polygons check them
+    /// too if `check` says so.
+    fn find(&self, pose: &Pose, check: bool) -> Result<SolvedPose, Error> {
         // One for all that is done at this pose.
         let effort = Effort::of_pose();
         let kernel = self.kernel.as_ref();
@@ -134,6 +146,7 @@ impl<'a> Solver<'a> {
         // What was lost is kept as its reason; anything else ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
         let jam = exact.as_ref().and_then(|found| found.as_ref().ok()?.jam);
+        let mut polygon_checked = false;
         let exact = exact.map(|found| found.map(|found| found.lost_motion));
         let value = |found: &LostMotion| self.backlash(found);
         let found_by =
@@ -143,8 +156,18 @@ impl<'a> Solver<'a> {
         let found = match (exact, polygon) {
             (Some(Ok(exact)), Some(Ok(polygon))) => return Ok(self.of_both(exact, &polygon)),
             (Some(Ok(lost_motion)), None) => {
+                let proven = |prover: &Prover| prover.check_within(pose, &lost_motion, &effort);
+                let proven = self
+                    .prover
+                    .as_ref()
+                    .is_some_and(|prover| proven(prover).is_ok());
+                polygon_checked = self.certify && (check || !proven);
                 let found = FoundOverFace { lost_motion, jam };
-                match self.certificate(pose, &found, &effort)? {
+                let refused = match polygon_checked {
+                    true => self.certificate(pose, &found, &effort)?,
+                    false => None,
+                };
+                match refused {
                     None => Ok(lost_motion),
                     Some(reason) => Err(Unproven {
                         reason,
@@ -171,6 +194,7 @@ impl<'a> Solver<'a> {
         Ok(SolvedPose {
             lost_motion: found,
             polygon_difference: one_alone.then_some(PolygonDifference::OneAlone),
+            polygon_checked,
         })
     }
 
@@ -213,6 +237,7 @@ impl<'a> Solver<'a> {
         SolvedPose {
             lost_motion: reason.map_or(Ok(exact), |reason| Err(unproven(reason))),
             polygon_difference: Some(difference),
+            polygon_checked: true,
         }
     }
 
@@ -242,8 +267,12 @@ impl<'a> Solver<'a> {
     }
 
     /// `j_wt`, mm, at one end of the bearing clearance.
-    fn backlash_at(&self, mating: &Mating) -> Result<Result<Option<f64>, Unproven>, Error> {
-        let found = self.find(&Pose::new(self.assembly, *mating))?;
+    fn backlash_at(
+        &self,
+        mating: &Mating,
+        check: bool,
+    ) -> Result<Result<Option<f64>, Unproven>, Error> {
+        let found = self.find(&Pose::new(self.assembly, *mating), check)?;
         Ok(found.lost_motion.map(|found| self.backlash(&found)))
     }
 }
@@ -252,6 +281,7 @@ impl<'a> Solver<'a> {
 struct SolvedPose {
     lost_motion: Result<LostMotion, Unproven>,
     polygon_difference: Option<PolygonDifference>,
+    polygon_checked: bool,
 }
 
 /// What was tried, with the reason where it is of this pose alone; else the error.
@@ -320,28 +350,32 @@ pub fn sweep_blocks<E: From<Error>>(
     let ends = moved
         .as_ref()
         .map(|ends| ends.each_ref().map(|end| Solver::new(end, cut, method)));
-    let find = |mating: &Mating| {
+    let find = |(index, mating): (usize, &Mating)| {
         Error::if_stopped(tick())?;
-        pose_result(&here, ends.as_ref(), mating)
+        pose_result(&here, ends.as_ref(), mating, index % EVERY == 0)
     };
     for block in matings.chunks(BLOCK) {
-        let poses = parallel::map(block, find).into_iter();
+        let poses = parallel::map(block.iter().enumerate(), find).into_iter();
         each(poses.collect::<Result<_, Error>>()?)?;
     }
     Ok(())
 }
 
-/// What `here` finds at `mating`, and the solvers at both `ends` of the bearing clearance.
+/// What `here` finds at `mating`, and the solvers at both `ends` of the bearing clearance; `check`: polygons look at it, too.
 fn pose_result(
     here: &Solver,
     ends: Option<&[Solver; 2]>,
     mating: &Mating,
+    check: bool,
 ) -> Result<PoseResult, Error> {
     let pose = Pose::new(here.assembly, *mating);
-    let found = here.find(&pose)?;
+    let found = here.find(&pose, check)?;
     let with_clearance = match ends {
         None => None,
-        Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
+        Some([near, far]) => Some([
+            near.backlash_at(mating, check)?,
+            far.backlash_at(mating, check)?,
+        ]),
     };
     let lost_motion = found.lost_motion.as_ref().ok();
     let backlash = lost_motion.and_then(|found| here.backlash(found));
@@ -353,11 +387,12 @@ fn pose_result(
         found: found.lost_motion,
         with_clearance,
         polygon_difference: found.polygon_difference,
+        polygon_checked: found.polygon_checked,
     })
 }
 
 impl GearPair {
-    /// Lost motion where the teeth of `mating` meet: by the exact method, checked by polygons. For many poses use [`sweep`].
+    /// Lost motion where the teeth of `mating` meet: by the exact method, proven by directions and checked by polygons. For many poses use [`sweep`].
     ///
     /// A pose that nothing vouches for is [`Unproven`] in the result.
     ///
@@ -366,6 +401,6 @@ impl GearPair {
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
         let cut = CutPair::for_certificates(self.gear(Member::Wheel), self.gear(Member::Pinion));
         let here = Solver::new(self, &cut, Method::Exact { certify: true });
-        pose_result(&here, None, &mating)
+        pose_result(&here, None, &mating, true)
     }
 }

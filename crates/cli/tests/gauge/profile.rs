@@ -140,7 +140,9 @@ fn what_was_gauged_gauges_alike() {
 fn the_pair_is_checked() {
     let folder = tempfile::tempdir().unwrap();
     let mut command = Command::cargo_bin("gearlash").unwrap();
-    command.current_dir(folder.path()).args(["check", FIXTURE]);
+    command
+        .current_dir(folder.path())
+        .args(["check", FIXTURE, "--verbose"]);
     let output = command.output().unwrap();
     let errors = String::from_utf8(output.stderr).unwrap();
     let text = String::from_utf8(output.stdout).unwrap();

@@ -9,8 +9,8 @@ __version__: str
 STATUSES: list[str]
 OUTCOMES: list[str]
 
-MatchFiles = tuple[str, str, str, float | None]
-Cell = tuple[int, int, float | None, float | None, bool, bool, int]
+_MatchFiles = tuple[str, str, str, float | None]
+_Cell = tuple[int, int, float | None, float | None, bool, bool, int]
 
 @final
 class Gear:
@@ -85,9 +85,9 @@ def tolerance_result(
     threads: int | None = None,
 ) -> tuple[str, list[str]]: ...
 def match_cells(
-    files: MatchFiles, block: tuple[int, int], threads: int | None = None
-) -> tuple[str, list[Cell], list[str]]: ...
-def match_result(files: MatchFiles, blocks: list[tuple[str, list[Cell]]]) -> str: ...
+    files: _MatchFiles, block: tuple[int, int], threads: int | None = None
+) -> tuple[str, list[_Cell], list[str]]: ...
+def match_result(files: _MatchFiles, blocks: list[tuple[str, list[_Cell]]]) -> str: ...
 def gauge(
     gear: Gear,
     sizes: tuple[int | None, float | None, float | None, int | None, int],

@@ -27,7 +27,7 @@ use std::process::ExitCode;
 /// Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv), of the wheel and of the pinion
+    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv, .txt), of the wheel and of the pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
     /// Centre distance of two drawings, mm

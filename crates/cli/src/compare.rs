@@ -28,11 +28,11 @@ use std::process::ExitCode;
 /// gives. That fails too, and is named, unless the pair file says allow_off_line_contact = true. A centre
 /// distance where every pose is jammed or out of mesh fails as well: there is nothing to compare.
 ///
-/// Two drawings A and B (.dxf, .svg, .csv) are taken as outlines of the same gear: how far B lies from A along the normal, once B is
+/// Two drawings A and B (.dxf, .svg, .csv, .txt) are taken as outlines of the same gear: how far B lies from A along the normal, once B is
 /// turned to fit best. With --tolerance-um, exit 1 where that is more than tolerance + error bound.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv) of one gear
+    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv, .txt) of one gear
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
     /// Tolerance in µm, of j_wt [default: the pair file's, or 0.1] or between two drawings [default: none]

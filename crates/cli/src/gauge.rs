@@ -30,7 +30,7 @@ use std::process::ExitCode;
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input; or a drawing
-    /// (.dxf, .svg, .csv)
+    /// (.dxf, .svg, .csv, .txt)
     file: PathBuf,
     /// Only this gear of a pair
     #[arg(long, value_enum)]

@@ -38,7 +38,7 @@ impl DrawnArgs {
 /// Whether a file is a drawing, by its ending.
 pub(super) fn is_drawing(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default();
-    ["dxf", "svg", "csv"]
+    ["dxf", "svg", "csv", "txt", "xyz"]
         .iter()
         .any(|drawn| ending.eq_ignore_ascii_case(drawn))
 }

@@ -42,13 +42,24 @@ pub struct Chains {
 pub struct Open {
     /// Its ends.
     pub ends: [Point2<f64>; 2],
+    /// From the first end to the second, gaps left open.
+    pub segments: Vec<PathSegment>,
+    /// How far the segments may lie from what was drawn, mm.
+    pub bound: f64,
+    /// Layer or id; empty without one.
+    pub name: String,
     /// Where in the file its first piece stands.
-    place: String,
+    pub place: String,
     /// How many pieces it has.
     pieces: usize,
 }
 
 impl Open {
+    /// A length not below its own, mm.
+    pub fn length(&self) -> f64 {
+        self.segments.iter().map(PathSegment::length).sum()
+    }
+
     /// What is wrong with it, among the `open` paths of its layer.
     pub fn error(&self, open: &[Open]) -> DrawingError {
         let others = open.iter().filter(|other| !std::ptr::eq(*other, self));
@@ -108,14 +119,27 @@ pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
         }
         if closed {
             chains.close(&forward, &pieces, join);
-        } else {
-            let last = |way: &[usize]| ends[way[way.len() - 1] ^ 1];
-            chains.open.push(Open {
-                ends: [last(&backward), last(&forward)],
-                place: pieces[first].place.clone(),
-                pieces: forward.len() + backward.len() - 1,
-            });
+            continue;
         }
+        let last = |way: &[usize]| ends[way[way.len() - 1] ^ 1];
+        let ends = [last(&backward), last(&forward)];
+        // The first piece stands in both ways.
+        let before = backward[1..].iter().rev().map(|entry| entry ^ 1);
+        let way: Vec<usize> = before.chain(forward).collect();
+        chains.open.push(Open {
+            ends,
+            segments: way
+                .iter()
+                .flat_map(|&entry| pieces[entry / 2].along(entry))
+                .collect(),
+            bound: way
+                .iter()
+                .map(|entry| pieces[entry / 2].bound)
+                .fold(0.0, f64::max),
+            name: pieces[first].name.clone(),
+            place: pieces[first].place.clone(),
+            pieces: way.len(),
+        });
     }
     Ok(chains)
 }
@@ -189,15 +213,10 @@ impl Chains {
         };
         for &entry in way {
             let piece = &pieces[entry / 2];
-            if entry % 2 == 0 {
-                piece
-                    .segments
-                    .iter()
-                    .for_each(|segment| made.push(*segment));
-            } else {
-                let backward = piece.segments.iter().rev();
-                backward.for_each(|segment| made.push(segment.reversed()));
-            }
+            piece
+                .along(entry)
+                .into_iter()
+                .for_each(|segment| made.push(segment));
             made.bound_mm = made.bound_mm.max(piece.bound);
         }
         if let Some(start) = made.segments.first().map(PathSegment::start) {

@@ -1,4 +1,4 @@
-//! A list of points: x and y a line, in order along a closed outline.
+//! A list of points: x and y a line, in order along a closed outline. A z beside them must be of one value.
 
 use super::error::LONGEST_NAME;
 use super::limits::MOST_SEGMENTS;
@@ -12,7 +12,8 @@ use crate::sheet::number::{Decimal, Written, written};
 use gearlash::outline::PathSegment;
 use nalgebra::Point2;
 
-const TWO_NUMBERS: &str = "write x and y alone, separated by a comma, a semicolon or a tab";
+const TWO_NUMBERS: &str =
+    "write x and y, or x, y and one z, separated by a comma, a semicolon, a tab or blanks";
 
 /// A line of two numbers.
 struct Row<'a> {
@@ -55,7 +56,19 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
             reason: format!("{} different points, expected at least three", points.len()),
         });
     }
-    let next = points.iter().skip(1).chain(&points[..1]);
+    let part = options
+        .repeat
+        .as_ref()
+        .is_some_and(|one| one.is_part(&points));
+    if part && options.smooth {
+        let help = "draw all teeth, or leave `kind` out";
+        return Err(DrawingError::refused(
+            "line 1",
+            "one tooth with kind = \"smooth\"",
+            help,
+        ));
+    }
+    let next = points.iter().skip(1).chain(&points[..usize::from(!part)]);
     let segments = match options.smooth {
         true => closed_spline(&points),
         false => points
@@ -79,6 +92,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
 fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
     let (mut rows, mut stated) = (Vec::new(), None);
     let (mut separator, mut header) = (None, false);
+    let (mut columns, mut height) = (None, None);
     for (index, text) in text.split('\n').enumerate() {
         let (line, text) = (index + 1, text.trim());
         let wrong = |reason: String| {
@@ -97,14 +111,32 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         if text.is_empty() {
             continue;
         }
-        let mark = *separator.get_or_insert_with(|| {
-            let found = [';', '\t'].into_iter().find(|mark| text.contains(*mark));
-            found.unwrap_or(',')
-        });
-        let cells: Vec<&str> = text.split(mark).map(str::trim).collect();
-        let [x, y] = cells[..] else {
-            return wrong(format!("{} columns, expected two", cells.len()));
+        let mark = *separator.get_or_insert_with(|| mark_of(text));
+        let cells: Vec<&str> = match mark {
+            ' ' => text.split_whitespace().collect(),
+            mark => text.split(mark).map(str::trim).collect(),
         };
+        let expected = *columns.get_or_insert(if cells.len() == 3 { 3 } else { 2 });
+        if cells.len() != expected {
+            let words = if expected == 3 { "three" } else { "two" };
+            return wrong(format!("{} columns, expected {words}", cells.len()));
+        }
+        let (x, y) = (cells[0], cells[1]);
+        // Numbers of a third column are heights.
+        let z = cells
+            .get(2)
+            .filter(|z| !rows.is_empty() || named(z, "z").is_none());
+        if let Some(z) = z {
+            let first = *height.get_or_insert(*z);
+            let value = |text| written(text).map(|number| number.value);
+            if value(z).is_none() || value(z) != value(first) {
+                return wrong(format!(
+                    "z is \"{}\", expected one number for all points, \"{}\" as before",
+                    cut(z, LONGEST_NAME),
+                    cut(first, LONGEST_NAME)
+                ));
+            }
+        }
         if rows.len() == MOST_SEGMENTS {
             return Err(DrawingError::TooLarge {
                 what: "points",
@@ -135,6 +167,18 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         }
     }
     Ok((rows, stated))
+}
+
+/// What separates the columns of a line.
+fn mark_of(text: &str) -> char {
+    let marks = [';', '\t', ','];
+    let found = marks.into_iter().find(|mark| text.contains(*mark));
+    // "1,5 2,5": commas within the numbers.
+    let numbers = text.split_whitespace().all(|cell| written(cell).is_some());
+    let blank = text.split_whitespace().count() > 1 && (numbers || found.is_none());
+    found
+        .filter(|_| !blank)
+        .unwrap_or(if blank { ' ' } else { ',' })
 }
 
 /// The unit by a comment `unit: mm`, as written.

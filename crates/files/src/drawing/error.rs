@@ -16,7 +16,7 @@ pub const LONGEST_NAME: usize = 60;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawingError {
     /// The ending of the name is of no format that is read.
-    #[error("{}: unknown kind of drawing, expected a name that ends in .dxf, .svg or .csv", .0.display())]
+    #[error("{}: unknown kind of drawing, expected a name that ends in .dxf, .svg, .csv or .txt", .0.display())]
     Ending(PathBuf),
     /// More than a gear needs.
     #[error("has more than {most} {what}")]

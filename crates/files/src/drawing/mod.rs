@@ -4,6 +4,7 @@
 //! curves stay exact; what has no such form (an ellipse, a rational spline) becomes cubic curves with a bound that is derived,
 //! never sampled. No unit is guessed, nothing is closed that was drawn open, and what is left out is said.
 
+mod affine;
 mod bspline;
 mod chain;
 mod csv;
@@ -14,6 +15,7 @@ mod limits;
 mod options;
 mod piece;
 mod pieces;
+mod repeat;
 mod smooth;
 mod svg;
 mod text;
@@ -26,6 +28,7 @@ use limits::MOST_BYTES;
 pub use options::Options;
 pub use pieces::Drawing;
 use pieces::Pieces;
+pub use repeat::Repeat;
 use std::path::Path;
 pub use unit::Unit;
 
@@ -48,7 +51,7 @@ pub fn read(name: &Path, bytes: &[u8], options: &Options) -> Result<Drawing, Dra
     match ending.map(str::to_ascii_lowercase).as_deref() {
         Some("dxf") => dxf::read(bytes, options, &mut pieces)?,
         Some("svg") => svg::read(bytes, options, &mut pieces)?,
-        Some("csv") => csv::read(bytes, options, &mut pieces)?,
+        Some("csv" | "txt" | "xyz") => csv::read(bytes, options, &mut pieces)?,
         _ => return Err(DrawingError::Ending(name.to_owned())),
     }
     pieces.drawing(options)

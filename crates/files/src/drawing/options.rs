@@ -1,6 +1,7 @@
 //! How a drawing is read.
 
 use super::limits::JOIN_MM;
+use super::repeat::Repeat;
 use super::{DrawingError, Unit};
 
 /// How a drawing is read.
@@ -12,6 +13,8 @@ pub struct Options {
     pub select: Option<String>,
     /// Ends nearer than this are one point, mm.
     pub join_mm: f64,
+    /// Where one tooth is drawn, how it is repeated.
+    pub repeat: Option<Repeat>,
     /// A list of points is joined by a cubic spline with continuous curvature, not by straight lines.
     pub smooth: bool,
 }
@@ -22,6 +25,7 @@ impl Default for Options {
             unit: None,
             select: None,
             join_mm: JOIN_MM,
+            repeat: None,
             smooth: false,
         }
     }

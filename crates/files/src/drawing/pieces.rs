@@ -8,7 +8,12 @@ use super::{DrawingError, Options};
 use crate::characters::cut;
 use gearlash::outline::PathSegment;
 use nalgebra::Point2;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+/// Ends nearer than this part of a path's length are the ends of a gap (tuned: a dashed line has gaps of half a dash and is a helper line).
+const GAP: f64 = 0.25;
+/// Open paths beside an outline that are compared with each other.
+const MOST_HELPERS: usize = 2000;
 
 /// What a file draws.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,17 +86,33 @@ impl Pieces {
         }
     }
 
-    /// Their loops. A layer whose paths are all open is left out beside one with loops; an open path beside loops is an error.
+    /// Their loops. What is drawn twice counts once. A layer whose paths are all open is left out beside one with loops. An open path
+    /// beside loops of its layer is left out if it is a helper line, else it is an error.
     pub fn drawing(mut self, options: &Options) -> Result<Drawing, DrawingError> {
         let (mut loops, mut all_open) = (Vec::new(), Vec::new());
-        for (layer, pieces) in std::mem::take(&mut self.layers) {
+        for (layer, mut pieces) in std::mem::take(&mut self.layers) {
+            let mut drawn = HashSet::with_capacity(pieces.len());
+            pieces.retain(|piece| {
+                let new = drawn.insert(piece.trace());
+                if !new {
+                    self.leave_out("drawn twice", &piece.place);
+                }
+                new
+            });
             let Chains {
                 found,
-                open,
+                mut open,
                 specks,
             } = chain(pieces, options.join_mm)?;
-            if let (Some(path), false) = (open.first(), found.is_empty()) {
-                return Err(path.error(&open));
+            if !found.is_empty() {
+                let (helper, broken) = helpers(open);
+                for path in helper {
+                    self.leave_out("open line beside the outline", &path.place);
+                }
+                if let Some(path) = broken.first() {
+                    return Err(path.error(&broken));
+                }
+                open = broken;
             }
             if !open.is_empty() {
                 all_open.push((layer, open));
@@ -100,6 +121,18 @@ impl Pieces {
             for place in specks {
                 self.leave_out("loop shorter than four times join_mm", &place);
             }
+        }
+        let mut remarks = Vec::new();
+        if let (true, Some(repeat), [(_, open)]) =
+            (loops.is_empty(), &options.repeat, &all_open[..])
+            && let [tooth] = &open[..]
+        {
+            loops.push(repeat.outline(tooth)?);
+            remarks.push(format!(
+                "one tooth is drawn: repeated {} times about the centre",
+                repeat.teeth
+            ));
+            all_open.clear();
         }
         if loops.is_empty() {
             return Err(match all_open.first() {
@@ -116,13 +149,38 @@ impl Pieces {
             )
         });
         let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
-        let remarks = left_out.chain(layers.take(MOST_NAMED)).collect();
+        remarks.extend(left_out.chain(layers.take(MOST_NAMED)));
         Ok(Drawing {
             unit_mm: self.unit_mm,
             loops,
             remarks,
         })
     }
+}
+
+/// The open paths that are helper lines, such as centre lines, and those that are broken outlines.
+///
+/// A helper line ends far from every other open end. The ends at a gap of an outline are near each other.
+fn helpers(open: Vec<Open>) -> (Vec<Open>, Vec<Open>) {
+    if open.len() > MOST_HELPERS {
+        return (Vec::new(), open);
+    }
+    let ends: Vec<[Point2<f64>; 2]> = open.iter().map(|path| path.ends).collect();
+    let mut index = 0;
+    open.into_iter().partition(|path| {
+        let others = ends.iter().enumerate().filter(|(other, _)| *other != index);
+        let others: Vec<Point2<f64>> = others.flat_map(|(_, ends)| *ends).collect();
+        index += 1;
+        let gap = |end: usize| {
+            let own = [path.ends[1 - end]];
+            let gaps = others
+                .iter()
+                .chain(&own)
+                .map(|other| (other - path.ends[end]).norm());
+            gaps.fold(f64::INFINITY, f64::min)
+        };
+        gap(0).min(gap(1)) > GAP * path.length()
+    })
 }
 
 fn open_layer(layer: &str, open: &[Open]) -> String {

@@ -2,7 +2,7 @@
 
 use super::paths::{Path, coordinates, outermost, whole_circle};
 use crate::data_file::DataFile;
-use crate::drawing::{self, JOIN_MM, Options, Unit};
+use crate::drawing::{self, JOIN_MM, Options, Repeat, Unit};
 use crate::entry::Entry;
 use crate::limits::{COORDINATE, FIRST_TOOTH, JOIN, TEETH};
 use crate::node::Node;
@@ -199,7 +199,11 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
 /// The keys of `[outline]`, and the drawing.
 fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, DataFile)> {
     let table = gear.table("outline", KEYS, problems)?;
-    let data = DataFile::of(&table, "the name of a .dxf, .svg or .csv file", problems);
+    let data = DataFile::of(
+        &table,
+        "the name of a .dxf, .svg, .csv or .txt file",
+        problems,
+    );
     let units = table.optional_as("units", problems, |entry| entry.choice(&Unit::NAMED));
     let text = |entry: &Entry| entry.text("write the name in quotes").map(str::to_owned);
     let layer = table.optional_as("layer", problems, text);
@@ -242,6 +246,13 @@ fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, Da
         unit: spec.units,
         select: spec.layer.clone().or_else(|| spec.id.clone()),
         join_mm: spec.join_mm,
+        repeat: match (spec.teeth, &spec.center_mm) {
+            (Some(teeth), &CentreSpec::At(centre)) => Some(Repeat {
+                teeth,
+                centre: Point2::from(centre),
+            }),
+            _ => None,
+        },
         smooth: spec.kind == PointsKind::Smooth,
     };
     let read = drawing::read(data.path(), &bytes, &options);

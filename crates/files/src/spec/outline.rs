@@ -24,7 +24,7 @@ pub struct OutlineGearSpec {
 /// A drawing of a gear: DXF, SVG, or a list of points.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct OutlineSpec {
-    /// A .dxf, .svg or .csv file (points x, y in order) beside the pair file.
+    /// A .dxf, .svg, .csv or .txt file (the last two: points x, y in order) beside the pair file.
     pub file: String,
     /// Unit of the drawing, mm, inch, cm, m or um; needed where it states none.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -67,7 +67,7 @@ fn what_is_not_read_is_refused_by_name() {
     for (entity, words) in [
         (
             "INSERT 8 A 2 GEAR 10 0 20 0",
-            "line 53: entity 1 (INSERT on layer \"A\"): not supported: INSERT",
+            "line 53: entity 1 (INSERT on layer \"A\"): not supported: an INSERT of \"GEAR\", a block that the file does not have",
         ),
         (
             "HATCH 8 A",
@@ -95,7 +95,7 @@ fn what_is_not_read_is_refused_by_name() {
     for (element, words) in [
         (
             "<use href=\"#a\"/>",
-            "line 3: use: not supported: the element use",
+            "line 3: use: href = \"#a\": no element of this file",
         ),
         (
             "<rect width=\"3\" height=\"3\" rx=\"1\"/>",

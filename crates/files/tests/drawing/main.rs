@@ -2,6 +2,7 @@
 
 mod chains;
 mod curves;
+mod dialects;
 mod faults;
 mod lists;
 mod made;

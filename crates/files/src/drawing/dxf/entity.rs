@@ -14,7 +14,7 @@ struct Rule {
 }
 
 /// The entities that are read. A point is listed by its x alone: y must follow.
-const RULES: [Rule; 9] = [
+const RULES: [Rule; 10] = [
     rule("LINE", &[10, 11], &[]),
     rule("ARC", &[10, 40, 50, 51], &[]),
     rule("CIRCLE", &[10, 40], &[]),
@@ -24,6 +24,7 @@ const RULES: [Rule; 9] = [
     rule("POLYLINE", &[], &[]),
     rule("VERTEX", &[10], &[]),
     rule("SEQEND", &[], &[]),
+    rule("INSERT", &[2, 10], &[]),
     rule("SPLINE", &[71, 72, 73], &[10, 20, 30, 11, 21, 31, 40, 41]),
 ];
 
@@ -61,6 +62,8 @@ const BESIDE: [&str; 21] = [
 pub enum Fate {
     /// Read it.
     Read,
+    /// Place the block that it names.
+    Insert,
     /// Leave it out with a remark.
     Beside,
     /// Refuse it.
@@ -76,14 +79,19 @@ pub struct Entity<'a> {
     pub line: usize,
     /// Its number, from 1.
     pub number: usize,
+    /// The block that it is part of; empty in the section ENTITIES.
+    pub block: &'a str,
     /// Its pairs of geometry and of properties; extended data and handles left out.
     pub pairs: Vec<Pair<'a>>,
+    /// The vertices of a POLYLINE and their bulges.
+    pub vertices: Vec<(Point3<f64>, f64)>,
 }
 
 impl<'a> Entity<'a> {
     /// Adds a pair, if it says anything of the geometry.
     pub fn push(&mut self, pair: Pair<'a>) {
-        if matches!(pair.code, 8 | 10..=59 | 60 | 66..=79 | 90..=99 | 210..=239) {
+        let named = pair.code == 2 && matches!(self.kind, "INSERT" | "BLOCK");
+        if named || matches!(pair.code, 8 | 10..=59 | 60 | 66..=79 | 90..=99 | 210..=239) {
             self.pairs.push(pair);
         }
     }
@@ -99,10 +107,14 @@ impl<'a> Entity<'a> {
         self.value(8).unwrap_or("0")
     }
 
-    /// "line 12: entity 7 (LWPOLYLINE on layer "TEETH")"
+    /// "line 12: entity 7 (LWPOLYLINE on layer "TEETH")", with the block that holds it.
     pub fn place(&self) -> String {
+        let block = match self.block {
+            "" => String::new(),
+            name => format!(" of block \"{}\"", cut(name, LONGEST_NAME)),
+        };
         format!(
-            "line {}: entity {} ({} on layer \"{}\")",
+            "line {}: entity {}{block} ({} on layer \"{}\")",
             self.line,
             self.number,
             cut(self.kind, LONGEST_NAME),
@@ -113,6 +125,7 @@ impl<'a> Entity<'a> {
     /// Its treatment.
     pub fn fate(&self) -> Fate {
         match self.kind {
+            "INSERT" => Fate::Insert,
             kind if RULES.iter().any(|rule| rule.kind == kind) => Fate::Read,
             kind if BESIDE.contains(&kind) => Fate::Beside,
             _ => Fate::Refuse,
@@ -139,7 +152,7 @@ impl<'a> Entity<'a> {
         let mut seen = [false; 240];
         for (index, pair) in self.pairs.iter().enumerate() {
             let code = usize::from(pair.code);
-            if pair.code != 8 && !is_number(pair) {
+            if !matches!(pair.code, 2 | 8) && !is_number(pair) {
                 let value = cut(pair.value, LONGEST_NAME);
                 let reason = format!("group {code} of {} is not a number: \"{value}\"", self.kind);
                 return wrong(pair.place(), reason);

@@ -1,18 +1,24 @@
-//! DXF in ASCII: lines, arcs, circles, ellipses, polylines and splines of the section ENTITIES.
+//! DXF in ASCII: lines, arcs, circles, ellipses, polylines and splines of the section ENTITIES, and of the blocks that it inserts.
 //!
-//! Each entity is checked whole ([`entity`]) and then becomes segments ([`shape`]). Other entities are left out with a remark or refused.
+//! Each entity is checked whole ([`entity`]), placed ([`block`]) and then becomes segments ([`shape`]). Other entities are left out with a remark or refused.
 //! Binary DXF is refused.
 
+mod block;
 mod entity;
 mod pairs;
 mod shape;
 
+use super::error::LONGEST_NAME;
+use super::limits::MOST_SEGMENTS;
 use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, Unit};
+use crate::characters::cut;
+use block::{Block, Placed};
 use entity::{Entity, Fate};
-use nalgebra::Point3;
-use pairs::{Pairs, check_format};
+use pairs::{EXPORT, Pairs, check_format};
+use std::collections::HashMap;
+use std::rc::Rc;
 
 /// `$INSUNITS` by the reference of DXF, those that are read.
 const UNITS: [(i32, Unit); 5] = [
@@ -25,6 +31,9 @@ const UNITS: [(i32, Unit); 5] = [
 
 /// Layers that are remembered for a message.
 const MOST_LAYERS: usize = 100;
+
+/// Blocks in blocks: drawing programs nest a few.
+const DEEPEST: usize = 16;
 
 /// Adds what the file draws to `pieces`.
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
@@ -42,11 +51,8 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
             (0, "SECTION") => sheet.section(&mut pairs, pieces)?,
             _ => {
                 let reason = "expected 0 and SECTION, or 0 and EOF";
-                return Err(DrawingError::syntax(
-                    format!("line {}", pair.line),
-                    reason,
-                    "export it again as DXF",
-                ));
+                let place = format!("line {}", pair.line);
+                return Err(DrawingError::syntax(place, reason, EXPORT));
             }
         }
     }
@@ -66,9 +72,11 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
 #[derive(Debug)]
 pub struct Kept<'a> {
     /// The entity.
-    pub entity: Entity<'a>,
-    /// The vertices of a POLYLINE and their bulges.
-    pub vertices: Vec<(Point3<f64>, f64)>,
+    pub entity: Rc<Entity<'a>>,
+    /// Where it is placed.
+    pub placed: Placed,
+    /// Its layer; that of the INSERT where its own is "0".
+    pub layer: &'a str,
 }
 
 /// The useful content of a file.
@@ -78,14 +86,20 @@ struct Sheet<'a> {
     select: Option<&'a str>,
     /// The value of `$INSUNITS`, and where it stands.
     insunits: Option<(String, String)>,
+    /// The value of `$MEASUREMENT`.
+    measurement: Option<&'a str>,
     /// Layers with something that is read.
     layers: Vec<String>,
+    /// Blocks by name.
+    blocks: HashMap<&'a str, Block<'a>>,
+    /// The block whose entities are being read.
+    block: Option<&'a str>,
     /// The entities to read, in order.
     kept: Vec<Kept<'a>>,
-    /// How many entities there were.
+    /// Entities in blocks, and entities visited in order to place them.
     count: usize,
-    /// Within the vertices of a polyline: where it stands, and whether it is kept.
-    polyline: Option<(String, bool)>,
+    /// The POLYLINE whose vertices are being read.
+    polyline: Option<Entity<'a>>,
 }
 
 impl<'a> Sheet<'a> {
@@ -94,60 +108,61 @@ impl<'a> Sheet<'a> {
         let name = pairs.next()?;
         if name.code != 2 {
             let reason = "section without a name";
-            return Err(DrawingError::syntax(
-                name.place(),
-                reason,
-                "export it again as DXF",
-            ));
+            return Err(DrawingError::syntax(name.place(), reason, EXPORT));
         }
+        let drawn = matches!(name.value, "ENTITIES" | "BLOCKS");
         let (mut variable, mut entity): (&str, Option<Entity<'a>>) = ("", None);
+        let mut number = 0;
         loop {
             let pair = pairs.next()?;
-            if name.value == "ENTITIES" && pair.code == 0 {
+            if drawn && pair.code == 0 {
                 if let Some(entity) = entity.take() {
-                    self.keep(entity, pieces)?;
+                    number = if entity.kind == "BLOCK" { 0 } else { number };
+                    self.complete(entity, pieces)?;
                 }
-                self.count += 1;
+                number += 1;
                 entity = Some(Entity {
                     kind: pair.value,
                     line: pair.line,
-                    number: self.count,
-                    pairs: Vec::new(),
+                    number,
+                    block: self.block.unwrap_or_default(),
+                    ..Entity::default()
                 });
             }
             match (pair.code, pair.value, &mut entity) {
                 (0, "ENDSEC", _) => break,
                 (0, "EOF" | "SECTION", _) => {
                     let reason = format!("section {} does not end before this", name.value);
-                    return Err(DrawingError::syntax(
-                        pair.place(),
-                        reason,
-                        "export it again as DXF",
-                    ));
+                    return Err(DrawingError::syntax(pair.place(), reason, EXPORT));
                 }
                 (9, value, _) => variable = value,
-                (70, value, _) if name.value == "HEADER" && variable == "$INSUNITS" => {
-                    self.insunits = Some((value.to_owned(), pair.place()));
-                }
+                (70, value, _) if name.value == "HEADER" => match variable {
+                    "$INSUNITS" => self.insunits = Some((value.to_owned(), pair.place())),
+                    "$MEASUREMENT" => self.measurement = Some(value),
+                    _ => {}
+                },
                 (_, _, Some(entity)) => entity.push(pair),
                 _ => {}
             }
         }
+        self.block = None;
         match self.polyline.take() {
-            Some((place, _)) => Err(without_end(place)),
+            Some(polyline) => Err(without_end(&polyline)),
             None => Ok(()),
         }
     }
 
     /// The unit the file states, in words and in mm.
     fn unit(&self) -> Result<Option<(String, f64)>, DrawingError> {
-        let Some((value, place)) = &self.insunits else {
-            return Ok(None);
+        let stated = self
+            .insunits
+            .as_ref()
+            .filter(|(value, _)| value.parse() != Ok(0));
+        let Some((value, place)) = stated else {
+            let metric = self.measurement == Some("1");
+            return Ok(metric.then(|| ("$MEASUREMENT = 1 (\"mm\")".to_owned(), Unit::Mm.mm())));
         };
         let whole = value.parse::<i32>().ok();
-        if whole == Some(0) {
-            return Ok(None);
-        }
         let known = UNITS.iter().find(|unit| Some(unit.0) == whole);
         let Some((_, unit)) = known else {
             return Err(DrawingError::syntax(
@@ -162,79 +177,174 @@ impl<'a> Sheet<'a> {
         )))
     }
 
-    /// Sorts an entity that is complete.
-    fn keep(&mut self, entity: Entity<'a>, pieces: &mut Pieces) -> Result<(), DrawingError> {
-        let of_polyline = matches!(entity.kind, "VERTEX" | "SEQEND");
-        if let Some((place, kept)) = self.polyline.take() {
-            if !of_polyline {
-                return Err(without_end(place));
-            }
-            if kept {
+    /// Takes an entity whose pairs are complete: the vertices of a POLYLINE belong to it.
+    fn complete(&mut self, entity: Entity<'a>, pieces: &mut Pieces) -> Result<(), DrawingError> {
+        match (self.polyline.take(), entity.kind) {
+            (Some(mut polyline), "VERTEX") => {
                 entity.check()?;
-                if let ("VERTEX", Some(polyline)) = (entity.kind, self.kept.last_mut()) {
-                    polyline
-                        .vertices
-                        .push((entity.point(10), entity.number(42, 0.0)));
-                }
+                let vertex = (entity.point(10), entity.number(42, 0.0));
+                polyline.vertices.push(vertex);
+                self.polyline = Some(polyline);
+                Ok(())
             }
-            if entity.kind == "VERTEX" {
-                self.polyline = Some((place, kept));
-            }
-            return Ok(());
-        }
-        let asked = self
-            .select
-            .is_none_or(|name| name.eq_ignore_ascii_case(entity.layer()));
-        let place = entity.place();
-        match (entity.fate(), of_polyline) {
-            // The end of the attributes of an INSERT.
-            (_, true) if entity.kind == "SEQEND" => {}
-            (_, true) => {
+            (Some(polyline), "SEQEND") => self.found(polyline, pieces),
+            (Some(polyline), _) => Err(without_end(&polyline)),
+            (None, "VERTEX") => {
                 let reason = "a VERTEX without a POLYLINE";
-                return Err(DrawingError::syntax(
-                    place,
-                    reason,
-                    "export it again as DXF",
-                ));
+                Err(DrawingError::syntax(entity.place(), reason, EXPORT))
             }
-            (Fate::Refuse, _) if asked => {
-                let help = "explode it into lines, arcs and splines, delete it, or name the `layer` of the outline alone";
-                return Err(DrawingError::refused(place, entity.kind, help));
+            // The end of the attributes of an INSERT.
+            (None, "SEQEND") => Ok(()),
+            (None, "POLYLINE") => {
+                self.polyline = Some(entity);
+                Ok(())
             }
-            (Fate::Beside, _) if asked => pieces.leave_out(entity.kind, &place),
-            (Fate::Read, _) => {
-                let layer = entity.layer();
-                let new = self.layers.len() < MOST_LAYERS
-                    && !self.layers.iter().any(|known| known == layer);
-                if self.select.is_some() && new {
+            (None, _) => self.found(entity, pieces),
+        }
+    }
+
+    /// Takes a whole entity: part of a block, or of the drawing.
+    fn found(&mut self, entity: Entity<'a>, pieces: &mut Pieces) -> Result<(), DrawingError> {
+        match (entity.kind, self.block) {
+            ("BLOCK", _) => {
+                let name = entity.value(2).unwrap_or_default();
+                self.block = Some(name);
+                self.blocks.insert(
+                    name,
+                    Block {
+                        base: entity.point(10),
+                        entities: Vec::new(),
+                    },
+                );
+                Ok(())
+            }
+            ("ENDBLK", _) => {
+                self.block = None;
+                Ok(())
+            }
+            (_, Some(name)) => {
+                self.counted()?;
+                if let Some(block) = self.blocks.get_mut(name) {
+                    block.entities.push(Rc::new(entity));
+                }
+                Ok(())
+            }
+            _ => self.place(&Rc::new(entity), Placed::default(), None, 0, pieces),
+        }
+    }
+
+    /// Counts an entity that is kept or visited.
+    fn counted(&mut self) -> Result<(), DrawingError> {
+        self.count += 1;
+        if self.count > MOST_SEGMENTS {
+            return Err(DrawingError::TooLarge {
+                what: "entities",
+                most: MOST_SEGMENTS,
+            });
+        }
+        Ok(())
+    }
+
+    /// Keeps an entity that is `placed`, on the layer `around` where its own is "0".
+    fn place(
+        &mut self,
+        entity: &Rc<Entity<'a>>,
+        placed: Placed,
+        around: Option<&'a str>,
+        depth: usize,
+        pieces: &mut Pieces,
+    ) -> Result<(), DrawingError> {
+        self.counted()?;
+        let layer = match (entity.layer(), around) {
+            ("0", Some(around)) => around,
+            (own, _) => own,
+        };
+        let select = self.select;
+        let asked = select.is_none_or(|name| name.eq_ignore_ascii_case(layer));
+        let fate = entity.fate();
+        if matches!(fate, Fate::Read | Fate::Insert) {
+            entity.check()?;
+            let hidden = match (entity.value(67), entity.value(60)) {
+                (Some("1"), _) => Some("entity in paper space"),
+                (_, Some("1")) => Some("invisible entity"),
+                _ => None,
+            };
+            if let Some(words) = hidden {
+                if asked {
+                    pieces.leave_out(words, &entity.place());
+                }
+                return Ok(());
+            }
+        }
+        match fate {
+            Fate::Refuse if asked => Err(DrawingError::refused(
+                entity.place(),
+                entity.kind,
+                "explode it into lines, arcs and splines, delete it, or name the `layer` of the outline alone",
+            )),
+            Fate::Beside if asked => {
+                pieces.leave_out(entity.kind, &entity.place());
+                Ok(())
+            }
+            Fate::Insert => self.insert(entity, placed, layer, depth, pieces),
+            Fate::Read => {
+                let known = self.layers.iter().any(|known| known == layer);
+                if select.is_some() && !known && self.layers.len() < MOST_LAYERS {
                     self.layers.push(layer.to_owned());
                 }
-                entity.check()?;
-                let hidden = match (entity.value(67), entity.value(60)) {
-                    (Some("1"), _) => Some("entity in paper space"),
-                    (_, Some("1")) => Some("invisible entity"),
-                    _ => None,
-                };
-                if let (Some(words), true) = (hidden, asked) {
-                    pieces.leave_out(words, &place);
-                }
-                let kept = asked && hidden.is_none();
-                if entity.kind == "POLYLINE" {
-                    self.polyline = Some((place, kept));
-                }
-                if kept {
+                if asked {
                     self.kept.push(Kept {
-                        entity,
-                        vertices: Vec::new(),
+                        entity: entity.clone(),
+                        placed,
+                        layer,
                     });
                 }
+                Ok(())
             }
-            _ => {}
+            _ => Ok(()),
+        }
+    }
+
+    /// Places the entities of the block that an INSERT names, once for each of its columns and rows.
+    fn insert(
+        &mut self,
+        insert: &Entity<'a>,
+        placed: Placed,
+        layer: &'a str,
+        depth: usize,
+        pieces: &mut Pieces,
+    ) -> Result<(), DrawingError> {
+        let wrong = |kind: String| {
+            let help = "explode the block, or export the drawing again";
+            Err(DrawingError::refused(insert.place(), kind, help))
+        };
+        let name = insert.value(2).unwrap_or_default();
+        if depth == DEEPEST {
+            return wrong(format!("blocks nested deeper than {DEEPEST}"));
+        }
+        let Some(block) = self.blocks.get(name) else {
+            let name = cut(name, LONGEST_NAME);
+            return wrong(format!(
+                "an INSERT of \"{name}\", a block that the file does not have"
+            ));
+        };
+        let copies = match Placed::copies(insert, block.base) {
+            Ok(copies) => copies,
+            Err(reason) => return wrong(reason.to_owned()),
+        };
+        let entities = block.entities.clone();
+        for copy in copies {
+            // A block without entities costs a step as well.
+            self.counted()?;
+            let inner = placed.after(&copy);
+            for entity in &entities {
+                self.place(entity, inner, Some(layer), depth + 1, pieces)?;
+            }
         }
         Ok(())
     }
 }
 
-fn without_end(place: String) -> DrawingError {
-    DrawingError::syntax(place, "a POLYLINE without SEQEND", "export it again as DXF")
+fn without_end(polyline: &Entity) -> DrawingError {
+    DrawingError::syntax(polyline.place(), "a POLYLINE without SEQEND", EXPORT)
 }

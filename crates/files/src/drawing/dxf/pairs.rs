@@ -6,7 +6,8 @@ use crate::drawing::DrawingError;
 const BINARY: &[u8] = b"AutoCAD Binary DXF";
 /// How a DWG begins.
 const DWG: &[u8] = b"AC10";
-const EXPORT: &str = "export it again as DXF";
+/// What helps against a file that is not whole.
+pub const EXPORT: &str = "export it again as DXF";
 
 /// A group code and its value.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,64 +17,92 @@ const CLOSED: i32 = 1;
 const SPLINE_FIT: i32 = 4;
 const IN_SPACE: i32 = 8 | 16 | 64;
 
-/// Part of a point's distance from the origin that its z may be off.
+/// Part of a drawing's size that its points may differ in z.
 const NOISE: f64 = 1e-6;
+const FLAT: &str = "export a flat drawing of lines, arcs, polylines and splines";
 
 /// Segments, and how far they may lie from what is drawn.
 type BoundedSegments = (Vec<PathSegment>, f64);
 
 /// Adds the `kept` entities; their unit is `scale` mm.
+///
+/// # Errors
+/// An entity that is not supported, a number no gear has, or a drawing that is not flat.
 pub fn read(kept: &[Kept], scale: f64, pieces: &mut Pieces) -> Result<(), DrawingError> {
-    let mut height = None;
-    for kept in kept {
-        let layer = kept.entity.layer();
-        let place = kept.entity.place();
+    let mut corners = [f64::INFINITY, f64::NEG_INFINITY].map(|end| Point2::from([end; 2]));
+    let mut heights = Vec::with_capacity(kept.len());
+    for one in kept {
         let mut space = Space {
             scale,
             mirrored: false,
-            height: &mut height,
-            place: &place,
+            heights: Vec::new(),
+            place: one.entity.place(),
         };
-        let (segments, bound) = space.segments(kept)?;
-        let piece = Piece {
-            segments,
-            name: layer.to_owned(),
-            bound,
-            place,
-        };
-        pieces.add(layer, piece)?;
+        let (segments, bound) = space.segments(&one.entity)?;
+        let (segments, bound) = one.placed.segments(segments, bound, scale);
+        for segment in &segments {
+            for point in [segment.start(), segment.at(0.5), segment.end()] {
+                corners = [corners[0].inf(&point), corners[1].sup(&point)];
+            }
+        }
+        let placed = space.heights.iter().map(|z| one.placed.height(*z) * scale);
+        heights.push(placed.fold(None, |ends: Option<[f64; 2]>, z| {
+            let [low, high] = ends.unwrap_or([z, z]);
+            Some([low.min(z), high.max(z)])
+        }));
+        pieces.add(
+            one.layer,
+            Piece {
+                segments,
+                name: one.layer.to_owned(),
+                bound,
+                place: space.place,
+            },
+        )?;
     }
-    Ok(())
+    // Some programs write noise.
+    let noise = SAME_MM.max(NOISE * (corners[1] - corners[0]).norm());
+    let first = heights.iter().flatten().next().map_or(0.0, |ends| ends[0]);
+    let off = |ends: &[f64; 2]| !ends.iter().all(|z| (z - first).abs() <= noise);
+    match heights
+        .iter()
+        .position(|ends| ends.as_ref().is_some_and(off))
+    {
+        Some(index) => Err(DrawingError::refused(
+            kept[index].entity.place(),
+            "a point of another z than those before",
+            FLAT,
+        )),
+        None => Ok(()),
+    }
 }
 
-/// The plane of the drawing.
-struct Space<'a> {
+/// The plane of an entity.
+struct Space {
     /// Length of a unit, mm.
     scale: f64,
     /// Whether an entity is seen from behind: its x points left.
     mirrored: bool,
-    /// The z of all points so far, mm.
-    height: &'a mut Option<f64>,
+    /// The z of its points, in units of the drawing.
+    heights: Vec<f64>,
     /// Where the entity stands.
-    place: &'a str,
+    place: String,
 }
 
-impl Space<'_> {
+impl Space {
     fn refused(&self, kind: impl Into<String>) -> DrawingError {
-        let help = "export a flat drawing of lines, arcs, polylines and splines";
-        DrawingError::refused(self.place, kind, help)
+        DrawingError::refused(&self.place, kind, FLAT)
     }
 
     /// The segments of an entity.
-    fn segments(&mut self, kept: &Kept) -> Result<BoundedSegments, DrawingError> {
-        let entity = &kept.entity;
+    fn segments(&mut self, entity: &Entity) -> Result<BoundedSegments, DrawingError> {
         // The ends of a line are in the space of the drawing, all else in that of the entity.
         if entity.kind != "LINE" && entity.kind != "SPLINE" {
             self.seen_from(entity)?;
         }
         match entity.kind {
             "LINE" => {
-                let ends = [self.point(entity.point(10))?, self.point(entity.point(11))?];
+                let ends = [self.point(entity.point(10)), self.point(entity.point(11))];
                 Ok((vec![PathSegment::Line(ends)], 0.0))
             }
             "CIRCLE" => self.round(entity, 0.0, TAU),
@@ -86,7 +114,7 @@ impl Space<'_> {
                 let left = if self.mirrored { -1.0 } else { 1.0 };
                 // So are centre and axes of an ellipse.
                 self.mirrored = false;
-                let centre = self.point(entity.point(10))?;
+                let centre = self.point(entity.point(10));
                 let axis = entity.point(11);
                 if axis.z != 0.0 {
                     return Err(self.refused("an ellipse that is not flat"));
@@ -108,7 +136,7 @@ impl Space<'_> {
                 if flags & SPLINE_FIT != 0 {
                     return Err(self.refused("a POLYLINE fitted as a spline"));
                 }
-                self.through(kept.vertices.clone(), flags & CLOSED != 0)
+                self.through(entity.vertices.clone(), flags & CLOSED != 0)
             }
             _ => self.spline(entity),
         }
@@ -126,17 +154,11 @@ impl Space<'_> {
         Ok(())
     }
 
-    /// A point in mm; all must be of one height.
-    fn point(&mut self, point: Point3<f64>) -> Result<Point2<f64>, DrawingError> {
-        let z = if self.mirrored { -point.z } else { point.z } * self.scale;
-        let x = if self.mirrored { -point.x } else { point.x };
-        let flat = Point2::new(x, point.y) * self.scale;
-        // Some programs write noise.
-        let noise = SAME_MM.max(NOISE * flat.coords.norm());
-        if !((z - *self.height.get_or_insert(z)).abs() <= noise) {
-            return Err(self.refused("a point of another z than those before"));
-        }
-        Ok(flat)
+    /// A point in mm; its height is checked when the size of the drawing is known.
+    fn point(&mut self, point: Point3<f64>) -> Point2<f64> {
+        let hand = if self.mirrored { -1.0 } else { 1.0 };
+        self.heights.push(hand * point.z);
+        Point2::new(hand * point.x, point.y) * self.scale
     }
 
     fn round(
@@ -145,11 +167,11 @@ impl Space<'_> {
         start: f64,
         sweep: f64,
     ) -> Result<BoundedSegments, DrawingError> {
-        let centre = self.point(entity.point(10))?;
+        let centre = self.point(entity.point(10));
         let radius = entity.number(40, 0.0);
         if !(radius > 0.0) {
             return Err(DrawingError::Number {
-                place: self.place.to_owned(),
+                place: self.place.clone(),
                 reason: format!("radius {radius}, allowed is above 0"),
             });
         }
@@ -172,8 +194,8 @@ impl Space<'_> {
         let hand = if self.mirrored { -1.0 } else { 1.0 };
         let vertices: Vec<(Point2<f64>, f64)> = vertices
             .into_iter()
-            .map(|(point, bulge)| Ok((self.point(point)?, hand * bulge)))
-            .collect::<Result<_, DrawingError>>()?;
+            .map(|(point, bulge)| (self.point(point), hand * bulge))
+            .collect();
         let next = vertices
             .iter()
             .skip(1)
@@ -195,7 +217,7 @@ impl Space<'_> {
                 .value(71)
                 .and_then(|text| text.parse().ok())
                 .unwrap_or(0),
-            points: points.collect::<Result<_, DrawingError>>()?,
+            points: points.collect(),
             knots: entity.numbers(40),
             weights: entity.numbers(41),
         };

@@ -7,6 +7,7 @@ mod path;
 mod shape;
 mod view;
 
+use super::affine::Affine;
 use super::error::LONGEST_NAME;
 use super::limits::MOST_SEGMENTS;
 use super::piece::Piece;
@@ -15,10 +16,11 @@ use super::text::{Lines, decode};
 use super::{DrawingError, Options};
 use crate::characters::cut;
 use roxmltree::{Document, Node};
+use std::collections::HashMap;
 use std::str::FromStr;
 use svgtypes::{Align, AspectRatio, Length, ViewBox};
-use view::Affine;
 
+const XLINK: &str = "http://www.w3.org/1999/xlink";
 const NAMESPACE: &str = "http://www.w3.org/2000/svg";
 /// Groups in groups: drawing programs nest a dozen.
 const DEEPEST: usize = 200;
@@ -71,8 +73,13 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         DrawingError::syntax(place, error.to_string(), help)
     })?;
     let root = document.root_element();
+    let with_id = root
+        .descendants()
+        .filter_map(|node| Some((node.attribute("id")?, node)));
     let mut page = Page {
         lines: Lines::of(&text),
+        with_id: with_id.collect(),
+        visited: 0,
         select: options.select.as_deref(),
         found: false,
         ids: Vec::new(),
@@ -127,6 +134,10 @@ struct Within {
 
 struct Page<'a> {
     lines: Lines,
+    /// Elements by id.
+    with_id: HashMap<&'a str, Node<'a, 'a>>,
+    /// How many elements were visited, those that `use` repeats included.
+    visited: usize,
     select: Option<&'a str>,
     /// Whether the id asked for is there.
     found: bool,
@@ -221,12 +232,24 @@ impl Page<'_> {
             Some("visible") => within.shown = true,
             _ => {}
         }
-        let group = matches!(name, "g" | "a" | "svg");
+        self.visited += 1;
+        if self.visited > MOST_SEGMENTS {
+            return Err(DrawingError::TooLarge {
+                what: "elements",
+                most: MOST_SEGMENTS,
+            });
+        }
+        let group = matches!(name, "g" | "a" | "svg" | "use");
         if within.asked || group {
             self.follow(node, &mut within)?;
         }
         if group {
             within.depth += 1;
+        }
+        if name == "use" {
+            return self.repeated(node, within);
+        }
+        if group {
             return self.children(node, within);
         }
         if !within.asked {
@@ -268,6 +291,34 @@ impl Page<'_> {
             self.pieces.add("", piece)?;
         }
         Ok(())
+    }
+
+    /// Draws the element that a `use` names, moved by its x and y.
+    fn repeated(&mut self, node: Node, mut within: Within) -> Result<(), DrawingError> {
+        let link = node.attribute("href").or(node.attribute((XLINK, "href")));
+        let target = link
+            .and_then(|link| link.trim().strip_prefix('#'))
+            .and_then(|id| self.with_id.get(id).copied());
+        let Some(target) = target else {
+            let link = cut(link.unwrap_or_default(), LONGEST_NAME);
+            return Err(self.syntax(node, format!("href = \"{link}\": no element of this file")));
+        };
+        if within.depth > DEEPEST {
+            return Err(self.syntax(node, format!("groups nested deeper than {DEEPEST}")));
+        }
+        let number = |name| shape::number(node, name).map_err(|reason| self.syntax(node, reason));
+        let [x, y] = [number("x")?, number("y")?].map(Option::unwrap_or_default);
+        let moved = svgtypes::Transform::new(1.0, 0.0, 0.0, 1.0, x, y);
+        within.map = within.map.after(&Affine::of(&moved));
+        match target.tag_name().name() {
+            "symbol" if target.has_attribute("viewBox") => Err(DrawingError::refused(
+                self.place(node),
+                "a symbol with a viewBox",
+                "unlink the clone in the drawing program",
+            )),
+            "symbol" => self.children(target, within),
+            name => self.element(target, name, within),
+        }
     }
 
     /// Refuses what moves or cuts shapes in another way than a `transform`.

@@ -1,6 +1,6 @@
 //! Path data of an SVG as segments.
 
-use super::view::Affine;
+use crate::drawing::affine::Affine;
 use crate::drawing::bspline::raised;
 use crate::drawing::curve::elliptic;
 use gearlash::outline::PathSegment;

@@ -1,51 +1,8 @@
 //! Where user space of an SVG lies: transforms, view boxes, the length of its unit.
 
-use nalgebra::{Matrix2, Point2, Vector2};
+use crate::drawing::affine::Affine;
+use nalgebra::{Matrix2, Vector2};
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
-
-/// A linear map and a shift.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Affine {
-    turn: Matrix2<f64>,
-    shift: Vector2<f64>,
-}
-
-impl Affine {
-    /// `scale` times as great, y reversed.
-    pub fn upright(scale: f64) -> Affine {
-        Affine {
-            turn: Matrix2::new(scale, 0.0, 0.0, -scale),
-            shift: Vector2::zeros(),
-        }
-    }
-
-    /// That of a `transform`.
-    pub fn of(transform: &svgtypes::Transform) -> Affine {
-        let &svgtypes::Transform { a, b, c, d, e, f } = transform;
-        Affine {
-            turn: Matrix2::new(a, c, b, d),
-            shift: Vector2::new(e, f),
-        }
-    }
-
-    /// This one behind `inner`.
-    pub fn after(&self, inner: &Affine) -> Affine {
-        Affine {
-            turn: self.turn * inner.turn,
-            shift: self.turn * inner.shift + self.shift,
-        }
-    }
-
-    /// Where a point comes to lie.
-    pub fn point(&self, point: Point2<f64>) -> Point2<f64> {
-        self.turn * point + self.shift
-    }
-
-    /// What a direction becomes.
-    pub fn vector(&self, vector: Vector2<f64>) -> Vector2<f64> {
-        self.turn * vector
-    }
-}
 
 /// The length of a unit of the outermost user space by the size of the page, in words and mm; `None` where the page has no size on
 /// paper, and `Err` in words where width and height do not agree.
@@ -113,8 +70,8 @@ pub fn viewport(corner: [f64; 2], size: [f64; 2], view: ViewBox, aspect: AspectR
         let rest = size[axis] - length * scale[axis];
         corner[axis] - from * scale[axis] + share[axis] * rest
     };
-    Affine {
-        turn: Matrix2::from_diagonal(&Vector2::from(scale)),
-        shift: Vector2::new(shift(0, view.x, view.w), shift(1, view.y, view.h)),
-    }
+    Affine::new(
+        Matrix2::from_diagonal(&Vector2::from(scale)),
+        Vector2::new(shift(0, view.x, view.w), shift(1, view.y, view.h)),
+    )
 }

@@ -1,0 +1,83 @@
+//! Linear maps with a shift: transforms of an SVG, blocks of a DXF.
+
+use super::curve::elliptic;
+use gearlash::outline::PathSegment;
+use nalgebra::{Matrix2, Point2, Vector2};
+
+/// A linear map and a shift.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Affine {
+    turn: Matrix2<f64>,
+    shift: Vector2<f64>,
+}
+
+impl Affine {
+    /// The map of a point `p` to `turn p + shift`.
+    pub fn new(turn: Matrix2<f64>, shift: Vector2<f64>) -> Affine {
+        Affine { turn, shift }
+    }
+
+    /// `scale` times as great, y reversed.
+    pub fn upright(scale: f64) -> Affine {
+        Affine::new(Matrix2::new(scale, 0.0, 0.0, -scale), Vector2::zeros())
+    }
+
+    /// The map of lengths in mm that this is of lengths in units of `scale` mm.
+    pub fn in_units(&self, scale: f64) -> Affine {
+        Affine::new(self.turn, self.shift * scale)
+    }
+
+    /// The map of an SVG `transform`.
+    pub fn of(transform: &svgtypes::Transform) -> Affine {
+        let &svgtypes::Transform { a, b, c, d, e, f } = transform;
+        Affine::new(Matrix2::new(a, c, b, d), Vector2::new(e, f))
+    }
+
+    /// This map behind `inner`.
+    pub fn after(&self, inner: &Affine) -> Affine {
+        Affine::new(self.turn * inner.turn, self.turn * inner.shift + self.shift)
+    }
+
+    /// The image of a point.
+    pub fn point(&self, point: Point2<f64>) -> Point2<f64> {
+        self.turn * point + self.shift
+    }
+
+    /// The image of a direction.
+    pub fn vector(&self, vector: Vector2<f64>) -> Vector2<f64> {
+        self.turn * vector
+    }
+
+    /// The map does not lengthen a distance by more than this factor: the Frobenius norm.
+    pub fn stretch(&self) -> f64 {
+        self.turn.norm()
+    }
+
+    /// The image of a segment, and how far the segments may lie from it, mm. Arcs stay arcs unless the map is oblique.
+    pub fn segment(&self, segment: &PathSegment) -> (Vec<PathSegment>, f64) {
+        match *segment {
+            PathSegment::Line(ends) => (
+                vec![PathSegment::Line(ends.map(|end| self.point(end)))],
+                0.0,
+            ),
+            PathSegment::Cubic(points) => (
+                vec![PathSegment::Cubic(points.map(|point| self.point(point)))],
+                0.0,
+            ),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => {
+                let axes = [Vector2::new(radius, 0.0), Vector2::new(0.0, radius)];
+                elliptic(
+                    self.point(centre),
+                    axes.map(|axis| self.vector(axis)),
+                    start,
+                    sweep,
+                )
+            }
+        }
+    }
+}

@@ -3,7 +3,7 @@
 //! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed: a secant leads to it, or a tangent where one end has no value. What interferes at a
 //! distance is looked for first where it was tightest at those before; only what is free there is looked over the whole cycle.
 
-use crate::contact::{Doubt, Effort, ExactKernel, Status};
+use crate::contact::{Doubt, Effort, ExactKernel, Extreme, Status};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Member};
 
@@ -41,71 +41,34 @@ impl AssemblesFrom {
     ) -> Result<Option<AssemblesFrom>, Error> {
         let gear = |member| assembly.gear(member);
         let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
-        let (mut low, mut high) = (assembly.center_distance(), reach);
-        let mut found = None;
-        if !(low < high) {
-            return Ok(None);
-        }
         let per_mm = |at: f64| {
             let at = assembly.at(at).ok();
             at.map_or(f64::NAN, |at| 2.0 * at.operating_pressure_angle().tan())
         };
-        // The values at both ends; without end where one is jammed, none where nothing was looked at.
-        let (mut below, mut above) = (least.unwrap_or(f64::NEG_INFINITY), f64::INFINITY);
-        let mut last = None;
         let mut tight: Vec<Mating> = Vec::new();
-        for _ in 0..STEPS {
-            if effort.is_nearly_spent() {
-                break;
-            }
-            // A little beyond where it leads, towards the end that is farther away, so that both come near.
-            let nudge = 0.4 * DISTANCE_WIDTH.copysign(below + above);
-            let at = match (below.is_finite(), above.is_finite()) {
-                (true, true) => low - below * (high - low) / (above - below) + nudge,
-                (true, false) => low - below / per_mm(low) + nudge.abs(),
-                (false, true) => high - above / per_mm(high) - nudge.abs(),
-                (false, false) => f64::NAN,
-            };
-            let at = if at > low && at < high {
-                at
-            } else {
-                0.5 * (low + high)
-            };
+        let value = |at: f64| -> Result<Option<(f64, Option<Extreme>)>, Error> {
             let pair = assembly.at(at)?;
             let kernel = ExactKernel::new(&pair);
-            let (value, looked) = match interference(&kernel, &pair, &tight)? {
-                Some(there) => (there, None),
-                None => {
-                    let there = kernel.least(&pair, over, width, effort)?;
-                    let least = there.least;
-                    tight.extend(there.lost.or(least.map(|least| least.mating)));
-                    // Of what is not proven, what was found.
-                    let value = least.map(|least| match least.is_proven() {
-                        true => least.low,
-                        false => least.high,
-                    });
-                    (value.unwrap_or(f64::NEG_INFINITY), least)
-                }
-            };
-            // An end that stays behind twice counts for half (the Illinois rule).
-            let free = value >= 0.0;
-            let stays = if last.replace(free) == Some(free) {
-                0.5
-            } else {
-                1.0
-            };
-            if free {
-                (high, above, found) = (at, value, looked);
-                below *= stays;
-            } else {
-                (low, below) = (at, value);
-                above *= stays;
+            if let Some(there) = interference(&kernel, &pair, &tight)? {
+                return Ok(Some((there, None)));
             }
-            if high - low <= DISTANCE_WIDTH {
-                break;
-            }
-        }
-        Ok(found.map(|least| AssemblesFrom {
+            let there = kernel.least(&pair, over, width, effort)?;
+            let least = there.least;
+            tight.extend(there.lost.or(least.map(|least| least.mating)));
+            // The attained value counts where nothing is proven.
+            let value = least.map(|least| match least.is_proven() {
+                true => least.low,
+                false => least.high,
+            });
+            Ok(Some((value.unwrap_or(f64::NEG_INFINITY), least)))
+        };
+        let between = [assembly.center_distance(), reach];
+        let below = least.unwrap_or(f64::NEG_INFINITY);
+        let Some((low, high, Some(least))) = threshold(between, below, per_mm, value, effort)?
+        else {
+            return Ok(None);
+        };
+        Ok(Some(AssemblesFrom {
             low,
             high,
             doubt: least
@@ -114,6 +77,66 @@ impl AssemblesFrom {
             mating: least.mating,
         }))
     }
+}
+
+/// Where a rising `value` becomes 0 or more between two places, mm: a place where it is less, one where it is not, at most
+/// [`DISTANCE_WIDTH`] apart unless the effort ran out, and what `value` says of the second. `None` where it is less everywhere.
+///
+/// `below` is the value at the lower place, without end where it has none. `slope` is the value's derivative at a place. Where `value` is
+/// `None`, the place lies beyond what can be.
+pub(super) fn threshold<T>(
+    [mut low, mut high]: [f64; 2],
+    mut below: f64,
+    slope: impl Fn(f64) -> f64,
+    mut value: impl FnMut(f64) -> Result<Option<(f64, T)>, Error>,
+    effort: &Effort,
+) -> Result<Option<(f64, f64, T)>, Error> {
+    if !(low < high) {
+        return Ok(None);
+    }
+    // The value at the upper end; without end as long as nothing was looked at.
+    let mut above = f64::INFINITY;
+    let (mut found, mut last) = (None, None);
+    for _ in 0..STEPS {
+        if effort.is_nearly_spent() {
+            break;
+        }
+        // A little beyond where it leads, towards the end that is farther away, so that both come near.
+        let nudge = 0.4 * DISTANCE_WIDTH.copysign(below + above);
+        let at = match (below.is_finite(), above.is_finite()) {
+            (true, true) => low - below * (high - low) / (above - below) + nudge,
+            (true, false) => low - below / slope(low) + nudge.abs(),
+            (false, true) => high - above / slope(high) - nudge.abs(),
+            (false, false) => f64::NAN,
+        };
+        let at = if at > low && at < high {
+            at
+        } else {
+            0.5 * (low + high)
+        };
+        let (value, looked) = match value(at)? {
+            Some((value, looked)) => (value, Some(looked)),
+            None => (f64::INFINITY, None),
+        };
+        // An end that stays behind twice counts for half (the Illinois rule).
+        let free = value >= 0.0;
+        let stays = if last.replace(free) == Some(free) {
+            0.5
+        } else {
+            1.0
+        };
+        if free {
+            (high, above, found) = (at, value, looked);
+            below *= stays;
+        } else {
+            (low, below) = (at, value);
+            above *= stays;
+        }
+        if high - low <= DISTANCE_WIDTH {
+            break;
+        }
+    }
+    Ok(found.map(|found| (low, high, found)))
 }
 
 /// The least `j_wt` of `matings`, mm, where it is negative: without end where one is jammed; `None` where none interferes.

@@ -119,6 +119,20 @@ impl Planned {
         })
     }
 
+    /// The extremes of `pair` over the cycle: only the least, or only the greatest, where the other need not be searched for.
+    pub fn end(&self, pair: &GearPair, is_least: bool, effort: &Effort) -> Result<Extremes, Error> {
+        if is_open(pair) {
+            let all = directions::extremes(pair, &|pair| self.cycle(pair, effort), WIDTH)?;
+            return Ok(all.found);
+        }
+        let (kernel, over) = (ExactKernel::new(pair), (self.first, self.distinct));
+        if is_least {
+            kernel.least(pair, over, WIDTH, effort)
+        } else {
+            kernel.greatest(pair, over, WIDTH, effort)
+        }
+    }
+
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
         let over = (self.first, self.distinct);

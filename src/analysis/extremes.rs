@@ -148,8 +148,7 @@ impl RunExtreme {
 
     /// Whether no rotation of the cycle lies beyond the bracket, however wide that is.
     pub fn holds(&self) -> bool {
-        let wide = [Doubt::Effort, Doubt::SecondOrder, Doubt::Profile];
-        self.doubt.is_none_or(|doubt| wide.contains(&doubt)) && self.pose.simulated.found.is_ok()
+        bounds_hold(self.doubt) && self.pose.simulated.found.is_ok()
     }
 
     /// What was found, mm: the end of the bracket that the pose attains.
@@ -159,6 +158,12 @@ impl RunExtreme {
             .backlash
             .unwrap_or(0.5 * (self.low + self.high))
     }
+}
+
+/// Whether an extreme of this doubt has a bracket that holds, however wide it is.
+pub(super) fn bounds_hold(doubt: Option<Doubt>) -> bool {
+    let wide = [Doubt::Effort, Doubt::SecondOrder, Doubt::Profile];
+    doubt.is_none_or(|doubt| wide.contains(&doubt))
 }
 
 impl RunExtremes {

@@ -15,6 +15,7 @@ pub mod meshes_to;
 pub mod outcome;
 pub mod outlines;
 pub mod phases;
+pub mod remedies;
 pub mod requirement;
 pub mod simulate;
 pub mod study;
@@ -28,6 +29,7 @@ use self::diagnosis::{CheckName, Diagnosis, Seen, failed_checks};
 use self::extremes::CycleExtremes;
 use self::face_width::AtWidth;
 use self::measured::{MeasuredMating, measured_matings};
+use self::remedies::Remedy;
 use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
@@ -44,6 +46,7 @@ pub struct Plan<'a> {
     extremes: bool,
     curves: bool,
     checks: bool,
+    remedies: bool,
 }
 
 impl<'a> Plan<'a> {
@@ -56,6 +59,7 @@ impl<'a> Plan<'a> {
             extremes: false,
             curves: false,
             checks: false,
+            remedies: false,
         }
     }
 
@@ -100,6 +104,16 @@ impl<'a> Plan<'a> {
     pub fn with_checks(self) -> Plan<'a> {
         Plan {
             checks: true,
+            ..self
+        }
+    }
+
+    /// Also the single changes that make a pair fit which does not; with the extremes.
+    #[must_use]
+    pub fn with_remedies(self) -> Plan<'a> {
+        Plan {
+            extremes: true,
+            remedies: true,
             ..self
         }
     }
@@ -174,6 +188,8 @@ pub struct Analysis<'a> {
     pub diagnosis: Diagnosis,
     /// Ids of the checks that fail: of every check, or, beside the extremes, as far as they need be made to know.
     pub failed_checks: Vec<CheckName>,
+    /// Single changes that make the pair fit; none of a pair that fits.
+    pub remedies: Vec<Remedy>,
 }
 
 impl<'a> Analysis<'a> {
@@ -206,6 +222,7 @@ impl<'a> Analysis<'a> {
             field: None,
             diagnosis: Diagnosis::default(),
             failed_checks: Vec::new(),
+            remedies: Vec::new(),
         };
         if plan.extremes {
             (progress.stage)(MESH_CYCLE);
@@ -246,6 +263,10 @@ impl<'a> Analysis<'a> {
         } else if plan.extremes {
             let seen: Vec<Seen> = analysis.runs.iter().map(Seen::of).collect();
             analysis.failed_checks = failed_checks(study, &seen, &analysis.extremes, tick)?;
+        }
+        if plan.remedies {
+            (progress.stage)("(remedies)");
+            analysis.remedies = remedies::remedies(study, &analysis.verdict())?;
         }
         Ok(analysis)
     }

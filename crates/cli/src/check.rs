@@ -13,8 +13,8 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::outlines::unproven;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
-use gearlash_results::checked;
 use gearlash_results::judged::{Judged, JudgedFile, Outcome};
+use gearlash_results::{RemedyRecord, checked};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -119,7 +119,7 @@ fn data(
     poses::allow(path, study.pose_count(), &poses::HELD)?;
     let folder = folder(args, &file.stem, &file.sources)?;
     let plan = Plan::new(study, args.method.method())
-        .with_extremes()
+        .with_remedies()
         .with_checks();
     let analysis = run_under_bar(&plan)?;
     let diagnosis = &analysis.diagnosis;
@@ -130,8 +130,11 @@ fn data(
     let verdict = analysis.verdict();
     let is_proven = agreed(&analysis);
     let screen = args.screen.screen();
-    checked(&name, file, diagnosis, &verdict, is_proven, &screen)
-        .map_err(Error::unwritable("the checks"))
+    let remedies = RemedyRecord::all(file, &analysis.remedies);
+    checked(
+        &name, file, diagnosis, &verdict, &remedies, is_proven, &screen,
+    )
+    .map_err(Error::unwritable("the checks"))
 }
 
 /// Checks a pair with a drawn gear.

@@ -6,7 +6,8 @@ use super::drawing::{End, material, teeth};
 use super::method::{MethodArgs, all_proven};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
-use super::{outlines, studies, worst};
+use super::worst::{self, Binding, Wanted};
+use super::{outlines, studies};
 use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
@@ -34,9 +35,13 @@ pub(super) struct Args {
     /// Flank, seen from the front, that passes through the operating pitch point
     #[arg(long, value_enum)]
     flank: Option<Flank>,
-    /// The pose with the least backlash of all the pair file asks for, instead of --mating and --flank
-    #[arg(long, conflicts_with_all = ["mating", "flank", "fraction"])]
-    worst: bool,
+    /// The pose with the least backlash of the whole mesh cycle, instead of --mating and --flank; with KIND of the poses of the pair file that
+    /// such a contact bounds
+    #[arg(long, value_name = "KIND", value_enum, num_args = 0..=1, require_equals = true, conflicts_with_all = ["mating", "flank", "fraction"])]
+    worst: Option<Option<Binding>>,
+    /// The pose with the greatest backlash of the whole mesh cycle
+    #[arg(long, conflicts_with_all = ["mating", "flank", "fraction", "worst"])]
+    greatest: bool,
     /// Turn on from that pose by this many pitches
     #[arg(
         long,
@@ -45,10 +50,10 @@ pub(super) struct Args {
         allow_negative_numbers = true
     )]
     fraction: f64,
-    /// Centre distance in mm [default: the least of the pair file; with --worst all]
+    /// Centre distance in mm [default: the least of the pair file; with --worst or --greatest all]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
-    /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
+    /// Which end of the thickness tolerances [default: most, where there are two; with --worst or --greatest both]
     #[arg(long, value_enum)]
     material: Option<End>,
     /// Of helical gears, the transverse section to draw, mm along the axis from the measuring plane [default: where the flank of the pose touches]
@@ -60,7 +65,7 @@ pub(super) struct Args {
     /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser; of helical gears in the section drawn
     #[arg(long, conflicts_with = "exaggerate")]
     animate: bool,
-    /// The picture [default: out/<file stem>/snapshot_….svg or worst_….svg]; - for standard output
+    /// The picture [default: out/<file stem>/snapshot_….svg, worst_….svg or greatest_….svg]; - for standard output
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
 }
@@ -195,21 +200,30 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         file.study.materials.retain(|gears| gears.0 == wanted);
     }
     let mut unproven = 0;
-    let drawn = match (args.worst, args.mating, args.flank) {
-        (true, ..) => {
+    let drawn = match (wanted(args), args.mating, args.flank) {
+        (Some((asked, Wanted::LeastOf(_))), ..) => {
+            return Err(Error::Usage(format!(
+                "{asked}: the kinds of contact are of gears by their data; give --worst alone"
+            )));
+        }
+        (Some((_, wanted)), ..) => {
             let runs = outlines::runs(&file, &MethodArgs::default())?;
             unproven = analysis::outlines::unproven(&runs);
             tell_verdict(&gearlash_results::outlines::lines(&file.study, &runs));
-            analysis::outlines::worst(&runs).map(|(run, pose)| {
+            let (chosen, name) = match wanted {
+                Wanted::Greatest => (analysis::outlines::greatest(&runs), "greatest"),
+                _ => (analysis::outlines::worst(&runs), "worst"),
+            };
+            chosen.map(|(run, pose)| {
                 (
                     run.pair.clone(),
                     run.material,
                     pose.clone(),
-                    "worst".to_owned(),
+                    name.to_owned(),
                 )
             })
         }
-        (false, Some(teeth), Some(flank)) => {
+        (None, Some(teeth), Some(flank)) => {
             let Some((material, wheel, pinion)) = file.study.materials.first().cloned() else {
                 return Err(Error::Usage(
                     "--material: this pair has no such material".to_owned(),
@@ -228,9 +242,10 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         _ => return Err(which()),
     };
     let Some((pair, material, pose, name)) = drawn else {
-        return Err(Error::Usage(
-            "--worst: no pose is in mesh; nothing can be called the worst".to_owned(),
-        ));
+        let asked = wanted(args).map_or("--mating", |(asked, _)| asked);
+        return Err(Error::Usage(format!(
+            "{asked}: no pose is in mesh; there is none to draw"
+        )));
     };
     let picture = gearlash_render::outline_snapshot(&file.study.title, &pair, material, &pose);
     let target = match given {
@@ -246,8 +261,19 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
     )))
 }
 
+/// The pose that is asked for by its backlash, and the option that asks for it.
+fn wanted(args: &Args) -> Option<(&'static str, Wanted)> {
+    match args.worst {
+        Some(None) => Some(("--worst", Wanted::Least)),
+        Some(Some(binding)) => Some(("--worst", Wanted::LeastOf(binding))),
+        None => args.greatest.then_some(("--greatest", Wanted::Greatest)),
+    }
+}
+
 fn which() -> Error {
-    Error::Usage("which pose? give --mating W,P and --flank right|left, or --worst".to_owned())
+    Error::Usage(
+        "which pose? give --mating W,P and --flank right|left, --worst or --greatest".to_owned(),
+    )
 }
 
 /// What is drawn, and the name of its file.
@@ -261,14 +287,23 @@ struct Subject {
     file: String,
 }
 
-/// The pose asked for, or the worst.
+/// The pose asked for, by its teeth or by its backlash.
 fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
-    if args.worst {
+    if let Some((asked, wanted)) = wanted(args) {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
-        let (run, pose, unproven) = worst::find("--worst", study, args.center_distance, material)?;
+        let (run, pose, unproven) =
+            worst::find((asked, wanted), study, args.center_distance, material)?;
         let (distance, end) = (run.assembly.center_distance(), run.material.name());
+        let name = match wanted {
+            Wanted::Least => "worst".to_owned(),
+            Wanted::Greatest => "greatest".to_owned(),
+            Wanted::LeastOf(binding) => {
+                let kind = binding.to_possible_value();
+                format!("worst_{}", kind.as_ref().map_or("", |kind| kind.get_name()))
+            }
+        };
         return Ok(Subject {
-            file: format!("worst_a{distance}_{end}.svg"),
+            file: format!("{name}_a{distance}_{end}.svg"),
             material: run.material,
             assembly: run.assembly,
             pose: pose.pose,

@@ -236,7 +236,7 @@ fn by_path(text: &str) -> BTreeMap<&str, &str> {
         .collect()
 }
 
-/// What differs beyond `tolerance`, a line each, and the largest difference of numbers with its path.
+/// The differences beyond `tolerance`, a line each, and the largest difference of numbers with its path.
 fn compare(stored: &str, actual: &str, tolerance: f64) -> (Vec<String>, f64, String) {
     let (old, new) = (by_path(stored), by_path(actual));
     let (mut lines, mut largest, mut place) = (Vec::new(), 0.0, String::new());

@@ -9,7 +9,7 @@ use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash_results::judged::{JudgedFile, Outcome};
 use gearlash_results::text::Screen;
-use gearlash_results::{checked, extremes_json};
+use gearlash_results::{RemedyRecord, checked, extremes_json};
 use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };
@@ -29,17 +29,19 @@ pub fn extremes(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult
 #[pyo3(signature = (pair, threads=None))]
 pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<String> {
     let plan = Plan::new(pair.study(), METHOD)
-        .with_extremes()
+        .with_remedies()
         .with_checks();
     let analysis = analysed(py, threads, &plan)?;
     let (name, screen) = (&pair.file.stem, Screen::default());
     let is_proven = analysis.unproven() == 0 && analysis.agreement().agrees();
     let verdict = analysis.verdict();
+    let remedies = RemedyRecord::all(&pair.file, &analysis.remedies);
     let judged = checked(
         name,
         &pair.file,
         &analysis.diagnosis,
         &verdict,
+        &remedies,
         is_proven,
         &screen,
     );

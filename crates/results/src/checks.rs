@@ -5,6 +5,7 @@ use crate::column::{Object, Row};
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
+use crate::remedies::RemedyRecord;
 use crate::run::contact_count;
 use crate::text::check::{governing, outlines, text, unit};
 use crate::verdict::lines;
@@ -33,6 +34,7 @@ struct FileRecord<'a> {
     checks: Vec<Object<'static>>,
     contact: Value,
     runs: Vec<GroupRecord>,
+    remedies: &'a [RemedyRecord],
 }
 
 #[derive(Debug, Serialize)]
@@ -51,6 +53,7 @@ pub fn checked(
     file: &PairFile,
     diagnosis: &Diagnosis,
     verdict: &Verdict,
+    remedies: &[RemedyRecord],
     is_proven: bool,
     screen: &Screen,
 ) -> serde_json::Result<Judged> {
@@ -104,6 +107,7 @@ pub fn checked(
             .collect(),
         contact: contact_count(&diagnosis.contact),
         runs: diagnosis.groups.iter().map(group_record).collect(),
+        remedies,
     };
     Ok(Judged {
         file: name.to_owned(),
@@ -112,7 +116,7 @@ pub fn checked(
         cases,
         warnings: file.warnings.clone(),
         remarks: file.remarks.clone(),
-        text: text(&file.study, verdict, diagnosis, screen),
+        text: text(&file.study, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
         json: to_value(&record)?,
         verdict: lines,

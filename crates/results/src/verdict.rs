@@ -34,6 +34,8 @@ pub struct VerdictLines {
     pub rows: Vec<ExtremeRow>,
     /// Lines that qualify them.
     pub qualifiers: Vec<String>,
+    /// Sentences that find no room there.
+    pub left_out: Vec<String>,
 }
 
 /// An extreme of the backlash.
@@ -127,12 +129,14 @@ impl VerdictLines {
         let (status, proof) = chosen.map_or_else(Default::default, |(status, proof)| {
             (status.clone(), proof.clone())
         });
+        let (qualifiers, left_out) = packed(sentences, LINES - 1 - rows.len());
         VerdictLines {
             state,
             status,
             proof,
-            qualifiers: packed(sentences, LINES - 1 - rows.len()),
             rows,
+            qualifiers,
+            left_out,
         }
     }
 
@@ -214,13 +218,12 @@ fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
     lines.iter().map(|line| cut(line, COLUMNS)).collect()
 }
 
-/// `sentences` on at most so many lines. The last line counts those that find no room.
-fn packed(sentences: Vec<String>, lines: usize) -> Vec<String> {
+/// `sentences` on at most so many lines, and those that find no room. The last line counts them.
+fn packed(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     let most = COLUMNS - 2;
     let mut packed: Vec<String> = Vec::new();
-    let count = sentences.len();
-    for (index, sentence) in sentences.into_iter().enumerate() {
-        let sentence = cut(&sentence, most);
+    for (index, sentence) in sentences.iter().enumerate() {
+        let sentence = cut(sentence, most);
         if let Some(last) = packed.last_mut()
             && columns(last) + 2 + columns(&sentence) <= most
         {
@@ -229,12 +232,13 @@ fn packed(sentences: Vec<String>, lines: usize) -> Vec<String> {
         } else if packed.len() < lines {
             packed.push(sentence);
         } else if let Some(last) = packed.last_mut() {
-            let more = format!(", and {} more", count - index);
+            let left_out = sentences[index..].to_vec();
+            let more = format!(", and {} more", left_out.len());
             *last = cut(last, most - columns(&more)) + &more;
-            break;
+            return (packed, left_out);
         }
     }
-    packed
+    (packed, Vec::new())
 }
 
 /// How a pair of one centre distance, material and phase turns out.

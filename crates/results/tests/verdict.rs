@@ -196,7 +196,13 @@ fn the_most_that_can_be_said_fits() {
     for line in lines.lines() {
         assert!(line.chars().count() <= COLUMNS, "{line}");
     }
-    assert!(text.contains(", and "), "{text}");
+    let left_out = lines.left_out.len();
+    assert!(
+        left_out > 0 && text.ends_with(&format!(", and {left_out} more")),
+        "{text}"
+    );
+    let last = lines.left_out.last().unwrap();
+    assert_eq!(last, "± is the expanded uncertainty, k = 2");
     assert!(text.contains("Requirement not met: "), "{text}");
     assert!(!text.contains("contact_ratio"), "{text}");
 }

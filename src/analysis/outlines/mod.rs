@@ -218,6 +218,14 @@ pub fn unproven(runs: &[OutlineRun]) -> usize {
     runs.iter().map(|run| run.count(Status::Unproven)).sum()
 }
 
+/// The pose with the greatest backlash, and its run.
+pub fn greatest(runs: &[OutlineRun]) -> Option<(&OutlineRun, &OutlinePose)> {
+    let poses = runs
+        .iter()
+        .filter_map(|run| Some((run, run.greatest.as_ref()?)));
+    poses.min_by(|a, b| b.1.room().total_cmp(&a.1.room()))
+}
+
 /// The pose that binds most, or has the least backlash, and its run.
 pub fn worst(runs: &[OutlineRun]) -> Option<(&OutlineRun, &OutlinePose)> {
     let poses = runs.iter().filter_map(|run| {

@@ -6,7 +6,7 @@ use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
 use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
-use super::super::worst;
+use super::super::worst::{self, Wanted};
 use super::{Args, Kind};
 use crate::error::Error;
 use gearlash::analysis::compare::ComparedRun;
@@ -165,7 +165,8 @@ impl DrawnChart {
         let distance = asked_distance(args)?;
         let end = args.material.map(|end| material(end, &study)).transpose()?;
         let title = study.title.clone();
-        let (run, pose, unproven) = worst::find("--kind field", study, distance, end)?;
+        let (run, pose, unproven) =
+            worst::find(("--kind field", Wanted::Least), study, distance, end)?;
         let field = Field::of(&run.assembly, &pose).ok_or_else(|| {
             Error::Usage(
                 "--kind field: the worst pose is jammed or unproven; there are no contact lines"

@@ -26,6 +26,7 @@ mod pair_86_21;
 mod pair_with_table;
 mod pictures;
 mod refused;
+mod remedies;
 mod rexs;
 mod runs;
 mod schema;

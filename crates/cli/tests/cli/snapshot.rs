@@ -39,3 +39,30 @@ fn snapshot_of_a_named_mating() {
         svg
     );
 }
+
+/// 8 and 24 teeth, the pinion undercut: among others its edge touches, and no root.
+#[test]
+fn the_greatest_pose_and_the_least_of_a_kind_of_contact() {
+    let folder = empty_folder();
+    let pair = fixture("../tests/corpus/pairs/undercut.toml");
+    let draw = |option: &str| {
+        let pair = pair.to_str().unwrap();
+        run(folder.path(), &["snapshot", pair, option, "-o", "-"])
+    };
+    let (code, worst, _) = draw("--worst");
+    assert_eq!(code, Some(0));
+    let (code, greatest, _) = draw("--greatest");
+    assert_eq!(code, Some(0));
+    // The greatest of the mesh cycle, as `check` has it.
+    assert!(greatest.contains("156.38") && !worst.contains("156.38"));
+    let (code, edge, _) = draw("--worst=undercut-edge");
+    assert!(code == Some(0) && edge != worst);
+    let (code, _, told) = draw("--worst=root");
+    assert_eq!(code, Some(2));
+    assert!(
+        told.contains("no pose of the pair file has such a contact"),
+        "{told}"
+    );
+    let (code, _, told) = draw("--worst=corner");
+    assert!(code == Some(2) && told.contains("undercut-edge"), "{told}");
+}

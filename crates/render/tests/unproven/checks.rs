@@ -62,6 +62,7 @@ fn its_text_and_json_say_so() {
         &case.study,
         &CycleVerdict::new(&[], &Vec::new(), None, found.failed()),
         &found,
+        &[],
         &Screen::default(),
     );
     assert!(text.contains("\nUNPROVEN: "), "{text}");
@@ -74,7 +75,16 @@ fn its_text_and_json_say_so() {
     assert_eq!(backlash.matches("unproven").count(), 2);
     let verdict = CycleVerdict::new(&[], &Vec::new(), None, found.failed());
     let screen = Screen::default();
-    let judged = checked("pair.toml", &case.pair, &found, &verdict, true, &screen).unwrap();
+    let judged = checked(
+        "pair.toml",
+        &case.pair,
+        &found,
+        &verdict,
+        &[],
+        true,
+        &screen,
+    )
+    .unwrap();
     let json = judged.json;
     assert_eq!(json["checks_verdict"], "unproven");
     for check in json["checks"].as_array().unwrap() {

@@ -315,6 +315,7 @@ fn a_report_vouches_for_nothing() {
         curves: runs.clone(),
         extremes: CycleExtremes::default(),
         failed_checks: Vec::new(),
+        remedies: Vec::new(),
         over_distance: Vec::new(),
         measured: Vec::new(),
         diagnosis,

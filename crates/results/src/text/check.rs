@@ -5,6 +5,7 @@ use crate::check::CheckRow;
 pub use crate::check::unit;
 use crate::column::Row;
 use crate::layout::{Screen, Tone};
+use crate::remedies::{self, RemedyRecord};
 use crate::verdict::{lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
@@ -18,9 +19,11 @@ pub fn text(
     study: &Study,
     verdict: &CycleVerdict,
     diagnosis: &Diagnosis,
+    remedies: &[RemedyRecord],
     screen: &Screen,
 ) -> String {
-    let mut text = heading(&study.title, &lines(verdict), screen);
+    let lines = lines(verdict);
+    let mut text = heading(&study.title, &lines, screen);
     let several = diagnosis.groups.len() > 1;
     let rows = governing(diagnosis).into_iter();
     let rows: Vec<CheckRow> = rows
@@ -34,7 +37,11 @@ pub fn text(
         let word = screen.toned(Tone::Doubtful, "UNPROVEN");
         let _ = writeln!(text, "\n{word}: {reason}.");
     }
+    for sentence in &lines.left_out {
+        let _ = writeln!(text, "\n{sentence}.");
+    }
     text += &contact(diagnosis);
+    text += &remedies::text(remedies, !study.requirements.is_empty());
     screen.fold(&text)
 }
 

@@ -1,0 +1,175 @@
+//! `check` says what to change: each remedy makes the pair assemble and meet its requirement, and 2 µm less of it does not.
+
+use super::*;
+
+/// Printed gears, each flank 0.1 mm too far out.
+const PRINTED: &str = include_str!("../../../../tests/corpus/pairs/printed_jam.toml");
+
+/// 24 and 36 teeth with tolerances, and room for `require`.
+const TOLERANCED: &str = r#"
+title = "toleranced"
+[wheel]
+teeth = 24
+module_mm = 2.0
+pressure_angle_deg = 20.0
+[wheel.thickness]
+allowance_um = { min = -70, max = -40 }
+[wheel.runout]
+total_um = 12.0
+high_tooth = 3.5
+[pinion]
+teeth = 36
+module_mm = 2.0
+pressure_angle_deg = 20.0
+reference_face = "back"
+[pinion.thickness]
+allowance_um = { min = -70, max = -40 }
+[assembly]
+center_distance_mm = 60.0
+bearing_clearance_mm = 0.01
+[require]
+j_bn_um = LIMITS
+"#;
+
+fn checked(folder: &Path, text: &str) -> (Option<i32>, Value) {
+    std::fs::write(folder.join("pair.toml"), text).unwrap();
+    let (code, json, told) = run(folder, &["check", "pair.toml", "--format", "json"]);
+    let json: Value = serde_json::from_str(&json).expect(&told);
+    (code, json["files"][0].clone())
+}
+
+/// `what`, `gear` and `value` of each remedy.
+fn remedies(json: &Value) -> Vec<(String, String, f64)> {
+    let word = |remedy: &Value, key: &str| remedy[key].as_str().unwrap().to_owned();
+    let list = json["remedies"].as_array().unwrap().iter();
+    list.map(|remedy| {
+        let value = remedy["value"].as_f64().unwrap();
+        let [low, high] = [0, 1].map(|end| remedy["bracket"][end].as_f64().unwrap());
+        assert!(
+            low <= high && high - low < 0.01 && (value - low).abs() < 2.2,
+            "{remedy}"
+        );
+        (word(remedy, "what"), word(remedy, "gear"), value)
+    })
+    .collect()
+}
+
+/// Whether the pair assembles and meets its requirement; the checks of other things are left out.
+fn fits(json: &Value) -> bool {
+    let verdict = &json["verdict"];
+    verdict["assembles"] == true
+        && ["met", "none"]
+            .iter()
+            .any(|word| verdict["requirement"] == *word)
+}
+
+/// `text` with the `value` of a remedy in place of the stated one; tolerances keep their width.
+fn applied(text: &str, what: &str, gear: &str, value: f64) -> String {
+    let mut pair: toml::Table = toml::from_str(text).unwrap();
+    if what == "center_distance_mm" {
+        pair["assembly"]["center_distance_mm"] = value.into();
+        return pair.to_string();
+    }
+    for name in ["wheel", "pinion"] {
+        if gear != name && gear != "both" {
+            continue;
+        }
+        let thickness = pair[name]["thickness"].as_table_mut().unwrap();
+        let width = thickness.get("allowance_um").and_then(|stated| {
+            let end = |key| stated.get(key)?.as_integer();
+            let width = (end("max")? - end("min")?) as f64;
+            // Two offsets along the normals of the flanks are `A_sn cos α`, 20°.
+            let per_um = 0.5e-3 * 20f64.to_radians().cos();
+            let is_offset = what == "flank_offset_mm";
+            Some(if is_offset { width * per_um } else { width })
+        });
+        thickness.clear();
+        let stated = match width {
+            None => value.into(),
+            Some(width) => toml::Table::from_iter([
+                ("min".to_owned(), (value - width).into()),
+                ("max".to_owned(), value.into()),
+            ])
+            .into(),
+        };
+        let key = what.replace("thickness_allowance", "allowance");
+        thickness.insert(key, stated);
+    }
+    pair.to_string()
+}
+
+/// Every remedy of `text` makes the pair fit, and 2 µm less of it, in the direction `looser` of backlash, does not.
+fn each_holds(text: &str, looser: f64) -> Vec<(String, String, f64)> {
+    let folder = empty_folder();
+    let (code, json) = checked(folder.path(), text);
+    assert!(code == Some(1) && !fits(&json));
+    let found = remedies(&json);
+    for (what, gear, value) in &found {
+        let (unit, sense) = match what.as_str() {
+            "center_distance_mm" => (1e-3, 1.0),
+            "flank_offset_mm" => (1e-3, -1.0),
+            _ => (1.0, -1.0),
+        };
+        let (code, json) = checked(folder.path(), &applied(text, what, gear, *value));
+        let verdict = &json["verdict"];
+        assert!(fits(&json), "{what} {gear} {value}: {verdict}");
+        assert_eq!(code == Some(0), verdict["failed_checks"] == json!([]));
+        assert_eq!(json["remedies"], json!([]));
+        let less = value - looser * sense * 2.0 * unit;
+        let (code, json) = checked(folder.path(), &applied(text, what, gear, less));
+        assert!(
+            code == Some(1) && !fits(&json),
+            "{what} {gear} {less}: {}",
+            json["verdict"]
+        );
+    }
+    found
+}
+
+/// By hand: no flank offset leaves no backlash at the nominal distance. One gear alone has to be as much thinner as the other is thicker,
+/// `2 · 0.1 mm/cos 20° = 212.8 µm`. The distance is that of `assembles_from_mm`. The radial clearance of the thicker gear stays too small.
+#[test]
+fn a_jam_says_what_to_change() {
+    let mut found = each_holds(PRINTED, 1.0);
+    let both = |what: &str, value| (what.to_owned(), "both".to_owned(), value);
+    assert_eq!(found.remove(0), both("center_distance_mm", 48.561));
+    assert_eq!(found.remove(0), both("flank_offset_mm", 0.0));
+    assert_eq!(found.remove(0), both("thickness_allowance_um", 0.0));
+    let one = |gear: &str, value| ("thickness_allowance_um".to_owned(), gear.to_owned(), value);
+    assert_eq!(found[0], one("wheel", -213.0));
+    // A thicker wheel's tips come to lie on the fillets of the pinion: more is needed.
+    assert!(found[1].1 == "pinion" && found[1].2 <= -213.0, "{found:?}");
+    assert_eq!(found.len(), 2);
+}
+
+/// The drawing's text names each, and a pair that fits has none.
+#[test]
+fn each_is_a_line_of_the_text() {
+    let folder = empty_folder();
+    std::fs::write(folder.path().join("pair.toml"), PRINTED).unwrap();
+    let (_, text, _) = run(folder.path(), &["check", "pair.toml"]);
+    for line in [
+        "Each of these changes alone makes the pair assemble:",
+        "  centre distance 48.561 mm",
+        "  flank offset of both gears 0.000 mm",
+        "  thickness allowance of the wheel -213 µm",
+    ] {
+        assert!(
+            text.lines().any(|found| found == line),
+            "{line:?} in {text}"
+        );
+    }
+}
+
+#[test]
+fn too_little_and_too_much_backlash_say_what_to_change() {
+    let too_little = each_holds(&TOLERANCED.replace("LIMITS", "{ min = 90 }"), 1.0);
+    assert_eq!(too_little.len(), 5, "{too_little:?}");
+    let too_much = each_holds(&TOLERANCED.replace("LIMITS", "{ max = 130 }"), -1.0);
+    assert_eq!(too_much.len(), 5, "{too_much:?}");
+    // No single value of the mean makes a tolerance narrower.
+    let folder = empty_folder();
+    let narrow = TOLERANCED.replace("LIMITS", "{ min = 90, max = 95 }");
+    let (code, json) = checked(folder.path(), &narrow);
+    assert_eq!((code, &json["remedies"]), (Some(1), &json!([])));
+}

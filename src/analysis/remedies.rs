@@ -1,0 +1,372 @@
+//! Remedies: single changes that make a pair assemble and meet its requirements, all else unchanged.
+//!
+//! Backlash grows with the centre distance and falls with the thickness of the teeth, so that each change has one threshold. `threshold`, the
+//! search for the distance from which a pair assembles, finds it on the run that is worst. Every run is then looked at with the value rounded
+//! to a micrometre towards the safe side. Bounds decide: where nothing bounds an extreme, there is no remedy.
+
+use super::assembles_from::threshold;
+use super::cycles::{Planned, WIDTH, plans};
+use super::extremes::{RunExtremes, bounds_hold};
+use super::requirement::{Limits, Quantity};
+use super::study::Study;
+use super::verdict::Verdict;
+use crate::contact::{Effort, Extreme, Status};
+use crate::error::Error;
+use crate::gear::{AsBuilt, Deviations, thickness};
+use crate::pair::{GearPair, Member};
+
+/// A value is rounded to this, mm.
+const STEP: f64 = 1e-3;
+
+/// A threshold this near to a rounded value is that value, mm: the width of its bracket, and as much again.
+const NEAR: f64 = 2e-6;
+
+/// The part of its base tooth thickness by which a tooth is made thinner or thicker at most.
+const MOST_THICKNESS: f64 = 0.5;
+
+/// Quantities that a remedy changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Change {
+    /// The centre distance.
+    CenterDistance,
+    /// The flank offset: how far each flank stands out along its normal.
+    FlankOffset,
+    /// The thickness allowance `A_sn`, in the normal section at the reference circle.
+    ThicknessAllowance,
+}
+
+/// The gears that are changed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Gears {
+    /// Wheel and pinion, which get the same value.
+    Both,
+    /// One of them.
+    One(Member),
+}
+
+impl Gears {
+    /// `both`, `wheel` or `pinion`, as results name them.
+    pub fn name(self) -> &'static str {
+        match self {
+            Gears::Both => "both",
+            Gears::One(member) => member.name(),
+        }
+    }
+
+    fn members(self) -> impl Iterator<Item = Member> {
+        let chosen = move |member: &Member| self == Gears::Both || self == Gears::One(*member);
+        Member::BOTH.into_iter().filter(chosen)
+    }
+}
+
+/// A single change that makes the pair fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Remedy {
+    /// The quantity that is changed.
+    pub what: Change,
+    /// The gears on which it is changed.
+    pub gears: Gears,
+    /// The value with which the pair fits, mm: of a thickness tolerance the end with most material, of a band of distances the second one listed.
+    pub value: f64,
+    /// Where the threshold lies, mm.
+    pub bracket: [f64; 2],
+}
+
+/// The remedies of `study`, of which `verdict` says that it does not assemble or misses a requirement; empty for others.
+///
+/// No remedy is given of a change after which another requirement is missed, or for which the effort of one verdict does not suffice.
+///
+/// # Errors
+/// As [`super::extremes::extremes`].
+pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Vec<Remedy>, Error> {
+    let jams = |run: &RunExtremes| run.assembles() == Some(false);
+    let fails = |is_max: bool| verdict.unmet.iter().any(|unmet| unmet.is_max == is_max);
+    let too_tight = verdict.runs.iter().any(jams) || fails(false);
+    let out_of_mesh = |run: &RunExtremes| run.status == Status::NoContact;
+    if too_tight == fails(true) || verdict.runs.iter().any(out_of_mesh) {
+        return Ok(Vec::new());
+    }
+    let plans = plans(study)?;
+    let Some(worst) = worst(verdict.runs, too_tight) else {
+        return Ok(Vec::new());
+    };
+    let pair = &plans[worst].run.assembly;
+    let effort = &Effort::of_extremes(pair);
+    let search = Search {
+        study,
+        plans: &plans,
+        worst,
+        sign: if too_tight { 1.0 } else { -1.0 },
+    };
+    let mut remedies = Vec::new();
+    // Measured rows are run at their own distances.
+    if study.sweep.is_some() {
+        remedies.extend(search.distance(effort)?);
+    }
+    let generated = |member| pair.gear(member).gear().is_generated();
+    if Member::BOTH.into_iter().all(generated) {
+        remedies.extend(search.thickness(Gears::Both, effort)?);
+        for member in Member::BOTH {
+            remedies.extend(search.thickness(Gears::One(member), effort)?);
+        }
+    }
+    Ok(remedies)
+}
+
+/// The run with the least backlash, or the greatest where the pair is not too tight.
+fn worst(runs: &[RunExtremes], too_tight: bool) -> Option<usize> {
+    let slack = |run: &RunExtremes| match (run.status, too_tight) {
+        (Status::Jammed, true) => f64::NEG_INFINITY,
+        (_, true) => run
+            .least
+            .as_ref()
+            .map_or(f64::NEG_INFINITY, |least| least.low),
+        (_, false) => run
+            .greatest
+            .as_ref()
+            .map_or(f64::NEG_INFINITY, |greatest| -greatest.high),
+    };
+    (0..runs.len()).min_by(|one, other| slack(&runs[*one]).total_cmp(&slack(&runs[*other])))
+}
+
+/// The search for one study.
+struct Search<'a> {
+    study: &'a Study,
+    /// Every centre distance, material and phase.
+    plans: &'a [Planned],
+    /// The place of the worst.
+    worst: usize,
+    /// 1 where the pair is too tight, −1 where it is too loose.
+    sign: f64,
+}
+
+impl Search<'_> {
+    fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
+        let assembly = &self.plans[self.worst].run.assembly;
+        let own = assembly.center_distance();
+        // All distances of a band move together. A list is replaced by the one distance.
+        let moved = |planned: &Planned, at: f64| {
+            let from = match self.study.band {
+                Some(_) => planned.run.assembly.center_distance(),
+                None => own,
+            };
+            planned.run.assembly.at(from + (at - own)).ok()
+        };
+        let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
+        let range = [
+            own,
+            if self.sign > 0.0 {
+                reach.iter().sum()
+            } else {
+                0.0
+            },
+        ];
+        let slope = |pair: &GearPair| 2.0 * pair.operating_pressure_angle().tan();
+        let Some([fails, fits]) = self.between(range, &moved, &slope, effort)? else {
+            return Ok(None);
+        };
+        let listed = &self.study.center_distances;
+        let (origin, shown) = match self.study.band {
+            Some(_) => (own, listed[listed.len() / 2] - own),
+            None => (0.0, 0.0),
+        };
+        let Some(found) = self.rounded(origin, fits, STEP, &moved, effort)? else {
+            return Ok(None);
+        };
+        let bracket = [fails.min(fits), fails.max(fits)];
+        Ok(Some(Remedy {
+            what: Change::CenterDistance,
+            gears: Gears::Both,
+            value: to_step(found + shown, STEP),
+            bracket: bracket.map(|at| at + shown),
+        }))
+    }
+
+    /// The allowance of `gears`; of both also the flank offset.
+    fn thickness(&self, gears: Gears, effort: &Effort) -> Result<Vec<Remedy>, Error> {
+        // The place of a search is the thickness taken off the nominal one, so that backlash grows with it.
+        let own = Member::BOTH.map(|member| -allowance(self.most(member)));
+        let moved = |planned: &Planned, at: f64| {
+            let assembly = &planned.run.assembly;
+            let [wheel, pinion] = Member::BOTH.map(|member| {
+                let gear = assembly.gear(member);
+                match gears.members().any(|chosen| chosen == member) {
+                    true => gear.varied(own[member as usize] - at, &Deviations::default()),
+                    false => Ok(gear.clone()),
+                }
+            });
+            self.study
+                .pair(&wheel.ok()?, &pinion.ok()?, assembly.center_distance())
+                .ok()
+        };
+        let of_each = gears
+            .members()
+            .map(|member| own[member as usize] * self.sign);
+        let start = self.sign * of_each.fold(f64::INFINITY, f64::min);
+        let basic_data = self.most(Member::Wheel).gear().basic_data();
+        let per_allowance = thickness::per_normal_thickness(basic_data);
+        let base = self.most(Member::Wheel).gear().base_thickness();
+        let farthest = start + self.sign * MOST_THICKNESS * base / per_allowance;
+        let count = gears.members().count() as f64;
+        let slope = |pair: &GearPair| count * per_allowance / pair.operating_pressure_angle().cos();
+        let Some([fails, fits]) = self.between([start, farthest], &moved, &slope, effort)? else {
+            return Ok(Vec::new());
+        };
+        // Two offsets along the normals make the base tooth thicker as an allowance does.
+        let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
+        let mut remedies = Vec::new();
+        for (what, unit) in [
+            (Change::FlankOffset, per_offset),
+            (Change::ThicknessAllowance, 1.0),
+        ] {
+            if what == Change::FlankOffset && gears != Gears::Both {
+                continue;
+            }
+            let found = self.rounded(0.0, fits, STEP * unit, &moved, effort)?;
+            let bracket = [-fails.max(fits), -fails.min(fits)];
+            remedies.extend(found.map(|found| Remedy {
+                what,
+                gears,
+                value: to_step(-found / unit, STEP),
+                bracket: bracket.map(|at| at / unit),
+            }));
+        }
+        Ok(remedies)
+    }
+
+    /// The gear with most material.
+    fn most(&self, member: Member) -> &AsBuilt {
+        let (_, wheel, pinion) = &self.study.materials[0];
+        match member {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
+        }
+    }
+
+    /// A place at which the worst run does not fit and one at which it does, between its own place and the end of `range`.
+    fn between(
+        &self,
+        [own, end]: [f64; 2],
+        moved: &dyn Fn(&Planned, f64) -> Option<GearPair>,
+        slope: &dyn Fn(&GearPair) -> f64,
+        effort: &Effort,
+    ) -> Result<Option<[f64; 2]>, Error> {
+        let worst = &self.plans[self.worst];
+        // Places count from the pair's own, towards the end.
+        let place = |by: f64| own + self.sign * by;
+        let value = |by: f64| -> Result<Option<(f64, ())>, Error> {
+            let Some(pair) = moved(worst, place(by)) else {
+                return Ok(None);
+            };
+            Ok(Some((self.room(worst, &pair, effort)?, ())))
+        };
+        let slope = |by: f64| moved(worst, place(by)).map_or(f64::NAN, |pair| slope(&pair));
+        let Some((now, ())) = value(0.0)?.filter(|(now, ())| *now < 0.0) else {
+            return Ok(None);
+        };
+        let range = [0.0, (end - own).abs()];
+        let found = threshold(range, now, slope, value, effort)?;
+        Ok(found.map(|(fails, fits, ())| [place(fails), place(fits)]))
+    }
+
+    /// The place nearest to `fits`, or beyond it by a multiple of `step` from `origin`, at which every run fits.
+    fn rounded(
+        &self,
+        origin: f64,
+        fits: f64,
+        step: f64,
+        moved: &dyn Fn(&Planned, f64) -> Option<GearPair>,
+        effort: &Effort,
+    ) -> Result<Option<f64>, Error> {
+        let steps = (self.sign * (fits - origin) - NEAR) / step;
+        for more in 0..2 {
+            let at = origin + self.sign * (steps.ceil() + f64::from(more)) * step;
+            if self.all_fit(at, moved, effort)? {
+                return Ok(Some(at));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether each run fits: with too much backlash as with too little.
+    fn all_fit(
+        &self,
+        at: f64,
+        moved: &dyn Fn(&Planned, f64) -> Option<GearPair>,
+        effort: &Effort,
+    ) -> Result<bool, Error> {
+        for planned in self.plans {
+            let Some(pair) = moved(planned, at) else {
+                return Ok(false);
+            };
+            for sign in [self.sign, -self.sign] {
+                let search = Search { sign, ..*self };
+                if effort.is_nearly_spent() || search.room(planned, &pair, effort)? < 0.0 {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// By how much `pair` has more backlash than it must have, mm of `j_wt`; where it is too loose, by how much it has less than it may.
+    /// Less than any number where no bound is known.
+    fn room(&self, planned: &Planned, pair: &GearPair, effort: &Effort) -> Result<f64, Error> {
+        let is_max = self.sign < 0.0;
+        let limits = self.study.requirements.iter();
+        let limit = |limits: &Limits| if is_max { limits.max } else { limits.min };
+        let limits: Vec<(Quantity, f64)> = limits
+            .filter_map(|(quantity, limits)| Some((*quantity, limit(limits)?)))
+            .collect();
+        let bound = |pair: &GearPair| -> Result<f64, Error> {
+            let found = planned.end(pair, !is_max, effort)?;
+            let end = if is_max { found.greatest } else { found.least };
+            let end = end.filter(|end: &Extreme| bounds_hold(end.doubt));
+            Ok(end.map_or(
+                f64::NEG_INFINITY,
+                |end| if is_max { -end.high } else { end.low },
+            ))
+        };
+        // Where nothing is required, as `RunExtremes::assembles` counts.
+        let least = if is_max { f64::INFINITY } else { bound(pair)? };
+        let mut room = least + WIDTH;
+        if limits.is_empty() || room == f64::NEG_INFINITY {
+            return Ok(room);
+        }
+        let play = self.study.bearing_clearance;
+        let Ok(moved) = pair.at(pair.center_distance() - self.sign * play) else {
+            return Ok(f64::NEG_INFINITY);
+        };
+        let j_wt = if least.is_finite() && play == 0.0 {
+            least
+        } else {
+            self.sign * bound(&moved)?
+        };
+        if !j_wt.is_finite() {
+            return Ok(f64::NEG_INFINITY);
+        }
+        for (quantity, limit) in limits {
+            let value = |j_wt: f64| quantity.value(&moved, j_wt, is_max);
+            let per_mm = (value(j_wt + STEP) - value(j_wt)) / STEP;
+            let per_mm = if per_mm > 0.0 && per_mm.is_finite() {
+                per_mm
+            } else {
+                1.0
+            };
+            room = room.min(self.sign * (value(j_wt) - limit) / per_mm);
+        }
+        Ok(room)
+    }
+}
+
+/// `A_sn`, mm.
+fn allowance(gear: &AsBuilt) -> f64 {
+    let gear = gear.gear();
+    let nominal = gear.design().nominal_base_thickness();
+    thickness::allowance_from_base(gear.basic_data(), nominal, gear.base_thickness())
+}
+
+/// `value` as the multiple of `step` that it is but for rounding.
+fn to_step(value: f64, step: f64) -> f64 {
+    (value / step).round() * step
+}

@@ -21,7 +21,7 @@ pub(super) fn tables(
     let table = Table::new("", place, entries, KEYS, problems);
     let file = DataFile::of(&table, "the name of a table", problems)?;
     let choice = Choice::read(&table, problems)?;
-    let content = Content::read(&file, bytes, &table, &choice, problems)?;
+    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), &table, &choice, problems)?;
     let from = From {
         file: &file,
         content: &content,

@@ -27,8 +27,27 @@ pub enum Column {
     Diameter,
     /// Deviation of the flank from its involute at a point of a trace, µm.
     Deviation,
+    /// Centre distance of a rig's result, mm.
+    CenterDistance,
+    /// Wheel tooth of a rig's result.
+    WheelTooth,
+    /// Pinion tooth of a rig's result.
+    PinionTooth,
+    /// Backlash that a rig measured at the right flanks, µm.
+    MeasuredRight,
+    /// Backlash that a rig measured at the left flanks, µm.
+    MeasuredLeft,
+    /// Lower limit that was predicted, µm.
+    PredictedMin,
+    /// Upper limit that was predicted, µm.
+    PredictedMax,
 }
 
+const TOOTH: Limits = Limits {
+    allowed: "a whole number, 1 … 10 000",
+    range: (Included(1.0), Included(1e4)),
+    help: "correct the line",
+};
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     range: (Included(-1e7), Included(1e7)),
@@ -58,6 +77,13 @@ impl Column {
             Column::RollLength => ("roll length", "", "mm", &ROLL_LENGTH),
             Column::Diameter => ("diameter", "", "mm", &LENGTH),
             Column::Deviation => ("deviation", "column", "µm", &DEVIATION),
+            Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH),
+            Column::WheelTooth => ("wheel_tooth", "", "", &TOOTH),
+            Column::PinionTooth => ("pinion_tooth", "", "", &TOOTH),
+            Column::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION),
+            Column::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION),
+            Column::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION),
+            Column::PredictedMax => ("predicted_max_um", "", "µm", &DEVIATION),
         }
     }
 
@@ -124,8 +150,20 @@ impl Column {
             Column::RollLength => Quantity::RollLength,
             Column::Diameter => Quantity::Diameter,
             Column::Deviation => Quantity::Deviation,
+            Column::CenterDistance => Quantity::CenterDistance,
+            Column::WheelTooth => Quantity::WheelTooth,
+            Column::PinionTooth => Quantity::PinionTooth,
+            Column::MeasuredRight | Column::MeasuredLeft => Quantity::Measured,
+            Column::PredictedMin => Quantity::PredictedMin,
+            Column::PredictedMax => Quantity::PredictedMax,
         };
-        quantity == wanted && (self != Column::Deviation || side.is_none())
+        let is_side = match self {
+            Column::MeasuredRight => side == Some(Side::Right),
+            Column::MeasuredLeft => side == Some(Side::Left),
+            Column::Deviation => side.is_none(),
+            _ => true,
+        };
+        quantity == wanted && is_side
     }
 
     /// Whether a column that the user names may be it: its heading may say less, but nothing else.

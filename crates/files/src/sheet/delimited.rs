@@ -1,6 +1,6 @@
 //! Text files: from bytes to text, and from CSV to cells, as machines and spreadsheets write it.
 
-use super::grid::{Cell, Grid, Line, MOST_CELLS};
+use super::grid::{Cell, Grid, Line};
 use super::number::Decimal;
 use crate::data_file::{DataFile, line_of};
 use crate::error::Problem;
@@ -45,19 +45,25 @@ pub fn decode<'a>(
     text
 }
 
-/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names.
-pub fn read(file: &DataFile, text: &str, problems: &mut Problems) -> Option<Vec<Grid>> {
-    problems.keep(grids(file, text))
+/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names; at `most` so many cells.
+pub fn read(
+    file: &DataFile,
+    text: &str,
+    most: usize,
+    problems: &mut Problems,
+) -> Option<Vec<Grid>> {
+    problems.keep(grids(file, text, most))
 }
 
-fn grids(file: &DataFile, text: &str) -> Result<Vec<Grid>, Problem> {
+fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem> {
     let broken = text.split_inclusive('\n').position(|line| {
         let line = line.strip_suffix('\n').unwrap_or(line);
         line.strip_suffix('\r').unwrap_or(line).contains('\r')
     });
     if let Some(index) = broken {
+        let reason = "a carriage return within the line";
         let help = "save the file with line ends of Windows or Unix";
-        return Err(file.problem_at(index as u64 + 1, "a carriage return within the line", help));
+        return Err(file.problem_at(index as u64 + 1, reason, help));
     }
     let empty = || file.problem("is empty", "give a header and a row for each tooth");
     let mut lines_of_text = (1..).zip(text.lines());
@@ -78,36 +84,30 @@ fn grids(file: &DataFile, text: &str) -> Result<Vec<Grid>, Problem> {
     }
     // The number of cells, before they are made; a separator in quotes counts, too.
     let count = |sign: char| {
-        let ends_cell = |b: &u8| *b == sign as u8 || *b == b'\n';
-        text.bytes().filter(ends_cell).count()
+        let ends_cell = [sign as u8, b'\n'];
+        text.bytes().filter(|b| ends_cell.contains(b)).count()
     };
-    let least = separators
-        .iter()
-        .map(|(sign, _)| count(*sign))
-        .min()
-        .unwrap_or(0);
-    separators.retain(|(sign, _)| count(*sign) <= MOST_CELLS);
+    let least = separators.iter().map(|(sign, _)| count(*sign)).min();
+    separators.retain(|(sign, _)| count(*sign) <= most);
     let mut grids = Vec::new();
     for (sign, decimal) in separators {
         let mut lines = lines(file, text, sign)?;
         lines.drain(..lines.len().min(usize::from(stated.is_some())));
+        let sheet = None;
         grids.push(Grid {
-            sheet: None,
+            sheet,
             lines,
             decimal,
         });
     }
     grids.retain(|grid| !grid.lines.is_empty());
-    if grids.is_empty() && least > MOST_CELLS {
-        return Err(file.problem(
-            format!("has some {least} cells, allowed are up to {MOST_CELLS}: those of 10 000 teeth in 20 columns"),
+    match least {
+        _ if !grids.is_empty() => Ok(grids),
+        Some(least) if least > most => Err(file.problem(
+            format!("has some {least} cells, allowed are up to {most}"),
             "name the table of one gear, and leave out other columns",
-        ));
-    }
-    if grids.is_empty() {
-        Err(empty())
-    } else {
-        Ok(grids)
+        )),
+        _ => Err(empty()),
     }
 }
 

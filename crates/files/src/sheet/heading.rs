@@ -35,6 +35,15 @@ pub enum Quantity {
     Deviation,
     /// The name of a flank in each row.
     Flank,
+    CenterDistance,
+    WheelTooth,
+    PinionTooth,
+    /// Backlash that a rig measured.
+    Measured,
+    PredictedMin,
+    PredictedMax,
+    /// Words on where a row comes from.
+    Source,
 }
 
 impl Quantity {

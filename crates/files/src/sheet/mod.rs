@@ -26,12 +26,13 @@ use super::table::Table;
 pub use choice::{Choice, KEYS, keys_beside, without_file};
 pub use column::Column;
 use gearlash::metrology::PitchKind;
+pub use grid::MOST_CELLS;
 use grid::{Cell, Grid, Line, letter};
 pub use header::{Header, StatedGear};
 use heading::Quantity;
 use number::Decimal;
 pub use request::{Coverage, Request, Wanted};
-pub use rows::Row;
+pub use rows::{Found, Row};
 
 /// Formats that are not read: how their files begin, and their names.
 const NOT_READ: [(&[u8], &str); 2] = [
@@ -98,7 +99,7 @@ impl Sheet {
         let sheet = problems.of_list_at(file.key(), |bad| {
             let choice = Choice::read(table, bad)?;
             let bytes = bad.keep(file.bytes())?;
-            let content = Content::read(&file, bytes, table, &choice, bad)?;
+            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice, bad)?;
             let request = Request {
                 file: &file,
                 choice: &choice,
@@ -120,7 +121,7 @@ impl Sheet {
         let mut columns = wanted.columns.to_vec();
         let (rows, header, origin) = match content {
             Content::Cells(grids) => {
-                let found = request.find(grids, problems)?;
+                let found = Found::find(request, grids, problems)?;
                 let rows = found.rows(request, problems)?;
                 columns = found
                     .places
@@ -171,7 +172,7 @@ impl Sheet {
 }
 
 impl Origin {
-    fn of(found: &rows::Found, grids: &[Grid], file: &DataFile) -> Origin {
+    fn of(found: &Found, grids: &[Grid], file: &DataFile) -> Origin {
         let places = found.places.numbers();
         let headings = places
             .iter()
@@ -226,15 +227,15 @@ pub enum Content {
     Cells(Vec<Grid>),
     /// The text of a measuring machine's protocol.
     Protocol(String),
-    /// The text of a P40's curve file or value file.
+    /// The text of a P40's curve file.
     P40(String),
 }
 
 impl Content {
-    /// Reads the `bytes` of `file`.
+    /// Reads the `bytes` of `file`, which may have at `most` so many cells as CSV.
     pub fn read(
         file: &DataFile,
-        bytes: Vec<u8>,
+        (bytes, most): (Vec<u8>, usize),
         table: &Table,
         choice: &Choice,
         problems: &mut Problems,
@@ -266,9 +267,16 @@ impl Content {
             );
         }
         let text = delimited::decode(file, &bytes, problems)?;
+        if p40::is_value_file(&text) {
+            problems.add(file.problem(
+                "is a value file (.mew): results by number, of which none is known for certain to be a span or a dimension over pins",
+                "name the curve file of the same measurement (.mka), or write the values into the pair file",
+            ));
+            return None;
+        }
         let is_p40 = p40::is_one(&text);
         if !is_p40 && !protocol::is_one(&text) {
-            let grids = delimited::read(file, &text, problems)?;
+            let grids = delimited::read(file, &text, most, problems)?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
         let mut remove =
@@ -307,20 +315,22 @@ impl Content {
     /// Whether there is one column for each that is wanted.
     pub fn has_each(&self, request: &Request) -> bool {
         match self {
-            Content::Cells(grids) => request.find(grids, &mut Problems::of_list()).is_some(),
+            Content::Cells(grids) => {
+                Found::find(request, grids, &mut Problems::of_list()).is_some()
+            }
             Content::Protocol(_) | Content::P40(_) => true,
         }
     }
 
-    /// Whether it is a file of a P40, of curves or values.
+    /// Whether it is a curve file of a P40.
     pub fn is_p40(&self) -> bool {
         matches!(self, Content::P40(_))
     }
 
-    /// Refuses a value file of a P40, and a file of a P40 that is wrong.
+    /// Reports what is wrong with a curve file of a P40.
     pub fn check_p40(&self, file: &DataFile, problems: &mut Problems) -> Option<()> {
         match self {
-            Content::P40(text) => p40::parse(file, text, problems)?.refuse_values(file, problems),
+            Content::P40(text) => p40::parse(file, text, problems).map(|_| ()),
             Content::Cells(_) | Content::Protocol(_) => Some(()),
         }
     }

@@ -11,7 +11,7 @@ use crate::problems::Problems;
 
 /// What word processors make of a hyphen before a number.
 const MINUS: char = '\u{2212}';
-/// No span and no dimension over pins reaches this length, mm: gauges of that size do not exist.
+/// No span, dimension over pins or centre distance reaches this length, mm.
 const MOST_MM: f64 = 10_000.0;
 
 /// A sign that may stand between whole and fraction.
@@ -207,6 +207,9 @@ pub fn check_decimal_sign(
 
 /// Whether the sign of `number` may separate thousands: of a length only where a thousand times its value is possible.
 fn may_be_thousands(column: Column, number: &Written) -> bool {
-    let is_length = matches!(column, Column::Span | Column::OverPins);
+    let is_length = matches!(
+        column,
+        Column::Span | Column::OverPins | Column::CenterDistance
+    );
     number.may_be_thousands && !(is_length && 1000.0 * number.value >= MOST_MM)
 }

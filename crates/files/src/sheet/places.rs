@@ -5,7 +5,7 @@ use super::column::Column;
 use super::grid::{Line, letter};
 use super::head::{Head, Heading};
 use super::heading::Quantity;
-use super::request::Request;
+use super::request::{Coverage, Request};
 use crate::error::Problem;
 use crate::node::Node;
 use crate::problems::Problems;
@@ -14,10 +14,12 @@ use gearlash::metrology::PitchKind;
 /// Places of the columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Places {
-    /// The tooth number; only points of traces may lack it.
+    /// The tooth number.
     pub tooth: Option<usize>,
     /// The name of the flank, beside points of traces.
     pub flank: Option<usize>,
+    /// Where a result of a rig comes from.
+    pub source: Option<usize>,
     /// The wanted columns, in their order.
     pub values: Vec<(Column, usize)>,
 }
@@ -36,7 +38,13 @@ impl Request<'_> {
         if self.wanted.is_points() {
             return self.places_of_points(head, problems);
         }
-        let tooth = problems.keep(self.tooth(head, lines));
+        let tooth = if self.wanted.is_by_tooth() {
+            problems.keep(self.tooth(head, lines).map(Some))
+        } else {
+            Some(None)
+        };
+        let is_source = |heading: &Heading| heading.quantity() == Some(Quantity::Source);
+        let source = head.places(is_source).first().copied();
         let columns = self.wanted.columns;
         let is_missing = |column: &&Column| self.is_missing(head, **column);
         let missing = columns.iter().filter(is_missing).count();
@@ -84,8 +92,9 @@ impl Request<'_> {
         let values: Vec<Option<_>> = values.collect();
         let values = values.into_iter().collect::<Option<Vec<_>>>()?;
         let places = Places {
-            tooth: Some(tooth?),
+            tooth: tooth?,
             flank: None,
+            source: source.filter(|_| self.wanted.coverage == Coverage::Results),
             values,
         };
         problems.keep(self.check_same_kind(head, &places))?;
@@ -125,6 +134,7 @@ impl Request<'_> {
         Some(Places {
             tooth: tooth?,
             flank: flank?,
+            source: None,
             values,
         })
     }
@@ -279,7 +289,10 @@ impl Request<'_> {
         let letters: Vec<String> = letters.collect();
         let (count, shown) = (places.len(), head.shown(self.file, places));
         let reason = format!("{count} columns may be {name}: {shown}");
-        let help = format!("say which, by letter or heading: {}", letters.join(" or "));
+        let help = match key {
+            "" => "keep one of them".to_owned(),
+            _ => format!("say which, by letter or heading: {}", letters.join(" or ")),
+        };
         head.problem(self.file, reason, help)
     }
 

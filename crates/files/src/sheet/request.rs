@@ -1,10 +1,9 @@
-//! A request for a table: which columns of which file. It finds the header, in one of the file's grids.
+//! A request for a table: which columns of which file; and the header that it finds in one of the file's grids.
 
 use super::choice::Choice;
 use super::column::{self, Column};
 use super::grid::{Grid, MOST_NAMED};
 use super::head::Head;
-use super::rows::Found;
 use crate::data_file::DataFile;
 use crate::error::Problem;
 use crate::problems::Problems;
@@ -30,12 +29,19 @@ pub enum Coverage {
     /// Points of profile traces: tooth and flank may be named, and [`Column::RollLength`] stands for a diameter, too. A curve file
     /// needs the radius of the base circle, mm, where its header does not state the gear.
     Points { base_radius: Option<f64> },
+    /// Results of a rig, in the order of their lines.
+    Results,
 }
 
 impl Wanted<'_> {
     /// Whether the rows are points of profile traces.
     pub fn is_points(&self) -> bool {
         matches!(self.coverage, Coverage::Points { .. })
+    }
+
+    /// Whether the rows are by tooth.
+    pub fn is_by_tooth(&self) -> bool {
+        matches!(self.coverage, Coverage::EveryTooth | Coverage::SomeTeeth)
     }
 }
 
@@ -48,8 +54,8 @@ pub struct Request<'a> {
 }
 
 impl Request<'_> {
-    /// Finds the table in `grids`: the one that has a header of a tooth column and a wanted one.
-    pub fn find<'g>(&self, grids: &'g [Grid], problems: &mut Problems) -> Option<Found<'g>> {
+    /// Finds the header in `grids`: the line that names a tooth column and a wanted one.
+    pub fn head<'g>(&self, grids: &'g [Grid], problems: &mut Problems) -> Option<(&'g Grid, Head)> {
         let has_wanted = self.is_there(grids);
         let columns = self.wanted.columns.iter();
         let others: Vec<Column> = columns.map(|column| column.of_other_kind()).collect();
@@ -57,9 +63,7 @@ impl Request<'_> {
         let is_head = |head: &Head| {
             self.is_head(head, self.wanted.columns) || (!has_wanted && self.is_head(head, &others))
         };
-        let (grid, head) = self.one_of(grids, is_head, problems)?;
-        let places = self.places(&head, &grid.lines, problems)?;
-        Found::below(self, grid, head, places, problems)
+        self.one_of(grids, is_head, problems)
     }
 
     /// Whether one of `grids` has a header of a tooth column and a wanted one.
@@ -73,6 +77,9 @@ impl Request<'_> {
         let has = |column: Column| !head.places_of(column, self.choice).is_empty();
         if self.wanted.is_points() {
             return has(Column::Deviation) && (has(Column::RollLength) || has(Column::Diameter));
+        }
+        if self.wanted.coverage == Coverage::Results {
+            return wanted.iter().filter(|column| has(**column)).count() > 1;
         }
         !head.teeth(wanted, self.choice).is_empty() && wanted.iter().any(|column| has(*column))
     }
@@ -186,7 +193,7 @@ impl Request<'_> {
                 } else {
                     String::new()
                 };
-                let help = if wanted.is_points() {
+                let help = if !wanted.is_by_tooth() {
                     format!("name the columns {columns}")
                 } else {
                     let keys = wanted.columns.iter().zip('B'..);

@@ -21,7 +21,7 @@ const MOST_TEETH_LISTED: usize = 10;
 pub struct Row {
     /// The line it stands in.
     pub line: u64,
-    /// The tooth; only points of traces may lack it.
+    /// The tooth; points of traces may lack it, results of a rig have none.
     pub tooth: Option<u32>,
     /// The flank of a point, where it is named.
     pub flank: Option<Flank>,
@@ -36,7 +36,7 @@ pub struct Found<'a> {
     pub head: Head,
     pub places: Places,
     /// The lines of its rows.
-    rows: Vec<&'a Line>,
+    lines: Vec<&'a Line>,
     /// Lines and columns that are not part of the table.
     left_out: LeftOut,
 }
@@ -49,17 +49,17 @@ struct LeftOut {
 }
 
 impl<'a> Found<'a> {
-    /// The table below `head`.
+    /// Finds the table that `request` asks for in `grids`.
     ///
     /// Comments, statistics, lines above the header and remarks below the last row are left out.
-    pub fn below(
+    pub fn find(
         request: &Request,
-        grid: &'a Grid,
-        head: Head,
-        places: Places,
+        grids: &'a [Grid],
         problems: &mut Problems,
     ) -> Option<Found<'a>> {
         let file = request.file;
+        let (grid, head) = request.head(grids, problems)?;
+        let places = request.places(&head, &grid.lines, problems)?;
         let used = places.numbers();
         let mut left_out = LeftOut::default();
         for (at, line) in grid.lines[..head.at].iter().enumerate() {
@@ -105,7 +105,10 @@ impl<'a> Found<'a> {
         for (place, heading) in head.headings.iter().enumerate() {
             let has_content = !heading.shown.is_empty()
                 || rows.iter().any(|line| *line.cell(place) != Cell::Empty);
-            if has_content && !used.contains(&place) && places.flank != Some(place) {
+            if has_content
+                && !used.contains(&place)
+                && ![places.flank, places.source].contains(&Some(place))
+            {
                 left_out.columns.push(place);
             }
         }
@@ -113,7 +116,7 @@ impl<'a> Found<'a> {
             grid,
             head,
             places,
-            rows,
+            lines: rows,
             left_out,
         })
     }
@@ -123,7 +126,7 @@ impl<'a> Found<'a> {
         let mut numbers = Vec::new();
         // All lines are read before the first bad one ends it.
         let rows = self
-            .rows
+            .lines
             .iter()
             .map(|line| self.row(request, line, &mut numbers, problems));
         let rows: Vec<Option<Row>> = rows.collect();
@@ -131,6 +134,16 @@ impl<'a> Found<'a> {
         let signs = [request.choice.decimal, self.grid.decimal];
         check_decimal_sign(request.file, &numbers, signs, problems)?;
         ordered(request.file, rows, request.wanted, problems)
+    }
+
+    /// The sources of the rows, where the table names them.
+    pub fn sources(&self, file: &DataFile) -> Vec<String> {
+        let source = |line: &&Line| match self.places.source.map(|place| line.cell(place)) {
+            None | Some(Cell::Empty) => String::new(),
+            Some(Cell::Text(text)) => text.clone(),
+            Some(cell) => cell.shown(file),
+        };
+        self.lines.iter().map(source).collect()
     }
 
     /// Checks that a row is as wide as the header, as a text's must be, and has no number that slipped out of its column.
@@ -302,16 +315,19 @@ pub fn ordered(
     wanted: Wanted,
     problems: &mut Problems,
 ) -> Option<Vec<Row>> {
-    let is_points = wanted.is_points();
     let Some(last) = rows.iter().map(|row| row.line).max() else {
-        let each = if is_points { "point" } else { "tooth" };
+        let each = match wanted.coverage {
+            Coverage::Points { .. } => "point",
+            Coverage::Results => "result",
+            Coverage::EveryTooth | Coverage::SomeTeeth => "tooth",
+        };
         problems.add(file.problem(
             "no rows below the header",
             format!("add a row for each {each}"),
         ));
         return None;
     };
-    if is_points {
+    if !wanted.is_by_tooth() {
         return Some(rows);
     }
     // Stable: the first of two rows stays the first.

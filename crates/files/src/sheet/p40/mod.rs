@@ -1,15 +1,15 @@
-//! Curve files `.mka` and value files `.mew` of Klingelnberg's P40 (GINA).
+//! Curve files `.mka` of Klingelnberg's P40 (GINA). Value files `.mew` are refused: no number in them is known for certain to be of use.
 //!
-//! Line 1 names the kind. A preamble `KEY value ! comment`, numbered header lines ` 22 :Zähnezahl z…: 52` and the data follow: of a
-//! curve file ([`curves`]), or the values of a value file. The owner has not published the grammar; this is the one of files seen by
-//! public readers. Every line must be understood; what is understood and not used is named in a remark.
+//! Line 1 names the kind. A preamble `KEY value ! comment`, numbered header lines ` 22 :Zähnezahl z…: 52` and the data ([`curves`])
+//! follow. The owner has not published the grammar; this is the one of files seen by public readers. Every line must be understood;
+//! what is understood and not used is named in a remark.
 
 mod curves;
 mod profiles;
 
 use super::column::Column;
 use super::header::Header;
-use super::number::{self, without_zero};
+use super::number::without_zero;
 use super::protocol::{Blocks, Unmeasured};
 use super::request::{Coverage, Request, Wanted};
 use super::rows::Row;
@@ -26,15 +26,6 @@ const PITCH: &str = "blocks of pitch";
 const PROFILES: &str = "profile traces";
 /// Angles must be in degrees; `Grad` is the German word.
 const DEGREES: [&str; 5] = ["deg", "degree", "degrees", "grad", "°"];
-
-/// Which of the two kinds of file.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    /// `.mka`: curves.
-    Curves,
-    /// `.mew`: values by number.
-    Values,
-}
 
 /// A trace.
 #[derive(Debug)]
@@ -59,7 +50,6 @@ struct Numbered {
 /// A file as read.
 #[derive(Debug)]
 pub struct P40<'a> {
-    kind: Kind,
     header: Header,
     numbered: Vec<Numbered>,
     /// `PROFILE` of the preamble: the quantity that the profile is measured over.
@@ -69,28 +59,29 @@ pub struct P40<'a> {
     profiles: Vec<FlankTrace>,
     /// How many there are of each part that is never used.
     never_used: BTreeMap<&'static str, usize>,
-    /// The numbers of header lines and values so far.
+    /// The numbers of header lines so far.
     codes: HashSet<u32>,
 }
 
-/// Whether `text` is a file of a P40 by its first line.
+/// Whether `text` is a curve file by its first line.
 pub fn is_one(text: &str) -> bool {
-    kind(text.lines().next().unwrap_or_default()).is_some()
+    is_of_kind(text, "KS.MK.FILE")
 }
 
-fn kind(line: &str) -> Option<Kind> {
-    match line.split_whitespace().collect::<Vec<_>>()[..] {
-        ["HEADER", "KS.MK.FILE"] => Some(Kind::Curves),
-        ["HEADER", "KS.MW.FILE"] => Some(Kind::Values),
-        _ => None,
-    }
+/// Whether `text` is a value file by its first line.
+pub fn is_value_file(text: &str) -> bool {
+    is_of_kind(text, "KS.MW.FILE")
+}
+
+fn is_of_kind(text: &str, kind: &str) -> bool {
+    let first = text.lines().next().unwrap_or_default();
+    first.split_whitespace().eq(["HEADER", kind])
 }
 
 /// The rows that are wanted, and the header lines.
 pub fn read(request: &Request, text: &str, problems: &mut Problems) -> Option<(Vec<Row>, Header)> {
     let (file, wanted) = (request.file, request.wanted);
     let p40 = parse(file, text, problems)?;
-    p40.refuse_values(file, problems)?;
     if let Coverage::Points { base_radius } = wanted.coverage {
         return profiles::read(file, &p40, (wanted.teeth, base_radius), problems);
     }
@@ -120,9 +111,7 @@ pub fn parse<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Opt
 }
 
 fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {
-    let mut lines = (1..).zip(text.lines());
     let mut p40 = P40 {
-        kind: kind(lines.next()?.1)?,
         header: Header::default(),
         numbered: Vec::new(),
         profile_by: None,
@@ -134,7 +123,7 @@ fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<
     };
     let mut data = Data::new(file);
     let (mut in_body, mut last, mut rows) = (false, 1, 0);
-    for (line, text) in lines {
+    for (line, text) in (1..).zip(text.lines()).skip(1) {
         last = line;
         let text = text.trim();
         if text.is_empty() {
@@ -144,18 +133,8 @@ fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<
         if !in_body && p40.take_header(file, line, text, problems)? {
             continue;
         }
-        if !in_body {
-            in_body = true;
-            p40.codes.clear();
-        }
-        match p40.kind {
-            Kind::Curves => data.take(&mut p40, (line, text), problems),
-            Kind::Values => {
-                if let Err(reason) = p40.take_value(file, text) {
-                    problems.add(file.problem_at(line, reason, CORRECT));
-                }
-            }
-        }
+        in_body = true;
+        data.take(&mut p40, (line, text), problems);
         if problems.is_full() {
             return None;
         }
@@ -175,18 +154,6 @@ impl<'a> P40<'a> {
     /// Counts what is never used.
     fn count_unused(&mut self, name: &'static str, count: usize) {
         *self.never_used.entry(name).or_default() += count;
-    }
-
-    /// Refuses a value file.
-    pub fn refuse_values(&self, file: &DataFile, problems: &mut Problems) -> Option<()> {
-        if self.kind == Kind::Curves {
-            return Some(());
-        }
-        problems.add(file.problem(
-            "is a value file (.mew): results by number, of which none is known for certain to be a span or a dimension over pins",
-            "name the curve file of the same measurement (.mka), or write the values into the pair file",
-        ));
-        None
     }
 
     /// The parts of the file that are not used where `used` is, for a remark.
@@ -281,34 +248,5 @@ impl<'a> P40<'a> {
             label,
             numbers,
         });
-    }
-
-    /// Reads a line of a value file, `10111 : fHb links 1 : -2.9`: five digits, a label, and a number. No such number is known for
-    /// certain to be of use.
-    fn take_value(&mut self, file: &DataFile, text: &str) -> Result<(), String> {
-        let not_understood = || format!("{} is not understood here", file.quote(text));
-        let parts: Vec<&str> = text.split(':').map(str::trim).collect();
-        let [code, label, value] = parts[..] else {
-            return Err(not_understood());
-        };
-        let number = number::tooth(code).filter(|_| code.len() == 5 && !label.is_empty());
-        let number = number.ok_or_else(not_understood)?;
-        let Some(value) = without_zero(value) else {
-            let value = file.quote(value);
-            return Err(format!("{value}, allowed is a number with a decimal point"));
-        };
-        if !self.codes.insert(number) {
-            return Err(format!("the number {} stands twice", file.bare(code)));
-        }
-        // 8999: not available.
-        let name = if value.value == 8999.0 || self.unmeasured.is(&value) {
-            "values not measured or not available"
-        } else if (26711..=26715).contains(&number) {
-            "tip diameters 26711–26715 (such files repeat the root diameters there)"
-        } else {
-            "values"
-        };
-        self.count_unused(name, 1);
-        Ok(())
     }
 }

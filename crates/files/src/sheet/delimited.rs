@@ -45,7 +45,7 @@ pub fn decode<'a>(
     text
 }
 
-/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names; at `most` so many cells.
+/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names. The limit of cells is `most`.
 pub fn read(
     file: &DataFile,
     text: &str,

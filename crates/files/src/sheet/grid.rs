@@ -1,7 +1,7 @@
 //! Cells of a sheet or of a text, before any of them has a meaning; and how large a table may be.
 //!
-//! Whatever a file holds, it is refused before it takes more than some 300 MB or some seconds. A table of the largest gear has
-//! 10 000 rows of a few columns. A file has at most 64 MiB, but packed it can hold a thousand times as much, and 64 million commas
+//! No file takes more than some 300 MB or some seconds before it is refused. A table of the largest gear has 10 000 rows of a few
+//! columns. A file has at most 64 MiB, but packed it can hold a thousand times as much, and 64 million commas
 //! are 64 million cells of 32 bytes each.
 
 use super::number::{self, Decimal, Written};
@@ -48,7 +48,7 @@ pub struct Grid {
 }
 
 impl Cell {
-    /// As it stands in `file`, for a message.
+    /// Its content for a message.
     pub fn shown(&self, file: &DataFile) -> String {
         match self {
             Cell::Empty => "empty".to_owned(),

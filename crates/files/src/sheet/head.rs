@@ -60,7 +60,7 @@ impl Head {
             if !direct.is_empty() {
                 filled = direct;
             }
-            // A merged cell of two lines stands in the upper one; one of several columns in the first.
+            // The text of a merged cell is in its upper line, and in its first column.
             let group = if own.is_empty() { direct } else { filled };
             let group = Some(group).filter(|group| is_group(group, direct == *group));
             let (name, unit) = heading::name_and_unit(own);
@@ -161,7 +161,7 @@ impl Head {
         }
     }
 
-    /// The columns that may hold tooth numbers beside those of `wanted`.
+    /// The columns that may hold tooth numbers of a table with `wanted` columns.
     pub fn teeth(&self, wanted: &[Column], choice: &Choice) -> Vec<usize> {
         if let Some(name) = choice.column(TOOTH) {
             return self.named(name);

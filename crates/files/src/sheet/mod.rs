@@ -232,7 +232,7 @@ pub enum Content {
 }
 
 impl Content {
-    /// Reads the `bytes` of `file`, which may have at `most` so many cells as CSV.
+    /// Reads the `bytes` of `file`. The limit of cells of a CSV file is `most`.
     pub fn read(
         file: &DataFile,
         (bytes, most): (Vec<u8>, usize),

@@ -1,15 +1,14 @@
 //! Numbers as tables write them: with a decimal point or a decimal comma, never both; and one decimal sign for a table.
 //!
-//! `1,234` may be one and a bit, or a thousand and a bit. The decimal sign is therefore settled for the whole table: by its separator
-//! (a comma between columns leaves the point; German Excel writes `;` between columns because its decimal sign is the comma), or by a
-//! number that cannot have thousands separators, such as `0,5`, `12.34` or a span of `19,230` mm. Where neither settles it, the number
-//! is a problem.
+//! `1,234` may be one and a bit, or a thousand and a bit. One decimal sign therefore holds for the whole table. Its separator may tell
+//! it: a comma between columns leaves the point, and German Excel writes `;` because its decimal sign is the comma. So may a number that
+//! cannot have thousands separators, such as `0,5`, `12.34` or a span of `19,230` mm. Where neither tells it, the number is a problem.
 
 use super::column::Column;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 
-/// What word processors make of a hyphen before a number.
+/// Word processors turn a hyphen before a number into this sign.
 const MINUS: char = '\u{2212}';
 /// No span, dimension over pins or centre distance reaches this length, mm.
 const MOST_MM: f64 = 10_000.0;

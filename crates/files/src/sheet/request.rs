@@ -8,7 +8,7 @@ use crate::data_file::DataFile;
 use crate::error::Problem;
 use crate::problems::Problems;
 
-/// What a reader needs of a table.
+/// Columns and rows that a reader needs.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted<'a> {
     /// The columns beside the tooth, in the order in which the values come back.

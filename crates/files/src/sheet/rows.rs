@@ -19,7 +19,7 @@ const MOST_TEETH_LISTED: usize = 10;
 /// A row: one tooth, or one point of a trace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// The line it stands in.
+    /// Its line in the file.
     pub line: u64,
     /// The tooth; points of traces may lack it, results of a rig have none.
     pub tooth: Option<u32>,

@@ -162,7 +162,7 @@ impl CellReader<'_> {
         Ok(cells)
     }
 
-    /// A cell of text. One text may stand in any number of cells, so its bytes count in each.
+    /// A cell of text. Many cells may share one text: its bytes count in each.
     fn text_cell(&mut self, text: &str) -> Result<Cell, String> {
         let text = text.trim();
         if text.is_empty() {
@@ -236,8 +236,8 @@ fn check_archive(file: &DataFile, bytes: &[u8]) -> Result<(), String> {
 
 /// Checks the places of rows and cells (`r`), the ranges (`ref`) and the number of texts (`uniqueCount`).
 ///
-/// A reference between the parts may make any of them a sheet. What is not XML ends this check where it ends the reader behind, too;
-/// in a sheet it is an error here.
+/// A reference between the parts may make any of them a sheet. Broken XML ends this check where it ends the reader behind, too; in a
+/// sheet it is an error here.
 fn check_xml(file: &DataFile, content: &[u8], is_sheet: bool) -> Result<(), String> {
     let mut reader = Reader::from_reader(content);
     // As the reader behind has it, so that everything it reads is checked here.

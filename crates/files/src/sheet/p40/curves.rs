@@ -1,6 +1,6 @@
 //! The data of a curve file: traces, the tables of pitch, and parts that are only counted: diameters and positions of the probe.
 //!
-//! A head closes what stands open before it. What follows a wrong head is passed over: one mistake is one problem.
+//! A head closes the part before it. Lines below a wrong head are passed over: one mistake is one problem.
 
 use super::{CORRECT, FlankTrace, P40, PROFILES};
 use crate::data_file::DataFile;
@@ -20,7 +20,7 @@ const POSITION: &str = "a tooth, R or L, and PHI in degrees, X, Y and Z in mm";
 /// The head of one trace begins so.
 const ZAHN: &str = "Zahn-Nr.:";
 
-/// What the traces below a title are, and the axes that their heads may name.
+/// Kind of the traces below a title.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Title {
     Profile,
@@ -42,7 +42,7 @@ impl Title {
     }
 }
 
-/// What the lines that follow belong to.
+/// The part that the next lines belong to.
 #[derive(Debug)]
 enum Open {
     Nothing,
@@ -84,7 +84,7 @@ impl<'f> Data<'f> {
         }
     }
 
-    /// What is missing where the file ends now.
+    /// Describes the values that are missing if the file ends now.
     pub fn cut_short(&self) -> Option<String> {
         let Open::Values(Trace { curve, count, .. }) = &self.open else {
             return None;
@@ -177,7 +177,7 @@ impl<'f> Data<'f> {
         }
     }
 
-    /// What a head opens.
+    /// The part that a head opens.
     fn begin(&mut self, p40: &mut P40, line: u64, text: &str) -> Result<Open, String> {
         let mut rest = text;
         if let Some((title, behind)) = Title::of(text) {

@@ -21,7 +21,7 @@ const ENDS: [&[&str]; 2] = [
 /// The profiles of a curve file: roll lengths, mm, and deviations, µm; and its header. `teeth` and the radius of the `base` circle
 /// are those of the pair file.
 ///
-/// The values stand at equal steps of the roll length, from the diameter at which the measurement starts to that at which it ends.
+/// The values have equal steps of roll length, from the diameter at the start of the measurement to the one at its end.
 pub fn read(
     file: &DataFile,
     p40: &P40,

@@ -5,7 +5,6 @@ use super::problems::Problems;
 use super::sheet::{Choice, Column, Content, Coverage, Found, Request, Wanted};
 use super::spec::MeasuredSpec;
 use super::table::Table;
-use crate::entry::whole_in;
 use crate::error::Problem;
 use gearlash::analysis::study::MeasuredRow;
 use std::collections::{HashMap, HashSet};
@@ -51,10 +50,12 @@ impl Measured {
                 wanted: Wanted {
                     columns: &COLUMNS,
                     teeth: None,
-                    coverage: Coverage::Results,
+                    coverage: Coverage::Results {
+                        teeth: [teeth.0, teeth.1],
+                    },
                 },
             };
-            rows(&content, &request, teeth, bad)
+            rows(&content, &request, bad)
         })?;
         Some(Measured { file, rows })
     }
@@ -108,11 +109,10 @@ impl Measured {
     }
 }
 
-/// The rows of the file, with their lines; a tooth that a gear does not have is a problem.
+/// The rows of the file, with their lines.
 fn rows(
     content: &Content,
     request: &Request,
-    (wheel, pinion): (Option<u32>, Option<u32>),
     problems: &mut Problems,
 ) -> Option<Vec<(u64, MeasuredRow)>> {
     let file = request.file;
@@ -122,14 +122,8 @@ fn rows(
     };
     let found = Found::find(request, grids, problems)?;
     let rows = found.rows(request, problems)?;
-    let mut measured = Vec::new();
-    for (row, source) in rows.into_iter().zip(found.sources(file)) {
-        let line = row.line;
-        let mut wrong = |column: Column, value: f64, allowed: &str| {
-            let (name, value) = (column.name(), file.bare(&value.to_string()));
-            let reason = format!("{name} is {value}, allowed is {allowed}");
-            problems.add(file.problem_at(line, reason, "correct the line, or remove it"));
-        };
+    let sources = found.sources(file).into_iter();
+    let measured = rows.into_iter().zip(sources).map(|(row, source)| {
         let [
             center_distance,
             wheel_tooth,
@@ -142,24 +136,7 @@ fn rows(
         else {
             return None;
         };
-        let teeth = [
-            (Column::WheelTooth, wheel_tooth, wheel),
-            (Column::PinionTooth, pinion_tooth, pinion),
-        ];
-        for (column, tooth, teeth) in teeth {
-            let teeth = 1..=teeth.unwrap_or(10_000);
-            if tooth.fract() != 0.0 || !teeth.contains(&(tooth as u32)) {
-                wrong(column, tooth, &whole_in(&teeth));
-            }
-        }
-        if predicted_min_um > predicted_max_um {
-            wrong(
-                Column::PredictedMin,
-                predicted_min_um,
-                "up to predicted_max_um",
-            );
-        }
-        let row = MeasuredRow {
+        let measured = MeasuredRow {
             center_distance,
             wheel_tooth: wheel_tooth as u32,
             pinion_tooth: pinion_tooth as u32,
@@ -169,7 +146,7 @@ fn rows(
             predicted_max_um,
             source,
         };
-        measured.push((line, row));
-    }
-    Some(measured)
+        Some((row.line, measured))
+    });
+    measured.collect()
 }

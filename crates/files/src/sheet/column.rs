@@ -43,11 +43,6 @@ pub enum Column {
     PredictedMax,
 }
 
-const TOOTH: Limits = Limits {
-    allowed: "a whole number, 1 … 10 000",
-    range: (Included(1.0), Included(1e4)),
-    help: "correct the line",
-};
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     range: (Included(-1e7), Included(1e7)),
@@ -78,8 +73,8 @@ impl Column {
             Column::Diameter => ("diameter", "", "mm", &LENGTH),
             Column::Deviation => ("deviation", "column", "µm", &DEVIATION),
             Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH),
-            Column::WheelTooth => ("wheel_tooth", "", "", &TOOTH),
-            Column::PinionTooth => ("pinion_tooth", "", "", &TOOTH),
+            Column::WheelTooth => ("wheel_tooth", "", "", &LENGTH),
+            Column::PinionTooth => ("pinion_tooth", "", "", &LENGTH),
             Column::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION),
             Column::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION),
             Column::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION),

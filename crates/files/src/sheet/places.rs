@@ -5,7 +5,7 @@ use super::column::Column;
 use super::grid::{Line, letter};
 use super::head::{Head, Heading};
 use super::heading::Quantity;
-use super::request::{Coverage, Request};
+use super::request::Request;
 use crate::error::Problem;
 use crate::node::Node;
 use crate::problems::Problems;
@@ -94,7 +94,7 @@ impl Request<'_> {
         let places = Places {
             tooth: tooth?,
             flank: None,
-            source: source.filter(|_| self.wanted.coverage == Coverage::Results),
+            source: source.filter(|_| self.wanted.is_results()),
             values,
         };
         problems.keep(self.check_same_kind(head, &places))?;

@@ -29,14 +29,19 @@ pub enum Coverage {
     /// Points of profile traces: tooth and flank may be named, and [`Column::RollLength`] stands for a diameter, too. A curve file
     /// needs the radius of the base circle, mm, where its header does not state the gear.
     Points { base_radius: Option<f64> },
-    /// Results of a rig, in the order of their lines.
-    Results,
+    /// Results of a rig, in the order of their lines; with the teeth of wheel and pinion, where they are known.
+    Results { teeth: [Option<u32>; 2] },
 }
 
 impl Wanted<'_> {
     /// Whether the rows are points of profile traces.
     pub fn is_points(&self) -> bool {
         matches!(self.coverage, Coverage::Points { .. })
+    }
+
+    /// Whether the rows are results of a rig.
+    pub fn is_results(&self) -> bool {
+        matches!(self.coverage, Coverage::Results { .. })
     }
 
     /// Whether the rows are by tooth.
@@ -78,7 +83,7 @@ impl Request<'_> {
         if self.wanted.is_points() {
             return has(Column::Deviation) && (has(Column::RollLength) || has(Column::Diameter));
         }
-        if self.wanted.coverage == Coverage::Results {
+        if self.wanted.is_results() {
             return wanted.iter().filter(|column| has(**column)).count() > 1;
         }
         !head.teeth(wanted, self.choice).is_empty() && wanted.iter().any(|column| has(*column))

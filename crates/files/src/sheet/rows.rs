@@ -1,5 +1,6 @@
 //! Rows of a table that was found: from its lines to numbers, in the order of the teeth; and what of the file is left out.
 
+use super::column::Column;
 use super::grid::{Cell, Grid, Line, letter};
 use super::head::Head;
 use super::heading;
@@ -221,15 +222,31 @@ impl<'a> Found<'a> {
         let mut values = Vec::new();
         for (column, place) in &self.places.values {
             let (cell, limits) = (line.cell(*place), column.limits());
-            match cell
-                .number()
-                .filter(|number| limits.range.contains(&number.value))
-            {
+            let teeth = match (request.wanted.coverage, column) {
+                (Coverage::Results { teeth }, Column::WheelTooth) => Some(teeth[0]),
+                (Coverage::Results { teeth }, Column::PinionTooth) => Some(teeth[1]),
+                _ => None,
+            };
+            if let Some(teeth) = teeth {
+                let teeth = 1..=teeth.unwrap_or(10_000);
+                match cell.tooth().filter(|tooth| teeth.contains(tooth)) {
+                    Some(tooth) => values.push(f64::from(tooth)),
+                    None => wrong(column.name(), cell, &whole_in(&teeth)),
+                }
+                continue;
+            }
+            let number = cell.number();
+            match number.filter(|number| limits.range.contains(&number.value)) {
                 Some(number) => {
                     values.push(number.value);
                     numbers.push((line.number, *column, number));
                 }
                 None => wrong(column.name(), cell, limits.allowed),
+            }
+            if let (Column::PredictedMax, [_, _, _, _, _, min, max]) = (column, &values[..])
+                && min > max
+            {
+                wrong(column.name(), cell, "predicted_min_um or above");
             }
         }
         good?;
@@ -318,7 +335,7 @@ pub fn ordered(
     let Some(last) = rows.iter().map(|row| row.line).max() else {
         let each = match wanted.coverage {
             Coverage::Points { .. } => "point",
-            Coverage::Results => "result",
+            Coverage::Results { .. } => "result",
             Coverage::EveryTooth | Coverage::SomeTeeth => "tooth",
         };
         problems.add(file.problem(

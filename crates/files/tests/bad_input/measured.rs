@@ -84,13 +84,13 @@ fn rows() {
             problem(
                 "measured.file",
                 "rig.csv",
-                &["rig.csv: line 3: wheel_tooth is 21", "1 … 20"],
+                &["rig.csv: line 3: wheel_tooth is \"21\"", "1 … 20"],
                 "correct",
             ),
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 3: pinion_tooth is \"0\"", "1 … 10 000"],
+                &["line 3: pinion_tooth is \"0\"", "1 … 30"],
                 "correct",
             ),
             problem(
@@ -120,7 +120,10 @@ fn rows() {
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 8: predicted_min_um is 2", "predicted_max_um"],
+                &[
+                    "line 8: predicted_max_um is \"1\"",
+                    "predicted_min_um or above",
+                ],
                 "correct",
             ),
         ],

@@ -55,7 +55,7 @@ impl Measured {
                     },
                 },
             };
-            rows(&content, &request, bad)
+            rows(table, &content, &request, bad)
         })?;
         Some(Measured { file, rows })
     }
@@ -111,6 +111,7 @@ impl Measured {
 
 /// The rows of the file, with their lines.
 fn rows(
+    table: &Table,
     content: &Content,
     request: &Request,
     problems: &mut Problems,
@@ -122,6 +123,8 @@ fn rows(
     };
     let found = Found::find(request, grids, problems)?;
     let rows = found.rows(request, problems)?;
+    let remark = |words| format!("{}: {}: left out: {words}", file.key(), file.name());
+    table.place().add_remark(found.left_out(file).map(remark));
     let sources = found.sources(file).into_iter();
     let measured = rows.into_iter().zip(sources).map(|(row, source)| {
         let [

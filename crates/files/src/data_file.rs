@@ -56,16 +56,6 @@ impl DataFile {
         &self.path
     }
 
-    /// Its text.
-    ///
-    /// # Errors
-    /// Those of [`source::text`].
-    pub fn text(&self) -> Result<String, Problem> {
-        source::bytes(&self.path)
-            .and_then(source::text)
-            .map_err(|problem| self.problem(problem.reason, problem.help))
-    }
-
     /// Its bytes.
     ///
     /// # Errors

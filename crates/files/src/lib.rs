@@ -36,7 +36,6 @@ mod limits;
 mod location;
 pub mod matching;
 mod measured;
-mod measured_row;
 mod nearest;
 mod node;
 pub mod numbers;

@@ -1,9 +1,8 @@
-//! `[measured]`: what a rig measured, in a CSV file beside the pair file.
+//! `[measured]`: results of a rig, in a table beside the pair file.
 
-use super::data_file::{DataFile, line_of};
-use super::measured_row::{COLUMNS, Fields};
-use super::nearest::{is_slip, nearest};
+use super::data_file::DataFile;
 use super::problems::Problems;
+use super::sheet::{Choice, Column, Content, Coverage, Found, Request, Wanted};
 use super::spec::MeasuredSpec;
 use super::table::Table;
 use crate::error::Problem;
@@ -12,10 +11,19 @@ use std::collections::{HashMap, HashSet};
 
 pub const KEYS: &[&str] = &["file"];
 
-/// Cells of the file: a million rows of all columns. A file of commas alone would take ten times its size.
-const MOST_CELLS: usize = 8_000_000;
-/// Columns of which each is asked for its name.
-const MOST_COLUMNS: usize = 100;
+/// Cells of a CSV file: those of 250 000 rows.
+const MOST_CELLS: usize = 2_000_000;
+
+/// The columns, in any order; one of sources may stand beside them.
+const COLUMNS: [Column; 7] = [
+    Column::CenterDistance,
+    Column::WheelTooth,
+    Column::PinionTooth,
+    Column::MeasuredRight,
+    Column::MeasuredLeft,
+    Column::PredictedMin,
+    Column::PredictedMax,
+];
 
 /// The file and its rows, each with its line.
 #[derive(Debug)]
@@ -31,16 +39,25 @@ impl Measured {
         teeth: (Option<u32>, Option<u32>),
         problems: &mut Problems,
     ) -> Option<Measured> {
-        let mut measured = Measured {
-            file: DataFile::of(table, "the name of a CSV file", problems)?,
-            rows: Vec::new(),
-        };
-        let text = problems.keep(measured.file.text())?;
-        let mut bad = Problems::of_list();
-        measured.rows = measured.parse(&text, teeth, &mut bad).unwrap_or_default();
-        let good = bad.is_empty();
-        problems.add_list("measured.file", bad);
-        good.then_some(measured)
+        let file = DataFile::of(table, "the name of a table", problems)?;
+        let rows = problems.of_list_at(file.key(), |bad| {
+            let bytes = bad.keep(file.bytes())?;
+            let choice = Choice::default();
+            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice, bad)?;
+            let request = Request {
+                file: &file,
+                choice: &choice,
+                wanted: Wanted {
+                    columns: &COLUMNS,
+                    teeth: None,
+                    coverage: Coverage::Results {
+                        teeth: [teeth.0, teeth.1],
+                    },
+                },
+            };
+            rows(table, &content, &request, bad)
+        })?;
+        Some(Measured { file, rows })
     }
 
     /// Each centre distance once, in order of first appearance, with its first line.
@@ -90,122 +107,49 @@ impl Measured {
     pub fn problem_at(&self, line: u64, reason: &str, help: &str) -> Problem {
         self.file.problem_at(line, reason, help)
     }
+}
 
-    fn parse(
-        &self,
-        text: &str,
-        teeth: (Option<u32>, Option<u32>),
-        problems: &mut Problems,
-    ) -> Option<Vec<(u64, MeasuredRow)>> {
-        // Before they are cells; one in quotes counts, too.
-        let cells = text.bytes().filter(|b| matches!(b, b',' | b'\n')).count();
-        if cells > MOST_CELLS {
-            problems.add(self.file.problem(
-                format!("has some {cells} cells, allowed are up to {MOST_CELLS}: those of a million rows"),
-                "split the file",
-            ));
+/// The rows of the file, with their lines.
+fn rows(
+    table: &Table,
+    content: &Content,
+    request: &Request,
+    problems: &mut Problems,
+) -> Option<Vec<(u64, MeasuredRow)>> {
+    let file = request.file;
+    let Content::Cells(grids) = content else {
+        problems.add(file.problem("is a protocol", "name a table of the rig's results"));
+        return None;
+    };
+    let found = Found::find(request, grids, problems)?;
+    let rows = found.rows(request, problems)?;
+    let remark = |words| format!("{}: {}: left out: {words}", file.key(), file.name());
+    table.place().add_remark(found.left_out(file).map(remark));
+    let sources = found.sources(file).into_iter();
+    let measured = rows.into_iter().zip(sources).map(|(row, source)| {
+        let [
+            center_distance,
+            wheel_tooth,
+            pinion_tooth,
+            right_um,
+            left_um,
+            predicted_min_um,
+            predicted_max_um,
+        ] = row.values[..]
+        else {
             return None;
-        }
-        let mut reader = csv::ReaderBuilder::new()
-            .flexible(true)
-            .trim(csv::Trim::All)
-            .from_reader(text.as_bytes());
-        let headers = problems.keep(reader.headers().cloned().map_err(|error| {
-            self.problem_at(
-                1,
-                &error.to_string(),
-                "write the names of the columns there",
-            )
-        }))?;
-        let columns = self.columns(&headers, problems)?;
-        let mut rows = Vec::new();
-        for record in reader.records() {
-            let record = match record {
-                Ok(record) => record,
-                Err(error) => {
-                    problems.add(self.file.problem(error, "correct the line"));
-                    break;
-                }
-            };
-            let line = record.position().map_or(0, |start| line_of(text, start));
-            if record.len() != headers.len() {
-                problems.add(self.problem_at(
-                    line,
-                    &format!(
-                        "{} values, the header names {} columns",
-                        record.len(),
-                        headers.len()
-                    ),
-                    "separate values by commas and write numbers with a point",
-                ));
-                continue;
-            }
-            let fields = Fields {
-                file: &self.file,
-                line,
-                values: columns.map(|column| record.get(column).unwrap_or_default()),
-            };
-            rows.extend(fields.row(teeth, problems).map(|row| (line, row)));
-        }
-        if rows.is_empty() && problems.is_empty() {
-            problems.add(
-                self.file
-                    .problem("no rows, expected at least one", "add what was measured"),
-            );
-        }
-        Some(rows)
-    }
-
-    /// Where each of [`COLUMNS`] stands.
-    fn columns(&self, headers: &csv::StringRecord, problems: &mut Problems) -> Option<[usize; 8]> {
-        let help = "name the columns in line 1, separated by commas, in any order";
-        if headers.len() > MOST_COLUMNS {
-            problems.add(self.problem_at(
-                1,
-                &format!(
-                    "{} columns, allowed are up to {MOST_COLUMNS}",
-                    headers.len()
-                ),
-                help,
-            ));
-            return None;
-        }
-        let headers: Vec<&str> = headers
-            .iter()
-            .map(|name| match name {
-                "centre_distance_mm" => COLUMNS[0],
-                name => name,
-            })
-            .collect();
-        for (place, &name) in headers.iter().enumerate() {
-            if !COLUMNS.contains(&name) {
-                let near = nearest(name, &COLUMNS).filter(|(_, distance)| is_slip(name, *distance));
-                let near = near.map_or(String::new(), |(near, _)| format!("did you mean {near}? "));
-                problems.add(self.problem_at(
-                    1,
-                    &format!(
-                        "unknown column {}, allowed are {}",
-                        self.file.quote(name),
-                        COLUMNS.join(", ")
-                    ),
-                    &format!("{near}{help}"),
-                ));
-            } else if headers[..place].contains(&name) {
-                problems.add(self.problem_at(1, &format!("duplicate column {name}"), "remove one"));
-            }
-        }
-        let places = COLUMNS.map(|name| headers.iter().position(|header| *header == name));
-        for (name, _) in COLUMNS
-            .iter()
-            .zip(places)
-            .filter(|(_, place)| place.is_none())
-        {
-            problems.add(self.problem_at(1, &format!("column {name} is missing"), help));
-        }
-        let mut columns = [0; 8];
-        for (column, place) in columns.iter_mut().zip(places) {
-            *column = place?;
-        }
-        problems.is_empty().then_some(columns)
-    }
+        };
+        let measured = MeasuredRow {
+            center_distance,
+            wheel_tooth: wheel_tooth as u32,
+            pinion_tooth: pinion_tooth as u32,
+            right_um,
+            left_um,
+            predicted_min_um,
+            predicted_max_um,
+            source,
+        };
+        Some((row.line, measured))
+    });
+    measured.collect()
 }

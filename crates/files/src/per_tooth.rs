@@ -11,7 +11,7 @@ pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> 
     if let Some(Node::Table(_)) = table.get("per_tooth_um").map(|entry| entry.node()) {
         let named = table.table("per_tooth_um", sheet::KEYS, problems)?;
         let wanted = Wanted {
-            columns: [Column::Thickness],
+            columns: &[Column::Thickness],
             teeth,
             coverage: Coverage::EveryTooth,
         };

@@ -143,7 +143,7 @@ impl PitchSheet {
         // A kind that is wrong is reported already; the file is read for its own problems.
         let kind = kind.unwrap_or(PitchKind::Cumulative);
         let wanted = Wanted {
-            columns: [Column::Right(kind), Column::Left(kind)],
+            columns: &[Column::Right(kind), Column::Left(kind)],
             teeth,
             coverage: Coverage::EveryTooth,
         };

@@ -76,13 +76,13 @@ impl LengthReadings {
         let beside = ["mm", "min_mm", "max_mm", place_key];
         table.alone("file", &beside, "one of them", problems)?;
         let wanted = Wanted {
-            columns: [column],
+            columns: &[column],
             teeth,
             coverage: Coverage::SomeTeeth,
         };
         let sheet = Sheet::read(table, &wanted, problems)?;
         Some(LengthReadings {
-            places: sheet.rows.iter().map(|row| row.tooth).collect(),
+            places: sheet.teeth(),
             mm: sheet.values(0),
             key: "file",
         })

@@ -1,11 +1,11 @@
 //! Which tables a file has: each kind is looked for, and read as a pair file that names it would have it read.
 
-use super::table::{ImportedTable, Kind, traced};
+use super::table::{ImportedTable, Kind};
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::place::Place;
 use crate::problems::Problems;
-use crate::sheet::{self, Choice, Column, Coverage, Origin, Sheet, TraceSheet, Wanted};
+use crate::sheet::{self, Choice, Column, Content, Coverage, Origin, Request, Sheet, Wanted};
 use crate::table::Table;
 use gearlash::metrology::PitchKind;
 
@@ -21,7 +21,7 @@ pub(super) fn tables(
     let table = Table::new("", place, entries, KEYS, problems);
     let file = DataFile::of(&table, "the name of a table", problems)?;
     let choice = Choice::read(&table, problems)?;
-    let content = sheet::content(&file, bytes, &table, &choice, problems)?;
+    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), &table, &choice, problems)?;
     let from = From {
         file: &file,
         content: &content,
@@ -55,24 +55,28 @@ pub(super) fn tables(
     for (kind, column, name, title) in singles {
         // A key that names the column says nothing of what it holds.
         let named = choice.column("column").is_none() || only.is_some();
-        if is_asked(kind) && named && (only.is_some() || from.has(&[column])) {
-            let coverage = match kind {
-                Kind::Runout | Kind::Thickness => Coverage::EveryTooth,
-                _ => Coverage::SomeTeeth,
-            };
+        let coverage = match kind {
+            Kind::Runout | Kind::Thickness => Coverage::EveryTooth,
+            _ => Coverage::SomeTeeth,
+        };
+        let columns = [column];
+        let request = from.request(&columns, coverage);
+        if is_asked(kind) && named && (only.is_some() || content.has(&request)) {
             // What is not asked for by its name hides nothing else.
-            let faults = match from.has_each([column], coverage) || only.is_some() {
+            let faults = match content.has_each(&request) || only.is_some() {
                 true => &mut *problems,
                 false => &mut *not_read,
             };
-            if let Some(sheet) = from.sheet([column], coverage, faults) {
-                tables.push(ImportedTable::of(kind, title.to_owned(), [name], &sheet));
+            if let Some(sheet) = from.sheet(&request, faults) {
+                tables.push(ImportedTable::of(kind, title.to_owned(), &[name], &sheet));
             }
         }
     }
-    if is_asked(Kind::Trace) && (only.is_some() || from.has_trace()) {
-        let traces = TraceSheet::of(&content, &file, &choice, (None, None), problems);
-        tables.extend(traces.as_ref().map(traced));
+    let columns = [Column::RollLength, Column::Deviation];
+    let request = from.request(&columns, Coverage::Points { base_radius: None });
+    if is_asked(Kind::Trace) && (only.is_some() || content.has(&request)) {
+        let traces = Sheet::of(&content, &request, problems);
+        tables.extend(traces.as_ref().map(ImportedTable::of_traces));
     }
     if tables.is_empty() && problems.is_empty() && content.is_p40() {
         content.check_p40(&file, problems)?;
@@ -94,26 +98,21 @@ pub(super) fn tables(
 /// What is read from.
 struct From<'a> {
     file: &'a DataFile,
-    content: &'a sheet::Content,
+    content: &'a Content,
     choice: &'a Choice<'a>,
 }
 
 impl From<'_> {
-    fn has(&self, columns: &[Column]) -> bool {
-        self.content.has(columns, self.choice)
-    }
-
-    fn has_each<const N: usize>(&self, columns: [Column; N], coverage: Coverage) -> bool {
-        let wanted = Wanted {
-            columns,
-            teeth: None,
-            coverage,
-        };
-        self.content.has_each(self.file, &wanted, self.choice)
-    }
-
-    fn has_trace(&self) -> bool {
-        self.content.has_trace(self.choice)
+    fn request<'r>(&'r self, columns: &'r [Column], coverage: Coverage) -> Request<'r> {
+        Request {
+            file: self.file,
+            choice: self.choice,
+            wanted: Wanted {
+                columns,
+                teeth: None,
+                coverage,
+            },
+        }
     }
 
     /// Cumulative and single pitch, or what a table has that does not say which.
@@ -123,21 +122,23 @@ impl From<'_> {
         tables: &mut Vec<ImportedTable>,
         [problems, not_read]: [&mut Problems; 2],
     ) {
-        let columns = |kind| [Column::Right(kind), Column::Left(kind)];
         let chosen = ["left", "right"].map(|key| self.choice.column(key));
         let chosen = chosen.iter().any(Option::is_some);
         let mut first: Option<Option<Origin>> = None;
         let mut faults = Vec::new();
         for kind in [PitchKind::Cumulative, PitchKind::Single] {
-            let only_other = self.has(&columns(kind).map(Column::of_other_kind));
-            if !(self.has(&columns(kind)) || asked && kind == PitchKind::Cumulative && !only_other)
-            {
+            let columns = [Column::Right(kind), Column::Left(kind)];
+            let others = columns.map(Column::of_other_kind);
+            let request = self.request(&columns, Coverage::EveryTooth);
+            let other = self.request(&others, Coverage::EveryTooth);
+            let is_default = asked && kind == PitchKind::Cumulative && !self.content.has(&other);
+            if !self.content.has(&request) && !is_default {
                 continue;
             }
             let mut bad = Problems::of_list();
-            let sheet = self.sheet(columns(kind), Coverage::EveryTooth, &mut bad);
+            let sheet = self.sheet(&request, &mut bad);
             let Some(sheet) = sheet.filter(|_| bad.is_empty()) else {
-                faults.push((bad, self.has_each(columns(kind), Coverage::EveryTooth)));
+                faults.push((bad, self.content.has_each(&request)));
                 continue;
             };
             // Columns of neither kind may be of both.
@@ -161,7 +162,7 @@ impl From<'_> {
             let table = ImportedTable::of(
                 Kind::Pitch,
                 title.to_owned(),
-                ["right_um", "left_um"],
+                &["right_um", "left_um"],
                 &sheet,
             );
             tables.push(ImportedTable {
@@ -186,26 +187,18 @@ impl From<'_> {
         }
     }
 
-    fn sheet<const N: usize>(
-        &self,
-        columns: [Column; N],
-        coverage: Coverage,
-        problems: &mut Problems,
-    ) -> Option<Sheet<N>> {
-        let mut wanted = Wanted {
-            columns,
-            teeth: None,
-            coverage,
-        };
-        let sheet = Sheet::of(self.content, self.file, self.choice, &wanted, problems)?;
-        // As many teeth as the file says, or as there are: one that is missing is reported.
-        let last = sheet.rows.last().map(|row| row.tooth);
-        wanted.teeth = sheet.header.teeth().or(last);
-        match coverage {
-            Coverage::EveryTooth => {
-                Sheet::of(self.content, self.file, self.choice, &wanted, problems)
-            }
-            Coverage::SomeTeeth => Some(sheet),
+    /// As many teeth as the file states, or as there are: one that is missing is reported.
+    fn sheet(&self, request: &Request, problems: &mut Problems) -> Option<Sheet> {
+        let sheet = Sheet::of(self.content, request, problems)?;
+        if request.wanted.coverage != Coverage::EveryTooth {
+            return Some(sheet);
         }
+        let last = sheet.teeth().last().copied();
+        let teeth = sheet.header.teeth().or(last);
+        let wanted = Wanted {
+            teeth,
+            ..request.wanted
+        };
+        Sheet::of(self.content, &Request { wanted, ..*request }, problems)
     }
 }

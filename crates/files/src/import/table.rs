@@ -1,6 +1,6 @@
 //! One table of a file: what it holds, where it stands, and its columns.
 
-use crate::sheet::{Column, Header, Origin, Sheet, TraceSheet};
+use crate::sheet::{Column, Row, Sheet};
 use serde::Serialize;
 
 /// What a table holds.
@@ -31,6 +31,9 @@ pub struct ImportedTable {
     /// Of pitch, "single" or "cumulative" where the table says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_kind: Option<&'static str>,
+    /// Whether its rows are numbered by spaces.
+    #[serde(skip)]
+    pub(super) by_space: bool,
     /// Of a workbook that has several, its sheet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
@@ -76,93 +79,81 @@ impl ImportedTable {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    pub(super) fn of<const N: usize>(
+    /// The table of `sheet`, its value columns called `names`.
+    pub(super) fn of(
         kind: Kind,
         title: String,
-        names: [&'static str; N],
-        sheet: &Sheet<N>,
+        names: &[&'static str],
+        sheet: &Sheet,
     ) -> ImportedTable {
         let heading = |place: usize| Some(sheet.origin.as_ref()?.columns.get(place)?.clone());
-        let tooth = sheet.rows.iter().map(|row| Value::Whole(row.tooth));
+        let tooth = sheet.teeth().into_iter().map(Value::Whole).collect();
         let mut columns = vec![ImportedColumn {
             name: "tooth",
             heading: heading(0),
-            values: tooth.collect(),
+            values: tooth,
         }];
-        for (place, name) in names.into_iter().enumerate() {
+        for (place, name) in names.iter().enumerate() {
+            let values = sheet.values(place).into_iter().map(Value::Number).collect();
             columns.push(ImportedColumn {
                 name,
                 heading: heading(place + 1),
-                values: sheet.values(place).into_iter().map(Value::Number).collect(),
+                values,
             });
         }
+        ImportedTable::with_columns(kind, title, columns, sheet)
+    }
+
+    /// The traces of `sheet`.
+    pub(super) fn of_traces(sheet: &Sheet) -> ImportedTable {
+        let tooth = |row: &Row| row.tooth.map_or(Value::None, Value::Whole);
+        let flank = |row: &Row| {
+            row.flank
+                .map_or(Value::None, |flank| Value::Word(flank.name()))
+        };
+        let numbers = |place| sheet.values(place).into_iter().map(Value::Number).collect();
+        let at = if sheet.columns.first() == Some(&Column::Diameter) {
+            "diameter_mm"
+        } else {
+            "roll_length_mm"
+        };
+        let columns: [(&str, Vec<Value>); 4] = [
+            ("tooth", sheet.rows.iter().map(tooth).collect()),
+            ("flank", sheet.rows.iter().map(flank).collect()),
+            (at, numbers(0)),
+            ("deviation_um", numbers(1)),
+        ];
+        let is_there =
+            |(_, values): &(&str, Vec<Value>)| values.iter().any(|value| *value != Value::None);
+        let columns = columns.into_iter().filter(is_there);
+        let columns = columns.map(|(name, values)| ImportedColumn {
+            name,
+            heading: None,
+            values,
+        });
+        let title = "Profile traces, mm and µm".to_owned();
+        ImportedTable::with_columns(Kind::Trace, title, columns.collect(), sheet)
+    }
+
+    fn with_columns(
+        kind: Kind,
+        title: String,
+        columns: Vec<ImportedColumn>,
+        sheet: &Sheet,
+    ) -> ImportedTable {
+        let origin = sheet.origin.as_ref();
         ImportedTable {
             kind,
             title,
             pitch_kind: None,
-            sheet: sheet
-                .origin
-                .as_ref()
-                .and_then(|origin| origin.sheet.clone()),
-            header_row: sheet.origin.as_ref().map(|origin| origin.header_row),
-            left_out: left_out(sheet.origin.as_ref(), &sheet.header),
+            by_space: origin.is_some_and(|origin| origin.by_space),
+            sheet: origin.and_then(|origin| origin.sheet.clone()),
+            header_row: origin.map(|origin| origin.header_row),
+            left_out: match origin {
+                Some(origin) => origin.left_out.clone(),
+                None => sheet.header.unused().map(str::to_owned),
+            },
             columns,
         }
-    }
-}
-
-/// What of the file is no part of a table, in words.
-fn left_out(origin: Option<&Origin>, header: &Header) -> Option<String> {
-    match origin {
-        Some(origin) => origin.left_out.clone(),
-        None => header.unused().map(str::to_owned),
-    }
-}
-
-pub(super) fn traced(traces: &TraceSheet) -> ImportedTable {
-    let rows = &traces.rows;
-    let origin = traces.origin.as_ref();
-    let tooth = rows
-        .iter()
-        .map(|row| row.tooth.map_or(Value::None, Value::Whole));
-    let flank = rows.iter().map(|row| {
-        row.flank
-            .map_or(Value::None, |flank| Value::Word(flank.name()))
-    });
-    let at = match traces.by {
-        Column::Diameter => "diameter_mm",
-        _ => "roll_length_mm",
-    };
-    let columns: [(&str, Vec<Value>); 4] = [
-        ("tooth", tooth.collect()),
-        ("flank", flank.collect()),
-        (
-            at,
-            rows.iter().map(|row| Value::Number(row.at_mm)).collect(),
-        ),
-        (
-            "deviation_um",
-            rows.iter()
-                .map(|row| Value::Number(row.deviation_um))
-                .collect(),
-        ),
-    ];
-    let there = columns
-        .into_iter()
-        .filter(|(_, values)| values.iter().any(|value| *value != Value::None));
-    ImportedTable {
-        kind: Kind::Trace,
-        title: "Profile traces, mm and µm".to_owned(),
-        pitch_kind: None,
-        sheet: origin.and_then(|origin| origin.sheet.clone()),
-        header_row: origin.map(|origin| origin.header_row),
-        left_out: left_out(origin, &traces.header),
-        columns: there
-            .map(|(name, values)| ImportedColumn {
-                name,
-                heading: None,
-                values,
-            })
-            .collect(),
     }
 }

@@ -24,6 +24,7 @@ pub(super) fn lines(
             continue;
         }
         let (below, unsaid) = match table.kind {
+            Kind::Runout if table.by_space => ("runout", ""),
             Kind::Pitch => ("pitch", "kind = \"single\" (fp) or \"cumulative\" (Fp)"),
             Kind::Runout => (
                 "runout",
@@ -43,6 +44,9 @@ pub(super) fn lines(
             Kind::Trace => ("profile.trace", ""),
         };
         lines += &format!("[{}.{below}]\nfile = {}\n", gear, text(&name));
+        if table.by_space && table.kind == Kind::Runout {
+            lines += "at = \"space\"\n";
+        }
         match table.pitch_kind {
             Some(kind) => lines += &format!("kind = \"{kind}\"\n"),
             None if unsaid.is_empty() => {}

@@ -6,7 +6,7 @@ use crate::limits::{FLANK_DIAMETER, PROFILE, ROLL_LENGTH};
 use crate::node::Node;
 use crate::numbers::ascii;
 use crate::problems::Problems;
-use crate::sheet::{self, Column, TraceSheet};
+use crate::sheet::{self, Column, Coverage, Sheet, Wanted};
 use crate::spec::TraceSpec;
 use crate::table::Table;
 use gearlash::gear::{BasicGearData, Flank};
@@ -238,14 +238,15 @@ fn of_file(
     gear: &Measured,
     problems: &mut Problems,
 ) -> Option<FlankTraces> {
-    let read = TraceSheet::read(
-        table,
-        gear.teeth,
-        gear.basic_data.map(BasicGearData::base_radius),
-        problems,
-    )?;
+    let base_radius = gear.basic_data.map(BasicGearData::base_radius);
+    let wanted = Wanted {
+        columns: &[Column::RollLength, Column::Deviation],
+        teeth: gear.teeth,
+        coverage: Coverage::Points { base_radius },
+    };
+    let (file, read) = Sheet::read_file(table, &wanted, problems)?;
+    let by = *read.columns.first()?;
     gear.headers.borrow_mut().push(read.header.clone());
-    let file = &read.file;
     let mut bad = Problems::of_list();
     let first = read.rows.first()?;
     if let (Some(_), Some(_)) = (tooth, first.tooth) {
@@ -265,11 +266,14 @@ fn of_file(
     // By flank and tooth; the line of each trace's last point.
     let mut traces: BTreeMap<(usize, Option<u32>), (u64, Vec<Point>)> = BTreeMap::new();
     for row in &read.rows {
+        let [at_mm, deviation_um] = row.values[..] else {
+            return None;
+        };
         let flanks = match row.flank.or(own) {
             None => vec![0, 1],
             Some(flank) => vec![usize::from(flank == Flank::Left)],
         };
-        let length = match roll_length(read.by, row.at_mm, gear) {
+        let length = match roll_length(by, at_mm, gear) {
             Ok(length) => length,
             Err(None) => return None,
             Err(Some((reason, help))) => {
@@ -277,12 +281,12 @@ fn of_file(
                 continue;
             }
         };
-        let point = (length, row.deviation_um);
+        let point = (length, deviation_um);
         let mut fault = None;
         for flank in flanks {
             let key = (flank, row.tooth.or(tooth));
             let (line, points) = traces.entry(key).or_default();
-            fault = ascending(points.last(), point, read.by);
+            fault = ascending(points.last(), point, by);
             points.push(point);
             *line = row.line;
         }

@@ -40,12 +40,20 @@ impl RunoutSheet {
             None => Some(None),
         };
         let wanted = Wanted {
-            columns: [Column::Runout],
+            columns: &[Column::Runout],
             teeth,
             coverage: Coverage::EveryTooth,
         };
         let sheet = Sheet::read(table, &wanted, problems)?;
         let (at, ball_mm) = (at?, ball_mm?);
+        if at == At::Tooth && sheet.origin.as_ref().is_some_and(|origin| origin.by_space) {
+            problems.add(table.problem(
+                "at",
+                "the readings of the file are numbered by spaces",
+                "write at = \"space\"",
+            ));
+            return None;
+        }
         if at == At::Tooth && ball_mm.is_some() {
             problems.add(table.problem(
                 "ball_mm",

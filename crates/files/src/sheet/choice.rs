@@ -1,4 +1,4 @@
-//! The keys that stand beside `file`: they say what of a file is the table, where the file alone does not.
+//! Keys that stand beside `file`: they say where in the file the table is, if the file alone does not.
 
 use super::number::Decimal;
 use crate::problems::Problems;
@@ -10,10 +10,10 @@ const LINES: std::ops::RangeInclusive<u32> = 0..=1_048_576;
 const DECIMALS: [(&str, Decimal); 2] = [(".", Decimal::Point), (",", Decimal::Comma)];
 /// The keys that name a column.
 const COLUMNS: [&str; 4] = [TOOTH, "left", "right", "column"];
-/// That of the tooth numbers.
+/// The key that names the column of tooth numbers.
 pub const TOOTH: &str = "tooth_column";
 
-/// What those keys say.
+/// Values of those keys.
 #[derive(Debug, Clone, Default)]
 pub struct Choice<'a> {
     pub sheet: Option<&'a str>,
@@ -29,28 +29,21 @@ impl<'a> Choice<'a> {
         let sheet = table.optional_as("sheet", problems, |entry| {
             entry.text("give the name of the sheet")
         });
-        let header_row = table.optional_as("header_row", problems, |entry| {
-            entry.whole(
-                LINES,
-                "give the line that names the columns, from 1; 0: none does",
-            )
-        });
+        let help = "give the line that names the columns, from 1; 0: none does";
+        let header_row =
+            table.optional_as("header_row", problems, |entry| entry.whole(LINES, help));
         let decimal = table.optional_as("decimal", problems, |entry| entry.choice(&DECIMALS));
-        let mut columns = Some(Vec::new());
-        for key in COLUMNS {
-            let named = table.optional_as(key, problems, |entry| {
-                entry.text("give the heading of the column in quotes, or its letter")
-            });
-            match (named, &mut columns) {
-                (Some(named), Some(columns)) => columns.extend(named.map(|name| (key, name))),
-                _ => columns = None,
-            }
-        }
+        let help = "give the heading of the column in quotes, or its letter";
+        let columns = COLUMNS.map(|key| {
+            let named = table.optional_as(key, problems, |entry| entry.text(help))?;
+            Some(named.map(|name| (key, name)))
+        });
+        let columns: Option<Vec<_>> = columns.into_iter().collect();
         Some(Choice {
             sheet: sheet?,
             header_row: header_row?.map(u64::from),
             decimal: decimal?,
-            columns: columns?,
+            columns: columns?.into_iter().flatten().collect(),
         })
     }
 
@@ -62,7 +55,7 @@ impl<'a> Choice<'a> {
             .map(|(_, name)| *name)
     }
 
-    /// A key that only a table of cells can have, where one is given.
+    /// A given key that only a table of cells can have.
     pub fn of_cells(&self) -> Option<&'static str> {
         let row = self.header_row.map(|_| "header_row");
         row.or(self.columns.first().map(|(key, _)| *key))
@@ -93,7 +86,7 @@ pub const fn keys_beside<const OWN: usize, const ALL: usize>(
     all
 }
 
-/// Checks that nothing is said of a file that `table` does not name.
+/// Checks that no key describes a file that `table` does not name.
 pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
     let mut keys = KEYS.iter().chain(&["left", "right"]);
     let Some(name) = keys.find(|name| table.has(name)) else {

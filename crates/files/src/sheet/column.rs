@@ -1,4 +1,4 @@
-//! The columns a table may have: their names, units and limits.
+//! The columns that a table may have: names, units, limits, and the headings that fit.
 
 use super::heading::{Meaning, Quantity};
 use crate::entry::Limits;
@@ -13,7 +13,7 @@ pub enum Column {
     Right(PitchKind),
     /// Pitch deviation of the left flank, µm.
     Left(PitchKind),
-    /// What the tooth is thicker than the mean, µm.
+    /// Thickness of the tooth less the mean, µm.
     Thickness,
     /// Radial runout reading, µm.
     Runout,
@@ -21,12 +21,26 @@ pub enum Column {
     Span,
     /// Dimension over pins `M_dK`, mm.
     OverPins,
-    /// Of a profile trace: roll length `r_b ξ`, mm.
+    /// Roll length `r_b ξ` of a point of a trace, mm.
     RollLength,
-    /// Of a profile trace: diameter, mm.
+    /// Diameter of a point of a trace, mm.
     Diameter,
-    /// Of a profile trace: what the flank has beyond its involute, µm.
+    /// Deviation of the flank from its involute at a point of a trace, µm.
     Deviation,
+    /// Centre distance of a rig's result, mm.
+    CenterDistance,
+    /// Wheel tooth of a rig's result.
+    WheelTooth,
+    /// Pinion tooth of a rig's result.
+    PinionTooth,
+    /// Backlash that a rig measured at the right flanks, µm.
+    MeasuredRight,
+    /// Backlash that a rig measured at the left flanks, µm.
+    MeasuredLeft,
+    /// Lower limit that was predicted, µm.
+    PredictedMin,
+    /// Upper limit that was predicted, µm.
+    PredictedMax,
 }
 
 const DEVIATION: Limits = Limits {
@@ -39,7 +53,6 @@ const LENGTH: Limits = Limits {
     range: (Excluded(0.0), Included(1e9)),
     help: "correct the line",
 };
-
 const ROLL_LENGTH: Limits = Limits {
     allowed: "a number of mm, 0 … 1e9",
     range: (Included(0.0), Included(1e9)),
@@ -47,82 +60,63 @@ const ROLL_LENGTH: Limits = Limits {
 };
 
 impl Column {
+    /// Name, the key that names the column in a pair file, unit and limits.
+    fn description(self) -> (&'static str, &'static str, &'static str, &'static Limits) {
+        match self {
+            Column::Right(_) => ("right", "right", "µm", &DEVIATION),
+            Column::Left(_) => ("left", "left", "µm", &DEVIATION),
+            Column::Thickness => ("thickness", "column", "µm", &DEVIATION),
+            Column::Runout => ("runout", "column", "µm", &DEVIATION),
+            Column::Span => ("span", "column", "mm", &LENGTH),
+            Column::OverPins => ("over pins", "column", "mm", &LENGTH),
+            Column::RollLength => ("roll length", "", "mm", &ROLL_LENGTH),
+            Column::Diameter => ("diameter", "", "mm", &LENGTH),
+            Column::Deviation => ("deviation", "column", "µm", &DEVIATION),
+            Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH),
+            Column::WheelTooth => ("wheel_tooth", "", "", &LENGTH),
+            Column::PinionTooth => ("pinion_tooth", "", "", &LENGTH),
+            Column::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION),
+            Column::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION),
+            Column::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION),
+            Column::PredictedMax => ("predicted_max_um", "", "µm", &DEVIATION),
+        }
+    }
+
     /// Its name in messages.
     pub fn name(self) -> &'static str {
-        match self {
-            Column::Right(_) => "right",
-            Column::Left(_) => "left",
-            Column::Thickness => "thickness",
-            Column::Runout => "runout",
-            Column::Span => "span",
-            Column::OverPins => "over pins",
-            Column::RollLength => "roll length",
-            Column::Diameter => "diameter",
-            Column::Deviation => "deviation",
-        }
+        self.description().0
     }
 
-    /// The key that says which column of a table it is; none of what a trace says where it is.
+    /// The key that names the column; empty where there is none.
     pub fn key(self) -> &'static str {
-        match self {
-            Column::Right(_) => "right",
-            Column::Left(_) => "left",
-            Column::RollLength | Column::Diameter => "",
-            _ => "column",
-        }
+        self.description().1
     }
 
-    /// Whether a column of this `meaning` may be it.
-    pub fn may_be(self, meaning: Meaning) -> bool {
-        let Meaning { side, quantity } = meaning;
-        let of_flank = |wanted, kind| {
-            side == Some(wanted)
-                && match quantity {
-                    Quantity::Unsaid | Quantity::Pitch(None) => true,
-                    Quantity::Pitch(said) => said == Some(kind),
-                    _ => false,
-                }
-        };
-        match self {
-            Column::Right(kind) => of_flank(Side::Right, kind),
-            Column::Left(kind) => of_flank(Side::Left, kind),
-            Column::Thickness => quantity == Quantity::Thickness,
-            Column::Runout => quantity == Quantity::Runout,
-            Column::Span => quantity == Quantity::Span,
-            Column::OverPins => quantity == Quantity::OverPins,
-            Column::RollLength => quantity == Quantity::RollLength,
-            Column::Diameter => quantity == Quantity::Diameter,
-            Column::Deviation => quantity == Quantity::Deviation && side.is_none(),
-        }
+    /// Its unit.
+    pub fn unit(self) -> &'static str {
+        self.description().2
     }
 
-    /// Whether a column of this `meaning` may be it where the user names it: its heading may say less, but nothing else.
-    pub fn may_be_named(self, meaning: Meaning) -> bool {
-        let Meaning { side, quantity } = meaning;
-        let is_side = |wanted| side.is_none_or(|side| side == wanted);
-        match (self, quantity) {
-            (Column::Right(_), Quantity::Unsaid | Quantity::Pitch(_) | Quantity::Deviation) => {
-                is_side(Side::Right)
-            }
-            (Column::Left(_), Quantity::Unsaid | Quantity::Pitch(_) | Quantity::Deviation) => {
-                is_side(Side::Left)
-            }
-            (Column::Right(_) | Column::Left(_), _) => false,
-            (_, Quantity::Unsaid) => true,
-            (Column::Thickness | Column::Runout, Quantity::Deviation) => true,
-            _ => self.may_be(meaning),
-        }
+    /// Limits of its values.
+    pub fn limits(self) -> &'static Limits {
+        self.description().3
     }
 
-    /// Of a pitch deviation, its kind.
-    pub fn kind(self) -> Option<PitchKind> {
+    /// Flank and kind of a pitch deviation.
+    fn pitch(self) -> Option<(Side, PitchKind)> {
         match self {
-            Column::Right(kind) | Column::Left(kind) => Some(kind),
+            Column::Right(kind) => Some((Side::Right, kind)),
+            Column::Left(kind) => Some((Side::Left, kind)),
             _ => None,
         }
     }
 
-    /// Of a pitch deviation, that of the other kind; else the same.
+    /// Kind of a pitch deviation.
+    pub fn kind(self) -> Option<PitchKind> {
+        self.pitch().map(|(_, kind)| kind)
+    }
+
+    /// The pitch deviation of the other kind; any other column itself.
     pub fn of_other_kind(self) -> Column {
         let other = |kind| match kind {
             PitchKind::Single => PitchKind::Cumulative,
@@ -135,33 +129,62 @@ impl Column {
         }
     }
 
-    /// Its unit.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Column::Span | Column::OverPins | Column::RollLength | Column::Diameter => "mm",
-            _ => "µm",
-        }
+    /// Whether a column with a heading of this meaning may be it.
+    pub fn may_be(self, Meaning { side, quantity }: Meaning) -> bool {
+        let wanted = match self {
+            Column::Right(_) | Column::Left(_) => {
+                return self.pitch().is_some_and(|(wanted, kind)| {
+                    let is_unsaid = matches!(quantity, Quantity::Unsaid | Quantity::Pitch);
+                    side == Some(wanted) && (is_unsaid || quantity.pitch_kind() == Some(kind))
+                });
+            }
+            Column::Thickness => Quantity::Thickness,
+            Column::Runout => Quantity::Runout,
+            Column::Span => Quantity::Span,
+            Column::OverPins => Quantity::OverPins,
+            Column::RollLength => Quantity::RollLength,
+            Column::Diameter => Quantity::Diameter,
+            Column::Deviation => Quantity::Deviation,
+            Column::CenterDistance => Quantity::CenterDistance,
+            Column::WheelTooth => Quantity::WheelTooth,
+            Column::PinionTooth => Quantity::PinionTooth,
+            Column::MeasuredRight | Column::MeasuredLeft => Quantity::Measured,
+            Column::PredictedMin => Quantity::PredictedMin,
+            Column::PredictedMax => Quantity::PredictedMax,
+        };
+        let is_side = match self {
+            Column::MeasuredRight => side == Some(Side::Right),
+            Column::MeasuredLeft => side == Some(Side::Left),
+            Column::Deviation => side.is_none(),
+            _ => true,
+        };
+        quantity == wanted && is_side
     }
 
-    /// What its values may be.
-    pub fn limits(self) -> &'static Limits {
-        match self {
-            Column::Span | Column::OverPins | Column::Diameter => &LENGTH,
-            Column::RollLength => &ROLL_LENGTH,
-            _ => &DEVIATION,
+    /// Whether a column that the user names may be it: its heading may say less, but nothing else.
+    pub fn may_be_named(self, meaning: Meaning) -> bool {
+        let Meaning { side, quantity } = meaning;
+        let is_deviation = quantity == Quantity::Deviation;
+        if let Some((wanted, _)) = self.pitch() {
+            let fits = quantity == Quantity::Unsaid || quantity.is_pitch() || is_deviation;
+            return fits && side.is_none_or(|side| side == wanted);
         }
+        quantity == Quantity::Unsaid
+            || (is_deviation && matches!(self, Column::Thickness | Column::Runout))
+            || self.may_be(meaning)
     }
 }
 
 /// "tooth, left (µm) and right (µm)".
 pub fn headings(wanted: &[Column]) -> String {
-    let columns: Vec<String> = wanted
+    let columns = wanted
         .iter()
-        .map(|column| format!("{} ({})", column.name(), column.unit()))
-        .collect();
-    let place = match wanted.contains(&Column::Deviation) {
-        true => "tooth, flank",
-        false => "tooth",
+        .map(|column| format!("{} ({})", column.name(), column.unit()));
+    let columns: Vec<String> = columns.collect();
+    let place = if wanted.contains(&Column::Deviation) {
+        "tooth, flank"
+    } else {
+        "tooth"
     };
     match columns.split_last() {
         Some((last, [])) => format!("tooth and {last}"),

@@ -1,89 +1,114 @@
-//! CSV, as machines and spreadsheets write it: separated by commas, semicolons or tabs.
+//! Text files: from bytes to text, and from CSV to cells, as machines and spreadsheets write it.
 
-use super::cell::{Cell, Line};
-use super::grid::Grid;
-use super::limits::MOST_CELLS;
+use super::grid::{Cell, Grid, Line};
 use super::number::Decimal;
 use crate::data_file::{DataFile, line_of};
 use crate::error::Problem;
 use crate::problems::Problems;
+use encoding_rs::{Encoding, WINDOWS_1252};
+use std::borrow::Cow;
 
-/// What may stand between columns, and the decimal sign that this settles.
+/// Separators of columns, and the decimal sign that each settles.
 ///
 /// A comma leaves only the point; a spreadsheet writes semicolons where the comma is its decimal sign.
-const DELIMITERS: [(char, Option<Decimal>); 3] = [
+const SEPARATORS: [(char, Option<Decimal>); 3] = [
     (',', Some(Decimal::Point)),
     (';', Some(Decimal::Comma)),
     ('\t', None),
 ];
 
-/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names, as it tells a spreadsheet.
-pub fn read(file: &DataFile, text: &str, problems: &mut Problems) -> Option<Vec<Grid>> {
+/// Decodes UTF-8, UTF-16 with its byte order mark, or Windows-1252, as German Excel writes CSV.
+///
+/// Windows-1252 has a character for nearly every byte. Text in another encoding gets other characters, none of which is part of a
+/// number or of a known name.
+pub fn decode<'a>(
+    file: &DataFile,
+    bytes: &'a [u8],
+    problems: &mut Problems,
+) -> Option<Cow<'a, str>> {
+    let Some((encoding, mark)) = Encoding::for_bom(bytes) else {
+        return Some(match std::str::from_utf8(bytes) {
+            Ok(text) => Cow::Borrowed(text),
+            Err(_) => WINDOWS_1252.decode_without_bom_handling(bytes).0,
+        });
+    };
+    let bytes = &bytes[mark..];
+    let text = encoding.decode_without_bom_handling_and_without_replacement(bytes);
+    if text.is_none() {
+        let readable = encoding.decode_without_bom_handling(bytes).0;
+        let before = readable.split(char::REPLACEMENT_CHARACTER).next();
+        let line = 1 + before.unwrap_or_default().matches('\n').count() as u64;
+        let name = encoding.name();
+        let reason = format!("not the {name} text that the byte order mark announces");
+        problems.add(file.problem_at(line, reason, "save it as UTF-8"));
+    }
+    text
+}
+
+/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names. The limit of cells is `most`.
+pub fn read(
+    file: &DataFile,
+    text: &str,
+    most: usize,
+    problems: &mut Problems,
+) -> Option<Vec<Grid>> {
+    problems.keep(grids(file, text, most))
+}
+
+fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem> {
     let broken = text.split_inclusive('\n').position(|line| {
         let line = line.strip_suffix('\n').unwrap_or(line);
         line.strip_suffix('\r').unwrap_or(line).contains('\r')
     });
     if let Some(index) = broken {
-        problems.add(file.problem_at(
-            index as u64 + 1,
-            "a carriage return within the line",
-            "save the file with line ends of Windows or Unix",
-        ));
-        return None;
+        let reason = "a carriage return within the line";
+        let help = "save the file with line ends of Windows or Unix";
+        return Err(file.problem_at(index as u64 + 1, reason, help));
     }
-    let Some((first, _)) = first_line(text) else {
-        problems.add(file.problem("is empty", "give a header and a row for each tooth"));
-        return None;
-    };
-    let said = separator(text);
-    let there = DELIMITERS
-        .into_iter()
-        .filter(|(sign, _)| text.contains(*sign));
-    let delimiters = match said {
-        Some(said) => vec![said],
-        None => there.collect(),
-    };
-    if delimiters.is_empty() {
-        problems.add(file.problem_at(
-            first as u64 + 1,
+    let empty = || file.problem("is empty", "give a header and a row for each tooth");
+    let mut lines_of_text = (1..).zip(text.lines());
+    let first = lines_of_text.find(|(_, line)| !line.trim().is_empty());
+    let (first, line) = first.ok_or_else(empty)?;
+    let stated = stated_separator(line);
+    let mut separators = SEPARATORS.to_vec();
+    separators.retain(|(sign, _)| match stated {
+        Some(stated) => *sign == stated,
+        None => text.contains(*sign),
+    });
+    if separators.is_empty() {
+        return Err(file.problem_at(
+            first,
             "the file has no comma, semicolon or tab, expected one of them between its columns",
             "name the columns there, such as tooth;left (µm);right (µm)",
         ));
-        return None;
     }
-    // Before they are cells; one in quotes counts, too.
+    // The number of cells, before they are made; a separator in quotes counts, too.
     let count = |sign: char| {
-        text.bytes()
-            .filter(|b| *b == sign as u8 || *b == b'\n')
-            .count()
+        let ends_cell = [sign as u8, b'\n'];
+        text.bytes().filter(|b| ends_cell.contains(b)).count()
     };
+    let least = separators.iter().map(|(sign, _)| count(*sign)).min();
+    separators.retain(|(sign, _)| count(*sign) <= most);
     let mut grids = Vec::new();
-    for (sign, decimal) in &delimiters {
-        if count(*sign) <= MOST_CELLS {
-            let lines = problems.keep(lines(file, text, *sign))?;
-            grids.push(Grid {
-                sheet: None,
-                lines: lines
-                    .into_iter()
-                    .skip(usize::from(said.is_some()))
-                    .collect(),
-                decimal: *decimal,
-            });
-        }
+    for (sign, decimal) in separators {
+        let mut lines = lines(file, text, sign)?;
+        lines.drain(..lines.len().min(usize::from(stated.is_some())));
+        let sheet = None;
+        grids.push(Grid {
+            sheet,
+            lines,
+            decimal,
+        });
     }
     grids.retain(|grid| !grid.lines.is_empty());
-    if grids.is_empty() {
-        let most = delimiters.iter().map(|(sign, _)| count(*sign)).min();
-        problems.add(match most.filter(|most| *most > MOST_CELLS) {
-            Some(most) => file.problem(
-                format!("has some {most} cells, allowed are up to {MOST_CELLS}: those of 10 000 teeth in 20 columns"),
-                "name the table of one gear, and leave out other columns",
-            ),
-            None => file.problem("is empty", "give a header and a row for each tooth"),
-        });
-        return None;
+    match least {
+        _ if !grids.is_empty() => Ok(grids),
+        Some(least) if least > most => Err(file.problem(
+            format!("has some {least} cells, allowed are up to {most}"),
+            "name the table of one gear, and leave out other columns",
+        )),
+        _ => Err(empty()),
     }
-    Some(grids)
 }
 
 /// The lines of `text` that are not blank, its cells separated by `sign`.
@@ -107,19 +132,11 @@ fn lines(file: &DataFile, text: &str, sign: char) -> Result<Vec<Line>, Problem> 
     Ok(lines)
 }
 
-fn first_line(text: &str) -> Option<(usize, &str)> {
-    let mut lines = text.lines().enumerate();
-    lines.find(|(_, line)| !line.trim().is_empty())
-}
-
-/// What a line `sep=;` before the header says; `None` without one.
-fn separator(text: &str) -> Option<(char, Option<Decimal>)> {
-    let said = first_line(text)?
-        .1
-        .trim_end_matches(['\r', ' '])
-        .strip_prefix("sep=")?;
-    let mut known = DELIMITERS.into_iter();
-    known.find(|(delimiter, _)| said.chars().eq([*delimiter]))
+/// The separator that a line `sep=;` states.
+fn stated_separator(line: &str) -> Option<char> {
+    let stated = line.trim_end_matches(['\r', ' ']).strip_prefix("sep=")?;
+    let mut known = SEPARATORS.into_iter().map(|(sign, _)| sign);
+    known.find(|sign| stated.chars().eq([*sign]))
 }
 
 fn cell(text: &str) -> Cell {

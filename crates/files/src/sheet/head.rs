@@ -1,22 +1,30 @@
 //! The header of a table: the line that names its columns, wherever it stands, with the group headings above and the units below it.
 
-use super::cell::{Cell, Line};
 use super::choice::{Choice, TOOTH};
 use super::column::Column;
+use super::grid::{Cell, Line, letter};
 use super::heading::{self, Meaning, Quantity};
 use crate::data_file::DataFile;
+use crate::error::Problem;
 
-/// One column's heading.
+/// Heading of one column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
     /// Its own cell; empty without one.
     own: String,
-    /// With that of its group before it.
+    /// Its own cell, with that of its group before it.
     pub shown: String,
-    /// What they say; `None`: nothing that is known.
+    /// `None` where the words are not known.
     pub meaning: Option<Meaning>,
     /// The unit, as meant.
     pub unit: Option<&'static str>,
+}
+
+impl Heading {
+    /// The quantity, where the words are known.
+    pub fn quantity(&self) -> Option<Quantity> {
+        self.meaning.map(|meaning| meaning.quantity)
+    }
 }
 
 /// A header.
@@ -30,7 +38,7 @@ pub struct Head {
     pub has_groups: bool,
     /// Whether the line below holds units.
     pub has_units: bool,
-    /// A column each.
+    /// One for each column.
     pub headings: Vec<Heading>,
 }
 
@@ -39,7 +47,7 @@ impl Head {
     pub fn of(lines: &[Line], at: usize) -> Head {
         let line = &lines[at];
         let groups = at.checked_sub(1).map(|above| &lines[above]);
-        let groups = groups.filter(|above| !above.is_comment() && !is_data(above));
+        let groups = groups.filter(|above| !above.is_comment() && !above.has_number());
         let units = lines.get(at + 1).filter(|below| is_units(below));
         let width = line
             .cells
@@ -47,37 +55,34 @@ impl Head {
             .max(groups.map_or(0, |above| above.cells.len()));
         let (mut filled, mut has_groups) = ("", false);
         let headings = (0..width).map(|place| {
-            let own = words(line.cell(place)).trim_start_matches(['#', ' ']);
-            let direct = groups.map_or("", |above| words(above.cell(place)));
+            let own = line.cell(place).text().trim_start_matches(['#', ' ']);
+            let direct = groups.map_or("", |above| above.cell(place).text());
             if !direct.is_empty() {
                 filled = direct;
             }
-            // A merged cell of two lines stands in the upper one; one of several columns in the first.
-            let group = match own.is_empty() || direct == filled {
-                true => direct,
-                false => filled,
-            };
+            // The text of a merged cell is in its upper line, and in its first column.
+            let group = if own.is_empty() { direct } else { filled };
             let group = Some(group).filter(|group| is_group(group, direct == *group));
             let (name, unit) = heading::name_and_unit(own);
             let (group_name, group_unit) = heading::name_and_unit(group.unwrap_or_default());
-            let meaning = match name.is_empty() {
-                true => heading::meaning(group_name, None),
-                false => heading::meaning(name, group.map(|_| group_name)),
+            let meaning = if name.is_empty() {
+                heading::meaning(group_name, None)
+            } else {
+                heading::meaning(name, group.map(|_| group_name))
             };
             has_groups |= group.is_some();
-            let below = units.and_then(|units| heading::unit(words(units.cell(place))));
-            let differ = |one: Option<&str>, other: Option<&str>| {
-                one.is_some() && other.is_some() && one != other
-            };
+            let below = units.and_then(|units| heading::unit(units.cell(place).text()));
+            let differ = unit.zip(below).is_some_and(|(unit, below)| unit != below);
             Heading {
                 own: own.to_owned(),
                 shown: format!("{} {own}", group.unwrap_or_default())
                     .trim()
                     .to_owned(),
                 meaning,
-                unit: match differ(unit, below) {
-                    true => Some("two units"),
-                    false => unit.or(below).or(group_unit),
+                unit: if differ {
+                    Some("two units")
+                } else {
+                    unit.or(below).or(group_unit)
                 },
             }
         });
@@ -91,8 +96,8 @@ impl Head {
         }
     }
 
-    /// The first line of `lines` that is a header by `is_one`, or the one below it where that says more with it as its groups;
-    /// the line that the pair file names, where it names one.
+    /// The first line of `lines` that is a header by `is_one`, or the line below it where that is one with the first as its groups.
+    /// Where the pair file names a line, that line.
     pub fn find(lines: &[Line], choice: &Choice, is_one: impl Fn(&Head) -> bool) -> Option<Head> {
         let good = |at: usize| Some(Head::of(lines, at)).filter(|head| is_one(head));
         if let Some(row) = choice.header_row {
@@ -101,130 +106,117 @@ impl Head {
         let mut places = (0..lines.len()).filter(|at| !lines[*at].is_comment());
         let first = places.find_map(good)?;
         let next = lines.get(first.at + 1);
-        let is_group =
-            !first.has_units && next.is_some_and(|next| !next.is_comment() && !is_data(next));
-        if !is_group {
+        if first.has_units || next.is_none_or(|next| next.is_comment() || next.has_number()) {
             return Some(first);
         }
-        // Words that mean something with those above belong to the header, even where it is then no header of what is looked for.
+        // Words that have a meaning with those above belong to the header, even if it then lacks a column that is wanted.
         let below = Head::of(lines, first.at + 1);
         let means = |heading: &Heading| {
-            let quantity = heading.meaning.map(|meaning| meaning.quantity);
+            let quantity = heading.quantity();
             !heading.own.is_empty() && quantity.is_some_and(|quantity| quantity != Quantity::Unsaid)
         };
-        match is_one(&below) || (below.has_groups && below.headings.iter().any(means)) {
-            true => Some(below).filter(|below| is_one(below)),
-            false => Some(first),
+        if is_one(&below) || (below.has_groups && below.headings.iter().any(means)) {
+            Some(below).filter(|below| is_one(below))
+        } else {
+            Some(first)
         }
+    }
+
+    /// The columns whose heading `fits`.
+    pub fn places(&self, fits: impl Fn(&Heading) -> bool) -> Vec<usize> {
+        let headings = self.headings.iter().enumerate();
+        headings
+            .filter(|(_, heading)| fits(heading))
+            .map(|(place, _)| place)
+            .collect()
+    }
+
+    /// The columns that have a heading.
+    pub fn all(&self) -> Vec<usize> {
+        self.places(|heading| !heading.shown.is_empty())
     }
 
     /// The columns that `name` may be: by their heading, or else by their letter.
-    pub fn named(&self, name: &str) -> Vec<usize> {
+    fn named(&self, name: &str) -> Vec<usize> {
         let name = name.trim();
-        let is = |heading: &Heading| {
-            let names = [&heading.own, &heading.shown];
-            let is_it = |text: &String| text == name || heading::name_and_unit(text).0 == name;
-            !name.is_empty() && names.into_iter().any(is_it)
-        };
-        let places = (0..self.headings.len()).filter(|place| is(&self.headings[*place]));
-        let places: Vec<usize> = places.collect();
-        match places.is_empty() {
-            true => (0..self.headings.len())
-                .filter(|place| letter(*place) == name)
-                .collect(),
-            false => places,
+        let is = |text: &str| text == name || heading::name_and_unit(text).0 == name;
+        let places =
+            self.places(|heading| !name.is_empty() && (is(&heading.own) || is(&heading.shown)));
+        if !places.is_empty() {
+            return places;
+        }
+        let by_letter = (0..self.headings.len()).filter(|place| letter(*place) == name);
+        by_letter.collect()
+    }
+
+    /// The columns that may be `wanted`, by `choice` or by their headings.
+    pub fn places_of(&self, wanted: Column, choice: &Choice) -> Vec<usize> {
+        match choice.column(wanted.key()) {
+            Some(name) => self.named(name),
+            None => self.places(|heading| {
+                heading
+                    .meaning
+                    .is_some_and(|meaning| wanted.may_be(meaning))
+            }),
         }
     }
 
-    /// The columns that may be `wanted`, by `choice` or by what their headings say.
-    pub fn places_of(&self, wanted: Column, choice: &Choice) -> Vec<usize> {
-        self.places(choice.column(wanted.key()), |meaning| {
-            wanted.may_be(meaning)
-        })
-    }
-
-    /// The columns that may be of tooth numbers beside those of `wanted`.
+    /// The columns that may hold tooth numbers of a table with `wanted` columns.
     pub fn teeth(&self, wanted: &[Column], choice: &Choice) -> Vec<usize> {
-        let named = choice.column(TOOTH);
-        let teeth = self.places(named, |meaning| match meaning.quantity {
-            Quantity::Tooth => true,
-            Quantity::FirstTooth => wanted.contains(&Column::Span),
-            Quantity::Space => wanted.contains(&Column::OverPins),
+        if let Some(name) = choice.column(TOOTH) {
+            return self.named(name);
+        }
+        let of_space = |column: &Column| matches!(column, Column::OverPins | Column::Runout);
+        let teeth = self.places(|heading| match heading.quantity() {
+            Some(Quantity::Tooth) => true,
+            Some(Quantity::FirstTooth) => wanted.contains(&Column::Span),
+            Some(Quantity::Space) => wanted.iter().any(of_space),
             _ => false,
         });
-        // Without any, the numbers of the first column are the teeth's.
-        let number = self.places(named, |meaning| meaning.quantity == Quantity::Number);
-        match teeth.is_empty() {
-            true => number.into_iter().filter(|place| *place == 0).collect(),
-            false => teeth,
+        if !teeth.is_empty() {
+            return teeth;
         }
+        // A number of something in the first column is the tooth's.
+        let first = self.headings.first().and_then(Heading::quantity);
+        let is_number = first == Some(Quantity::Number);
+        if is_number { vec![0] } else { Vec::new() }
     }
 
-    fn places(&self, named: Option<&str>, may_be: impl Fn(Meaning) -> bool) -> Vec<usize> {
-        let means = |place: &usize| self.headings[*place].meaning.is_some_and(&may_be);
-        match named {
-            Some(name) => self.named(name),
-            None => (0..self.headings.len()).filter(means).collect(),
+    /// The column at `place` for a message: "\"Fp links\" (C)".
+    pub fn shown_one(&self, file: &DataFile, place: usize) -> String {
+        match self.headings.get(place).map(|heading| &heading.shown) {
+            Some(name) if !name.is_empty() => format!("{} ({})", file.quote(name), letter(place)),
+            _ => letter(place),
         }
     }
 
     /// The columns at `places` for a message: "\"Fp links\" (C) and \"Fp left\" (G)".
     pub fn shown(&self, file: &DataFile, places: &[usize]) -> String {
-        let shown = |place: &usize| match self.headings.get(*place).map(|heading| &heading.shown) {
-            Some(name) if !name.is_empty() => format!("{} ({})", file.quote(name), letter(*place)),
-            _ => letter(*place),
-        };
-        let shown: Vec<String> = places.iter().map(shown).collect();
+        let shown = places.iter().map(|place| self.shown_one(file, *place));
+        let shown: Vec<String> = shown.collect();
         match shown.split_last() {
             Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
             _ => shown.concat(),
         }
     }
 
-    /// The columns that have a heading.
-    pub fn all(&self) -> Vec<usize> {
-        let places = 0..self.headings.len();
-        places
-            .filter(|place| !self.headings[*place].shown.is_empty())
-            .collect()
+    /// A problem of the header.
+    pub fn problem(&self, file: &DataFile, reason: String, help: impl Into<String>) -> Problem {
+        file.problem_at(self.line, reason, help)
     }
 }
 
-/// The letter that a spreadsheet gives the column at `place`.
-pub fn letter(place: usize) -> String {
-    let last = char::from(b'A' + (place % 26) as u8);
-    match place / 26 {
-        0 => last.to_string(),
-        before => letter(before - 1) + &last.to_string(),
-    }
-}
-
-fn words(cell: &Cell) -> &str {
-    match cell {
-        Cell::Text(text) => text,
-        _ => "",
-    }
-}
-
-/// Whether `text` is the heading of a group of columns, of pitch or of a flank, or, standing above its own column, any that is known.
+/// Whether `text` heads a group of columns: a pitch or a flank; directly above its column any known heading.
 fn is_group(text: &str, is_above: bool) -> bool {
-    let said = heading::meaning(heading::name_and_unit(text).0, None);
-    said.is_some_and(|said| {
-        is_above || matches!(said.quantity, Quantity::Unsaid | Quantity::Pitch(_))
+    let meaning = heading::meaning(heading::name_and_unit(text).0, None);
+    meaning.is_some_and(|Meaning { quantity, .. }| {
+        is_above || quantity == Quantity::Unsaid || quantity.is_pitch()
     })
-}
-
-/// Whether a cell of the line is a number: no header has one.
-fn is_data(line: &Line) -> bool {
-    line.cells.iter().any(|cell| cell.number().is_some())
 }
 
 /// Whether the line holds nothing but units.
 fn is_units(line: &Line) -> bool {
-    let unit = |cell: &Cell| heading::unit(words(cell)).is_some();
-    let filled = line.cells.iter().filter(|cell| **cell != Cell::Empty);
-    line.cells.iter().any(unit)
-        && filled
-            .into_iter()
-            .all(|cell| unit(cell) || heading::is_no_unit(words(cell)))
+    let unit = |cell: &Cell| heading::unit(cell.text()).is_some();
+    let is_none = |cell: &Cell| *cell == Cell::Empty || heading::is_no_unit(cell.text());
+    line.cells.iter().any(unit) && line.cells.iter().all(|cell| unit(cell) || is_none(cell))
 }

@@ -1,65 +1,40 @@
-//! What a protocol says of the gear in its numbered header lines, held against the pair file.
+//! The numbered header lines of a protocol: what they state of the gear is compared with the pair file.
 
-use super::number;
+use super::number::{self, Decimal, Written};
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 use gearlash::gear::GearDesign;
 
-/// A quantity that a header line may state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Fact {
-    Teeth,
-    Module,
-    PressureAngle,
-    ProfileShift,
-    TipDiameter,
-    HelixAngle,
-}
-
-/// The labels and the key that states the same. `*` is the umlaut, which the code pages of old machines
+/// Labels, the key that states the same, and the usual number of the line. `*` is the umlaut, which the code pages of old machines
 /// write as one strange character or as two letters.
-const LABELS: [(&str, Fact, &str); 6] = [
-    ("Z*hnezahl", Fact::Teeth, "teeth"),
-    ("Normalmodul", Fact::Module, "module_mm"),
-    ("Eingriffswinkel", Fact::PressureAngle, "pressure_angle_deg"),
-    (
-        "Profilverschiebungsfaktor",
-        Fact::ProfileShift,
-        "profile_shift",
-    ),
-    ("Kopfkreisdurchmesser", Fact::TipDiameter, "tip_diameter_mm"),
-    ("Kopfkreis", Fact::TipDiameter, "tip_diameter_mm"),
+const LABELS: [(&str, &str, &str); 7] = [
+    ("Z*hnezahl", "teeth", "22"),
+    ("Normalmodul", "module_mm", "21"),
+    ("Eingriffswinkel", "pressure_angle_deg", "24"),
+    ("Profilverschiebungsfaktor", "profile_shift", "25"),
+    ("Kopfkreisdurchmesser", "tip_diameter_mm", ""),
+    ("Kopfkreis", "tip_diameter_mm", "27"),
+    ("Schr*gungswinkel", "helix_angle_deg", ""),
 ];
-/// Label of the helix angle, whose sign some machines print and some do not.
-const HELIX_ANGLE: &str = "Schr*gungswinkel";
 /// Words beside the number of teeth that make the gear an internal one.
 const INTERNAL: [&str; 2] = ["innen", "internal"];
-/// The numbers under which such protocols state them.
-const NUMBERS: [(&str, &str); 5] = [
-    ("21", "Normalmodul"),
-    ("22", "Zähnezahl"),
-    ("24", "Eingriffswinkel"),
-    ("25", "Profilverschiebungsfaktor"),
-    ("27", "Kopfkreis"),
-];
 /// Units that may follow a value.
 const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 
-/// The header lines of one protocol; those of a plain table are none.
+/// The header lines of one protocol; a plain table has none.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Header {
-    said: Vec<Said>,
+    stated: Vec<Stated>,
     warnings: Vec<String>,
-    /// The file, and what of it is read and left unused, in words.
+    /// The file, and its parts that are read and not used, in words.
     unused: Option<(DataFile, String)>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct Said {
+struct Stated {
     file: DataFile,
     line: u64,
     label: String,
-    fact: Fact,
     key: &'static str,
     value: f64,
     rounding: f64,
@@ -77,27 +52,26 @@ pub struct StatedGear<'a> {
 }
 
 impl Header {
-    /// Takes over the line when it is a numbered header line with a known label.
+    /// Reads a line of a protocol. Lines that are not numbered header lines are passed over.
     ///
     /// `  22 :Zähnezahl.............: 44` or `21 Normalmodul 3.000 mm`: a number, a label, dots or a colon or neither, the value.
     pub fn take(&mut self, file: &DataFile, line: u64, text: &str, problems: &mut Problems) {
         let rest = text.trim_start();
         let behind_number = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-        if behind_number.len() == rest.len() {
+        let code = &rest[..rest.len() - behind_number.len()];
+        if code.is_empty() {
             return;
         }
-        let code = &rest[..rest.len() - behind_number.len()];
         let behind = behind_number.trim_start_matches([' ', '\t', ':']);
         let length = LABELS
             .iter()
-            .find_map(|&(known, ..)| labelled(behind, known))
-            .or(labelled(behind, HELIX_ANGLE));
+            .find_map(|(known, ..)| labelled(behind, known));
         let (label, rest) = behind.split_at(length.unwrap_or(behind.len()));
         let fields = rest.rsplit_once(':').map_or(rest, |(_, fields)| fields);
         self.state(file, line, [code, label, fields], value_of(rest), problems);
     }
 
-    /// Takes over `value` of a header line with the number `code`, a label and fields, of which the value is one.
+    /// Reads a header line with the number `code`, a label and fields, one of which is `value`.
     pub fn state(
         &mut self,
         file: &DataFile,
@@ -108,93 +82,78 @@ impl Header {
     ) {
         let mut wrong =
             |reason: String, help: &str| problems.add(file.problem_at(line, reason, help));
-        if let Some(length) = labelled(label, HELIX_ANGLE) {
-            let name = &label[..length];
-            let words = fields.split([' ', '\t', ':', '°']).chain([value]);
-            // A field may hold zeros beside it.
-            let numbers: Vec<number::Written> = words.filter_map(number::written).collect();
-            let angles = || numbers.iter().filter(|number| number.value != 0.0);
-            let angle = angles().next().or(numbers.first());
-            let one = |angle: &&number::Written| {
-                angles().all(|other| other.value.abs() == angle.value.abs())
-            };
-            let Some(angle) = angle.filter(one) else {
-                let reason = format!(
-                    "{name} is {}, allowed is a number of degrees",
-                    file.quote(fields.trim_matches([' ', '\t', '.', ':']))
-                );
-                wrong(reason, "correct the line, or remove it");
-                return;
-            };
-            self.said.push(Said {
-                file: file.clone(),
-                line,
-                label: name.to_owned(),
-                fact: Fact::HelixAngle,
-                key: "helix_angle_deg",
-                value: angle.value.abs(),
-                rounding: angle.rounding,
-            });
-            return;
-        }
-        let known = LABELS.iter().find_map(|&(known, fact, key)| {
-            let length = labelled(label, known)?;
-            Some((&label[..length], fact, key))
-        });
-        let Some((label, fact, key)) = known else {
-            let mut numbers = NUMBERS.iter().filter(|(known, _)| *known == code);
-            // A number behind it makes it a row of some other list.
-            let labelled = label.starts_with(char::is_alphabetic);
-            if let Some((_, usual)) = numbers.next().filter(|_| labelled) {
+        let known = LABELS
+            .iter()
+            .find_map(|(known, key, _)| Some((&label[..labelled(label, known)?], *key)));
+        let Some((label, key)) = known else {
+            let usual = LABELS
+                .iter()
+                .find(|(.., number)| *number == code && !code.is_empty());
+            // A number behind the number makes it a row of some other list.
+            if let Some((usual, ..)) = usual.filter(|_| label.starts_with(char::is_alphabetic)) {
                 self.warnings.push(format!(
-                    "{}: {}: line {line} has the number of {usual}, but another label: it is not compared with the pair file",
+                    "{}: {}: line {line} has the number of {}, but another label: it is not compared with the pair file",
                     file.key(),
-                    file.name()
+                    file.name(),
+                    usual.replace('*', "ä")
                 ));
             }
             return;
         };
+        let shown_fields = || file.quote(fields.trim_matches([' ', '\t', '.', ':']));
         let words = fields.to_lowercase();
-        let internal = INTERNAL.iter().any(|word| words.contains(word));
-        if fact == Fact::Teeth && (internal || value.starts_with(['-', '\u{2212}'])) {
+        let is_internal = INTERNAL.iter().any(|word| words.contains(word))
+            || value.starts_with(['-', '\u{2212}']);
+        if key == "teeth" && is_internal {
             let reason = format!(
                 "{label} is {}: the gear is internal, gearlash reads external gears",
-                file.quote(fields.trim_matches([' ', '\t', '.', ':']))
+                shown_fields()
             );
             wrong(reason, "name the file of an external gear");
             return;
         }
-        let point = |number: &number::Written| number.decimal != Some(number::Decimal::Comma);
-        let number = number::written(value).filter(point);
-        let whole = |number: &number::Written| {
+        let number = number::written(value).filter(|number| number.decimal != Some(Decimal::Comma));
+        let is_count = |number: &Written| {
             (1.0..=10_000.0).contains(&number.value) && number.value.fract() == 0.0
         };
-        let (number, allowed) = match fact {
-            Fact::Teeth => (number.filter(whole), "a whole number from 1 on"),
-            _ => (number, "a number with a decimal point"),
+        let (number, found, allowed) = match key {
+            "helix_angle_deg" => (
+                helix_angle(fields, value),
+                shown_fields(),
+                "a number of degrees",
+            ),
+            "teeth" => (
+                number.filter(is_count),
+                file.quote(value),
+                "a whole number from 1 on",
+            ),
+            _ => (number, file.quote(value), "a number with a decimal point"),
         };
-        let Some(number) = number else {
-            let reason = format!("{label} is {}, allowed is {allowed}", file.quote(value));
+        let Some(Written {
+            value, rounding, ..
+        }) = number
+        else {
+            let reason = format!("{label} is {found}, allowed is {allowed}");
             wrong(reason, "correct the line, or remove it");
             return;
         };
-        self.said.push(Said {
-            file: file.clone(),
+        let (file, label) = (file.clone(), label.to_owned());
+        self.stated.push(Stated {
+            file,
             line,
-            label: label.to_owned(),
-            fact,
+            label,
             key,
-            value: number.value,
-            rounding: number.rounding,
+            value,
+            rounding,
         });
     }
 
-    /// Keeps in mind what of `file` is left unused.
+    /// Records which parts of `file` are not used.
     pub fn left_unused(&mut self, file: &DataFile, words: &str) {
         self.unused = Some((file.clone(), words.to_owned()));
     }
 
-    /// The remark of what of the file is left unused.
+    /// A remark on the parts of the file that are not used.
     pub fn remark(&self) -> Option<String> {
         let (file, words) = self.unused.as_ref()?;
         Some(format!(
@@ -204,46 +163,43 @@ impl Header {
         ))
     }
 
-    /// What of the file is left unused, in words.
+    /// The parts of the file that are not used, in words.
     pub fn unused(&self) -> Option<&str> {
         self.unused.as_ref().map(|(_, words)| &words[..])
     }
 
     /// The number of teeth that a line states.
     pub fn teeth(&self) -> Option<u32> {
-        let said = self.said.iter().find(|said| said.fact == Fact::Teeth)?;
         // Whole and within 1 … 10 000.
-        Some(said.value as u32)
+        self.value("teeth").map(|teeth| teeth as u32)
     }
 
-    fn value(&self, fact: Fact) -> Option<f64> {
-        let mut said = self.said.iter();
-        Some(said.find(|said| said.fact == fact)?.value)
+    fn value(&self, key: &str) -> Option<f64> {
+        let mut stated = self.stated.iter();
+        stated
+            .find(|stated| stated.key == key)
+            .map(|stated| stated.value)
     }
 
     /// Whether a line states a helix angle above 0.
     pub fn is_helical(&self) -> bool {
-        self.value(Fact::HelixAngle)
+        self.value("helix_angle_deg")
             .is_some_and(|angle| angle > 0.0)
     }
 
-    /// What lines state of the gear's base circle, mm: by teeth, module, pressure angle and helix angle, where the first three are there:
+    /// Radius of the base circle, mm, where lines state teeth, module and pressure angle:
     /// `r_b = m_n z cos α_t/(2 cos β)` with `tan α_t = tan α_n/cos β`.
     pub fn base_radius(&self) -> Option<f64> {
-        let normal = self.value(Fact::PressureAngle)?.to_radians();
-        let reference = 0.5 * self.value(Fact::Module)? * self.value(Fact::Teeth)?;
-        let cos = self
-            .value(Fact::HelixAngle)
-            .unwrap_or(0.0)
-            .to_radians()
-            .cos();
-        match self.is_helical() {
-            false => Some(reference * normal.cos()),
-            true => Some(reference / cos * (normal.tan() / cos).atan().cos()),
+        let normal = self.value("pressure_angle_deg")?.to_radians();
+        let reference = 0.5 * self.value("module_mm")? * self.value("teeth")?;
+        if !self.is_helical() {
+            return Some(reference * normal.cos());
         }
+        let cos = self.value("helix_angle_deg")?.to_radians().cos();
+        Some(reference / cos * (normal.tan() / cos).atan().cos())
     }
 
-    /// Header lines that look known and are not.
+    /// Warnings of header lines that have a known number and an unknown label.
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }
@@ -251,48 +207,52 @@ impl Header {
     /// Reports what contradicts the pair file by more than the rounding of the printed value.
     pub fn check(&self, drawn: &StatedGear, problems: &mut Problems) {
         let design = drawn.design;
-        for said in &self.said {
-            let stated = match said.fact {
-                Fact::Teeth => f64::from(design.basic_data.teeth()),
-                Fact::Module => design.basic_data.module(),
-                Fact::PressureAngle => drawn.pressure_angle_deg,
-                Fact::ProfileShift => design.profile_shift,
-                Fact::TipDiameter => 2.0 * design.tip_radius(),
-                Fact::HelixAngle => drawn.helix_angle_deg,
+        for said in &self.stated {
+            let stated = match said.key {
+                "teeth" => f64::from(design.basic_data.teeth()),
+                "module_mm" => design.basic_data.module(),
+                "pressure_angle_deg" => drawn.pressure_angle_deg,
+                "profile_shift" => design.profile_shift,
+                "tip_diameter_mm" => 2.0 * design.tip_radius(),
+                _ => drawn.helix_angle_deg,
             };
             // Rounding of the comparison itself: some ulps of the value.
             let allowed = said.rounding + 1e-12 * stated.abs();
-            if (said.value - stated).abs() <= allowed {
-                continue;
+            if (said.value - stated).abs() > allowed {
+                let (label, key) = (&said.label, said.key);
+                let value = said.file.bare(&said.value.to_string());
+                problems.add(said.file.problem_at(
+                    said.line,
+                    format!("{label} is {value}, the pair file has {key} = {stated}"),
+                    "check that this is the gear's protocol, and correct the pair file or the line",
+                ));
             }
-            problems.add(said.file.problem_at(
-                said.line,
-                format!(
-                    "{} is {}, the pair file has {} = {stated}",
-                    said.label,
-                    said.file.bare(&said.value.to_string()),
-                    said.key
-                ),
-                "check that this is the gear's protocol, and correct the pair file or the line",
-            ));
         }
     }
+}
+
+/// The helix angle in `fields`, without its sign, which some machines do not print. Zeros may stand beside it.
+fn helix_angle<'a>(fields: &'a str, value: &'a str) -> Option<Written<'a>> {
+    let words = fields.split([' ', '\t', ':', '°']).chain([value]);
+    let numbers: Vec<Written> = words.filter_map(number::written).collect();
+    let mut angles = numbers.iter().filter(|number| number.value != 0.0);
+    let angle = angles.next().or(numbers.first())?;
+    let is_one = angles.all(|other| other.value.abs() == angle.value.abs());
+    is_one.then_some(Written {
+        value: angle.value.abs(),
+        ..*angle
+    })
 }
 
 /// The bytes of `text` that are the label `known`, which no letter follows.
 fn labelled(text: &str, known: &str) -> Option<usize> {
     let (before, after) = known.split_once('*').unwrap_or((known, ""));
     let rest = text.strip_prefix(before)?;
-    let rest = match after {
-        "" => rest,
-        after => {
-            let at = rest.find(after)?;
-            if rest[..at].chars().count() > 2 {
-                return None;
-            }
-            &rest[at + after.len()..]
-        }
-    };
+    let at = rest.find(after)?;
+    if rest[..at].chars().count() > 2 {
+        return None;
+    }
+    let rest = &rest[at + after.len()..];
     let ends = !rest.starts_with(|c: char| c.is_alphabetic());
     ends.then_some(text.len() - rest.len())
 }

@@ -1,25 +1,30 @@
-//! What a heading says: the words of a column's own cell and of the group above it, in German or English, and its unit.
+//! Meaning of a heading: the words of a column's own cell and of the group above it, and the unit.
 //!
-//! Every word must be known: "left limit" is no left flank. `fp` and `Fp` are told apart by their case, and
-//! nothing else tells them apart: `FP` is neither. So is `Fr`, the runout, from `FR`, which may be a right flank.
+//! `headings.toml` holds the words. Every word must be known: "left limit" is not a left flank.
 
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
+use serde::Deserialize;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::LazyLock;
 
-/// What a column holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Content of a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Quantity {
-    /// Not said; a flank alone was named.
+    /// Not stated: the heading names a flank alone.
     Unsaid,
     Tooth,
-    /// A number, of what is not said.
+    /// A number of something that is not stated.
     Number,
     /// The first tooth of a span.
     FirstTooth,
     /// The tooth before a space.
     Space,
-    /// Of which kind, where it is said.
-    Pitch(Option<PitchKind>),
+    /// Pitch deviation of a kind that is not stated.
+    Pitch,
+    SinglePitch,
+    CumulativePitch,
     Runout,
     Thickness,
     Span,
@@ -28,190 +33,126 @@ pub enum Quantity {
     RollLength,
     Diameter,
     Deviation,
-    /// Which flank, a word a row.
+    /// The name of a flank in each row.
     Flank,
+    CenterDistance,
+    WheelTooth,
+    PinionTooth,
+    /// Backlash that a rig measured.
+    Measured,
+    PredictedMin,
+    PredictedMax,
+    /// Words on where a row comes from.
+    Source,
 }
 
-use Quantity::*;
+impl Quantity {
+    /// Whether it is a pitch deviation of any kind.
+    pub fn is_pitch(self) -> bool {
+        self == Quantity::Pitch || self.pitch_kind().is_some()
+    }
 
-/// What a heading says.
+    /// Kind of a pitch deviation, where it is stated.
+    pub fn pitch_kind(self) -> Option<PitchKind> {
+        match self {
+            Quantity::SinglePitch => Some(PitchKind::Single),
+            Quantity::CumulativePitch => Some(PitchKind::Cumulative),
+            _ => None,
+        }
+    }
+}
+
+/// Meaning of a heading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meaning {
     pub side: Option<Side>,
     pub quantity: Quantity,
 }
 
-/// Symbols whose case tells what they are.
-const SYMBOLS: [(&str, Quantity); 6] = [
-    ("Fr", Runout),
-    ("fp", Pitch(Some(PitchKind::Single))),
-    ("fpi", Pitch(Some(PitchKind::Single))),
-    ("fpt", Pitch(Some(PitchKind::Single))),
-    ("Fp", Pitch(Some(PitchKind::Cumulative))),
-    ("Fpi", Pitch(Some(PitchKind::Cumulative))),
-];
+/// `headings.toml`.
+#[derive(Debug, Default, Deserialize)]
+struct File {
+    symbols: BTreeMap<Quantity, Vec<String>>,
+    quantities: BTreeMap<Quantity, Vec<String>>,
+    flanks: Flanks,
+    words: Words,
+    units: BTreeMap<String, Vec<String>>,
+    statistics: Statistics,
+}
 
-/// Names as [`plain`] leaves them.
-const NAMES: [(Quantity, &[&str]); 15] = [
-    (
-        Tooth,
-        &[
-            "tooth",
-            "toothno",
-            "toothnr",
-            "toothnumber",
-            "zahn",
-            "zahnnr",
-            "zahnnummer",
-            "znr",
-        ],
-    ),
-    (Number, &["nr", "no", "number", "nummer"]),
-    (FirstTooth, &["firsttooth", "ersterzahn"]),
-    (Space, &["space", "spaceno", "lücke", "zahnlücke"]),
-    (
-        Pitch(Some(PitchKind::Single)),
-        &[
-            "single",
-            "singlepitch",
-            "singlepitchdeviation",
-            "einzelteilung",
-            "einzelteilungsabweichung",
-            "teilungseinzelabweichung",
-        ],
-    ),
-    (
-        Pitch(Some(PitchKind::Cumulative)),
-        &[
-            "cumulative",
-            "cumulativepitch",
-            "cumulativepitchdeviation",
-            "summenteilung",
-            "summenteilungsabweichung",
-            "teilungssummenabweichung",
-            "teilungsgesamtabweichung",
-        ],
-    ),
-    (
-        Pitch(None),
-        &[
-            "pitch",
-            "pitchdeviation",
-            "teilung",
-            "teilungsabweichung",
-            "teilungsfehler",
-        ],
-    ),
-    (
-        Runout,
-        &[
-            "runout",
-            "radialrunout",
-            "rundlauf",
-            "rundlaufabweichung",
-            "rundlauffehler",
-        ],
-    ),
-    (
-        Thickness,
-        &["thickness", "tooththickness", "dicke", "zahndicke"],
-    ),
-    (Span, &["span", "wk", "zahnweite"]),
-    (
-        OverPins,
-        &[
-            "overpins",
-            "overtwopins",
-            "pins",
-            "mdk",
-            "zweirollenmaß",
-            "zweirollenmass",
-        ],
-    ),
-    (OverThreePins, &["threepins", "overthreepins"]),
-    (RollLength, &["rolllength", "wälzlänge", "wälzweg"]),
-    (Diameter, &["diameter", "durchmesser"]),
-    (Deviation, &["deviation", "abweichung"]),
-];
+#[derive(Debug, Default, Deserialize)]
+struct Flanks {
+    left: Vec<String>,
+    right: Vec<String>,
+    flank: HashSet<String>,
+}
 
-const LEFT: &[&str] = &["left", "links", "linke", "li", "lf", "linksflanke"];
-const RIGHT: &[&str] = &["right", "rechts", "rechte", "re", "rf", "rechtsflanke"];
-/// One letter is a flank only beside a quantity or the word.
-const LETTERS: [(&str, Side); 2] = [("l", Side::Left), ("r", Side::Right)];
-const FLANK: &[&str] = &[
-    "flank",
-    "flanks",
-    "flanke",
-    "flanken",
-    "zahnflanke",
-    "zahnflanken",
-];
-/// Words that say nothing beside a quantity.
-const FILLERS: &[&str] = &[
-    "deviation",
-    "deviations",
-    "abweichung",
-    "abweichungen",
-    "error",
-    "fehler",
-    "measured",
-    "value",
-    "reading",
-    "gemessen",
-    "messwert",
-    "istwert",
-    "in",
-    "no",
-    "nr",
-    "number",
-    "nummer",
-];
+#[derive(Debug, Default, Deserialize)]
+struct Words {
+    fillers: HashSet<String>,
+    no_unit: HashSet<String>,
+}
 
-/// Units, each as it may be written, in lower case, and as meant.
-const UNITS: [(&str, &str); 19] = [
-    ("um", "µm"),
-    ("µm", "µm"),
-    // The Greek letter, where the line above has the micro sign.
-    ("μm", "µm"),
-    ("micrometre", "µm"),
-    ("micrometres", "µm"),
-    ("micrometer", "µm"),
-    ("micrometers", "µm"),
-    ("mikrometer", "µm"),
-    ("micron", "µm"),
-    ("microns", "µm"),
-    ("mm", "mm"),
-    ("millimetre", "mm"),
-    ("millimeter", "mm"),
-    ("nm", "nm"),
-    ("m", "m"),
-    ("in", "in"),
-    ("inch", "in"),
-    ("mil", "mil"),
-    ("mils", "mil"),
-];
-/// What stands in a row of units below a column without one.
-const NO_UNIT: &[&str] = &["-", "–", "—", "nr", "no", "#", "1"];
+#[derive(Debug, Default, Deserialize)]
+struct Statistics {
+    symbols: HashSet<String>,
+    words: HashSet<String>,
+}
+
+/// The words, by word.
+struct Vocabulary {
+    symbols: HashMap<String, Quantity>,
+    quantities: HashMap<String, Quantity>,
+    sides: HashMap<String, Side>,
+    flank: HashSet<String>,
+    words: Words,
+    units: HashMap<String, &'static str>,
+    statistics: Statistics,
+}
+
+static VOCABULARY: LazyLock<Vocabulary> = LazyLock::new(|| {
+    // A test reads the file, too.
+    let file: File = toml::from_str(include_str!("headings.toml")).unwrap_or_default();
+    let units = file.units.into_iter().flat_map(|(meant, words)| {
+        let meant: &'static str = meant.leak();
+        words.into_iter().map(move |word| (word, meant))
+    });
+    let sides = [
+        (Side::Left, file.flanks.left),
+        (Side::Right, file.flanks.right),
+    ];
+    Vocabulary {
+        symbols: by_word(file.symbols),
+        quantities: by_word(file.quantities),
+        sides: by_word(sides),
+        flank: file.flanks.flank,
+        words: file.words,
+        units: units.collect(),
+        statistics: file.statistics,
+    }
+});
+
+fn by_word<T: Copy>(lists: impl IntoIterator<Item = (T, Vec<String>)>) -> HashMap<String, T> {
+    let pairs =
+        |(meaning, words): (T, Vec<String>)| words.into_iter().map(move |word| (word, meaning));
+    lists.into_iter().flat_map(pairs).collect()
+}
 
 /// The unit that `text` is, perhaps in brackets.
 pub fn unit(text: &str) -> Option<&'static str> {
     let bare = text.trim().trim_start_matches(['(', '[']);
     let bare = bare.trim_end_matches([')', ']']).trim().to_lowercase();
     let bare = bare.strip_prefix("in ").unwrap_or(&bare);
-    let mut known = UNITS.iter();
-    known
-        .find(|(written, _)| *written == bare)
-        .map(|(_, meant)| *meant)
+    VOCABULARY.units.get(bare).copied()
 }
 
 /// Whether `text` stands for no unit in a row of units.
 pub fn is_no_unit(text: &str) -> bool {
     let bare = text.trim_matches(['(', ')', '[', ']', '.', ' ']);
-    NO_UNIT.contains(&bare.to_lowercase().as_str())
+    VOCABULARY.words.no_unit.contains(&bare.to_lowercase())
 }
 
-/// A heading apart: `left (µm)`, `left [µm]`, `left_um` and `left / µm` all have a unit. What else stands in brackets is
-/// part of the name.
+/// Splits the unit off a heading: `left (µm)`, `left [µm]`, `left_um` and `left / µm` have one. Other text in brackets is part of the name.
 pub fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
     let text = text.trim();
     for (open, close) in [('(', ')'), ('[', ']')] {
@@ -230,117 +171,208 @@ pub fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
     }
 }
 
-/// What `name`, without its unit, says below the `group` heading; `None` where a word is not known, or two contradict.
+/// Meaning of `name`, without its unit, below the `group` heading; `None` where a word is unknown or two words contradict.
 pub fn meaning(name: &str, group: Option<&str>) -> Option<Meaning> {
     let own = of_words(name);
     let Some(group) = group else { return own };
     match own.map(|own| own.quantity) {
-        Some(Unsaid | Pitch(_)) | None => of_words(&format!("{group} {name}")),
-        // What else stands below a flank's heading is not of the flank.
-        Some(_) => own,
+        // Another quantity below the heading of a flank does not belong to the flank.
+        Some(quantity) if quantity != Quantity::Unsaid && !quantity.is_pitch() => own,
+        _ => of_words(&format!("{group} {name}")),
     }
 }
 
-/// The flank that a cell's word is, a letter too.
+/// The flank that a word or letter in a cell names.
 pub fn side(text: &str) -> Option<Side> {
-    let word = plain(text);
-    let letter = LETTERS.iter().find(|(letter, _)| *letter == word);
     match of_words(text) {
         Some(Meaning {
             side,
-            quantity: Unsaid,
+            quantity: Quantity::Unsaid,
         }) => side,
-        _ => letter.map(|(_, side)| *side),
+        _ => letter(&plain(text)),
+    }
+}
+
+/// One letter is a flank only beside a quantity or the word.
+fn letter(word: &str) -> Option<Side> {
+    match word {
+        "l" => Some(Side::Left),
+        "r" => Some(Side::Right),
+        _ => None,
     }
 }
 
 fn of_words(name: &str) -> Option<Meaning> {
     let (mut side, mut rest, mut has_flank) = (None, Vec::new(), false);
     let (mut is_letter, mut is_both) = (false, false);
-    let separators = |c: char| c.is_whitespace() || "_/,:()[]|".contains(c);
-    for word in name.split(separators).filter(|word| !word.is_empty()) {
-        // `Zahn-Nr.` is one word, `Fp-links` are two.
-        let whole = plain(word);
-        let parts = match of_word(word, &whole).is_some() {
-            true => vec![word],
-            false => word.split('-').filter(|part| !part.is_empty()).collect(),
-        };
-        for part in parts {
-            let small = plain(part);
-            let found = match &small[..] {
-                word if LEFT.contains(&word) => Side::Left,
-                word if RIGHT.contains(&word) => Side::Right,
-                word if FLANK.contains(&word) => {
-                    has_flank = true;
-                    continue;
-                }
-                word => match LETTERS.iter().find(|(letter, _)| *letter == word) {
-                    Some((_, side)) => {
-                        is_letter = true;
-                        *side
-                    }
-                    None => {
-                        rest.push(part);
-                        continue;
-                    }
-                },
-            };
-            is_both |= side.replace(found).is_some_and(|side| side != found);
+    for part in parts(name) {
+        let word = plain(part);
+        if VOCABULARY.flank.contains(&word) {
+            has_flank = true;
+            continue;
+        }
+        let letter = letter(&word);
+        is_letter |= letter.is_some();
+        match VOCABULARY.sides.get(&word).copied().or(letter) {
+            Some(found) => is_both |= side.replace(found).is_some_and(|side| side != found),
+            None => rest.push(part),
         }
     }
+    let said = |side, quantity| Some(Meaning { side, quantity });
     if is_both {
-        // "Flanke L/R": which of them, a word a row.
-        let quantity = (has_flank && rest.is_empty()).then_some(Flank);
-        return quantity.map(|quantity| Meaning {
-            side: None,
-            quantity,
-        });
+        // "Flanke L/R": each row names its flank.
+        return said(None, Quantity::Flank).filter(|_| has_flank && rest.is_empty());
     }
-    let said = |quantity| Some(Meaning { side, quantity });
     if rest.is_empty() {
-        let quantity = match side {
-            Some(_) => Unsaid,
-            None => Flank,
+        let quantity = if side.is_some() {
+            Quantity::Unsaid
+        } else {
+            Quantity::Flank
         };
-        return said(quantity).filter(|_| has_flank || (side.is_some() && !is_letter));
+        return said(side, quantity).filter(|_| has_flank || (side.is_some() && !is_letter));
     }
-    let whole = rest.concat();
-    if let Some(quantity) = of_word(&whole, &plain(&whole)) {
-        return said(quantity);
+    if let Some(quantity) = of_word(&rest.concat()) {
+        return said(side, quantity);
     }
     let mut found = None;
     for word in rest {
-        let small = plain(word);
-        if FILLERS.contains(&small.as_str()) {
+        if VOCABULARY.words.fillers.contains(&plain(word)) {
             continue;
         }
-        let quantity = of_word(word, &small)?;
-        found = Some(match (found, quantity) {
-            (None, quantity) => quantity,
-            (Some(Pitch(None)), Pitch(kind)) | (Some(Pitch(kind)), Pitch(None)) => Pitch(kind),
-            (Some(before), quantity) if before == quantity => quantity,
-            _ => return None,
+        let quantity = of_word(word)?;
+        found = Some(match found {
+            None => quantity,
+            Some(before) if before == quantity => quantity,
+            Some(Quantity::Pitch) if quantity.is_pitch() => quantity,
+            Some(before) if quantity == Quantity::Pitch && before.is_pitch() => before,
+            Some(_) => return None,
         });
     }
-    found.and_then(said)
+    said(side, found?)
 }
 
-fn of_word(word: &str, plain: &str) -> Option<Quantity> {
-    let mut symbols = SYMBOLS.iter();
-    if let Some((_, quantity)) = symbols.find(|(symbol, _)| *symbol == word.trim_end_matches('.')) {
-        return Some(*quantity);
-    }
-    let mut names = NAMES.iter();
-    names
-        .find(|(_, names)| names.contains(&plain))
-        .map(|(quantity, _)| *quantity)
+/// The words of `name`: `Zahn-Nr.` is one, `Fp-links` is two.
+fn parts(name: &str) -> impl Iterator<Item = &str> {
+    let separators = |c: char| c.is_whitespace() || "_/,:()[]|".contains(c);
+    let words = name.split(separators).flat_map(|word| {
+        let is_one = of_word(word).is_some();
+        word.split(move |c| c == '-' && !is_one)
+    });
+    words.filter(|part| !part.is_empty())
 }
 
-/// `name` without what does not count.
+fn of_word(word: &str) -> Option<Quantity> {
+    let symbol = VOCABULARY.symbols.get(word.trim_end_matches('.'));
+    let plain = plain(word);
+    let letters = plain.trim_end_matches(|c: char| c.is_ascii_digit());
+    let known = |word: &str| VOCABULARY.quantities.get(word);
+    let found = symbol.or_else(|| known(&plain));
+    let numbered = || known(&format!("{letters}#")).filter(|_| letters.len() < plain.len());
+    found.or_else(numbered).copied()
+}
+
+/// `name` in lower case without blanks, hyphens, underscores, points and colons.
 pub fn plain(name: &str) -> String {
     let counts = |c: &char| !c.is_whitespace() && !matches!(c, '-' | '_' | '.' | ':');
     name.chars()
         .filter(counts)
         .flat_map(char::to_lowercase)
         .collect()
+}
+
+/// Whether `text` labels a line of statistics: `max`, `Fp max`, `σ (n−1)`, `Klasse 6`; a number alone is no label.
+pub fn is_statistic(text: &str) -> bool {
+    let Statistics { symbols, words } = &VOCABULARY.statistics;
+    let (name, _) = name_and_unit(text);
+    let separators = |c: char| c.is_whitespace() || "=()[]:".contains(c);
+    let mut parts = name.split(separators).filter(|part| !part.is_empty());
+    let is_label =
+        |part: &str| symbols.contains(part.trim_end_matches('.')) || words.contains(&plain(part));
+    let is_known = |part: &str| {
+        is_label(part)
+            || part.split(['-', '–', '/']).all(is_label)
+            || part.bytes().all(|b| b.is_ascii_digit())
+    };
+    let mut has_word = false;
+    let all = parts.all(|part| {
+        has_word |= !part.starts_with(|c: char| c.is_ascii_digit());
+        is_known(part)
+    });
+    words.contains(&plain(name)) || (all && has_word)
+}
+
+/// Whether `text` is not a tooth number but words or a date: "Fp ges.", "i.O.", "Zahnweite W3", "12.03.2024".
+///
+/// "Zahn 7" is one, too, unless it `may_be_tooth`: values stand beside it.
+pub fn is_remark(text: &str, may_be_tooth: bool) -> bool {
+    let begins = text.starts_with(|c: char| c.is_alphabetic());
+    if begins && text.chars().filter(|c| c.is_alphabetic()).count() > 1 {
+        let name = text.trim_end_matches(|c: char| c.is_ascii_digit() || " .:".contains(c));
+        let quantity = of_words(name).map(|meaning| meaning.quantity);
+        let is_place = matches!(
+            quantity,
+            Some(Quantity::Tooth | Quantity::Number | Quantity::Space | Quantity::FirstTooth)
+        );
+        return !(may_be_tooth && is_place && text.bytes().any(|b| b.is_ascii_digit()));
+    }
+    let parts: Vec<&str> = text.split(['.', '-', '/']).collect();
+    let are_digits = parts
+        .iter()
+        .all(|part| part.bytes().all(|b| b.is_ascii_digit()));
+    let lengths: Vec<usize> = parts.iter().map(|part| part.len()).collect();
+    are_digits && (lengths == [2, 2, 4] || lengths == [4, 2, 2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_file_of_words_can_be_read() {
+        let file: File = toml::from_str(include_str!("headings.toml")).unwrap();
+        let said =
+            |lists: &BTreeMap<Quantity, Vec<String>>| lists.values().map(Vec::len).sum::<usize>();
+        // No word means two things.
+        assert_eq!(said(&file.symbols), VOCABULARY.symbols.len());
+        assert_eq!(said(&file.quantities), VOCABULARY.quantities.len());
+        let words: usize = file.units.values().map(Vec::len).sum();
+        assert_eq!(words, VOCABULARY.units.len());
+    }
+
+    #[test]
+    fn headings_of_spans_may_hold_the_number_of_teeth() {
+        for name in [
+            "Wk",
+            "Wk 3",
+            "W3",
+            "Wk3",
+            "Zahnweite W3",
+            "Zahnweite",
+            "span 6",
+        ] {
+            let found = meaning(name, None).map(|meaning| meaning.quantity);
+            assert_eq!(found, Some(Quantity::Span), "{name}");
+        }
+        for name in ["W", "Wk x", "Fp 3", "3"] {
+            assert_eq!(meaning(name, None), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn remarks_are_no_teeth() {
+        for text in [
+            "Fp ges.",
+            "Gesamt",
+            "Std.abw.",
+            "i.O.",
+            "12.03.2024",
+            "Zahnweite W3 [mm]",
+            "Prüfer 7",
+        ] {
+            assert!(is_remark(text, true), "{text}");
+        }
+        for text in ["x", "17", "0,5", "Zahn 7", "Nr. 7", "e5", "1e5", "# 3"] {
+            assert!(!is_remark(text, true), "{text}");
+        }
+    }
 }

@@ -1,220 +1,210 @@
 //! Inspection tables in files of their own: CSV, `.xlsx`, or a measuring machine's protocol.
 //!
-//! A file becomes grids of cells, one a sheet or separator ([`delimited`], [`workbook`]; a [`protocol`] has its own rows); the
-//! header is found in one of them ([`head`], [`heading`]) and names the columns ([`places`]); the cells become numbers
-//! ([`number`]); the rows are put in order of the teeth ([`by_tooth`]). What is no part of the table is reported ([`left_out`]).
-//! No number is padded, replaced or guessed: whatever is not understood is a problem with its line.
+//! A file becomes grids of cells, one for each sheet or separator ([`delimited`], [`workbook`]). The header is found in one of them
+//! ([`request`], [`head`], [`heading`]) and names the columns ([`places`]). The cells become numbers, in the order of the teeth
+//! ([`rows`], [`number`]). A [`protocol`] has rows of its own. Parts of the file that are not part of the table are reported. No number
+//! is padded, replaced or guessed: what is not understood is a problem with its line.
 
-mod block;
-mod by_tooth;
-mod cell;
 mod choice;
 mod column;
-mod container;
-mod decimal;
 mod delimited;
 mod grid;
 mod head;
 mod header;
 mod heading;
-mod left_out;
-mod limits;
 pub mod number;
 mod p40;
 mod places;
 mod protocol;
-mod statistic;
-mod text;
-mod trace;
-mod wanted;
+mod request;
+mod rows;
 mod workbook;
 
 use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
-use cell::{Cell, Line};
 pub use choice::{Choice, KEYS, keys_beside, without_file};
 pub use column::Column;
 use gearlash::metrology::PitchKind;
-use grid::{FoundTable, Grid};
-use head::Head;
+pub use grid::MOST_CELLS;
+use grid::{Cell, Grid, Line, letter};
 pub use header::{Header, StatedGear};
 use heading::Quantity;
 use number::Decimal;
-pub use trace::TraceSheet;
-pub use wanted::{Coverage, Row, Wanted};
+pub use request::{Coverage, Request, Wanted};
+pub use rows::{Found, Row};
 
-/// How the container of `.xls` files begins: what CSV cannot.
-const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
+/// Formats that are not read: how their files begin, and their names.
+const NOT_READ: [(&[u8], &str); 2] = [
+    (
+        b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
+        "an old Excel workbook, .xls",
+    ),
+    (b"%PDF-", "a PDF"),
+];
+/// An OpenDocument archive holds this text uncompressed in its first part.
+const OPEN_DOCUMENT: &[u8] = b"mimetypeapplication/vnd.oasis.opendocument";
 
-/// A table as read, its rows by ascending tooth.
+/// A table as read.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sheet<const N: usize> {
-    /// What it says of the gear beside the rows.
+pub struct Sheet {
+    /// Statements on the gear beside the rows.
     pub header: Header,
-    /// At least one.
-    pub rows: Vec<Row<N>>,
-    /// Where it stands in the file; `None`: in a protocol.
+    /// At least one: by ascending tooth, or points in the order of their lines.
+    pub rows: Vec<Row>,
+    /// The columns of the values.
+    pub columns: Vec<Column>,
+    /// Place of the table in its file; `None`: in a protocol.
     pub origin: Option<Origin>,
 }
 
-/// Where a table stands in its file.
+/// Place of a table in its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Origin {
+    /// The sheet, of a workbook that has several.
     pub sheet: Option<String>,
     /// The line of its header.
     pub header_row: u64,
     /// The columns it is read from, that of the teeth first: heading and letter.
     pub columns: Vec<(String, String)>,
-    /// Of the columns of pitch, the kind that their headings say.
+    /// Kind of the columns of pitch by their headings.
     pub kind: Option<PitchKind>,
-    /// What of the file is no part of it, in words.
+    /// Whether the rows are numbered by spaces.
+    pub by_space: bool,
+    /// Parts of the file that are not part of the table, in words.
     pub left_out: Option<String>,
 }
 
-impl<const N: usize> Sheet<N> {
+impl Sheet {
     /// Reads the file that `table` names under `file`, a relative path from the pair file's folder.
     ///
-    /// All that is wrong is added to `problems`, under the key of `file` and with line numbers.
-    pub fn read(table: &Table, wanted: &Wanted<N>, problems: &mut Problems) -> Option<Sheet<N>> {
-        read_with(
-            table,
-            "pitch.csv",
-            problems,
-            |content, file, choice, bad| {
-                Sheet::with_remarks(table, content, file, choice, wanted, bad)
-            },
-        )
+    /// All problems are added to `problems`, under the key of `file` and with line numbers.
+    pub fn read(table: &Table, wanted: &Wanted, problems: &mut Problems) -> Option<Sheet> {
+        Sheet::read_file(table, wanted, problems).map(|(_, sheet)| sheet)
     }
 
-    /// The `wanted` table of what the file that `table` names holds, with the remarks.
-    pub fn with_remarks(
+    /// As [`Sheet::read`], with the file.
+    pub fn read_file(
         table: &Table,
-        content: &Content,
-        file: &DataFile,
-        choice: &Choice,
-        wanted: &Wanted<N>,
+        wanted: &Wanted,
         problems: &mut Problems,
-    ) -> Option<Sheet<N>> {
-        let sheet = Sheet::of(content, file, choice, wanted, problems)?;
-        if problems.is_empty() {
-            table.place().add_remark(sheet.header.remark());
-            if let Some(origin) = &sheet.origin {
-                table.place().add_remark(origin.remark(file));
-            }
-        }
-        Some(sheet)
+    ) -> Option<(DataFile, Sheet)> {
+        let example = if wanted.is_points() {
+            "trace.csv"
+        } else {
+            "pitch.csv"
+        };
+        let needed = format!("the name of a table, such as \"{example}\"");
+        let file = DataFile::of(table, &needed, problems)?;
+        let sheet = problems.of_list_at(file.key(), |bad| {
+            let choice = Choice::read(table, bad)?;
+            let bytes = bad.keep(file.bytes())?;
+            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice, bad)?;
+            let request = Request {
+                file: &file,
+                choice: &choice,
+                wanted: *wanted,
+            };
+            Sheet::of(&content, &request, bad)
+        })?;
+        let origin = sheet
+            .origin
+            .as_ref()
+            .and_then(|origin| origin.remark(&file));
+        table.place().add_remark(sheet.header.remark().or(origin));
+        Some((file, sheet))
     }
 
-    /// The `wanted` table of what a file holds.
-    pub fn of(
-        content: &Content,
-        file: &DataFile,
-        choice: &Choice,
-        wanted: &Wanted<N>,
-        problems: &mut Problems,
-    ) -> Option<Sheet<N>> {
-        let (rows, header) = match content {
+    /// Reads the table of a file.
+    pub fn of(content: &Content, request: &Request, problems: &mut Problems) -> Option<Sheet> {
+        let Request { file, wanted, .. } = request;
+        let mut columns = wanted.columns.to_vec();
+        let (rows, header, origin) = match content {
             Content::Cells(grids) => {
-                let (found, places) = grid::find(grids, file, wanted, choice, problems)?;
-                let rows = found.numbers(file, &places, wanted, choice, problems)?;
-                let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
-                return Some(Sheet {
-                    header: Header::default(),
-                    rows: by_tooth::ordered(file, rows, wanted, problems)?,
-                    origin: Some(Origin::of(&found, grids, &used, file)),
-                });
+                let found = Found::find(request, grids, problems)?;
+                let rows = found.rows(request, problems)?;
+                columns = found
+                    .places
+                    .values
+                    .iter()
+                    .map(|(column, _)| *column)
+                    .collect();
+                (
+                    rows,
+                    Header::default(),
+                    Some(Origin::of(&found, grids, file)),
+                )
             }
-            Content::Protocol(text) => protocol::read(file, text, wanted, problems)?,
+            Content::Protocol(_) if wanted.is_points() => {
+                problems.add(file.problem(
+                    "is a protocol of pitch, expected is a table of traces",
+                    "name the columns roll_length_mm or diameter_mm, deviation_um, and tooth and flank where needed",
+                ));
+                return None;
+            }
+            Content::Protocol(text) => {
+                let (rows, header) = protocol::read(request, text, problems)?;
+                (rows, header, None)
+            }
             Content::P40(text) => {
-                let p40 = p40::parse(file, text, problems)?;
-                p40.refuse_values(file, problems)?;
-                if wanted.columns.contains(&Column::Thickness) {
-                    problems.add(file.problem(
-                        "is a curve file: thickness is not taken from the probe's positions",
-                        "name a table of the thickness of each tooth, or state the thickness by span or over_pins",
-                    ));
-                    return None;
-                }
-                let wanted = Wanted {
-                    teeth: wanted.teeth.or(p40.header.teeth()),
-                    ..*wanted
-                };
-                let rows = protocol::of_blocks(file, &p40.blocks, &wanted, problems)?;
-                let mut header = p40.header.clone();
-                header.left_unused(file, &p40.unused(p40::PITCH));
-                (rows, header)
+                let (rows, header) = p40::read(request, text, problems)?;
+                (rows, header, None)
             }
         };
         Some(Sheet {
             header,
             rows,
-            origin: None,
+            columns,
+            origin,
         })
     }
 
-    /// The values of one column, by ascending tooth.
+    /// The values of one column, in the order of the rows.
     pub fn values(&self, column: usize) -> Vec<f64> {
-        let value = |row: &Row<N>| row.values.get(column).copied();
+        let value = |row: &Row| row.values.get(column).copied();
         self.rows.iter().filter_map(value).collect()
+    }
+
+    /// The teeth, in the order of the rows.
+    pub fn teeth(&self) -> Vec<u32> {
+        self.rows.iter().filter_map(|row| row.tooth).collect()
     }
 }
 
-/// Reads the file that `table` names, such as `example`, once, and hands over what it holds; a problem in it leaves nothing.
-pub fn read_with<'a, T>(
-    table: &Table<'a>,
-    example: &str,
-    problems: &mut Problems,
-    take: impl FnOnce(&Content, &DataFile, &Choice<'a>, &mut Problems) -> Option<T>,
-) -> Option<T> {
-    let needed = format!("the name of a table, such as \"{example}\"");
-    let file = DataFile::of(table, &needed, problems)?;
-    problems.of_list_at(file.key(), |bad| {
-        let choice = Choice::read(table, bad)?;
-        let bytes = bad.keep(file.bytes())?;
-        let content = content(&file, bytes, table, &choice, bad)?;
-        take(&content, &file, &choice, bad)
-    })
-}
-
 impl Origin {
-    /// That of a table found in one of `grids`, read from the columns `used`.
-    fn of(found: &FoundTable, grids: &[Grid], used: &[usize], file: &DataFile) -> Origin {
-        let headings = used
+    fn of(found: &Found, grids: &[Grid], file: &DataFile) -> Origin {
+        let places = found.places.numbers();
+        let headings = places
             .iter()
-            .map(|place| (&found.head.headings[*place], head::letter(*place)));
-        let mut kinds =
-            headings
-                .clone()
-                .filter_map(|(heading, _)| match heading.meaning?.quantity {
-                    Quantity::Pitch(kind) => kind,
-                    _ => None,
-                });
+            .map(|place| (&found.head.headings[*place], letter(*place)));
+        let quantities = headings
+            .clone()
+            .filter_map(|(heading, _)| heading.quantity());
         Origin {
             sheet: found.grid.sheet.clone().filter(|_| grids.len() > 1),
             header_row: found.head.line,
-            kind: kinds.next_back(),
+            kind: quantities.clone().filter_map(Quantity::pitch_kind).last(),
+            by_space: quantities
+                .clone()
+                .any(|quantity| quantity == Quantity::Space),
             columns: headings
                 .map(|(heading, letter)| (heading.shown.clone(), letter))
                 .collect(),
-            left_out: found.left_out.words(&found.head, file),
+            left_out: found.left_out(file),
         }
     }
 
     /// A remark on it; `None` where the whole file is the table.
     fn remark(&self, file: &DataFile) -> Option<String> {
+        if self.sheet.is_none() && self.left_out.is_none() {
+            return None;
+        }
         let sheet = self
             .sheet
             .as_ref()
             .map(|name| format!("sheet {}, ", file.quote(name)));
-        if sheet.is_none() && self.left_out.is_none() {
-            return None;
-        }
-        let columns = self
-            .columns
-            .iter()
-            .map(|(name, letter)| format!("{} ({letter})", file.quote(name)));
-        let columns: Vec<String> = columns.collect();
+        let columns = self.columns.iter();
+        let columns = columns.map(|(name, letter)| format!("{} ({letter})", file.quote(name)));
         let rest = self
             .left_out
             .as_ref()
@@ -225,122 +215,128 @@ impl Origin {
             file.name(),
             sheet.unwrap_or_default(),
             self.header_row,
-            columns.join(", "),
+            columns.collect::<Vec<_>>().join(", "),
             rest.unwrap_or_default()
         ))
     }
 }
 
-/// What a file holds.
+/// Content of a file.
 pub enum Content {
     /// Cells: one grid or more.
     Cells(Vec<Grid>),
     /// The text of a measuring machine's protocol.
     Protocol(String),
-    /// That of a P40's curve file or value file.
+    /// The text of a P40's curve file.
     P40(String),
 }
 
 impl Content {
-    /// Whether there is a table of teeth with one of the `columns`.
-    pub fn has(&self, columns: &[Column], choice: &Choice) -> bool {
+    /// Reads the `bytes` of `file`. The limit of cells of a CSV file is `most`.
+    pub fn read(
+        file: &DataFile,
+        (bytes, most): (Vec<u8>, usize),
+        table: &Table,
+        choice: &Choice,
+        problems: &mut Problems,
+    ) -> Option<Content> {
+        let mut not_read = NOT_READ
+            .iter()
+            .filter(|(begin, _)| bytes.starts_with(begin));
+        let start = &bytes[..bytes.len().min(100)];
+        let is_open_document = start
+            .windows(OPEN_DOCUMENT.len())
+            .any(|part| part == OPEN_DOCUMENT);
+        let name = not_read.next().map(|(_, name)| *name);
+        if let Some(name) =
+            name.or(is_open_document.then_some("an OpenDocument file, such as .ods"))
+        {
+            problems.add(file.problem(format!("is {name}"), "save it as .xlsx or CSV"));
+            return None;
+        }
+        if workbook::is_one(file, &bytes) {
+            let grids = workbook::read(file, bytes, choice.sheet, problems)?;
+            return Some(Content::Cells(below_header(grids, choice)));
+        }
+        let mut remove =
+            |key: &str, words: &str| problems.add(table.problem(key, words, "remove it"));
+        if choice.sheet.is_some() {
+            remove(
+                "sheet",
+                "the file is not a workbook, sheet is allowed only with .xlsx",
+            );
+        }
+        let text = delimited::decode(file, &bytes, problems)?;
+        if p40::is_value_file(&text) {
+            problems.add(file.problem(
+                "is a value file (.mew): results by number, of which none is known for certain to be a span or a dimension over pins",
+                "name the curve file of the same measurement (.mka), or write the values into the pair file",
+            ));
+            return None;
+        }
+        let is_p40 = p40::is_one(&text);
+        if !is_p40 && !protocol::is_one(&text) {
+            let grids = delimited::read(file, &text, most, problems)?;
+            return Some(Content::Cells(below_header(grids, choice)));
+        }
+        let mut remove =
+            |key: &str, words: &str| problems.add(table.problem(key, words, "remove it"));
+        if choice.decimal == Some(Decimal::Comma) {
+            remove(
+                "decimal",
+                "the file is a protocol, whose decimal sign is the point",
+            );
+        }
+        if let Some(key) = choice.of_cells() {
+            remove(
+                key,
+                &format!("the file is a protocol, {key} is allowed only with CSV and .xlsx"),
+            );
+        }
+        Some(if is_p40 {
+            Content::P40(text.into())
+        } else {
+            Content::Protocol(text.into())
+        })
+    }
+
+    /// Whether there is a table with one of the wanted columns.
+    pub fn has(&self, request: &Request) -> bool {
         match self {
-            Content::Cells(grids) => {
-                has_head(grids, choice, |head| grid::is_head(head, columns, choice))
-            }
+            Content::Cells(grids) => request.is_there(grids),
+            Content::P40(text) if request.wanted.is_points() => p40::has_profiles(text),
             Content::Protocol(text) | Content::P40(text) => {
-                columns.iter().any(|column| protocol::has(text, *column))
+                let mut columns = request.wanted.columns.iter();
+                columns.any(|column| protocol::has(text, *column))
             }
         }
     }
 
     /// Whether there is one column for each that is wanted.
-    pub fn has_each<const N: usize>(
-        &self,
-        file: &DataFile,
-        wanted: &Wanted<N>,
-        choice: &Choice,
-    ) -> bool {
+    pub fn has_each(&self, request: &Request) -> bool {
         match self {
             Content::Cells(grids) => {
-                let mut unheard = Problems::of_list();
-                grid::find(grids, file, wanted, choice, &mut unheard).is_some()
+                Found::find(request, grids, &mut Problems::of_list()).is_some()
             }
             Content::Protocol(_) | Content::P40(_) => true,
         }
     }
 
-    /// Whether it is a file of a P40, of curves or values.
+    /// Whether it is a curve file of a P40.
     pub fn is_p40(&self) -> bool {
         matches!(self, Content::P40(_))
     }
 
-    /// Refuses a value file of a P40, and whatever is wrong with a file of one.
+    /// Reports what is wrong with a curve file of a P40.
     pub fn check_p40(&self, file: &DataFile, problems: &mut Problems) -> Option<()> {
         match self {
-            Content::P40(text) => p40::parse(file, text, problems)?.refuse_values(file, problems),
+            Content::P40(text) => p40::parse(file, text, problems).map(|_| ()),
             Content::Cells(_) | Content::Protocol(_) => Some(()),
         }
     }
-
-    /// Whether there is a table of traces.
-    pub fn has_trace(&self, choice: &Choice) -> bool {
-        match self {
-            Content::Cells(grids) => has_head(grids, choice, |head| trace::is_head(head, choice)),
-            Content::P40(text) => text.lines().any(|line| line.trim().starts_with("Profil:")),
-            Content::Protocol(_) => false,
-        }
-    }
 }
 
-/// Whether one of `grids` has a header that is wanted.
-fn has_head(grids: &[Grid], choice: &Choice, is_wanted: impl Fn(&Head) -> bool) -> bool {
-    let mut grids = grids.iter();
-    grids.any(|grid| Head::find(&grid.lines, choice, &is_wanted).is_some())
-}
-
-/// What `file` of these `bytes` holds.
-pub fn content(
-    file: &DataFile,
-    bytes: Vec<u8>,
-    table: &Table,
-    choice: &Choice,
-    problems: &mut Problems,
-) -> Option<Content> {
-    if bytes.starts_with(OLD_WORKBOOK) {
-        let help = "save it as .xlsx or CSV";
-        problems.add(file.problem("is an old Excel workbook, .xls", help));
-        return None;
-    }
-    if workbook::is_one(file, &bytes) {
-        let grids = workbook::read(file, bytes, choice.sheet, problems)?;
-        return Some(Content::Cells(below_header(grids, choice)));
-    }
-    if choice.sheet.is_some() {
-        let words = "the file is not a workbook, sheet is allowed only with .xlsx";
-        problems.add(table.problem("sheet", words, "remove it"));
-    }
-    let text = text::decode(file, &bytes, problems)?;
-    let is_p40 = p40::is_one(&text);
-    if !is_p40 && !protocol::is_one(&text) {
-        let grids = delimited::read(file, &text, problems)?;
-        return Some(Content::Cells(below_header(grids, choice)));
-    }
-    if choice.decimal == Some(Decimal::Comma) {
-        let words = "the file is a protocol, whose decimal sign is the point";
-        problems.add(table.problem("decimal", words, "remove it"));
-    }
-    if let Some(key) = choice.of_cells() {
-        let words = format!("the file is a protocol, {key} is allowed only with CSV and .xlsx");
-        problems.add(table.problem(key, words, "remove it"));
-    }
-    Some(match is_p40 {
-        true => Content::P40(text.into()),
-        false => Content::Protocol(text.into()),
-    })
-}
-
-/// The grids, below a blank header where the file is said to have none: letters name its columns.
+/// The grids, below a blank header where the pair file says that there is none: letters name the columns.
 fn below_header(mut grids: Vec<Grid>, choice: &Choice) -> Vec<Grid> {
     if choice.header_row == Some(0) {
         for grid in &mut grids {

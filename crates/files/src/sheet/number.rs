@@ -1,14 +1,17 @@
-//! Numbers as tables write them: with a decimal point or a decimal comma, never both.
+//! Numbers as tables write them: with a decimal point or a decimal comma, never both; and one decimal sign for a table.
 //!
-//! `1,234` may be one and a bit, or a thousand and a bit. Which sign is the
-//! decimal one is therefore settled for the whole table: by its delimiter (a
-//! comma between columns leaves the point; German Excel writes `;` between
-//! columns because its decimal sign is the comma), or by a number that cannot
-//! have thousands separators, such as `0,5` or `12.34`. Where neither settles
-//! it, the number is a problem.
+//! `1,234` may be one and a bit, or a thousand and a bit. One decimal sign therefore holds for the whole table. Its separator may tell
+//! it: a comma between columns leaves the point, and German Excel writes `;` because its decimal sign is the comma. So may a number that
+//! cannot have thousands separators, such as `0,5`, `12.34` or a span of `19,230` mm. Where neither tells it, the number is a problem.
 
-/// What word processors make of a hyphen before a number.
+use super::column::Column;
+use crate::data_file::DataFile;
+use crate::problems::Problems;
+
+/// Word processors turn a hyphen before a number into this sign.
 const MINUS: char = '\u{2212}';
+/// No span, dimension over pins or centre distance reaches this length, mm.
+const MOST_MM: f64 = 10_000.0;
 
 /// A sign that may stand between whole and fraction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +31,7 @@ impl Decimal {
         }
     }
 
-    /// As written.
+    /// The sign itself.
     pub fn sign(self) -> char {
         match self {
             Decimal::Point => '.',
@@ -37,12 +40,12 @@ impl Decimal {
     }
 }
 
-/// A number that is written well.
+/// A well-formed number.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Written<'a> {
     /// As written.
     pub text: &'a str,
-    /// The number, if its decimal sign is one.
+    /// The number, if its sign is a decimal one.
     pub value: f64,
     /// Its decimal sign; `None` without one.
     pub decimal: Option<Decimal>,
@@ -52,8 +55,7 @@ pub struct Written<'a> {
     pub rounding: f64,
 }
 
-/// `text` as a number: a sign (a hyphen or the true minus U+2212), digits, at most one decimal sign between digits,
-/// an exponent.
+/// Reads `text` as a number: a sign (a hyphen or the true minus U+2212), digits, at most one decimal sign between digits, an exponent.
 ///
 /// `None` for anything else, `nan`, `inf` and what overflows to it included.
 pub fn written(text: &str) -> Option<Written<'_>> {
@@ -94,8 +96,31 @@ pub fn written(text: &str) -> Option<Written<'_>> {
     })
 }
 
-/// Whether the whole part has several digits, of which the first is 0, such as `05`: its decimal sign is lost, or its
-/// digits are. No cell of a deviation or a length is written so.
+/// Reads `word` as [`written`] with a decimal point; the 0 before the point may be missing, as in the files of P40.
+pub fn without_zero(word: &str) -> Option<Written<'_>> {
+    let at = usize::from(word.starts_with(['-', '+']));
+    if !word[at..].starts_with('.') {
+        let found = written(word)?;
+        return (found.decimal != Some(Decimal::Comma) && !zero_first(word)).then_some(found);
+    }
+    let full = format!("{}0{}", &word[..at], &word[at..]);
+    let Written {
+        value,
+        decimal,
+        may_be_thousands,
+        rounding,
+        ..
+    } = written(&full)?;
+    Some(Written {
+        text: word,
+        value,
+        decimal,
+        may_be_thousands,
+        rounding,
+    })
+}
+
+/// Whether the whole part begins with 0 and has more digits, such as `05`: its decimal sign is lost. No cell is written so.
 pub fn zero_first(text: &str) -> bool {
     let mut signs = unsigned(text).bytes();
     signs.next() == Some(b'0') && signs.next().is_some_and(|b| b.is_ascii_digit())
@@ -112,53 +137,78 @@ pub fn tooth(text: &str) -> Option<u32> {
     digits.then(|| text.parse().ok())?
 }
 
-/// As [`written`], and without the 0 before the point, as the machines of P40 leave it out.
-pub fn without_zero(word: &str) -> Option<Written<'_>> {
-    let at = usize::from(word.starts_with(['-', '+']));
-    if !word[at..].starts_with('.') {
-        let found = written(word)?;
-        return (found.decimal != Some(Decimal::Comma) && !zero_first(word)).then_some(found);
+/// A number of a table: its line, its column, and how it is written.
+pub type Placed<'a> = (u64, Column, Written<'a>);
+
+/// Checks that all `numbers` have one decimal sign, and that something tells which one.
+///
+/// `stated` is the sign by the pair file, `by_format` the sign that the format settles.
+pub fn check_decimal_sign(
+    file: &DataFile,
+    numbers: &[Placed],
+    [stated, by_format]: [Option<Decimal>; 2],
+    problems: &mut Problems,
+) -> Option<()> {
+    let has = |sign| {
+        numbers
+            .iter()
+            .any(|(.., number)| number.decimal == Some(sign))
+    };
+    let settled = stated.or(by_format.filter(|sign| has(*sign)));
+    let Some(sign) = settled.or_else(|| numbers.iter().find_map(|(.., number)| number.decimal))
+    else {
+        return Some(());
+    };
+    let mut good = Some(());
+    for (line, column, number) in numbers {
+        let Some(found) = number.decimal.filter(|found| *found != sign) else {
+            continue;
+        };
+        let reason = format!(
+            "{} {} has a decimal {}, the table's decimal sign is the {}{}",
+            column.name(),
+            file.bare(number.text),
+            found.name(),
+            sign.name(),
+            stated.map_or("", |_| " by the key `decimal`"),
+        );
+        let help = "write all numbers with one decimal sign and without thousands separators";
+        problems.add(file.problem_at(*line, reason, help));
+        good = None;
     }
-    let full = format!("{}0{}", &word[..at], &word[at..]);
-    let found = written(&full)?;
-    Some(Written {
-        text: word,
-        value: found.value,
-        decimal: found.decimal,
-        may_be_thousands: found.may_be_thousands,
-        rounding: found.rounding,
-    })
+    let with_sign = || {
+        numbers
+            .iter()
+            .filter(|(.., number)| number.decimal == Some(sign))
+    };
+    let is_proven = settled.is_some()
+        || with_sign().any(|(_, column, number)| !may_be_thousands(*column, number));
+    if let Some((line, column, number)) = with_sign().next().filter(|_| !is_proven) {
+        let more = match with_sign().count() - 1 {
+            0 => String::new(),
+            more => format!(" (as {more} more in the table)"),
+        };
+        let reason = format!(
+            "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table shows which",
+            column.name(),
+            file.bare(number.text),
+            sign.name(),
+        );
+        let help = format!(
+            "state the decimal sign beside the file: decimal = \"{}\", and write numbers without thousands separators",
+            sign.sign()
+        );
+        problems.add(file.problem_at(*line, reason, help));
+        good = None;
+    }
+    good
 }
 
-/// Numbers that stand for a value that was not measured: what machines print, whatever the preamble says.
-const KNOWN: [f64; 2] = [-2147483.648, -9999.0];
-
-/// The numbers that stand for a value that was not measured in one file.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Unmeasured {
-    /// `UNDEFINED` of the preamble.
-    said: Option<f64>,
-}
-
-impl Unmeasured {
-    /// With the number that a preamble names.
-    pub fn said(number: f64) -> Unmeasured {
-        Unmeasured { said: Some(number) }
-    }
-
-    /// What `value` is where it is one of them, in words.
-    pub fn words(self, value: &Written) -> &'static str {
-        match Unmeasured::default().is(value) {
-            true => "stands for a value that was not measured",
-            false => "stands for a value that was not measured, as UNDEFINED of the preamble says",
-        }
-    }
-
-    /// Whether `value` is one of them, as far as its digits say; never by its size.
-    pub fn is(self, value: &Written) -> bool {
-        // Whole numbers at most: 1e7 has its last digit seven places above them.
-        let rounding = value.rounding.min(0.5);
-        let mut numbers = KNOWN.into_iter().chain(self.said);
-        numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
-    }
+/// Whether the sign of `number` may separate thousands: of a length only where a thousand times its value is possible.
+fn may_be_thousands(column: Column, number: &Written) -> bool {
+    let is_length = matches!(
+        column,
+        Column::Span | Column::OverPins | Column::CenterDistance
+    );
+    number.may_be_thousands && !(is_length && 1000.0 * number.value >= MOST_MM)
 }

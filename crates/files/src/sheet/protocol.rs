@@ -1,23 +1,127 @@
 //! The text protocol of a gear measuring machine, in the layout of Klingelnberg's.
 //!
-//! After numbered header lines, and among other data, stand two blocks: a line
-//! `linke Zahnflanke` or `rechte Zahnflanke`, a line `Zahn-Nr. fp Fp Fr`, and a
-//! row a tooth, in µm. Only these and the known header lines are read. Within
-//! a block everything must be a row until a blank line and other text.
+//! After numbered header lines, and among other data, stand two blocks: a line `linke Zahnflanke` or `rechte Zahnflanke`, a line
+//! `Zahn-Nr. fp Fp Fr`, and a row a tooth, in µm. Only these and the known header lines are read. Within a block everything must be
+//! a row until a blank line and other text. Curve files have the same blocks.
 
-use super::block::{Block, Name, check_story, named, names, row, side};
-use super::by_tooth;
 use super::column::Column;
+use super::grid::MOST_ROWS;
 use super::header::Header;
-use super::limits::MOST_ROWS;
-use super::number::Unmeasured;
-use super::number::{self, Written};
-use super::wanted::{Row, Wanted};
+use super::number::{self, Written, without_zero};
+use super::request::{Request, Wanted};
+use super::rows::{Row, ordered};
 use crate::data_file::DataFile;
+use crate::numbers::ascii;
 use crate::problems::Problems;
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 use std::collections::HashMap;
+
+/// A column of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Name {
+    /// `Zahn-Nr.`
+    Tooth,
+    /// `fp`: single pitch deviation.
+    Single,
+    /// `Fp`: cumulative pitch deviation.
+    Cumulative,
+    /// `Fr`: runout reading.
+    Runout,
+    /// `fu`: difference of neighbouring single pitches. The others contain it.
+    Jump,
+}
+
+const NAMES: [(&str, Name); 5] = [
+    ("Zahn-Nr.", Name::Tooth),
+    ("fp", Name::Single),
+    ("Fp", Name::Cumulative),
+    ("Fr", Name::Runout),
+    ("fu", Name::Jump),
+];
+
+/// Numbers that stand for a value that was not measured: what machines print, whatever the preamble says.
+const KNOWN_UNMEASURED: [f64; 2] = [-2147483.648, -9999.0];
+
+/// The numbers that stand for a value that was not measured in one file.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unmeasured {
+    /// `UNDEFINED` of the preamble.
+    declared: Option<f64>,
+}
+
+impl Unmeasured {
+    /// With the number that a preamble declares.
+    pub fn declared(number: f64) -> Unmeasured {
+        Unmeasured {
+            declared: Some(number),
+        }
+    }
+
+    /// Whether `value` is one of them, as far as its digits say; never by its size.
+    pub fn is(self, value: &Written) -> bool {
+        // Whole numbers at most: 1e7 has its last digit seven places above them.
+        let rounding = value.rounding.min(0.5);
+        let mut numbers = KNOWN_UNMEASURED.into_iter().chain(self.declared);
+        numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
+    }
+}
+
+/// The rows of one flank.
+#[derive(Debug)]
+struct Block<'a> {
+    side: Side,
+    /// The line of its head.
+    line: u64,
+    /// Its columns, `Zahn-Nr.` first; none before their line is read.
+    columns: Vec<Name>,
+    /// Line, tooth, and the values of the other columns.
+    rows: Vec<Numbers<'a>>,
+}
+
+/// Line, tooth, and values of the columns behind the tooth.
+type Numbers<'a> = (u64, u32, Vec<Written<'a>>);
+
+/// The blocks of a file.
+#[derive(Debug, Default)]
+pub struct Blocks<'a> {
+    blocks: Vec<Block<'a>>,
+    /// Rows so far, good and bad ones.
+    rows: usize,
+}
+
+/// Why a line of a block is wrong, and the way out.
+pub struct Wrong {
+    pub reason: String,
+    pub help: &'static str,
+    /// Whether the rest of the block makes no sense.
+    pub ends_block: bool,
+}
+
+/// The flank that the head of a block names.
+pub fn side(line: &str) -> Option<Side> {
+    match line.trim().trim_end_matches(':').to_lowercase().as_str() {
+        "linke zahnflanke" => Some(Side::Left),
+        "rechte zahnflanke" => Some(Side::Right),
+        _ => None,
+    }
+}
+
+/// The column that `word` names, perhaps with its unit.
+fn named(word: &str) -> Option<Name> {
+    let word = word.strip_suffix("[µm]").unwrap_or(word);
+    let mut names = NAMES.iter();
+    names
+        .find(|(known, _)| *known == word)
+        .map(|(_, name)| *name)
+}
+
+fn name_of(kind: PitchKind) -> Name {
+    match kind {
+        PitchKind::Single => Name::Single,
+        PitchKind::Cumulative => Name::Cumulative,
+    }
+}
 
 /// Whether `text` has the head of a block.
 pub fn is_one(text: &str) -> bool {
@@ -33,8 +137,8 @@ pub fn has(text: &str, column: Column) -> bool {
     };
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
     while lines.any(|line| side(line).is_some()) {
-        let symbols = lines.next().unwrap_or_default().split_whitespace();
-        if symbols.into_iter().any(|word| named(word) == Some(name)) {
+        let mut symbols = lines.next().unwrap_or_default().split_whitespace();
+        if symbols.any(|word| named(word) == Some(name)) {
             return true;
         }
     }
@@ -42,236 +146,354 @@ pub fn has(text: &str, column: Column) -> bool {
 }
 
 /// The wanted columns, by ascending tooth, and the header lines.
-pub fn read<const N: usize>(
-    file: &DataFile,
-    text: &str,
-    wanted: &Wanted<N>,
-    problems: &mut Problems,
-) -> Option<(Vec<Row<N>>, Header)> {
-    let (blocks, header) = parse(file, text, problems)?;
+pub fn read(request: &Request, text: &str, problems: &mut Problems) -> Option<(Vec<Row>, Header)> {
+    let (blocks, header) = parse(request.file, text, problems)?;
+    let teeth = request.wanted.teeth.or(header.teeth());
     let wanted = Wanted {
-        teeth: wanted.teeth.or(header.teeth()),
-        ..*wanted
+        teeth,
+        ..request.wanted
     };
-    Some((of_blocks(file, &blocks, &wanted, problems)?, header))
-}
-
-/// The wanted columns of `blocks`, by ascending tooth.
-pub fn of_blocks<const N: usize>(
-    file: &DataFile,
-    blocks: &[Block],
-    wanted: &Wanted<N>,
-    problems: &mut Problems,
-) -> Option<Vec<Row<N>>> {
-    let mut columns = Vec::new();
-    for column in wanted.columns {
-        let rows: Option<Vec<Row<1>>> = match column {
-            Column::Right(kind) => pitch(file, blocks, Side::Right, kind, problems),
-            Column::Left(kind) => pitch(file, blocks, Side::Left, kind, problems),
-            Column::Runout => runout(file, blocks, problems),
-            other => {
-                problems.add(file.problem(
-                    format!("is a pitch protocol, which has no {}", other.name()),
-                    "name a table that has it",
-                ));
-                None
-            }
-        };
-        columns.push(rows.and_then(|rows| by_tooth::ordered(file, rows, wanted, problems)));
-    }
-    let columns: Vec<Vec<Row<1>>> = columns.into_iter().collect::<Option<_>>()?;
-    // Now that every tooth is there once.
-    if wanted
-        .columns
-        .iter()
-        .any(|column| *column != Column::Runout)
-    {
-        for block in blocks {
-            check_story(file, block, problems);
-        }
-    }
-    let rows = columns.first()?.iter().enumerate().map(|(index, row)| {
-        let mut values = [0.0; N];
-        for (value, column) in values.iter_mut().zip(&columns) {
-            *value = column
-                .get(index)
-                .filter(|other| other.tooth == row.tooth)?
-                .values[0];
-        }
-        Some(Row {
-            line: row.line,
-            tooth: row.tooth,
-            values,
-        })
-    });
-    rows.collect()
+    Some((
+        blocks.rows(&Request { wanted, ..*request }, problems)?,
+        header,
+    ))
 }
 
 fn parse<'a>(
     file: &DataFile,
     text: &'a str,
     problems: &mut Problems,
-) -> Option<(Vec<Block<'a>>, Header)> {
+) -> Option<(Blocks<'a>, Header)> {
     let mut header = Header::default();
-    let mut blocks: Vec<Block> = Vec::new();
-    let mut open = false;
-    let mut after_blank = false;
-    let mut line_count = 0;
+    let mut blocks = Blocks::default();
+    let (mut is_open, mut after_blank) = (false, false);
     let mut good = Some(());
-    for (index, text) in text.lines().enumerate() {
-        let line = index as u64 + 1;
-        let mut wrong = |reason: String, help: &str| {
-            problems.add(file.problem_at(line, reason, help));
-            good = None;
-        };
-        if let Some(side) = side(text) {
-            if let Some(first) = blocks.iter().find(|block| block.side == side) {
-                wrong(
-                    format!(
-                        "duplicate block of this flank, the first begins in line {}",
-                        first.line
-                    ),
-                    "keep one of the two",
-                );
-            }
-            blocks.push(Block {
-                side,
-                line,
-                columns: Vec::new(),
-                rows: Vec::new(),
-            });
-            open = true;
-        } else if text.trim().is_empty() {
+    for (line, text) in (1..).zip(text.lines()) {
+        if text.trim().is_empty() {
             after_blank = true;
             continue;
-        } else if let Some(block) = blocks.last_mut().filter(|_| open) {
-            if block.columns.is_empty() {
-                match names(file, text) {
-                    Ok(names) => block.columns = names,
-                    Err(reason) => {
-                        wrong(reason, "name the columns there: Zahn-Nr. fp Fp Fr");
-                        open = false;
-                    }
-                }
-            } else if after_blank
-                && !block.rows.is_empty()
-                && !text.trim().starts_with(|c: char| c.is_ascii_digit())
-            {
-                open = false;
-            } else {
-                if line_count == MOST_ROWS {
-                    wrong(
-                        format!("more rows than the {MOST_ROWS} of both flanks of 10 000 teeth"),
-                        "give a protocol of one gear",
-                    );
-                    break;
-                }
-                line_count += 1;
-                match row(
-                    file,
-                    text,
-                    &block.columns,
-                    Unmeasured::default(),
-                    number::written,
-                ) {
-                    Ok((tooth, values)) => block.rows.push((line, tooth, values)),
-                    Err(reason) => wrong(reason, "correct the line"),
-                }
+        }
+        let is_row = text.trim().starts_with(|c: char| c.is_ascii_digit());
+        let mut taken = Ok(());
+        if let Some(side) = side(text) {
+            is_open = true;
+            taken = blocks.begin(side, line);
+        } else if is_open && after_blank && blocks.has_rows() && !is_row {
+            is_open = false;
+        } else if is_open {
+            taken = blocks.take(file, line, text, Unmeasured::default());
+        }
+        if let Err(wrong) = taken {
+            problems.add(file.problem_at(line, wrong.reason, wrong.help));
+            good = None;
+            is_open &= !wrong.ends_block;
+            if blocks.is_full() {
+                break;
             }
         }
-        if !open {
+        if !is_open {
             header.take(file, line, text, problems);
         }
         after_blank = false;
     }
-    good?;
-    Some((blocks, header))
+    good.map(|()| (blocks, header))
 }
 
-fn name_of(kind: PitchKind) -> Name {
-    match kind {
-        PitchKind::Single => Name::Single,
-        PitchKind::Cumulative => Name::Cumulative,
+impl<'a> Blocks<'a> {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.blocks.len()
     }
-}
 
-fn pitch(
-    file: &DataFile,
-    blocks: &[Block],
-    side: Side,
-    kind: PitchKind,
-    problems: &mut Problems,
-) -> Option<Vec<Row<1>>> {
-    let Some(block) = blocks.iter().find(|block| block.side == side) else {
-        let head = if side == Side::Left {
-            "linke"
-        } else {
-            "rechte"
-        };
-        problems.add(file.problem(
-            format!("has no block {head} Zahnflanke"),
-            "give a protocol of both flanks",
-        ));
-        return None;
-    };
-    let Some(values) = block.column(name_of(kind)) else {
-        problems.add(file.problem_at(
-            block.line,
-            format!(
-                "the block has no column {}",
-                if kind == PitchKind::Single {
-                    "fp"
-                } else {
-                    "Fp"
-                }
-            ),
-            "give the other kind, or a protocol that has it",
-        ));
-        return None;
-    };
-    Some(rows_of(&values))
-}
+    /// Whether the last one has a row.
+    fn has_rows(&self) -> bool {
+        self.blocks
+            .last()
+            .is_some_and(|block| !block.rows.is_empty())
+    }
 
-/// `Fr` of the blocks that have it; both must say the same.
-fn runout(file: &DataFile, blocks: &[Block], problems: &mut Problems) -> Option<Vec<Row<1>>> {
-    let columns: Vec<_> = blocks
-        .iter()
-        .filter_map(|block| block.column(Name::Runout))
-        .collect();
-    let Some(first) = columns.first() else {
-        problems.add(file.problem("has no column Fr", "give a protocol that has it"));
-        return None;
-    };
-    let mut good = Some(());
-    // The first of two rows of one tooth: that there are two is reported elsewhere.
-    let by_tooth: HashMap<u32, f64> = first
-        .iter()
-        .rev()
-        .map(|(_, tooth, value)| (*tooth, value.value))
-        .collect();
-    for (line, tooth, value) in columns.iter().skip(1).flatten() {
-        if by_tooth.get(tooth) != Some(&value.value) {
-            problems.add(file.problem_at(
-                *line,
-                format!(
-                    "Fr of tooth {tooth} is {} here, but not in the block of the other flank",
-                    file.bare(value.text)
-                ),
-                "find the right one, and remove column Fr from the other block of a copy",
-            ));
-            good = None;
+    /// Whether no row more is read.
+    fn is_full(&self) -> bool {
+        self.rows >= MOST_ROWS
+    }
+
+    /// Begins the block of a flank.
+    pub fn begin(&mut self, side: Side, line: u64) -> Result<(), Wrong> {
+        let first = self.blocks.iter().find(|block| block.side == side);
+        let first = first.map(|first| first.line);
+        self.blocks.push(Block {
+            side,
+            line,
+            columns: Vec::new(),
+            rows: Vec::new(),
+        });
+        match first {
+            None => Ok(()),
+            Some(first) => Err(Wrong {
+                reason: format!("duplicate block of this flank, the first begins in line {first}"),
+                help: "keep one of the two",
+                ends_block: false,
+            }),
         }
     }
-    good?;
-    Some(rows_of(first))
+
+    /// Reads a line of the last block: the names of its columns, or a row.
+    pub fn take(
+        &mut self,
+        file: &DataFile,
+        line: u64,
+        text: &'a str,
+        unmeasured: Unmeasured,
+    ) -> Result<(), Wrong> {
+        let is_full = self.is_full();
+        let Some(block) = self.blocks.last_mut() else {
+            return Ok(());
+        };
+        let wrong = |help: &'static str, ends_block: bool| {
+            move |reason: String| Wrong {
+                reason,
+                help,
+                ends_block,
+            }
+        };
+        if block.columns.is_empty() {
+            let columns = columns(file, text);
+            block.columns =
+                columns.map_err(wrong("name the columns there: Zahn-Nr. fp Fp Fr", true))?;
+        } else if is_full {
+            let reason = format!("more rows than the {MOST_ROWS} of both flanks of 10 000 teeth");
+            return Err(wrong("give a protocol of one gear", true)(reason));
+        } else {
+            self.rows += 1;
+            let row = row(file, text, &block.columns, unmeasured);
+            let (tooth, values) = row.map_err(wrong("correct the line", false))?;
+            block.rows.push((line, tooth, values));
+        }
+        Ok(())
+    }
+
+    /// The wanted columns, by ascending tooth.
+    pub fn rows(&self, request: &Request, problems: &mut Problems) -> Option<Vec<Row>> {
+        let Request { file, wanted, .. } = request;
+        let columns = wanted.columns.iter().map(|column| {
+            let values = match *column {
+                Column::Right(kind) => self.pitch(file, Side::Right, kind, problems),
+                Column::Left(kind) => self.pitch(file, Side::Left, kind, problems),
+                Column::Runout => self.runout(file, problems),
+                other => {
+                    let reason = format!("is a pitch protocol, which has no {}", other.name());
+                    problems.add(file.problem(reason, "name a table that has it"));
+                    None
+                }
+            };
+            let row = |(line, tooth, value): (u64, u32, Written)| Row {
+                line,
+                tooth: Some(tooth),
+                flank: None,
+                values: vec![value.value],
+            };
+            ordered(
+                file,
+                values?.into_iter().map(row).collect(),
+                *wanted,
+                problems,
+            )
+        });
+        // All columns are read before the first bad one ends it.
+        let columns: Vec<Option<Vec<Row>>> = columns.collect();
+        let mut columns = columns.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
+        // Now that every tooth is there once.
+        if wanted
+            .columns
+            .iter()
+            .any(|column| *column != Column::Runout)
+        {
+            for block in &self.blocks {
+                block.check_kinds_agree(file, problems);
+            }
+        }
+        let mut rows = columns.next()?;
+        for column in columns {
+            for (row, other) in rows.iter_mut().zip(&column) {
+                if row.tooth != other.tooth {
+                    return None;
+                }
+                row.values.extend(&other.values);
+            }
+        }
+        Some(rows)
+    }
+
+    fn pitch(
+        &self,
+        file: &DataFile,
+        side: Side,
+        kind: PitchKind,
+        problems: &mut Problems,
+    ) -> Option<Vec<(u64, u32, Written<'a>)>> {
+        let Some(block) = self.blocks.iter().find(|block| block.side == side) else {
+            let head = if side == Side::Left {
+                "linke"
+            } else {
+                "rechte"
+            };
+            let reason = format!("has no block {head} Zahnflanke");
+            problems.add(file.problem(reason, "give a protocol of both flanks"));
+            return None;
+        };
+        let values = block.column(name_of(kind));
+        if values.is_none() {
+            let name = if kind == PitchKind::Single {
+                "fp"
+            } else {
+                "Fp"
+            };
+            let help = "give the other kind, or a protocol that has it";
+            problems.add(file.problem_at(
+                block.line,
+                format!("the block has no column {name}"),
+                help,
+            ));
+        }
+        values
+    }
+
+    /// `Fr` of the blocks that have it; both must state the same.
+    fn runout(
+        &self,
+        file: &DataFile,
+        problems: &mut Problems,
+    ) -> Option<Vec<(u64, u32, Written<'a>)>> {
+        let mut columns = self
+            .blocks
+            .iter()
+            .filter_map(|block| block.column(Name::Runout));
+        let Some(first) = columns.next() else {
+            problems.add(file.problem("has no column Fr", "give a protocol that has it"));
+            return None;
+        };
+        // The first of two rows of one tooth: that there are two is reported elsewhere.
+        let by_tooth = first
+            .iter()
+            .rev()
+            .map(|(_, tooth, value)| (*tooth, value.value));
+        let by_tooth: HashMap<u32, f64> = by_tooth.collect();
+        let mut good = Some(());
+        for (line, tooth, value) in columns.flatten() {
+            if by_tooth.get(&tooth) != Some(&value.value) {
+                let value = file.bare(value.text);
+                problems.add(file.problem_at(
+                    line,
+                    format!("Fr of tooth {tooth} is {value} here, but not in the block of the other flank"),
+                    "find the right one, and remove column Fr from the other block of a copy",
+                ));
+                good = None;
+            }
+        }
+        good.map(|()| first)
+    }
 }
 
-/// The values of a column as rows of their own.
-fn rows_of(column: &[(u64, u32, Written)]) -> Vec<Row<1>> {
-    let row = |&(line, tooth, value): &(u64, u32, Written)| Row {
-        line,
-        tooth,
-        values: [value.value],
+impl<'a> Block<'a> {
+    /// The values of a column, with their lines and teeth; `None` where the block does not have it.
+    fn column(&self, name: Name) -> Option<Vec<(u64, u32, Written<'a>)>> {
+        let place = self.columns.iter().position(|column| *column == name)?;
+        let value = |(line, tooth, values): &Numbers<'a>| {
+            Some((*line, *tooth, *values.get(place.checked_sub(1)?)?))
+        };
+        self.rows.iter().map(value).collect()
+    }
+
+    /// Checks that single and cumulative pitch agree: `f_i = F_i − F_{i−1}`, within half a unit of the last printed digit of each of
+    /// the three. The block has every tooth once.
+    fn check_kinds_agree(&self, file: &DataFile, problems: &mut Problems) {
+        let [Some(mut single), Some(mut cumulative)] =
+            [Name::Single, Name::Cumulative].map(|name| self.column(name))
+        else {
+            return;
+        };
+        single.sort_by_key(|value| value.1);
+        cumulative.sort_by_key(|value| value.1);
+        let Some(mut before) = cumulative.last().copied() else {
+            return;
+        };
+        for ((line, tooth, f), now) in single.into_iter().zip(cumulative) {
+            let difference = now.2.value - before.2.value;
+            let rounding = f.rounding + now.2.rounding + before.2.rounding;
+            // Rounding of the subtraction itself: some ulps of the values.
+            let slack = 1e-12 * (now.2.value.abs() + before.2.value.abs());
+            if (f.value - difference).abs() > rounding + slack {
+                let reason = format!(
+                    "fp of tooth {tooth} is {}, but its Fp minus that of tooth {} is {}: the two columns differ by more than their rounding",
+                    file.bare(f.text),
+                    before.1,
+                    file.bare(&ascii(difference, 4)),
+                );
+                let help =
+                    "find the wrong one, or remove the other column from a copy of the protocol";
+                problems.add(file.problem_at(line, reason, help));
+            }
+            before = now;
+        }
+    }
+}
+
+/// The columns of a block.
+fn columns(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
+    let mut names = Vec::new();
+    for word in text.split_whitespace() {
+        match named(word) {
+            Some(name) if names.contains(&name) => {
+                return Err(format!("duplicate column {}", file.quote(word)));
+            }
+            Some(name) => names.push(name),
+            None => return Err(format!("unknown column {}", file.quote(word))),
+        }
+    }
+    match names.first() {
+        Some(Name::Tooth) => Ok(names),
+        _ => Err("column Zahn-Nr. is missing".to_owned()),
+    }
+}
+
+/// The tooth and the values of a row, in the order of the columns behind `Zahn-Nr.`.
+fn row<'a>(
+    file: &DataFile,
+    text: &'a str,
+    columns: &[Name],
+    unmeasured: Unmeasured,
+) -> Result<(u32, Vec<Written<'a>>), String> {
+    let mut words = text.split_whitespace();
+    let (found, expected) = (words.clone().count(), columns.len());
+    let (Some(first), true) = (words.next(), found == expected) else {
+        return Err(format!("{found} values, the block has {expected} columns"));
     };
-    column.iter().map(row).collect()
+    let tooth = number::tooth(first).filter(|tooth| (1..=10_000).contains(tooth));
+    let Some(tooth) = tooth else {
+        let found = file.quote(first);
+        return Err(format!(
+            "Zahn-Nr. is {found}, allowed is a whole number from 1 on"
+        ));
+    };
+    let values = words.map(|word| match without_zero(word) {
+        Some(written) if unmeasured.is(&written) => {
+            let source = if Unmeasured::default().is(&written) {
+                ""
+            } else {
+                ", as UNDEFINED of the preamble says"
+            };
+            let word = file.bare(word);
+            Err(format!(
+                "{word} stands for a value that was not measured{source}"
+            ))
+        }
+        Some(written) if written.value.abs() <= 1e7 => Ok(written),
+        _ => {
+            let word = file.quote(word);
+            Err(format!(
+                "{word}, allowed is a number of µm with a decimal point, −1e7 … 1e7"
+            ))
+        }
+    });
+    Ok((tooth, values.collect::<Result<_, _>>()?))
 }

@@ -1,30 +1,51 @@
 //! `.xlsx` workbooks: the sheets with content, or the one that is named.
 //!
-//! Text that is a number is read as in a text file, its decimal sign settled by the table. A date may have been a number
-//! (`1.2` to a German Excel): where one must be, it is a problem with help.
+//! The zip archive is checked before its cells are read. Its own checksums find damage, at the end of each part. A reference beyond
+//! XFD1048576, a spreadsheet's last cell, has too many letters or digits for the integers of the reader behind; and that reader
+//! reserves room for as many texts as the archive says it has.
+//!
+//! Text that is a number is read as in a text file. A date may have been a number (`1.2` to a German Excel): it is a problem with help.
 
-use super::cell::{Cell, Line};
-use super::container;
-use super::grid::Grid;
-use super::limits::{MOST_CELLS, MOST_CHARACTERS, MOST_COLUMNS, MOST_NAMED, MOST_TEXT};
+use super::grid::{Cell, Grid, Line, MOST_CELLS, MOST_NAMED};
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::problems::Problems;
-use calamine::{DataRef, Reader, SheetType, Xlsx};
+use calamine::{DataRef, Reader as _, SheetType, Xlsx};
+use quick_xml::Reader;
+use quick_xml::events::Event;
 use std::collections::BTreeMap;
-use std::io::Cursor;
+use std::io::{Cursor, Read};
+use zip::ZipArchive;
+
+/// Columns that a table may reach: far beyond its few own.
+const MOST_COLUMNS: usize = 100;
+/// Bytes of the text of all cells: as many as a text file may have.
+const MOST_TEXT: usize = 16 << 20;
+/// Characters of one cell: as many as a spreadsheet takes.
+const MOST_CHARACTERS: usize = 32_767;
+/// Bytes of one part that holds cells, unpacked: some hundred for each cell, and a few other sheets.
+const MOST_PART: u64 = 32 << 20;
+/// Bytes of all parts, pictures included, unpacked; they are only read through.
+const MOST_UNPACKED: u64 = 64 << 20;
+/// Bytes of one tag: the text of a cell is not in it, and a name has no more than 255 characters.
+const MOST_TAG: usize = 1 << 16;
+/// Letters and digits of the last cell, XFD1048576.
+const MOST_LETTERS: usize = 3;
+const MOST_DIGITS: usize = 7;
+/// Bytes of the shortest text in the list of texts, `<si/>`.
+const SHORTEST_TEXT: u64 = 5;
 
 type Workbook = Xlsx<Cursor<Vec<u8>>>;
 /// By row and column, from 0.
 type Cells = BTreeMap<u32, BTreeMap<u32, Cell>>;
 
-/// Whether it is one: by its name, or because it begins as a zip archive does.
+/// Whether the file is a workbook: by its name, or because it begins as a zip archive does.
 pub fn is_one(file: &DataFile, bytes: &[u8]) -> bool {
     let extension = file.path().extension().unwrap_or_default();
     extension.eq_ignore_ascii_case("xlsx") || bytes.starts_with(b"PK\x03\x04")
 }
 
-/// The cells of the sheet called `name`, or of all with content.
+/// The cells of the sheet called `name`, or of all sheets with content.
 pub fn read(
     file: &DataFile,
     bytes: Vec<u8>,
@@ -37,48 +58,38 @@ pub fn read(
             "open it in a spreadsheet and save it again as .xlsx or CSV",
         )
     };
-    problems.keep(container::check(file, &bytes).map_err(unreadable))?;
+    problems.keep(check_archive(file, &bytes).map_err(unreadable))?;
     let workbook = Workbook::new(Cursor::new(bytes));
-    let mut workbook =
-        problems.keep(workbook.map_err(|error| unreadable(file.bare(&error.to_string()))))?;
+    let workbook = workbook.map_err(|error| unreadable(file.bare(&error.to_string())));
+    let mut workbook = problems.keep(workbook)?;
     // Charts on sheets of their own hold no cells.
     let sheets = workbook.sheets_metadata().iter();
     let sheets = sheets.filter(|sheet| sheet.typ == SheetType::WorkSheet);
     let names: Vec<String> = sheets.map(|sheet| sheet.name.clone()).collect();
-    let listed = |names: &[String]| {
+    if let Some(name) = name.filter(|name| !names.iter().any(|known| known == name)) {
+        let shown = Node::Text(name.to_owned()).shown();
         let quoted = names.iter().take(MOST_NAMED).map(|name| file.quote(name));
-        let quoted: Vec<String> = quoted.collect();
+        let listed = quoted.collect::<Vec<_>>().join(", ");
         let more = if names.len() > MOST_NAMED {
             ", …"
         } else {
             ""
         };
-        quoted.join(", ") + more
-    };
-    if let Some(name) = name.filter(|name| !names.iter().any(|known| known == name)) {
-        problems.add(file.problem(
-            format!(
-                "has no sheet {}, its sheets are {}",
-                Node::Text(name.to_owned()).shown(),
-                listed(&names)
-            ),
-            "correct the name",
-        ));
+        let reason = format!("has no sheet {shown}, its sheets are {listed}{more}");
+        problems.add(file.problem(reason, "correct the name"));
         return None;
     }
     let mut filled = Vec::new();
-    let mut read = CellReader {
+    let mut reader = CellReader {
         file,
         cells: 0,
         text: 0,
     };
-    for sheet in names
-        .into_iter()
-        .filter(|sheet| name.is_none_or(|name| name == sheet))
-    {
-        let cells = read.cells(&mut workbook, &sheet).map_err(unreadable);
-        let cells = problems.keep(cells)?;
-        filled.extend(grid(sheet, cells));
+    for sheet in names {
+        if name.is_none_or(|name| name == sheet) {
+            let cells = reader.cells(&mut workbook, &sheet).map_err(unreadable);
+            filled.extend(grid(sheet, problems.keep(cells)?));
+        }
     }
     if filled.is_empty() {
         problems.add(file.problem("is empty", "give a header and a row for each tooth"));
@@ -90,7 +101,7 @@ pub fn read(
 /// Reads sheet after sheet, all of them within the limits of one table.
 struct CellReader<'a> {
     file: &'a DataFile,
-    /// Read so far.
+    /// Cells read so far.
     cells: usize,
     /// Bytes of text in them.
     text: usize,
@@ -100,29 +111,25 @@ impl CellReader<'_> {
     /// The cells of a sheet that have content.
     fn cells(&mut self, workbook: &mut Workbook, sheet: &str) -> Result<Cells, String> {
         let file = self.file;
-        let place = |row: u32, column: u32| {
-            format!(
-                "row {} column {} of sheet {}",
-                row + 1,
-                column + 1,
-                file.quote(sheet)
-            )
-        };
         let shown = |error: calamine::XlsxError| file.bare(&error.to_string());
         let mut reader = workbook.worksheet_cells_reader(sheet).map_err(shown)?;
         let mut cells = Cells::new();
         while let Some(cell) = reader.next_cell().map_err(shown)? {
             let (row, column) = cell.get_position();
+            let place = || {
+                let sheet = file.quote(sheet);
+                format!("row {} column {} of sheet {sheet}", row + 1, column + 1)
+            };
+            let mut text = |text: &str| {
+                self.text_cell(text)
+                    .map_err(|reason| format!("{}: {reason}", place()))
+            };
             let content = match cell.get_value() {
                 DataRef::Empty => continue,
                 DataRef::Float(number) => Cell::Number(*number),
                 DataRef::Int(number) => Cell::Number(*number as f64),
-                DataRef::String(text) => self
-                    .text_cell(text)
-                    .map_err(|reason| format!("{}: {reason}", place(row, column)))?,
-                DataRef::SharedString(text) => self
-                    .text_cell(text)
-                    .map_err(|reason| format!("{}: {reason}", place(row, column)))?,
+                DataRef::String(string) => text(string)?,
+                DataRef::SharedString(string) => text(string)?,
                 DataRef::Bool(flag) => {
                     Cell::Other(format!("the boolean {}", file.bare(&flag.to_string())))
                 }
@@ -140,7 +147,7 @@ impl CellReader<'_> {
             if column as usize >= MOST_COLUMNS || self.cells > MOST_CELLS {
                 return Err(format!(
                     "{} is outside the table limits: up to {MOST_COLUMNS} columns and {MOST_CELLS} cells are read",
-                    place(row, column)
+                    place()
                 ));
             }
             if cells
@@ -149,13 +156,13 @@ impl CellReader<'_> {
                 .insert(column, content)
                 .is_some()
             {
-                return Err(format!("{} has two values", place(row, column)));
+                return Err(format!("{} has two values", place()));
             }
         }
         Ok(cells)
     }
 
-    /// A cell of text; one text may stand in any number of cells, so what they take is counted cell by cell.
+    /// A cell of text. Many cells may share one text: its bytes count in each.
     fn text_cell(&mut self, text: &str) -> Result<Cell, String> {
         let text = text.trim();
         if text.is_empty() {
@@ -181,16 +188,105 @@ impl CellReader<'_> {
 fn grid(sheet: String, cells: Cells) -> Option<Grid> {
     let lines = cells.into_iter().map(|(row, mut cells)| {
         let width = cells.last_key_value().map_or(0, |(last, _)| last + 1);
-        let mut take = |column| cells.remove(&column).unwrap_or(Cell::Empty);
+        let take = |column| cells.remove(&column).unwrap_or(Cell::Empty);
+        let cells = (0..width).map(take).collect();
         Line {
             number: u64::from(row) + 1,
-            cells: (0..width).map(&mut take).collect(),
+            cells,
         }
     });
     let lines: Vec<Line> = lines.collect();
-    (!lines.is_empty()).then_some(Grid {
+    let grid = |lines| Grid {
         sheet: Some(sheet),
         lines,
         decimal: None,
-    })
+    };
+    (!lines.is_empty()).then(|| grid(lines))
+}
+
+/// Checks every part of the archive that `file` is; an error in words.
+fn check_archive(file: &DataFile, bytes: &[u8]) -> Result<(), String> {
+    let shown = |error: &dyn std::error::Error| file.bare(&error.to_string());
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| shown(&error))?;
+    let mut left = MOST_UNPACKED;
+    for index in 0..archive.len() {
+        let part = archive.by_index(index).map_err(|error| shown(&error))?;
+        let name = part.name().map_err(|error| shown(&error))?.into_owned();
+        let in_part = |reason: String| format!("{}: {reason}", file.bare(&name));
+        let mut content = Vec::new();
+        let mut part = part.take(left.min(MOST_PART) + 1);
+        let read = part
+            .read_to_end(&mut content)
+            .map_err(|error| in_part(shown(&error)))? as u64;
+        if read > MOST_PART {
+            let most = MOST_PART >> 20;
+            return Err(in_part(format!(
+                "more than {most} MiB unpacked, the most a part may have"
+            )));
+        }
+        left = left.checked_sub(read).ok_or_else(|| {
+            let most = MOST_UNPACKED >> 20;
+            format!("its parts have more than {most} MiB unpacked, the most they may have")
+        })?;
+        let is_sheet = name.starts_with("xl/worksheets/") && name.ends_with(".xml");
+        check_xml(file, &content, is_sheet).map_err(in_part)?;
+    }
+    Ok(())
+}
+
+/// Checks the places of rows and cells (`r`), the ranges (`ref`) and the number of texts (`uniqueCount`).
+///
+/// A reference between the parts may make any of them a sheet. Broken XML ends this check where it ends the reader behind, too; in a
+/// sheet it is an error here.
+fn check_xml(file: &DataFile, content: &[u8], is_sheet: bool) -> Result<(), String> {
+    let mut reader = Reader::from_reader(content);
+    // As the reader behind has it, so that everything it reads is checked here.
+    reader.config_mut().check_end_names = is_sheet;
+    let mut buffer = Vec::new();
+    loop {
+        buffer.clear();
+        let tag = match reader.read_event_into(&mut buffer) {
+            Ok(Event::Eof) => return Ok(()),
+            Ok(Event::Start(tag) | Event::Empty(tag)) => tag,
+            Ok(_) => continue,
+            Err(error) if is_sheet => return Err(file.bare(&error.to_string())),
+            Err(_) => return Ok(()),
+        };
+        if tag.len() > MOST_TAG {
+            return Err(format!(
+                "a tag of {} bytes, the most is {MOST_TAG}",
+                tag.len()
+            ));
+        }
+        // Duplicate names are not looked for: the time would grow with the square of their number.
+        for attribute in tag.attributes().with_checks(false) {
+            let attribute = match attribute {
+                Ok(attribute) => attribute,
+                Err(error) if is_sheet => return Err(file.bare(&error.to_string())),
+                Err(_) => break,
+            };
+            let value = &attribute.value;
+            match attribute.key.into_inner() {
+                "r" | "ref" if !value.split(':').all(is_within) => {
+                    return Err(format!("no spreadsheet has a cell {}", file.quote(value)));
+                }
+                "uniqueCount" => {
+                    let most = content.len() as u64 / SHORTEST_TEXT;
+                    let stated = value.trim().parse::<u64>();
+                    if !stated.is_ok_and(|stated| stated <= most) {
+                        let (shown, bytes) = (file.bare(value), content.len());
+                        return Err(format!("says that it has {shown} texts in {bytes} bytes"));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Whether a spreadsheet can have the row `7` or the cell `B7`.
+fn is_within(part: &str) -> bool {
+    let letters = part.bytes().filter(u8::is_ascii_alphabetic).count();
+    let digits = part.bytes().filter(u8::is_ascii_digit).count();
+    letters <= MOST_LETTERS && digits <= MOST_DIGITS
 }

@@ -30,39 +30,49 @@ fn file_not_there() {
 
 #[test]
 fn columns() {
+    let twice = put(ROWS, ",source", ",measured_left_um");
     expect_rows(
-        &put(
-            &put(ROWS, "wheel_tooth,", "weel_tooth,"),
-            ",source",
-            ",measured_left_um",
-        ),
+        &put(&twice, "wheel_tooth,", "weel_tooth,"),
         &[
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 1", "unknown column \"weel_tooth\""],
-                "mean wheel_tooth",
+                &[
+                    "line 1: column wheel_tooth is missing; the columns are ",
+                    "\"weel_tooth\" (B)",
+                ],
+                "name it there",
             ),
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 1", "duplicate column measured_left_um"],
-                "remove one",
-            ),
-            problem(
-                "measured.file",
-                "rig.csv",
-                &["column wheel_tooth is missing"],
-                "name the columns",
-            ),
-            problem(
-                "measured.file",
-                "rig.csv",
-                &["column source is missing"],
-                "name the columns",
+                &[
+                    "line 1: 2 columns may be measured_left_um: \"measured_left_um\" (E) and \"measured_left_um\" (H)",
+                ],
+                "keep one of them",
             ),
         ],
     );
+    expect_rows(
+        &put(ROWS, "center_distance_mm", "center_distance_um"),
+        &[problem(
+            "measured.file",
+            "rig.csv",
+            &["line 1: column \"center_distance_um\" (A) is in µm, allowed is mm"],
+            "convert its values to mm",
+        )],
+    );
+}
+
+/// Sources may be left out; a German Excel writes semicolons and commas.
+#[test]
+fn other_ways_of_writing() {
+    let without: Vec<&str> = ROWS
+        .lines()
+        .map(|row| row.rsplit_once(',').unwrap().0)
+        .collect();
+    expect_rows(&without.join("\n"), &[]);
+    expect_rows(&ROWS.replace(',', ";").replace('.', ","), &[]);
 }
 
 #[test]
@@ -86,13 +96,13 @@ fn rows() {
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 4: measured_right_um is \"15O\"", "a finite number"],
+                &["line 4: measured_right_um is \"15O\"", "a number of µm"],
                 "correct",
             ),
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 4: measured_left_um is \"nan\"", "a finite number"],
+                &["line 4: measured_left_um is \"nan\"", "a number of µm"],
                 "correct",
             ),
             problem(
@@ -110,7 +120,10 @@ fn rows() {
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 8: predicted_min_um is \"2\"", "predicted_max_um"],
+                &[
+                    "line 8: predicted_max_um is \"1\"",
+                    "predicted_min_um or above",
+                ],
                 "correct",
             ),
         ],

@@ -103,15 +103,13 @@ fn rows(
     };
     while let Some(last) = rows.last() {
         let first = last.get(tooth).map_or("", String::as_str);
-        let nothing = |place: &usize| last.get(*place).is_none_or(|cell| cell.is_empty());
-        // A word with a number behind it, such as that of the report.
-        let is_word = first.chars().take_while(|c| c.is_alphabetic()).count() > 1
-            && places.iter().all(nothing);
+        // Words and dates are no teeth, whatever stands beside them.
+        let letters = first.chars().filter(|c| c.is_alphabetic()).count();
+        let is_word = first.starts_with(char::is_alphabetic) && letters > 1;
         let is_date = first.split('.').map(str::len).eq([2, 2, 4])
-            && first.bytes().all(|b| b == b'.' || b.is_ascii_digit())
-            && places.iter().all(nothing);
-        let may_be_tooth = first.contains(|c: char| c.is_ascii_digit()) && !is_word && !is_date;
-        if may_be_tooth || values(last).is_some() {
+            && first.bytes().all(|b| b == b'.' || b.is_ascii_digit());
+        let has_digit = first.contains(|c: char| c.is_ascii_digit());
+        if !is_word && !is_date && (has_digit || values(last).is_some()) {
             break;
         }
         rows.pop();

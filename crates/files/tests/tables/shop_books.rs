@@ -111,9 +111,8 @@ fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
             .iter()
             .all(|place| row.get(*place).unwrap_or(&Nothing) == &Nothing),
         Text(text) => {
-            let empty = |place: &usize| row.get(*place).unwrap_or(&Nothing) == &Nothing;
-            let is_word = text.starts_with("Prüf") && [right, left].iter().all(empty);
-            is_word
+            // Two letters are no tooth, whatever stands beside them.
+            text.chars().take(2).filter(|c| c.is_alphabetic()).count() == 2
                 || !text.contains(|c: char| c.is_ascii_digit())
                     && [right, left]
                         .iter()

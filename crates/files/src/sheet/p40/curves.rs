@@ -1,40 +1,68 @@
-//! The data of a curve file: traces, the tables of pitch, and what is only counted: diameters and the probe's positions.
+//! The data of a curve file: traces, the tables of pitch, and parts that are only counted: diameters and positions of the probe.
 //!
-//! A head closes what stands open before it. What follows a head that is wrong is passed over: one mistake is one problem.
+//! A head closes the part before it. Lines below a wrong head are passed over: one mistake is one problem.
 
-use super::super::block::{self, Block};
-use super::super::limits::MOST_ROWS;
-use super::super::number::tooth as tooth_number;
-use super::super::number::without_zero;
-use super::content::{CORRECT, FlankTrace, P40, POSITIONS, PROFILES};
-use super::trace_head::{self, Title};
+use super::{CORRECT, FlankTrace, P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::problems::Problems;
+use crate::sheet::number::{tooth as tooth_number, without_zero};
+use crate::sheet::protocol;
+use gearlash::gear::Flank;
 
 const DIAMETERS: [(&str, &str); 2] = [
     ("Fußkreisdurchmesser", "root diameters"),
     ("Kopfkreisdurchmesser", "tip diameters"),
 ];
-/// The head of the probe's positions.
+/// The head of the probe's positions, their columns, and one of their rows.
 const TEILUNG: &str = "Teilung:";
-/// Their columns.
 const COLUMNS: [&str; 6] = ["Z-Nr.", "Seite", "PHI", "X", "Y", "Z"];
-/// One of their rows.
 const POSITION: &str = "a tooth, R or L, and PHI in degrees, X, Y and Z in mm";
+/// The head of one trace begins so.
+const ZAHN: &str = "Zahn-Nr.:";
 
-/// What the lines that follow belong to.
+/// Kind of the traces below a title.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Title {
+    Profile,
+    Lead,
+    Twist,
+}
+
+const TITLES: [(&str, Title); 3] = [
+    ("Profil:", Title::Profile),
+    ("Flankenlinie:", Title::Lead),
+    ("Verschränkung:", Title::Twist),
+];
+
+impl Title {
+    /// The title that `text` begins with, and what follows it.
+    fn of(text: &str) -> Option<(Title, &str)> {
+        let mut titles = TITLES.into_iter();
+        titles.find_map(|(known, title)| Some((title, text.strip_prefix(known)?.trim_start())))
+    }
+}
+
+/// The part that the next lines belong to.
 #[derive(Debug)]
 enum Open {
     Nothing,
     /// Passed over, up to the next head.
     Wrong,
-    /// Values of a trace: what it is called, and how many are to come.
-    Values(&'static str, FlankTrace, usize),
+    /// Values of a trace.
+    Values(Trace),
     /// Diameters, by name.
     Diameters(&'static str),
     Block,
     /// Positions: whether their columns have been named.
     Positions(bool),
+}
+
+/// A trace that is being read: the name of its kind, and how many values it has.
+#[derive(Debug)]
+struct Trace {
+    name: &'static str,
+    curve: FlankTrace,
+    count: usize,
 }
 
 /// Where in the data of a file the reader is.
@@ -56,117 +84,101 @@ impl<'f> Data<'f> {
         }
     }
 
-    /// Takes over a line.
+    /// Describes the values that are missing if the file ends now.
+    pub fn cut_short(&self) -> Option<String> {
+        let Open::Values(Trace { curve, count, .. }) = &self.open else {
+            return None;
+        };
+        let found = curve.values.len();
+        Some(format!(
+            "{found} of {count} values into the trace of line {}",
+            curve.line
+        ))
+    }
+
+    /// Reads a line.
     pub fn take<'a>(
         &mut self,
         p40: &mut P40<'a>,
         (line, text): (u64, &'a str),
         problems: &mut Problems,
     ) {
-        let mut wrong = |reason: String| problems.add(self.file.problem_at(line, reason, CORRECT));
-        let head = block::side(text).is_some()
+        let file = self.file;
+        let mut wrong = |reason: String| problems.add(file.problem_at(line, reason, CORRECT));
+        let is_head = protocol::side(text).is_some()
             || Title::of(text).is_some()
-            || text.starts_with(trace_head::BEGIN)
+            || text.starts_with(ZAHN)
             || DIAMETERS.iter().any(|(known, _)| text.starts_with(known))
             || text == TEILUNG;
-        if head {
+        if is_head {
             if let Some(reason) = self.cut_short() {
                 wrong(format!("the trace before it ends too early: {reason}"));
             }
-            match self.begin(p40, line, text) {
-                Ok(open) => self.open = open,
-                Err(reason) => {
-                    self.open = Open::Wrong;
-                    wrong(reason);
-                }
-            }
+            self.open = self.begin(p40, line, text).unwrap_or_else(|reason| {
+                wrong(reason);
+                Open::Wrong
+            });
             return;
         }
-        let file = self.file;
-        let bad = match &mut self.open {
-            Open::Wrong => Ok(()),
-            Open::Values(..) => {
-                self.take_values(p40, (line, text), problems);
-                return;
+        let not_understood = || format!("{} is not understood here", file.quote(text));
+        match &mut self.open {
+            Open::Wrong => {}
+            Open::Values(trace) => {
+                let ended = take_values(p40, file, trace, (line, text), &mut wrong);
+                if let Some(result) = ended {
+                    let open = std::mem::replace(&mut self.open, Open::Nothing);
+                    match (result, open) {
+                        (Ok(()), Open::Values(trace)) => keep(p40, trace).unwrap_or_else(wrong),
+                        (Ok(()), _) => {}
+                        (Err(reason), _) => {
+                            self.open = Open::Wrong;
+                            wrong(reason);
+                        }
+                    }
+                }
             }
             Open::Diameters(name) => {
-                let are_numbers = text
-                    .split_whitespace()
-                    .all(|word| without_zero(word).is_some());
-                let count = text.split_whitespace().count();
-                p40.count_unused(name, count);
-                let reason = || format!("{} is not understood here", file.quote(text));
-                are_numbers.then_some(()).ok_or_else(reason)
-            }
-            Open::Block => match take_row(file, p40, (line, text)) {
-                Err((reason, true)) => {
-                    self.open = Open::Wrong;
-                    Err(reason)
+                let words = || text.split_whitespace();
+                p40.count_unused(name, words().count());
+                if !words().all(|word| without_zero(word).is_some()) {
+                    wrong(not_understood());
                 }
-                Err((reason, false)) => Err(reason),
-                Ok(()) => Ok(()),
-            },
+            }
+            Open::Block => {
+                let unmeasured = p40.unmeasured;
+                if let Err(bad) = p40.blocks.take(file, line, text, unmeasured) {
+                    if bad.ends_block {
+                        self.open = Open::Wrong;
+                    }
+                    wrong(bad.reason);
+                }
+            }
             Open::Positions(true) => {
-                p40.count_unused(POSITIONS, 1);
-                let reason = || format!("{}, allowed is {POSITION}", file.quote(text));
-                is_position(text).then_some(()).ok_or_else(reason)
+                p40.count_unused("positions of the probe", 1);
+                if !is_position(text) {
+                    wrong(format!("{}, allowed is {POSITION}", file.quote(text)));
+                }
+            }
+            Open::Positions(false) if text.split_whitespace().eq(COLUMNS) => {
+                self.open = Open::Positions(true)
             }
             Open::Positions(false) => {
-                let is_named = text.split_whitespace().eq(COLUMNS);
-                self.open = if is_named {
-                    Open::Positions(true)
-                } else {
-                    Open::Wrong
-                };
-                let reason = || format!("{}, allowed is {}", file.quote(text), COLUMNS.join(" "));
-                is_named.then_some(()).ok_or_else(reason)
+                self.open = Open::Wrong;
+                wrong(format!(
+                    "{}, allowed is {}",
+                    file.quote(text),
+                    COLUMNS.join(" ")
+                ));
             }
             Open::Nothing => {
                 self.open = Open::Wrong;
-                Err(format!("{} is not understood here", file.quote(text)))
+                wrong(not_understood());
             }
-        };
-        if let Err(reason) = bad {
-            problems.add(file.problem_at(line, reason, CORRECT));
         }
     }
 
-    /// What is missing where the file ends now.
-    pub fn cut_short(&self) -> Option<String> {
-        match &self.open {
-            Open::Values(_, curve, count) => Some(format!(
-                "{} of {count} values into the trace of line {}",
-                curve.values.len(),
-                curve.line
-            )),
-            _ => None,
-        }
-    }
-
-    /// What a head opens.
+    /// The part that a head opens.
     fn begin(&mut self, p40: &mut P40, line: u64, text: &str) -> Result<Open, String> {
-        if let Some(side) = block::side(text) {
-            self.title = None;
-            if p40.blocks.iter().any(|block| block.side == side) {
-                return Err("duplicate block of this flank".to_owned());
-            }
-            p40.blocks.push(Block {
-                side,
-                line,
-                columns: Vec::new(),
-                rows: Vec::new(),
-            });
-            return Ok(Open::Block);
-        }
-        let mut diameters = DIAMETERS.iter();
-        if let Some((_, name)) = diameters.find(|(known, _)| text.starts_with(known)) {
-            self.title = None;
-            return Ok(Open::Diameters(name));
-        }
-        if text == TEILUNG {
-            self.title = None;
-            return Ok(Open::Positions(false));
-        }
         let mut rest = text;
         if let Some((title, behind)) = Title::of(text) {
             self.title = Some(title);
@@ -175,77 +187,75 @@ impl<'f> Data<'f> {
                 return Ok(Open::Nothing);
             }
         }
-        let Some(title) = self.title else {
-            return Err(
-                "a trace below none of Profil:, Flankenlinie: and Verschränkung:".to_owned(),
-            );
-        };
-        let head = trace_head::read(self.file, rest, title)?;
-        let curve = FlankTrace {
-            line,
-            tooth: head.tooth,
-            flank: head.flank,
-            values: Vec::new(),
-        };
-        Ok(Open::Values(head.name, curve, head.count))
+        let trace = |title| head_of_trace(self.file, line, rest, title);
+        if rest.starts_with(ZAHN) || rest != text {
+            let title = self
+                .title
+                .ok_or("a trace below none of Profil:, Flankenlinie: and Verschränkung:")?;
+            return Ok(Open::Values(trace(title)?));
+        }
+        self.title = None;
+        if let Some(side) = protocol::side(text) {
+            p40.blocks.begin(side, line).map_err(|wrong| wrong.reason)?;
+            return Ok(Open::Block);
+        }
+        let mut diameters = DIAMETERS
+            .iter()
+            .filter(|(known, _)| text.starts_with(known));
+        Ok(diameters
+            .next()
+            .map_or(Open::Positions(false), |(_, name)| Open::Diameters(name)))
     }
+}
 
-    /// Takes over values of the open trace.
-    fn take_values(&mut self, p40: &mut P40, (line, text): (u64, &str), problems: &mut Problems) {
-        let Open::Values(name, curve, count) = &mut self.open else {
-            return;
-        };
-        let mut wrong = |reason: String| problems.add(self.file.problem_at(line, reason, CORRECT));
-        for word in text.split_whitespace() {
-            let number = without_zero(word).filter(|found| found.value.abs() <= 1e7);
-            // What is no number is reported and leaves a hole: the values behind it keep their places.
-            let measured = match number {
-                Some(number) => Some(number.value).filter(|_| !p40.unmeasured.is(&number)),
-                None => {
-                    wrong(format!(
-                        "{}, allowed is a number of µm: value {} of {count} of the trace of line {}",
-                        self.file.quote(word),
-                        curve.values.len() + 1,
-                        curve.line
-                    ));
-                    None
-                }
-            };
-            curve.values.push((line, measured));
-        }
-        let found = curve.values.len();
-        if found < *count {
-            return;
-        }
-        if found > *count {
+/// Reads values of a trace; `Some` where it ends: complete, or with a reason.
+fn take_values(
+    p40: &P40,
+    file: &DataFile,
+    Trace { curve, count, .. }: &mut Trace,
+    (line, text): (u64, &str),
+    wrong: &mut impl FnMut(String),
+) -> Option<Result<(), String>> {
+    for word in text.split_whitespace() {
+        let number = without_zero(word).filter(|found| found.value.abs() <= 1e7);
+        // A word that is no number is reported and leaves a hole: the values behind it keep their places.
+        if number.is_none() {
             wrong(format!(
-                "{found} values of the trace of line {}, which has {count}",
+                "{}, allowed is a number of µm: value {} of {count} of the trace of line {}",
+                file.quote(word),
+                curve.values.len() + 1,
                 curve.line
             ));
-            self.open = Open::Wrong;
-            return;
         }
-        let name = *name;
-        if let Open::Values(_, curve, _) = std::mem::replace(&mut self.open, Open::Nothing)
-            && let Err(reason) = keep(p40, name, curve)
-        {
-            wrong(reason);
+        let measured = number.filter(|number| !p40.unmeasured.is(number));
+        curve
+            .values
+            .push((line, measured.map(|number| number.value)));
+    }
+    let found = curve.values.len();
+    match found.cmp(count) {
+        std::cmp::Ordering::Less => None,
+        std::cmp::Ordering::Equal => Some(Ok(())),
+        std::cmp::Ordering::Greater => {
+            let of = curve.line;
+            Some(Err(format!(
+                "{found} values of the trace of line {of}, which has {count}"
+            )))
         }
     }
 }
 
-/// Keeps a whole trace, or counts it.
-fn keep(p40: &mut P40, name: &'static str, curve: FlankTrace) -> Result<(), String> {
+/// Keeps a whole profile, or counts another trace.
+fn keep(p40: &mut P40, Trace { name, curve, .. }: Trace) -> Result<(), String> {
     if name != PROFILES {
         p40.count_unused(name, 1);
         return Ok(());
     }
     let same = |other: &&FlankTrace| (other.tooth, other.flank) == (curve.tooth, curve.flank);
     if let Some(first) = p40.profiles.iter().find(same) {
+        let (tooth, flank) = (curve.tooth, curve.flank.name());
         return Err(format!(
-            "the profile of tooth {}, {} flank, stands in line {} already",
-            curve.tooth,
-            curve.flank.name(),
+            "the profile of tooth {tooth}, {flank} flank, stands in line {} already",
             first.line
         ));
     }
@@ -253,40 +263,66 @@ fn keep(p40: &mut P40, name: &'static str, curve: FlankTrace) -> Result<(), Stri
     Ok(())
 }
 
-fn too_many() -> String {
-    format!("more rows than the {MOST_ROWS} of both flanks of 10 000 teeth")
-}
-
-/// Takes over a line of a block; with a reason whether the rest of the block makes no sense.
-fn take_row<'a>(
-    file: &DataFile,
-    p40: &mut P40<'a>,
-    (line, text): (u64, &'a str),
-) -> Result<(), (String, bool)> {
-    let rows: usize = p40.blocks.iter().map(|block| block.rows.len()).sum();
-    let unmeasured = p40.unmeasured;
-    let Some(block) = p40.blocks.last_mut() else {
-        return Ok(());
+/// The head of a trace, `Zahn-Nr.: 44 links / 480  Werte  z= 7.500`; a letter behind the tooth marks a trace beside the main one.
+fn head_of_trace(file: &DataFile, line: u64, text: &str, title: Title) -> Result<Trace, String> {
+    let wrong = || {
+        let words = file.quote(text);
+        format!("{words}, allowed is such as Zahn-Nr.: 44 links / 480 Werte z= 7.500")
     };
-    if block.columns.is_empty() {
-        block.columns = block::names(file, text).map_err(|reason| (reason, true))?;
-    } else if rows >= MOST_ROWS {
-        return Err((too_many(), true));
-    } else {
-        let row = block::row(file, text, &block.columns, unmeasured, without_zero);
-        let (tooth, values) = row.map_err(|reason| (reason, false))?;
-        block.rows.push((line, tooth, values));
+    let behind = text.strip_prefix(ZAHN).ok_or_else(wrong)?;
+    let behind = behind.replace('/', " ").replace('=', "= ");
+    let mut words: Vec<&str> = behind.split_whitespace().collect();
+    // A twist trace names the trace it belongs to.
+    if words.get(1).is_some_and(|word| word.contains(':')) {
+        words.remove(1);
     }
-    Ok(())
+    let [tooth, flank, count, "Werte", axis, at] = words[..] else {
+        return Err(wrong());
+    };
+    let tag = tooth.trim_start_matches(|c: char| c.is_ascii_digit());
+    let number = tooth_number(&tooth[..tooth.len() - tag.len()])
+        .filter(|number| (1..=10_000).contains(number));
+    let flank = match flank {
+        "links" => Some(Flank::Left),
+        "rechts" => Some(Flank::Right),
+        _ => None,
+    };
+    let count = tooth_number(count).filter(|count| (2..=100_000).contains(count));
+    let axes: &[&str] = if title == Title::Profile {
+        &["z="]
+    } else {
+        &["x=", "z=", "d="]
+    };
+    let is_tag = tag.len() <= 1 && tag.chars().all(|c| c.is_ascii_lowercase());
+    let is_good = is_tag && axes.contains(&axis) && without_zero(at).is_some();
+    let (Some(tooth), Some(flank), Some(count), true) = (number, flank, count, is_good) else {
+        return Err(wrong());
+    };
+    let name = match (title, tag) {
+        (Title::Lead, _) => "lead traces",
+        (Title::Twist, _) => "twist traces",
+        (Title::Profile, "") => PROFILES,
+        (Title::Profile, _) => "profile traces beside the main ones",
+    };
+    let curve = FlankTrace {
+        line,
+        tooth,
+        flank,
+        values: Vec::new(),
+    };
+    Ok(Trace {
+        name,
+        curve,
+        count: count as usize,
+    })
 }
 
 /// Whether `text` is a row of the probe's positions.
 fn is_position(text: &str) -> bool {
-    let mut words = text.split_whitespace();
-    let tooth = words.next().and_then(tooth_number);
-    let side = words.next();
-    let numbers = words.map(without_zero).collect::<Option<Vec<_>>>();
-    tooth.is_some()
-        && matches!(side, Some("R" | "L"))
-        && numbers.is_some_and(|four| four.len() == 4)
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let [tooth, "R" | "L", numbers @ ..] = &words[..] else {
+        return false;
+    };
+    let are_numbers = numbers.iter().all(|word| without_zero(word).is_some());
+    tooth_number(tooth).is_some() && numbers.len() == 4 && are_numbers
 }

@@ -1,73 +1,140 @@
-//! Curve files `.mka` and value files `.mew` of Klingelnberg's P40 (GINA).
+//! Curve files `.mka` of Klingelnberg's P40 (GINA). Value files `.mew` are refused: no number in them is known for certain to be of use.
 //!
-//! Line 1 names the kind; behind it stand a preamble and numbered header lines ([`head`]), and the data, of a curve file ([`curves`])
-//! or of a value file ([`values`]). The grammar is not published by its owner; it is that of files seen by public readers. Every
-//! line must be understood; what is understood and not used is named in a remark.
+//! Line 1 names the kind. A preamble `KEY value ! comment`, numbered header lines ` 22 :Zähnezahl z…: 52` and the data ([`curves`])
+//! follow. The owner has not published the grammar; this is the one of files seen by public readers. Every line must be understood;
+//! what is understood and not used is named in a remark.
 
-mod content;
 mod curves;
-mod head;
 mod profiles;
-mod trace_head;
-mod values;
 
+use super::column::Column;
 use super::header::Header;
-use super::wanted::TraceRow;
+use super::number::without_zero;
+use super::protocol::{Blocks, Unmeasured};
+use super::request::{Coverage, Request, Wanted};
+use super::rows::Row;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
-use content::{CORRECT, Kind};
-pub use content::{P40, PITCH};
 use curves::Data;
-use head::Head;
-use values::Values;
+use gearlash::gear::Flank;
+use std::collections::{BTreeMap, HashSet};
 
-/// Whether `text` says that it is one.
+/// The way out of a line that is wrong.
+const CORRECT: &str = "correct the line, or name a file as the machine wrote it";
+/// Names of parts of a file in [`P40::unused`].
+const PITCH: &str = "blocks of pitch";
+const PROFILES: &str = "profile traces";
+/// Angles must be in degrees; `Grad` is the German word.
+const DEGREES: [&str; 5] = ["deg", "degree", "degrees", "grad", "°"];
+
+/// A trace.
+#[derive(Debug)]
+struct FlankTrace {
+    /// The line of its head.
+    line: u64,
+    tooth: u32,
+    flank: Flank,
+    /// Each with its line, µm; `None`: not measured.
+    values: Vec<(u64, Option<f64>)>,
+}
+
+/// A numbered header line.
+#[derive(Debug)]
+struct Numbered {
+    line: u64,
+    /// In lower case.
+    label: String,
+    numbers: Vec<f64>,
+}
+
+/// A file as read.
+#[derive(Debug)]
+pub struct P40<'a> {
+    header: Header,
+    numbered: Vec<Numbered>,
+    /// `PROFILE` of the preamble: the quantity that the profile is measured over.
+    profile_by: Option<&'a str>,
+    unmeasured: Unmeasured,
+    blocks: Blocks<'a>,
+    profiles: Vec<FlankTrace>,
+    /// How many there are of each part that is never used.
+    never_used: BTreeMap<&'static str, usize>,
+    /// The numbers of header lines so far.
+    codes: HashSet<u32>,
+}
+
+/// Whether `text` is a curve file by its first line.
 pub fn is_one(text: &str) -> bool {
-    kind(text.lines().next().unwrap_or_default()).is_some()
+    is_of_kind(text, "KS.MK.FILE")
 }
 
-fn kind(line: &str) -> Option<Kind> {
-    let mut words = line.split_whitespace();
-    let known = words.next() == Some("HEADER");
-    match (words.next(), words.next()) {
-        (Some("KS.MK.FILE"), None) if known => Some(Kind::Curves),
-        (Some("KS.MW.FILE"), None) if known => Some(Kind::Values),
-        _ => None,
+/// Whether `text` is a value file by its first line.
+pub fn is_value_file(text: &str) -> bool {
+    is_of_kind(text, "KS.MW.FILE")
+}
+
+fn is_of_kind(text: &str, kind: &str) -> bool {
+    let first = text.lines().next().unwrap_or_default();
+    first.split_whitespace().eq(["HEADER", kind])
+}
+
+/// The rows that are wanted, and the header lines.
+pub fn read(request: &Request, text: &str, problems: &mut Problems) -> Option<(Vec<Row>, Header)> {
+    let (file, wanted) = (request.file, request.wanted);
+    let p40 = parse(file, text, problems)?;
+    if let Coverage::Points { base_radius } = wanted.coverage {
+        return profiles::read(file, &p40, (wanted.teeth, base_radius), problems);
     }
+    if wanted.columns.contains(&Column::Thickness) {
+        problems.add(file.problem(
+            "is a curve file: thickness is not taken from the probe's positions",
+            "name a table of the thickness of each tooth, or state the thickness by span or over_pins",
+        ));
+        return None;
+    }
+    let teeth = wanted.teeth.or(p40.header.teeth());
+    let wanted = Wanted { teeth, ..wanted };
+    let rows = p40.blocks.rows(&Request { wanted, ..*request }, problems)?;
+    let mut header = p40.header.clone();
+    header.left_unused(file, &p40.unused(PITCH));
+    Some((rows, header))
 }
 
-/// All lines of `text`; whatever is not understood is a problem.
+/// Whether a curve file has profile traces.
+pub fn has_profiles(text: &str) -> bool {
+    text.lines().any(|line| line.trim().starts_with("Profil:"))
+}
+
+/// Reads all lines of `text`; a line that is not understood is a problem.
 pub fn parse<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {
     problems.of_list_at(file.key(), |bad| lines(file, text, bad))
 }
 
 fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {
-    let mut lines = (1..).zip(text.lines());
-    let mut p40 = P40::new(kind(lines.next()?.1)?);
-    let mut head = Head::default();
+    let mut p40 = P40 {
+        header: Header::default(),
+        numbered: Vec::new(),
+        profile_by: None,
+        unmeasured: Unmeasured::default(),
+        blocks: Blocks::default(),
+        profiles: Vec::new(),
+        never_used: BTreeMap::new(),
+        codes: HashSet::new(),
+    };
     let mut data = Data::new(file);
-    let mut values = Values::default();
-    let mut in_body = false;
-    let (mut last, mut rows) = (1, 0);
-    for (line, text) in lines {
+    let (mut in_body, mut last, mut rows) = (false, 1, 0);
+    for (line, text) in (1..).zip(text.lines()).skip(1) {
         last = line;
         let text = text.trim();
         if text.is_empty() {
             continue;
         }
         rows += 1;
-        if !in_body && head.take(file, &mut p40, (line, text), problems)? {
+        if !in_body && p40.take_header(file, line, text, problems)? {
             continue;
         }
         in_body = true;
-        match p40.kind {
-            Kind::Curves => data.take(&mut p40, (line, text), problems),
-            Kind::Values => {
-                if let Err(reason) = values.take(file, &mut p40, text) {
-                    problems.add(file.problem_at(line, reason, CORRECT));
-                }
-            }
-        }
+        data.take(&mut p40, (line, text), problems);
         if problems.is_full() {
             return None;
         }
@@ -83,12 +150,103 @@ fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<
     Some(p40)
 }
 
-/// The profiles of a curve file, and what it says of the gear.
-pub fn profiles(
-    file: &DataFile,
-    text: &str,
-    known: (Option<u32>, Option<f64>),
-    problems: &mut Problems,
-) -> Option<(Vec<TraceRow>, Header)> {
-    profiles::read(file, &parse(file, text, problems)?, known, problems)
+impl<'a> P40<'a> {
+    /// Counts what is never used.
+    fn count_unused(&mut self, name: &'static str, count: usize) {
+        *self.never_used.entry(name).or_default() += count;
+    }
+
+    /// The parts of the file that are not used where `used` is, for a remark.
+    fn unused(&self, used: &str) -> String {
+        let mut there = self.never_used.clone();
+        there.insert(PROFILES, self.profiles.len());
+        there.insert(PITCH, self.blocks.count());
+        there.retain(|name, count| *name != used && *count > 0);
+        let named = there.iter().map(|(name, count)| format!("{count} {name}"));
+        let named: Vec<String> = named.collect();
+        if named.is_empty() {
+            "nothing else".to_owned()
+        } else {
+            named.join(", ")
+        }
+    }
+
+    /// Reads a line of the preamble or of the header; `Some(false)` where it is neither, `None` where it ends the reading.
+    fn take_header(
+        &mut self,
+        file: &DataFile,
+        line: u64,
+        text: &'a str,
+        problems: &mut Problems,
+    ) -> Option<bool> {
+        let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+        let (code, behind) = text.split_at(digits);
+        if let (1..=3, Some(rest)) = (digits, behind.trim_start().strip_prefix(':')) {
+            if !code.parse().is_ok_and(|code| self.codes.insert(code)) {
+                let reason = format!("the number {} stands twice", file.bare(code));
+                problems.add(file.problem_at(line, reason, CORRECT));
+                return None;
+            }
+            let (label, fields) = rest.split_once(':').unwrap_or((rest, ""));
+            self.take_numbered(file, line, [code, label.trim_start(), fields], problems);
+            return Some(true);
+        }
+        let body = text.split('!').next().unwrap_or_default().trim();
+        let (key, value) = body.split_once(char::is_whitespace).unwrap_or((body, ""));
+        let is_key = key.chars().all(|c| c.is_ascii_uppercase()) && !key.is_empty();
+        if !self.numbered.is_empty() || !is_key {
+            return Some(false);
+        }
+        let value = value.trim();
+        let words = value.to_lowercase();
+        let allowed = match key {
+            "UNDEFINED" => match without_zero(value) {
+                Some(number) => {
+                    self.unmeasured = Unmeasured::declared(number.value);
+                    None
+                }
+                None => Some("a number with a decimal point"),
+            },
+            "UNITS" if words.contains("inch") => Some("mm and µm"),
+            "ANGLE" if !DEGREES.contains(&&words[..]) => Some("degrees"),
+            "PROFILE" => {
+                self.profile_by = Some(value);
+                None
+            }
+            _ => None,
+        };
+        if let Some(allowed) = allowed {
+            let reason = format!("{key} is {}, allowed is {allowed}", file.quote(value));
+            problems.add(file.problem_at(line, reason, CORRECT));
+        }
+        Some(true)
+    }
+
+    fn take_numbered(
+        &mut self,
+        file: &DataFile,
+        line: u64,
+        [code, label, fields]: [&str; 3],
+        problems: &mut Problems,
+    ) {
+        let words = fields
+            .split([' ', '\t', ':'])
+            .filter(|word| !word.is_empty());
+        // The label is of the first number in several fields.
+        let first = words.clone().next().unwrap_or_default();
+        let first = match first.strip_prefix('-') {
+            Some(rest) if rest.starts_with('.') => format!("-0{rest}"),
+            None if first.starts_with('.') => format!("0{first}"),
+            _ => first.to_owned(),
+        };
+        self.header
+            .state(file, line, [code, label, fields], &first, problems);
+        let numbers = words.filter_map(without_zero).map(|number| number.value);
+        let (label, numbers) = (label.to_lowercase(), numbers.collect());
+        self.numbered.push(Numbered {
+            line,
+            label,
+            numbers,
+        });
+    }
 }

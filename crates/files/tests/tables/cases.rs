@@ -1,0 +1,128 @@
+//! Sheets as shops write them, each of which was refused once.
+
+use super::*;
+use gearlash_files::import::{Imported, Kind, Options, Value, tables};
+
+/// Reads a table of the file `name` in `cases/`.
+fn import(name: &str, only: Kind, sheet: &str) -> Imported {
+    let path = Path::new("tests/tables/cases").join(name);
+    let keys = [("sheet", sheet.to_owned())];
+    let options = Options {
+        only: Some(only),
+        keys: &keys,
+        gear: "wheel",
+    };
+    let bytes = fs::read(&path).unwrap();
+    tables(&path, bytes, &options).unwrap_or_else(|error| panic!("{:#?}", error.problems))
+}
+
+fn columns(imported: &Imported) -> Vec<Vec<Value>> {
+    let columns = imported.tables.iter().flat_map(|table| &table.columns);
+    columns.map(|column| column.values.clone()).collect()
+}
+
+/// Below the last tooth stand statistics, "Fp ges." with numbers, and a span of all teeth. `pruef2.xlsx` is the same book without the
+/// last two.
+#[test]
+fn words_below_the_last_tooth_are_left_out() {
+    for (sheet, teeth) in [("Rad z25", 25), ("Ritzel z18", 18)] {
+        for only in [Kind::Pitch, Kind::Runout] {
+            let found = import("pruef.xlsx", only, sheet);
+            assert_eq!(found.tables[0].rows(), teeth, "{sheet}");
+            let left_out = found.tables[0].left_out.as_deref().unwrap();
+            for words in ["\"Fp ges.\"", "\"Zahnweite W3 [mm]\"", "\"Mittelwert\""] {
+                assert!(left_out.contains(words), "{left_out}");
+            }
+            let expected = import("pruef2.xlsx", only, sheet);
+            assert_eq!(columns(&found), columns(&expected), "{sheet}");
+        }
+    }
+}
+
+/// "Wk 3 [mm]", and texts such as "19,230": 19 m are no span.
+#[test]
+fn spans_with_three_decimals() {
+    let found = import("pruef.xlsx", Kind::Span, "Zahnweite");
+    let teeth = [1, 7, 13, 19].map(Value::Whole).to_vec();
+    let spans = [19.230, 19.232, 19.234, 19.236].map(Value::Number).to_vec();
+    assert_eq!(columns(&found), [teeth, spans]);
+}
+
+/// A ball reads in the spaces ("Lücke"). The readings are 10 µm · cos, highest in space 1, which is half a pitch beyond tooth 1.
+#[test]
+fn runout_by_spaces() {
+    let study = read_pair(Path::new("tests/tables/cases/h3.toml")).unwrap();
+    let wheel = &study.study.materials[0].1;
+    // Readings are rounded to 0.1 µm.
+    assert!((1000.0 * wheel.eccentricity() - 10.0).abs() < 0.05);
+    assert!((wheel.high_tooth() - 1.5).abs() < 0.05);
+
+    let table = fs::read("tests/tables/cases/rl.csv").unwrap();
+    let keys = "runout = { file = \"rl.csv\", at = \"tooth\" }";
+    let problems = read_with("rl.csv", &table, &pair(51, keys)).unwrap_err();
+    assert_eq!(problems.len(), 1, "{problems:#?}");
+    assert_eq!(problems[0].key, "wheel.runout.at");
+    assert!(problems[0].reason.contains("numbered by spaces"));
+}
+
+/// Each of these lines may follow the last tooth, with numbers or without.
+#[test]
+fn every_kind_of_footer() {
+    let rows: String = (1..=17)
+        .map(|tooth| format!("{tooth};0,5;-0,5\n"))
+        .collect();
+    let keys = "pitch = { kind = \"cumulative\", file = \"p.csv\" }";
+    let with = |footer: &str| {
+        let table = format!("Zahn;Fp links;Fp rechts\n{rows}{footer}\n");
+        read_with("p.csv", table.as_bytes(), &pair(17, keys))
+    };
+    let expected = with("").unwrap();
+    for footer in [
+        "Fp ges.;6,6;7,0",
+        "Gesamt;6,6;7,0",
+        "Std.abw.;0,1;",
+        "i.O.;;",
+        "12.03.2024;6,6;",
+        "Zahnweite W3 [mm];19,235;19,235",
+        "Prüfer 7;;",
+    ] {
+        let found = with(footer).unwrap_or_else(|told| panic!("{footer}: {told:#?}"));
+        assert!(found.study == expected.study, "{footer}");
+        let label = footer.split(';').next().unwrap();
+        assert!(
+            found.remarks.concat().contains(label),
+            "{footer}: {:?}",
+            found.remarks
+        );
+    }
+    // These may be a tooth that was mistyped.
+    for footer in ["x;6,6;7,0", "Zahn 18;6,6;7,0", "18;6,6;7,0"] {
+        let told = with(footer).unwrap_err();
+        assert!(
+            told[0].reason.contains("line 19: tooth is "),
+            "{footer}: {}",
+            told[0]
+        );
+    }
+}
+
+#[test]
+fn formats_that_are_not_read_say_how_to_save_them() {
+    let open_document = b"PK\x03\x04\x14\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x08\0\0\0\
+        mimetypeapplication/vnd.oasis.opendocument.spreadsheet";
+    let cases: [(&str, &[u8], &str); 2] = [
+        (
+            "p.ods",
+            open_document,
+            "is an OpenDocument file, such as .ods",
+        ),
+        ("p.pdf", b"%PDF-1.7\n", "is a PDF"),
+    ];
+    for (name, bytes, expected) in cases {
+        let keys = format!("pitch = {{ kind = \"single\", file = \"{name}\" }}");
+        let told = read_with(name, bytes, &pair(44, &keys)).unwrap_err();
+        assert_eq!(told.len(), 1, "{told:#?}");
+        assert!(told[0].reason.ends_with(expected), "{}", told[0]);
+        assert_eq!(told[0].help, "save it as .xlsx or CSV");
+    }
+}

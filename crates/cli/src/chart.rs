@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let (study, sources) = (file.view().study, file.view().sources);
     if study.is_drawn() && !matches!(args.kind, Kind::Revolution | Kind::Map) {
         return Err(Error::Usage(
-            "a drawn gear has no module, no involute and no formula: of pairs with a drawn gear draw --kind revolution or map".to_owned(),
+            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map".to_owned(),
         ));
     }
     let given = Target::prepare_given(args.output.as_ref(), sources)?;

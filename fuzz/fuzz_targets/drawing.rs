@@ -3,6 +3,8 @@
 #![no_main]
 
 use gearlash_files::drawing::{Options, Unit, read};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Mating;
 use gearlash_files::outlines::Drawings;
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::path::Path;
@@ -65,13 +67,14 @@ fn gear(name: &str, file: &[u8], units: Option<&str>) {
     };
     let pair = gearlash_files::read_drawings(&drawings(1e6));
     let Ok(pair) = pair else { return };
-    let (_, wheel, pinion) = &pair.study.materials[0];
+    let (_, wheel, pinion) = &pair.study.drawn[0];
     let a = wheel.tip_radius() + pinion.root_radius();
     let Ok(pair_at) = gearlash::outline::OutlinePair::new(wheel.clone(), pinion.clone(), 1.01 * a, pair.study.locked) else {
         return;
     };
-    let pose = gearlash::analysis::outlines::OutlinePose::of(&pair_at, pair.study.start);
-    if let Some((j_wt, error)) = pose.j_wt {
+    let pose = AssembledPair::Drawn(pair_at).lost_motion(Mating::FIRST);
+    let pose = pose.expect("a pose is a result");
+    if let Some((j_wt, error)) = pose.backlash.zip(pose.error_bound) {
         assert!(j_wt.is_finite() && error >= 0.0, "{pose:?}");
     }
 }

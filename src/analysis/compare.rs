@@ -13,6 +13,7 @@ use crate::contact::{
     Contact, ContactClass, ContactKind, LostMotion, PoseResult, Status, first_least,
 };
 use crate::gear::Side;
+use crate::outline::AssembledPair;
 use crate::pair::GearPair;
 
 /// What the comparison says of one pose.
@@ -22,7 +23,7 @@ use crate::pair::GearPair;
 pub enum Verdict {
     /// Within tolerance + error bound.
     Agrees,
-    /// Neither has a value: jammed or out of mesh, and the formula finds no contact either.
+    /// There is nothing to compare: jammed or out of mesh, and the formula finds no contact either; or a gear is drawn and has no formula.
     Nothing,
     /// The simulation lies below because a tip, an undercut edge, a fillet or a root touches off the line of action, or flanks whose profiles deviate: a tilted
     /// normal moves their contact along them.
@@ -261,8 +262,24 @@ pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
     runs.into_iter().map(of_run).collect()
 }
 
-/// A pose of `assembly` with its analytic values, judged with `tolerance_um`.
-pub(crate) fn compared(assembly: &GearPair, result: PoseResult, tolerance_um: f64) -> ComparedPose {
+/// A pose of `assembly` with its analytic values, judged with `tolerance_um`. A drawn pair has none.
+pub(crate) fn compared(
+    assembly: &AssembledPair,
+    result: PoseResult,
+    tolerance_um: f64,
+) -> ComparedPose {
+    let Some(assembly) = assembly.data() else {
+        return ComparedPose {
+            verdict: match result.found {
+                Ok(_) => Verdict::Nothing,
+                Err(_) => Verdict::Unproven,
+            },
+            michalec: None,
+            involute: None,
+            line_of_action: None,
+            simulated: result,
+        };
+    };
     let analytic: Analytic = evaluate(assembly, &result.pose);
     let line_of_action = analytic.line_of_action.backlash(assembly);
     ComparedPose {

@@ -4,14 +4,19 @@ use super::assembles_from::AssemblesFrom;
 use super::directions::{self, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
 use super::phases::phase;
+use super::sampled;
 use super::study::{RunPlan, Study};
 use crate::contact::{Effort, ExactKernel, Extreme, Extremes, Status};
 use crate::error::Error;
 use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use crate::outline::{AssembledPair, OutlinePair};
+use crate::pair::{GearPair, Mating, Member, SweepPlan, ToothNumbers};
 
 /// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
 pub const WIDTH: f64 = 1e-6;
+
+/// Samples a pitch of a drawn pair where its study does not sweep.
+const SAMPLES_PER_PITCH: u32 = 16;
 
 /// A run and where its cycle begins.
 pub(super) struct Planned {
@@ -19,6 +24,8 @@ pub(super) struct Planned {
     first: Mating,
     /// Matings that differ.
     distinct: u64,
+    /// Samples a pitch of a drawn pair.
+    per_pitch: u32,
     pub phase: Option<(u32, u32)>,
 }
 
@@ -33,7 +40,7 @@ pub(super) struct Searched {
 /// What was found at one end of the bearing clearance.
 pub(super) struct SearchedEnd {
     /// The pair there.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     pub status: Status,
     pub extreme: Option<Extreme>,
     /// The pose of that.
@@ -42,7 +49,18 @@ pub(super) struct SearchedEnd {
 
 impl Planned {
     pub fn search(&self) -> Result<Searched, Error> {
-        let assembly = &self.run.assembly;
+        let assembly = match &self.run.assembly {
+            AssembledPair::Data(pair) => pair,
+            AssembledPair::Drawn(pair) => {
+                let (found, assembles_from) = self.sampled(pair).search(pair)?;
+                return Ok(Searched {
+                    poses: vec![self.poses_of(&found, assembles_from)],
+                    found,
+                    assembles_from,
+                    meshes_to: None,
+                });
+            }
+        };
         let effort = &Effort::of_extremes(assembly);
         let of = |pair: &GearPair| self.cycle(pair, effort);
         let greatest = |pair: &GearPair| {
@@ -60,20 +78,28 @@ impl Planned {
             });
         }
         let found = of(assembly)?;
-        let extremes = [found.least, found.greatest].into_iter().flatten();
-        let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
         let assembles_from = self.assembles_from(assembly, &found, 0.0, effort)?;
-        // Beside them what binds where the pair begins to assemble, for checks that seek distances.
-        let binds = assembles_from.map(|from| from.mating);
         Ok(Searched {
-            poses: vec![Directed {
-                assembly: assembly.clone(),
-                matings: matings.chain(binds).collect(),
-            }],
+            poses: vec![self.poses_of(&found, assembles_from)],
             assembles_from,
             meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
             found,
         })
+    }
+
+    /// The poses of `found`, and what binds where the pair begins to assemble, for checks that seek distances.
+    fn poses_of(&self, found: &Extremes, from: Option<AssemblesFrom>) -> Directed {
+        let extremes = [found.least, found.greatest].into_iter().flatten();
+        let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
+        Directed {
+            assembly: self.run.assembly.clone(),
+            matings: matings.chain(from.map(|from| from.mating)).collect(),
+        }
+    }
+
+    /// The cycle of a drawn pair, sampled.
+    fn sampled(&self, pair: &OutlinePair) -> sampled::Cycle {
+        sampled::Cycle::new(pair, self.first, self.per_pitch)
     }
 
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them as much farther apart. Backlash grows with the
@@ -88,21 +114,24 @@ impl Planned {
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
         let assembly = assembly.at(assembly.center_distance() + farther)?;
-        let effort = &Effort::of_extremes(&assembly);
         let of = |found: &Extremes| match is_least {
             true => found.least,
             false => found.greatest,
         };
-        let (found, pose) = match is_open(&assembly) {
-            true => {
-                let all = directions::extremes(&assembly, &|pair| self.cycle(pair, effort), WIDTH)?;
+        let (found, pose) = match &assembly {
+            AssembledPair::Data(pair) if is_open(pair) => {
+                let effort = &Effort::of_extremes(pair);
+                let all = directions::extremes(pair, &|pair| self.cycle(pair, effort), WIDTH)?;
                 // The least comes first.
                 let before = !is_least && all.found.least.is_some();
                 let pose = all.poses.into_iter().nth(usize::from(before));
                 (all.found, pose)
             }
-            false => {
-                let found = self.cycle(&assembly, effort)?;
+            pair => {
+                let found = match pair {
+                    AssembledPair::Data(pair) => self.cycle(pair, &Effort::of_extremes(pair))?,
+                    AssembledPair::Drawn(pair) => self.sampled(pair).search(pair)?.0,
+                };
                 let pose = of(&found).map(|extreme| Directed {
                     assembly: assembly.clone(),
                     matings: vec![extreme.mating],
@@ -188,6 +217,17 @@ fn meshes_to(
 /// Every centre distance and material, each in the phases that the study is about.
 pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     let runs = study.runs()?;
+    let per_pitch = match study.sweep {
+        Some(
+            SweepPlan::Revolution {
+                steps_per_pitch, ..
+            }
+            | SweepPlan::Phases {
+                steps_per_pitch, ..
+            },
+        ) => steps_per_pitch,
+        Some(SweepPlan::Matings { .. }) | None => SAMPLES_PER_PITCH,
+    };
     let mut plans: Vec<Planned> = Vec::new();
     for run in runs {
         let mut firsts: Vec<Mating> = Vec::new();
@@ -198,8 +238,9 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
             }
         }
         // Against perfect teeth it does not matter which are met.
-        let distinct = distinct(&run.assembly);
-        if distinct < hunting_pitches(&run.assembly) {
+        let hunting = hunting_pitches(&run.assembly);
+        let distinct = run.assembly.data().map_or(hunting, distinct);
+        if distinct < hunting {
             firsts.truncate(1);
         }
         let several = firsts.len() > 1;
@@ -214,6 +255,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 },
                 first,
                 distinct,
+                per_pitch,
             });
         }
     }
@@ -244,7 +286,7 @@ pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<
 }
 
 /// The mating of wheel tooth 1 that names the assembly phase of `mating`.
-fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
+fn first_of_phase(assembly: &AssembledPair, mating: &Mating) -> Mating {
     Mating {
         wheel_tooth: 1,
         pinion_tooth: phase(assembly, mating),
@@ -254,7 +296,7 @@ fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
 }
 
 /// lcm(z_1, z_2).
-pub(super) fn hunting_pitches(assembly: &GearPair) -> u64 {
+pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     SweepPlan::hunting_pitches(wheel, pinion)
 }

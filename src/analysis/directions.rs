@@ -22,6 +22,7 @@
 use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Side};
+use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 
@@ -41,7 +42,7 @@ pub(super) type Search<'a> = dyn Fn(&GearPair) -> Result<Extremes, Error> + 'a;
 /// Poses, and the pair in them: its high teeth where they are worst.
 #[derive(Debug, Clone)]
 pub(super) struct Directed {
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     pub matings: Vec<Mating>,
 }
 
@@ -98,7 +99,7 @@ pub(super) fn extremes(
     Ok(AnyDirection {
         poses: poses
             .map(|(assembly, mating)| Directed {
-                assembly: assembly.clone(),
+                assembly: assembly.clone().into(),
                 matings: vec![mating],
             })
             .collect(),

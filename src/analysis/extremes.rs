@@ -15,7 +15,7 @@ use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, Extreme, Method, Status};
 use crate::error::Error;
-use crate::pair::GearPair;
+use crate::outline::AssembledPair;
 use crate::parallel;
 use std::ops::ControlFlow;
 
@@ -28,7 +28,7 @@ pub struct RunExtremes {
     /// Which thickness.
     pub material: Material,
     /// As assembled.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase, where the study has several.
     pub phase: Option<(u32, u32)>,
     /// Matings of the cycle: lcm(z_1, z_2).
@@ -65,7 +65,7 @@ pub struct BearingPlay {
 #[derive(Debug, Clone)]
 pub struct BearingEnd {
     /// The pair there: its centre distance is `a − c` or `a + c`.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// How the worst of its poses ends.
     pub status: Status,
     /// The least of the pair pressed together, `None` where it is jammed; the greatest of that pulled apart, `None` where it is out of mesh.
@@ -85,7 +85,7 @@ pub struct CycleExtremes {
 #[derive(Debug, Clone)]
 pub struct PairPose {
     /// The pair.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// The pose, simulated.
     pub pose: ComparedPose,
 }
@@ -100,7 +100,7 @@ pub struct RunExtreme {
     /// Why that is not proven.
     pub doubt: Option<Doubt>,
     /// The pair: where a runout has no direction, with its high tooth where it is worst.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// The pose, simulated.
     pub pose: ComparedPose,
 }
@@ -162,7 +162,13 @@ impl RunExtreme {
 
 /// Whether an extreme of this doubt has a bracket that holds, however wide it is.
 pub(super) fn bounds_hold(doubt: Option<Doubt>) -> bool {
-    let wide = [Doubt::Effort, Doubt::SecondOrder, Doubt::Profile];
+    let wide = [
+        Doubt::Effort,
+        Doubt::SecondOrder,
+        Doubt::Profile,
+        // Of drawn gears poses stand for the cycle.
+        Doubt::Sampled,
+    ];
     doubt.is_none_or(|doubt| wide.contains(&doubt))
 }
 
@@ -200,6 +206,7 @@ impl RunExtremes {
         match (self.status, &self.least) {
             (Status::Jammed | Status::NoContact, _) => Some(false),
             (_, Some(least)) if least.high < 0.0 => Some(false),
+            (Status::Unproven, _) => None,
             (_, Some(least)) if least.low >= -WIDTH && least.holds() => Some(true),
             _ => None,
         }
@@ -207,12 +214,12 @@ impl RunExtremes {
 
     /// Whether every tooth is alike: no deviation tells them apart, and a runout may have any direction.
     pub fn has_like_teeth(&self) -> bool {
-        distinct(&self.assembly) == 1
+        self.assembly.data().is_some_and(|pair| distinct(pair) == 1)
     }
 
     /// Whether a runout has no direction: all of them are meant.
     pub fn any_direction(&self) -> bool {
-        is_open(&self.assembly)
+        self.assembly.data().is_some_and(is_open)
     }
 
     /// Whether all that is said of it is proven.

@@ -3,6 +3,7 @@
 //! A [`Plan`] says what is to be found out and how much work that is; [`Analysis::run`] does it, each pose once.
 
 pub mod assembles_from;
+pub mod backlash_map;
 pub mod compare;
 pub mod curves;
 mod cycles;
@@ -13,16 +14,17 @@ pub mod face_width;
 pub mod measured;
 pub mod meshes_to;
 pub mod outcome;
-pub mod outlines;
 pub mod phases;
 pub mod remedies;
 pub mod requirement;
+mod sampled;
 pub mod simulate;
 pub mod study;
 pub mod tally;
 pub mod uncertainty;
 pub mod verdict;
 
+use self::backlash_map::BacklashMap;
 use self::compare::{ComparedRun, compare};
 use self::curves::{Field, OverDistance};
 use self::diagnosis::{CheckName, Diagnosis, Seen, failed_checks};
@@ -178,6 +180,8 @@ pub struct Analysis<'a> {
     pub extremes: CycleExtremes,
     /// Over the centre distance: what binds, then the matings that were measured.
     pub over_distance: Vec<OverDistance>,
+    /// Backlash of a drawn pair over the centre distance.
+    pub maps: Vec<BacklashMap>,
     /// The extremes over parts of the common face of helical gears; none of spur gears.
     pub widths: Vec<AtWidth>,
     /// The field of action of helical gears at the pose that binds.
@@ -218,6 +222,7 @@ impl<'a> Analysis<'a> {
             curves: Vec::new(),
             extremes: CycleExtremes::default(),
             over_distance: Vec::new(),
+            maps: Vec::new(),
             widths: Vec::new(),
             field: None,
             diagnosis: Diagnosis::default(),
@@ -233,7 +238,7 @@ impl<'a> Analysis<'a> {
             let (turned, cycle) = (&analysis.revolution, &analysis.extremes.each);
             analysis.curves = curves::refined(study, turned, cycle, method, tick)?;
         }
-        if plan.curves {
+        if plan.curves && !study.is_drawn() {
             (progress.stage)("(over the centre distance)");
             let binding = curves::binding(study, analysis.all());
             for followed in curves::followed(study, binding) {
@@ -242,13 +247,16 @@ impl<'a> Analysis<'a> {
                 analysis.over_distance.push(curve);
             }
         }
+        if plan.curves {
+            analysis.maps = BacklashMap::of_study(study, &analysis.extremes.each, tick)?;
+        }
         if plan.curves && plan.extremes && study.is_helical() {
             (progress.stage)("(face width)");
             let full = &analysis.extremes.each;
             analysis.widths = face_width::over_widths(study, full, method, tick)?;
             let worst = Verdict::of_study(study, full, Vec::new());
             let worst = worst.worst();
-            let field = worst.and_then(|(_, pair, pose)| Field::of(pair, &pose.simulated));
+            let field = worst.and_then(|(_, pair, pose)| Field::of(pair.data()?, &pose.simulated));
             analysis.field = field;
         }
         if plan.checks {
@@ -261,7 +269,7 @@ impl<'a> Analysis<'a> {
             analysis.diagnosis = diagnosis::diagnose(study, runs, extremes, &mut step, tick)?;
             analysis.failed_checks = analysis.diagnosis.failed();
         } else if plan.extremes {
-            let seen: Vec<Seen> = analysis.runs.iter().map(Seen::of).collect();
+            let seen: Vec<Seen> = analysis.runs.iter().filter_map(Seen::of).collect();
             analysis.failed_checks = failed_checks(study, &seen, &analysis.extremes, tick)?;
         }
         if plan.remedies {

@@ -243,8 +243,12 @@ impl Agreement {
                 (false, false, _) => &mut count.neither,
             } += 1;
             let found = pose.simulated.proven();
-            let off_line =
-                simulated && found.is_some_and(|found| touches_off_line(assembly, found));
+            let off_line = simulated
+                && found.is_some_and(|found| {
+                    assembly
+                        .data()
+                        .is_some_and(|pair| touches_off_line(pair, found))
+                });
             count.touch_off_line += usize::from(off_line);
         }
         count

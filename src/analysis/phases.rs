@@ -1,7 +1,7 @@
 //! Assembly phases against each other: which teeth to mark together.
 
 use crate::analysis::tally::RunTally;
-use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use crate::pair::{Mating, Member, SweepPlan, ToothNumbers};
 
 /// The phases of one centre distance and material.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub struct PhaseGroup<'a> {
 }
 
 /// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
-pub fn phase(assembly: &GearPair, mating: &Mating) -> u32 {
+pub fn phase(assembly: &impl ToothNumbers, mating: &Mating) -> u32 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     let ways = SweepPlan::phase_count(wheel, pinion);
     (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1

@@ -90,12 +90,16 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Vec<Remedy>, Error> 
     let Some(worst) = worst(verdict.runs, too_tight) else {
         return Ok(Vec::new());
     };
-    let pair = &plans[worst].run.assembly;
+    // Of a drawn pair extremes are only sampled.
+    let Some(pair) = plans[worst].run.assembly.data() else {
+        return Ok(Vec::new());
+    };
     let effort = &Effort::of_extremes(pair);
     let search = Search {
         study,
         plans: &plans,
         worst,
+        pair,
         sign: if too_tight { 1.0 } else { -1.0 },
     };
     let mut remedies = Vec::new();
@@ -134,23 +138,25 @@ struct Search<'a> {
     study: &'a Study,
     /// Every centre distance, material and phase.
     plans: &'a [Planned],
-    /// The place of the worst.
+    /// The place of the worst, and its pair.
     worst: usize,
+    pair: &'a GearPair,
     /// 1 where the pair is too tight, −1 where it is too loose.
     sign: f64,
 }
 
 impl Search<'_> {
     fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
-        let assembly = &self.plans[self.worst].run.assembly;
+        let assembly = self.pair;
         let own = assembly.center_distance();
         // All distances of a band move together. A list is replaced by the one distance.
         let moved = |planned: &Planned, at: f64| {
+            let pair = planned.run.assembly.data()?;
             let from = match self.study.band {
-                Some(_) => planned.run.assembly.center_distance(),
+                Some(_) => pair.center_distance(),
                 None => own,
             };
-            planned.run.assembly.at(from + (at - own)).ok()
+            pair.at(from + (at - own)).ok()
         };
         let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
         let range = [
@@ -187,7 +193,7 @@ impl Search<'_> {
         // The place of a search is the thickness taken off the nominal one, so that backlash grows with it.
         let own = Member::BOTH.map(|member| -allowance(self.most(member)));
         let moved = |planned: &Planned, at: f64| {
-            let assembly = &planned.run.assembly;
+            let assembly = planned.run.assembly.data()?;
             let [wheel, pinion] = Member::BOTH.map(|member| {
                 let gear = assembly.gear(member);
                 match gears.members().any(|chosen| chosen == member) {

@@ -1,6 +1,7 @@
 //! What a pair must keep.
 
 use crate::analytic::limits::radial_clearance;
+use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Member};
 
 /// Ends of what is allowed; `None`: none.
@@ -43,6 +44,26 @@ impl Quantity {
         Quantity::RadialClearance,
     ];
 
+    /// Its bracket over a run of `assembly`, whose least (`is_max`: greatest) `j_wt`, mm, has the bracket `j_wt`; `None` of a drawn pair without such a value.
+    pub(super) fn bracket(
+        self,
+        assembly: &AssembledPair,
+        j_wt: [f64; 2],
+        is_max: bool,
+    ) -> Option<[f64; 2]> {
+        match (assembly, self) {
+            (AssembledPair::Data(pair), _) => Some(j_wt.map(|j_wt| self.value(pair, j_wt, is_max))),
+            (AssembledPair::Drawn(_), Quantity::OperatingBacklash) => Some(j_wt),
+            (AssembledPair::Drawn(_), Quantity::LostMotion(member)) => {
+                Some(j_wt.map(|j_wt| assembly.angle(member, j_wt)))
+            }
+            (AssembledPair::Drawn(pair), Quantity::RadialClearance) => {
+                Some(drawn_clearance(pair, is_max))
+            }
+            (AssembledPair::Drawn(_), _) => None,
+        }
+    }
+
     /// What `assembly` has of it at a pose with the backlash `j_wt`, mm, where it is the least (`is_max`: the greatest) of the cycle. The
     /// radial clearance, which no backlash decides, is that with both gears off their axes to the worse (better) side.
     pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
@@ -66,9 +87,19 @@ impl Quantity {
 /// What a pair must keep, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
 
+/// The least or the greatest radial clearance of a drawn pair, mm, within what the drawings are off.
+fn drawn_clearance(pair: &OutlinePair, is_max: bool) -> [f64; 2] {
+    let both = Member::BOTH;
+    let ends = both.map(|member| pair.radial_clearance(member)[usize::from(is_max)]);
+    let off = both.map(|member| pair.gear(member).eccentricity());
+    let bound: f64 = both.map(|member| pair.gear(member).bound()).iter().sum();
+    let value = clearance_off_axes(ends, off, is_max);
+    [value - bound, value + bound]
+}
+
 /// The least radial clearance, mm, of both gears' tips in their mates' roots, by those about their geometric centres: both gears off their axes to the
 /// worse, or, `is_max`, to the better side.
-pub(super) fn clearance_off_axes(centred: [f64; 2], eccentricities: [f64; 2], is_max: bool) -> f64 {
+fn clearance_off_axes(centred: [f64; 2], eccentricities: [f64; 2], is_max: bool) -> f64 {
     let off: f64 = eccentricities.iter().sum();
     centred[0].min(centred[1]) + if is_max { off } else { -off }
 }

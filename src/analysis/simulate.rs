@@ -1,9 +1,9 @@
 //! From what a pair file asks for to what was found: every run of a study.
 
 use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::{CutPair, Method, PoseResult, sweep_blocks};
+use crate::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
 use crate::error::Error;
-use crate::pair::GearPair;
+use crate::outline::AssembledPair;
 use std::ops::ControlFlow;
 
 /// One centre distance, material and, where they are run apart, assembly phase.
@@ -12,7 +12,7 @@ pub struct Run {
     /// Which end of the thickness tolerances.
     pub material: Material,
     /// The gears at this centre distance.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase.
     pub phase: Option<(u32, u32)>,
     /// What was found, in order.
@@ -67,7 +67,7 @@ pub struct Block<'a> {
     /// As [`Run::material`].
     pub material: Material,
     /// As [`Run::assembly`].
-    pub assembly: &'a GearPair,
+    pub assembly: &'a AssembledPair,
     /// As [`Run::phase`].
     pub phase: Option<(u32, u32)>,
     /// In order, behind those of the block before; none of a run without poses.
@@ -100,10 +100,6 @@ pub fn each_block<E: From<Error>>(
     };
     let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));
     for plan in plans {
-        let cut = cuts.iter().find(|(material, _)| *material == plan.material);
-        let Some((_, Some(cut))) = cut else {
-            continue;
-        };
         let of = plan.matings.len();
         let block = |poses, done| Block {
             material: plan.material,
@@ -132,15 +128,19 @@ pub fn each_block<E: From<Error>>(
                 ..next
             })
         };
-        sweep_blocks(
-            &plan.assembly,
-            cut,
-            method,
-            &plan.matings,
-            clearance,
-            tick,
-            each,
-        )?;
+        match &plan.assembly {
+            AssembledPair::Data(pair) => {
+                let cut = cuts.iter().find(|(material, _)| *material == plan.material);
+                let Some((_, Some(cut))) = cut else {
+                    continue;
+                };
+                sweep_blocks(pair, cut, method, &plan.matings, clearance, tick, each)?;
+            }
+            AssembledPair::Drawn(pair) => {
+                let certify = method != Method::Exact { certify: false };
+                sweep_outlines(pair, certify, &plan.matings, clearance, tick, each)?;
+            }
+        }
     }
     Ok(())
 }

@@ -2,10 +2,11 @@
 
 use super::requirement::Requirements;
 use super::uncertainty::Uncertainty;
-use crate::error::GearError;
+use crate::error::{Error, GearError};
 use crate::gear::{AsBuilt, Side};
 use crate::metrology::GearNotes;
-use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use crate::outline::{AssembledPair, OutlineGear, OutlinePair};
+use crate::pair::{BacklashUnit, GearPair, Mating, Member, SweepPlan};
 use std::collections::HashMap;
 
 /// Which end of the thickness tolerance a run takes.
@@ -68,8 +69,10 @@ pub struct MeasuredRow {
 pub struct Study {
     /// Title.
     pub title: String,
-    /// Wheel and pinion of each material: `AsMeasured` alone, or `Most` and `Least`.
+    /// Wheel and pinion of each material: `AsMeasured` alone, or `Most` and `Least`. Empty where a gear is drawn.
     pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
+    /// The same of a pair with a drawn gear, its mate as the outline that its data make.
+    pub drawn: Vec<(Material, OutlineGear, OutlineGear)>,
     /// The gear that stands still.
     pub locked: Member,
     /// The common face of helical gears, mm from the wheel's measuring plane ([`GearPair::with_face`]).
@@ -105,7 +108,7 @@ pub struct RunPlan {
     /// Which thickness.
     pub material: Material,
     /// The pair.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
     pub phase: Option<(u32, u32)>,
     /// In order.
@@ -136,17 +139,41 @@ impl Study {
     /// ```
     pub fn of_pair(title: &str, pair: &GearPair, steps_per_pitch: u32) -> Study {
         let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+        let sweep = SweepPlan::wheel_revolution(pair, steps_per_pitch, (1, 1));
+        Study {
+            materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
+            face: pair.face(),
+            ..Study::plain(title, pair.locked(), vec![pair.center_distance()], sweep)
+        }
+    }
+
+    /// The poses `sweep` of a pair with a drawn gear, its wheel and pinion of each material at each of the centre distances, mm.
+    pub fn of_drawn(
+        title: &str,
+        gears: Vec<(Material, OutlineGear, OutlineGear)>,
+        locked: Member,
+        center_distances: Vec<f64>,
+        sweep: SweepPlan,
+    ) -> Study {
+        Study {
+            drawn: gears,
+            ..Study::plain(title, locked, center_distances, sweep)
+        }
+    }
+
+    /// A study of no gears yet, with the defaults of a pair file.
+    fn plain(title: &str, locked: Member, center_distances: Vec<f64>, sweep: SweepPlan) -> Study {
         Study {
             title: title.to_owned(),
-            materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
-            locked: pair.locked(),
-            face: pair.face(),
-            center_distances: vec![pair.center_distance()],
+            materials: Vec::new(),
+            drawn: Vec::new(),
+            locked,
+            face: [0.0; 2],
+            center_distances,
             band: None,
             bearing_clearance: 0.0,
-            sweep: Some(SweepPlan::wheel_revolution(pair, steps_per_pitch, (1, 1))),
+            sweep: Some(sweep),
             measured: Vec::new(),
-            // 0.01 µm: the default of a pair file.
             chord: 1e-5,
             tolerance_um: 0.1,
             allow_off_line_contact: false,
@@ -163,6 +190,63 @@ impl Study {
     pub fn pair(&self, wheel: &AsBuilt, pinion: &AsBuilt, a: f64) -> Result<GearPair, GearError> {
         let pair = GearPair::with_locked(wheel.clone(), pinion.clone(), a, self.locked)?;
         pair.with_face(self.face)
+    }
+
+    /// The pair of each material at the centre distance `a`, mm.
+    ///
+    /// # Errors
+    /// As [`GearPair::with_locked`] and [`OutlinePair::new`].
+    pub fn pairs(&self, a: f64) -> Result<Vec<(Material, AssembledPair)>, Error> {
+        let mut pairs = Vec::with_capacity(self.material_count());
+        for (material, wheel, pinion) in &self.materials {
+            pairs.push((*material, self.pair(wheel, pinion, a)?.into()));
+        }
+        for (material, wheel, pinion) in &self.drawn {
+            let pair = OutlinePair::new(wheel.clone(), pinion.clone(), a, self.locked)?;
+            pairs.push((*material, pair.into()));
+        }
+        Ok(pairs)
+    }
+
+    /// Whether a gear is drawn: it has no module and no involute, and no formula says anything of the pair.
+    pub fn is_drawn(&self) -> bool {
+        !self.drawn.is_empty()
+    }
+
+    /// How many materials are run.
+    pub fn material_count(&self) -> usize {
+        self.materials.len() + self.drawn.len()
+    }
+
+    /// Runs the pairs of `material` alone.
+    pub fn keep(&mut self, material: Material) {
+        self.materials.retain(|gears| gears.0 == material);
+        self.drawn.retain(|gears| gears.0 == material);
+    }
+
+    /// Teeth of wheel and pinion.
+    pub fn teeth(&self) -> [u32; 2] {
+        let data = self
+            .materials
+            .first()
+            .map(|(_, wheel, pinion)| [wheel, pinion].map(|gear| gear.gear().basic_data().teeth()));
+        let drawn = self.drawn.first();
+        let drawn = drawn.map(|(_, wheel, pinion)| [wheel, pinion].map(OutlineGear::teeth));
+        data.or(drawn).unwrap_or_default()
+    }
+
+    /// Lost motion in arcmin at the gear `at`, whose part of the centre distance, of a drawn pair, is that of its teeth.
+    pub fn arcmin(&self, at: Member) -> BacklashUnit {
+        if let Some((_, wheel, pinion)) = self.materials.first() {
+            return BacklashUnit::arcmin(at, wheel.gear(), pinion.gear());
+        }
+        let [wheel, pinion] = self.teeth().map(f64::from);
+        let own = match at {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
+        };
+        let share = own / (wheel + pinion);
+        BacklashUnit::Arcmin { at, share }
     }
 
     /// Whether its gears are helical.
@@ -182,17 +266,14 @@ impl Study {
     /// The same study at other centre distances, mm, each by itself: no [`Study::band`].
     ///
     /// # Errors
-    /// [`GearError::BaseCirclesOverlap`], at a distance or, with bearing clearance, at `a − c`;
+    /// As [`Study::pairs`], at a distance or, with bearing clearance, at `a − c`;
     /// [`GearError::MeasuredRows`] for a study that runs exactly its measured rows.
-    pub fn at(mut self, center_distances: Vec<f64>) -> Result<Study, GearError> {
+    pub fn at(mut self, center_distances: Vec<f64>) -> Result<Study, Error> {
         if self.sweep.is_none() {
-            return Err(GearError::MeasuredRows);
+            return Err(GearError::MeasuredRows.into());
         }
-        for (_, wheel, pinion) in &self.materials {
-            for a in &center_distances {
-                let closest = a - self.bearing_clearance;
-                self.pair(wheel, pinion, closest)?;
-            }
+        for a in &center_distances {
+            self.pairs(a - self.bearing_clearance)?;
         }
         self.center_distances = center_distances;
         self.band = None;
@@ -201,7 +282,7 @@ impl Study {
 
     /// How many poses [`Study::runs`] has in all.
     pub fn pose_count(&self) -> u64 {
-        let materials = self.materials.len() as u64;
+        let materials = self.material_count() as u64;
         match &self.sweep {
             Some(plan) => {
                 let runs = self.center_distances.len() as u64 * materials;
@@ -221,20 +302,19 @@ impl Study {
     ///
     /// # Errors
     /// None for a study that was read; a pair that cannot be assembled otherwise.
-    pub fn runs(&self) -> Result<Vec<RunPlan>, GearError> {
+    pub fn runs(&self) -> Result<Vec<RunPlan>, Error> {
         let mut measured = self.measured_matings();
-        let mut runs = Vec::with_capacity(self.center_distances.len() * self.materials.len());
+        let mut runs = Vec::with_capacity(self.center_distances.len() * self.material_count());
         for &a in &self.center_distances {
             let rows = measured.remove(&a.to_bits()).unwrap_or_default();
-            for (material, wheel, pinion) in &self.materials {
-                let assembly = self.pair(wheel, pinion, a)?;
+            for (material, assembly) in self.pairs(a)? {
                 let parts = match &self.sweep {
                     Some(plan) => plan.parts(),
                     None => Vec::new(),
                 };
                 let mut add = |phase, matings| {
                     runs.push(RunPlan {
-                        material: *material,
+                        material,
                         assembly: assembly.clone(),
                         phase,
                         matings,

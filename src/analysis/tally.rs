@@ -11,7 +11,7 @@ use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
 use crate::error::Error;
-use crate::pair::GearPair;
+use crate::outline::AssembledPair;
 use crate::parallel;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -28,7 +28,7 @@ pub struct RunTally {
     /// Which end of the thickness tolerances.
     pub material: Material,
     /// The gears at their centre distance.
-    pub assembly: GearPair,
+    pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
     pub phase: Option<(u32, u32)>,
     /// How many poses there are.
@@ -51,8 +51,8 @@ pub struct RunTally {
     pub listed: Vec<ComparedPose>,
     /// How far both methods agree, where both were asked for.
     pub agreement: MethodAgreement,
-    /// What touched, where, and what it cost.
-    pub seen: Seen,
+    /// What touched, where, and what it cost; `None` of a drawn pair, which no formula is known of.
+    pub seen: Option<Seen>,
     verdicts: [usize; Verdict::ALL.len()],
     valued: usize,
     summary: SummaryTally,
@@ -63,9 +63,9 @@ pub struct RunTally {
 
 impl RunTally {
     /// Of no pose yet.
-    fn new(material: Material, assembly: GearPair, phase: Option<(u32, u32)>) -> RunTally {
+    fn new(material: Material, assembly: AssembledPair, phase: Option<(u32, u32)>) -> RunTally {
         RunTally {
-            seen: Seen::new(&assembly, material),
+            seen: assembly.data().map(|pair| Seen::new(pair, material)),
             material,
             assembly,
             phase,
@@ -112,7 +112,9 @@ impl RunTally {
             self.listed.push(pose.clone());
         }
         self.agreement.add(result);
-        self.seen.add(pose);
+        if let Some(seen) = &mut self.seen {
+            seen.add(pose);
+        }
         self.summary.add(pose);
         if let (Some(backlash), Some(bound)) = (result.backlash, result.error_bound) {
             self.least.add(backlash, bound, || pose.clone());
@@ -132,9 +134,12 @@ impl RunTally {
         self.verdicts[verdict as usize]
     }
 
-    /// How many have a simulated backlash and none by model 3: no two involutes reach each other.
+    /// How many have a simulated backlash and none by model 3, though the gears have one: no two involutes reach each other.
     pub fn simulated_alone(&self) -> usize {
-        self.valued - self.compared
+        match self.assembly.data() {
+            Some(_) => self.valued - self.compared,
+            None => 0,
+        }
     }
 
     /// As [`ComparedRun::passes`].

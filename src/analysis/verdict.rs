@@ -9,7 +9,8 @@ use super::requirement::{Quantity, Requirements};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
 use crate::contact::Status;
-use crate::pair::{GearPair, Member};
+use crate::outline::AssembledPair;
+use crate::pair::Member;
 
 /// A limit that is missed, or not proven to be kept.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +46,7 @@ pub enum Requirement {
 
 impl Requirement {
     /// The outcome of the limits `required`, of which `unmet` are not kept.
-    pub(super) fn of(required: &Requirements, unmet: &[Unmet]) -> Requirement {
+    fn of(required: &Requirements, unmet: &[Unmet]) -> Requirement {
         if required.is_empty() {
             Requirement::None
         } else if unmet.is_empty() {
@@ -98,7 +99,7 @@ impl<'a> Verdict<'a> {
         uncertainty: Option<Uncertainty>,
         failed_checks: Vec<CheckName>,
     ) -> Verdict<'a> {
-        let unmet = unmet(required, runs, end);
+        let unmet = unmet(required, runs);
         Verdict {
             runs,
             requirement: Requirement::of(required, &unmet),
@@ -121,7 +122,7 @@ impl<'a> Verdict<'a> {
     /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
     pub fn expanded(&self, extreme: &RunExtreme) -> Option<f64> {
         self.uncertainty?
-            .of(&extreme.assembly, &extreme.pose.simulated)
+            .of(extreme.assembly.data()?, &extreme.pose.simulated)
     }
 
     /// Whether the pair assembles everywhere; `None` where that is not proven.
@@ -196,7 +197,7 @@ impl<'a> Verdict<'a> {
     }
 
     /// The worst pose of all, its run and the pair in it: jammed before the least backlash; `None` where nothing is in mesh.
-    pub fn worst(&self) -> Option<(&'a RunExtremes, &'a GearPair, &'a ComparedPose)> {
+    pub fn worst(&self) -> Option<(&'a RunExtremes, &'a AssembledPair, &'a ComparedPose)> {
         let mut jammed = self.runs.iter().filter(|run| run.status == Status::Jammed);
         let jammed = jammed.find_map(|run| {
             let lost = run.lost.as_ref()?;
@@ -233,7 +234,7 @@ impl<'a> Verdict<'a> {
 }
 
 /// The value of a quantity at its least or greatest in a run.
-pub(super) struct FoundEnd {
+struct FoundEnd {
     /// Its bracket; `None` where there is no value.
     pub bracket: Option<[f64; 2]>,
     /// Whether the bracket holds every pose.
@@ -256,20 +257,15 @@ impl FoundEnd {
 }
 
 /// The gear whose lost motion `required` limits.
-pub(super) fn lost_motion_of(required: &Requirements) -> Option<Member> {
+fn lost_motion_of(required: &Requirements) -> Option<Member> {
     required.iter().find_map(|(quantity, _)| match quantity {
         Quantity::LostMotion(member) => Some(*member),
         _ => None,
     })
 }
 
-/// The limits of `required` that some of `runs` do not keep, each with its worst value; those missed for sure come first. `end` is the
-/// value of a quantity at a run's least, or, `true`, at its greatest.
-pub(super) fn unmet<R>(
-    required: &Requirements,
-    runs: &[R],
-    end: impl Fn(Quantity, &R, bool) -> FoundEnd,
-) -> Vec<Unmet> {
+/// The limits of `required` that some of `runs` do not keep, each with its worst value; those missed for sure come first.
+fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     let limits = required.iter().flat_map(|(quantity, limits)| {
         let ends = [(limits.min, false), (limits.max, true)];
         ends.map(|(limit, is_max)| (*quantity, limit, is_max))
@@ -310,19 +306,19 @@ fn end(quantity: Quantity, run: &RunExtremes, is_max: bool) -> FoundEnd {
         (None, true) => (&run.assembly, run.greatest.as_ref()),
         (None, false) => (&run.assembly, run.least.as_ref()),
     };
-    let value = |j_wt| quantity.value(assembly, j_wt, is_max);
     let with_play = run.bearings.is_some();
     if quantity == Quantity::RadialClearance {
         // It needs no contact.
         return FoundEnd {
-            bracket: Some([value(0.0); 2]),
+            bracket: quantity.bracket(assembly, [0.0; 2], is_max),
             holds: true,
             is_attained: true,
             with_play,
         };
     }
     FoundEnd {
-        bracket: extreme.map(|extreme| [extreme.low, extreme.high].map(value)),
+        bracket: extreme
+            .and_then(|found| quantity.bracket(assembly, [found.low, found.high], is_max)),
         holds: extreme.is_none_or(RunExtreme::holds),
         is_attained: extreme.is_none_or(|extreme| extreme.pose.simulated.found.is_ok()),
         with_play,

@@ -1,7 +1,7 @@
 //! The two points of a contact, where the gears stand in a picture.
 
-use super::{Contact, Touch};
-use crate::gear::{ProfilePart, Side};
+use super::{Contact, ToothPlace, Touch};
+use crate::gear::Side;
 use crate::pair::{GearPair, Member};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -69,7 +69,7 @@ impl DrawnContact {
     pub fn is_below_form_circle(&self, member: Member) -> bool {
         matches!(
             self.touch(member).curve,
-            ProfilePart::Fillet | ProfilePart::Root
+            ToothPlace::Fillet | ToothPlace::Root
         )
     }
 }

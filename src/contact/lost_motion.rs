@@ -6,26 +6,74 @@ use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
-/// A place on a tooth, by name.
-pub trait ToothPlace: Copy {
-    /// Whether what touches there stands in the bottom of the mate's tooth space.
-    fn is_root(self) -> bool;
+/// A place on a tooth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum ToothPlace {
+    /// The tip corner or the tip land; of a drawn tooth the upper hundredth of its height.
+    Tip,
+    /// The involute of a gear by its data.
+    Involute,
+    /// The fillet of a gear by its data.
+    Fillet,
+    /// The root land; of a drawn tooth the lower hundredth of its height.
+    Root,
+    /// A drawn tooth between tip and root.
+    Flank,
 }
 
-impl ToothPlace for ProfilePart {
-    fn is_root(self) -> bool {
-        self == ProfilePart::Root
+impl ToothPlace {
+    /// The name results use.
+    pub fn name(self) -> &'static str {
+        match self.part() {
+            Some(part) => part.name(),
+            None => "flank",
+        }
+    }
+
+    /// Whether it is a tip land or a root land.
+    pub fn is_land(self) -> bool {
+        matches!(self, ToothPlace::Tip | ToothPlace::Root)
+    }
+
+    /// The part of the profile of a gear by its data; `None` of a drawn flank.
+    pub fn part(self) -> Option<ProfilePart> {
+        match self {
+            ToothPlace::Tip => Some(ProfilePart::Tip),
+            ToothPlace::Involute => Some(ProfilePart::Involute),
+            ToothPlace::Fillet => Some(ProfilePart::Fillet),
+            ToothPlace::Root => Some(ProfilePart::Root),
+            ToothPlace::Flank => None,
+        }
+    }
+}
+
+impl From<ProfilePart> for ToothPlace {
+    fn from(part: ProfilePart) -> ToothPlace {
+        match part {
+            ProfilePart::Tip => ToothPlace::Tip,
+            ProfilePart::Involute => ToothPlace::Involute,
+            ProfilePart::Fillet => ToothPlace::Fillet,
+            ProfilePart::Root => ToothPlace::Root,
+        }
+    }
+}
+
+impl PartialEq<ProfilePart> for ToothPlace {
+    fn eq(&self, part: &ProfilePart) -> bool {
+        self.part() == Some(*part)
     }
 }
 
 /// What one gear brings to a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Touch<P = ProfilePart> {
+pub struct Touch {
     /// Tooth number, `1..=z`.
     pub tooth: u32,
-    /// The curve touched, of an outline the region; `Tip` is the tip corner or the tip land.
-    pub curve: P,
+    /// Where on the tooth.
+    pub curve: ToothPlace,
     /// Radius about the gear's own geometric centre, mm.
     pub radius: f64,
 }
@@ -33,16 +81,16 @@ pub struct Touch<P = ProfilePart> {
 /// Contact of the free gear on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Contact<P = ProfilePart> {
+pub struct Contact {
     /// Rotation of the free gear at contact, rad, counted as in [`crate::pair::Pose`].
     pub rotation: f64,
     /// The true rotation of the outlines lies within `rotation ± error`, rad. Of drawn outlines: rounding, what the search left out, and, to
     /// first order, how far they may lie from what was drawn.
     pub error: f64,
     /// The wheel's part.
-    pub wheel: Touch<P>,
+    pub wheel: Touch,
     /// The pinion's part.
-    pub pinion: Touch<P>,
+    pub pinion: Touch,
     /// Point of contact in the picture frame, mm.
     pub point: Point2<f64>,
     /// Unit normal at the contact, out of the wheel's metal.
@@ -59,23 +107,23 @@ fn is_measuring_plane(section: &f64) -> bool {
 
 /// What a search found, in the frame of the exact method and of outlines: the free gear's axis at the origin, the locked one's at `(a, 0)`, the left
 /// side mirrored.
-pub(super) struct Framed<P> {
+pub(super) struct Framed {
     pub side: Side,
     pub free: Member,
     pub center_distance: f64,
     /// Rotation of the free gear, rad.
     pub rotation: f64,
     pub error: f64,
-    pub locked: Touch<P>,
-    pub mated: Touch<P>,
+    pub locked: Touch,
+    pub mated: Touch,
     pub point: C,
     /// Out of the locked metal.
     pub normal: C,
 }
 
-impl<P> Framed<P> {
+impl Framed {
     /// The contact in the picture.
-    pub fn contact(self) -> Contact<P> {
+    pub fn contact(self) -> Contact {
         let mirror = |z: C| match self.side {
             Side::Right => z,
             Side::Left => z.conj(),
@@ -145,11 +193,11 @@ impl Status {
 /// Right- and left-flank contact of the free gear at one pose of the locked gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct LostMotion<P = ProfilePart> {
+pub struct LostMotion {
     /// Limit of clockwise rotation.
-    pub right: Option<Contact<P>>,
+    pub right: Option<Contact>,
     /// Limit of counter-clockwise rotation.
-    pub left: Option<Contact<P>>,
+    pub left: Option<Contact>,
     /// Whether no rotation of the free gear can free it, whatever touches: teeth stand in the solid body of the mate, or reach
     /// over its axis, or overlap by a pitch or more, so that turning on only brings the next tooth into the place.
     pub solid: bool,
@@ -195,9 +243,7 @@ impl LostMotion {
             ..self
         }
     }
-}
 
-impl<P: ToothPlace> LostMotion<P> {
     /// How the pose ended.
     ///
     /// Teeth in the mate's body, or an overlap in which a root land (of an outline a root region) takes part, are a tip in a root: turning
@@ -209,8 +255,9 @@ impl<P: ToothPlace> LostMotion<P> {
         let (Some(right), Some(left)) = (&self.right, &self.left) else {
             return Status::NoContact;
         };
-        let on_root =
-            |contact: &Contact<P>| contact.wheel.curve.is_root() || contact.pinion.curve.is_root();
+        let on_root = |contact: &Contact| {
+            [contact.wheel.curve, contact.pinion.curve].contains(&ToothPlace::Root)
+        };
         if left.rotation >= right.rotation {
             Status::Clear
         } else if on_root(right) || on_root(left) {

@@ -35,10 +35,7 @@ pub use kernel::{Piece, Proof, Prover, Reason, Separation, SideProof, TouchProof
 pub use lost_motion::{Contact, LostMotion, Status, ToothPlace, Touch};
 pub use mesh_section::MeshSection;
 pub use outline::{OutlineCertifier, OutlineKernel};
-pub use outline_contact::{
-    NotBorneOut, OutlineContact, OutlineDoubt, OutlineLostMotion, OutlineTouch, Region,
-    SearchExhausted,
-};
+pub use outline_contact::{NotBorneOut, SearchExhausted};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;
@@ -47,4 +44,6 @@ pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,
 };
 pub use scene::{FreePlacement, LineOfAction, Scene};
-pub use sweep::{BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks};
+pub use sweep::{
+    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks, sweep_outlines,
+};

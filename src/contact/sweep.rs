@@ -4,11 +4,13 @@ use super::by_sections::Sections;
 use super::effort::Effort;
 use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
+use super::outline::{OutlineCertifier, OutlineKernel};
 use super::over_face::FoundOverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use super::pose_result::{PolygonDifference, PoseResult, Unproven};
 use crate::error::Error;
 use crate::gear::AsBuilt;
+use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
 use std::ops::ControlFlow;
@@ -240,12 +242,6 @@ impl<'a> Solver<'a> {
     fn pitch_radius(&self) -> f64 {
         self.assembly.operating_pitch_radius(self.assembly.free())
     }
-
-    /// `j_wt`, mm, at one end of the bearing clearance.
-    fn backlash_at(&self, mating: &Mating) -> Result<Result<Option<f64>, Unproven>, Error> {
-        let found = self.find(&Pose::new(self.assembly, *mating))?;
-        Ok(found.lost_motion.map(|found| self.backlash(&found)))
-    }
 }
 
 /// What a solver found at a pose.
@@ -320,9 +316,120 @@ pub fn sweep_blocks<E: From<Error>>(
     let ends = moved
         .as_ref()
         .map(|ends| ends.each_ref().map(|end| Solver::new(end, cut, method)));
+    each_pose(&here, ends.as_ref(), matings, tick, each)
+}
+
+/// As [`sweep_blocks`], of a pair with a drawn gear; where `certify`, polygons check each pose.
+///
+/// # Errors
+/// As [`sweep`], and of `each`.
+pub fn sweep_outlines<E: From<Error>>(
+    pair: &OutlinePair,
+    certify: bool,
+    matings: &[Mating],
+    clearance: f64,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
+) -> Result<(), E> {
+    let apart = |distance: f64| -> Result<OutlinePair, Error> {
+        Ok(pair.at(pair.center_distance() + distance)?)
+    };
+    let moved = match clearance > 0.0 {
+        true => Some([apart(-clearance)?, apart(clearance)?]),
+        false => None,
+    };
+    let kernel = OutlineKernel::new(pair);
+    let kernels = moved
+        .as_ref()
+        .map(|ends| ends.each_ref().map(OutlineKernel::new));
+    let here = OutlineSolver::new(pair, &kernel, certify);
+    let ends = moved.as_ref().zip(kernels.as_ref());
+    let ends = ends.map(|(pairs, kernels)| {
+        [0, 1].map(|end: usize| OutlineSolver::new(&pairs[end], &kernels[end], certify))
+    });
+    each_pose(&here, ends.as_ref(), matings, tick, each)
+}
+
+/// A pair with a drawn gear, ready to be asked for poses.
+struct OutlineSolver<'a> {
+    pair: &'a OutlinePair,
+    kernel: &'a OutlineKernel<'a>,
+    certifier: Option<OutlineCertifier<'a>>,
+}
+
+impl<'a> OutlineSolver<'a> {
+    /// The solver of the `pair` of `kernel`.
+    fn new(
+        pair: &'a OutlinePair,
+        kernel: &'a OutlineKernel<'a>,
+        certify: bool,
+    ) -> OutlineSolver<'a> {
+        OutlineSolver {
+            pair,
+            kernel,
+            certifier: certify.then(|| OutlineCertifier::new(kernel)),
+        }
+    }
+}
+
+/// Finds the lost motion at poses of one pair.
+trait FindPose: Sync {
+    fn find_at(&self, mating: &Mating) -> Result<(Pose, SolvedPose), Error>;
+    /// Of the free gear, mm.
+    fn pitch_radius(&self) -> f64;
+}
+
+impl FindPose for Solver<'_> {
+    fn find_at(&self, mating: &Mating) -> Result<(Pose, SolvedPose), Error> {
+        let pose = Pose::new(self.assembly, *mating);
+        Ok((pose, self.find(&pose)?))
+    }
+
+    fn pitch_radius(&self) -> f64 {
+        Solver::pitch_radius(self)
+    }
+}
+
+impl FindPose for OutlineSolver<'_> {
+    fn find_at(&self, mating: &Mating) -> Result<(Pose, SolvedPose), Error> {
+        let found = self
+            .kernel
+            .lost_motion(mating)
+            .map_err(|why| why.to_string());
+        let found = found.and_then(|found| match &self.certifier {
+            Some(certifier) => match certifier.check(mating, &found) {
+                Ok(()) => Ok(found),
+                Err(why) => Err(why.to_string()),
+            },
+            None => Ok(found),
+        });
+        let solved = SolvedPose {
+            lost_motion: found.map_err(|reason| Unproven {
+                reason,
+                exact: None,
+                polygon: None,
+            }),
+            polygon_difference: None,
+        };
+        Ok((self.pair.pose(*mating), solved))
+    }
+
+    fn pitch_radius(&self) -> f64 {
+        self.pair.operating_pitch_radius(self.pair.free())
+    }
+}
+
+/// Delivers what `here` finds at `matings` to `each`, with the solvers at both `ends` of the bearing clearance.
+fn each_pose<S: FindPose, E: From<Error>>(
+    here: &S,
+    ends: Option<&[S; 2]>,
+    matings: &[Mating],
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
+) -> Result<(), E> {
     let find = |mating: &Mating| {
         Error::if_stopped(tick())?;
-        pose_result(&here, ends.as_ref(), mating)
+        pose_result(here, ends, mating)
     };
     for block in matings.chunks(BLOCK) {
         let poses = parallel::map(block, find).into_iter();
@@ -332,28 +439,48 @@ pub fn sweep_blocks<E: From<Error>>(
 }
 
 /// What `here` finds at `mating`, and the solvers at both `ends` of the bearing clearance.
-fn pose_result(
-    here: &Solver,
-    ends: Option<&[Solver; 2]>,
+fn pose_result<S: FindPose>(
+    here: &S,
+    ends: Option<&[S; 2]>,
     mating: &Mating,
 ) -> Result<PoseResult, Error> {
-    let pose = Pose::new(here.assembly, *mating);
-    let found = here.find(&pose)?;
+    let (pose, found) = here.find_at(mating)?;
+    let backlash = |solver: &S, found: &LostMotion| Some(found.angle()? * solver.pitch_radius());
+    let at_end = |end: &S| -> Result<Result<Option<f64>, Unproven>, Error> {
+        let (_, found) = end.find_at(mating)?;
+        Ok(found.lost_motion.map(|found| backlash(end, &found)))
+    };
     let with_clearance = match ends {
         None => None,
-        Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
+        Some([near, far]) => Some([at_end(near)?, at_end(far)?]),
     };
     let lost_motion = found.lost_motion.as_ref().ok();
-    let backlash = lost_motion.and_then(|found| here.backlash(found));
-    let error = backlash.and(lost_motion).and_then(LostMotion::error);
+    let j_wt = lost_motion.and_then(|found| backlash(here, found));
+    let error = j_wt.and(lost_motion).and_then(LostMotion::error);
     Ok(PoseResult {
         pose,
-        backlash,
+        backlash: j_wt,
         error_bound: error.map(|error| error * here.pitch_radius()),
         found: found.lost_motion,
         with_clearance,
         polygon_difference: found.polygon_difference,
     })
+}
+
+impl AssembledPair {
+    /// Lost motion where the teeth of `mating` meet, checked by polygons. For many poses use [`sweep_blocks`] or [`sweep_outlines`].
+    ///
+    /// # Errors
+    /// None for a pose: one that nothing vouches for is [`Unproven`] in the result.
+    pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
+        match self {
+            AssembledPair::Data(pair) => pair.lost_motion(mating),
+            AssembledPair::Drawn(pair) => {
+                let kernel = OutlineKernel::new(pair);
+                pose_result(&OutlineSolver::new(pair, &kernel, true), None, &mating)
+            }
+        }
+    }
 }
 
 impl GearPair {

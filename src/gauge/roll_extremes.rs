@@ -16,9 +16,8 @@
 //! The assumption is `L`; with it the bracket is proven. The slopes between the poses are not proven
 //! beforehand: something narrower than a halved step that no pose touches would be missed.
 
-use crate::contact::PoseClass;
+use crate::contact::{PoseClass, ToothPlace};
 use crate::error::Error;
-use crate::gear::ProfilePart;
 use crate::pair::Mating;
 use crate::parallel;
 use std::collections::BTreeMap;
@@ -77,7 +76,7 @@ pub(super) struct RollSample {
     /// Amount, mm a radian.
     pub slope: f64,
     /// Right and left contact: teeth and curves of the gear and of the master.
-    pub touched: [Option<[(u32, ProfilePart); 2]>; 2],
+    pub touched: [Option<[(u32, ToothPlace); 2]>; 2],
 }
 
 /// The poses taken and what they come to.

@@ -71,7 +71,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
             error,
             touched: [0, 1].map(|i: usize| Touch {
                 tooth: flanks[i].tooth,
-                curve: found[i].place.curve,
+                curve: found[i].place.curve.into(),
                 radius: found[i].place.at.coords.norm(),
             }),
             sections: found.map(|one| one.section),

@@ -148,7 +148,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
         let join = one - other;
         let touch = |i: usize| Touch {
             tooth: ends[i].1,
-            curve: placed[i].0.curve,
+            curve: placed[i].0.curve.into(),
             radius: placed[i].0.at.coords.norm(),
         };
         // Where turning sections bring the first flank back along its normal, the helix's normal leads.

@@ -321,13 +321,8 @@ impl AsBuilt {
 
     /// The number of the tooth `steps` places counter-clockwise of `tooth`.
     pub fn counter_clockwise(&self, tooth: u32, steps: i64) -> u32 {
-        let teeth = i64::from(self.gear.basic_data().teeth());
-        let ascending = match self.face {
-            Face::Front => -steps,
-            Face::Back => steps,
-        };
-        let index = (i64::from(tooth) - 1 + ascending).rem_euclid(teeth);
-        u32::try_from(index).unwrap_or(0) + 1
+        let teeth = self.gear.basic_data().teeth();
+        self.face.counter_clockwise(teeth, tooth, steps)
     }
 
     /// Cosine of the angle from the high tooth to the mate, the gear at `rotation`, rad, from where tooth 1 points at it.

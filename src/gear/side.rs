@@ -89,6 +89,16 @@ impl Face {
         }
     }
 
+    /// The number of the tooth `steps` places counter-clockwise of `tooth` on a gear of so many `teeth`.
+    pub fn counter_clockwise(self, teeth: u32, tooth: u32, steps: i64) -> u32 {
+        let ascending = match self {
+            Face::Front => -steps,
+            Face::Back => steps,
+        };
+        let index = (i64::from(tooth) - 1 + ascending).rem_euclid(i64::from(teeth));
+        u32::try_from(index).unwrap_or(0) + 1
+    }
+
     /// The side of the picture on which the gear's own `flank` stands.
     pub fn seen_from_front(self, flank: Flank) -> Side {
         match (self, flank) {

@@ -33,7 +33,7 @@ pub struct OutlineReading {
 }
 
 /// A gear by its outline, in its own frame: tooth 1 on +x, the geometric centre at the origin.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct OutlineGear {
     pub(super) face: Face,
     /// Right halves and left ones (mirrored), tooth 1 first.

@@ -7,7 +7,7 @@ use nalgebra::{Complex, Point2};
 const AT_END: f64 = 1e-9;
 
 /// A piece of a curve in the frame of its half tooth's side: the gear's own, its tooth 1 on +x, mirrored in the x axis on the left side.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct HalfPiece {
     pub(crate) curve: PartCurve,
     /// Parameters of its two ends, the one nearer the tip first.
@@ -49,7 +49,7 @@ impl HalfPiece {
 }
 
 /// Half a tooth on one side.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct HalfOutline {
     /// From the tip to the root.
     pub(crate) pieces: Vec<HalfPiece>,

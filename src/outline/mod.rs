@@ -40,6 +40,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod assembled_pair;
 mod boundary;
 mod centre;
 mod difference;
@@ -54,6 +55,7 @@ pub mod polygon;
 mod segment;
 mod teeth;
 
+pub use assembled_pair::AssembledPair;
 pub use centre::{FittedCentre, fit_centre};
 pub use difference::{Deviation, OutlineDifference};
 pub use error::OutlineError;

@@ -2,12 +2,12 @@
 
 use super::error::OutlineError;
 use super::gear::OutlineGear;
-use crate::gear::{Side, steps_near};
-use crate::pair::{Mating, Member};
+use crate::gear::{Face, Side, steps_near};
+use crate::pair::{Mating, Member, Pose, ToothNumbers};
 use nalgebra::{Complex, Point2, Vector2};
 
 /// A pair of which one gear at least is known by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct OutlinePair {
     gears: [OutlineGear; 2],
     center_distance: f64,
@@ -155,25 +155,24 @@ impl OutlinePair {
         steps.map(tooth).collect()
     }
 
-    /// The mating `pitches` whole pitches beyond (before, where negative): ascending teeth of the locked gear come into mesh.
-    pub fn onward(&self, mating: &Mating, pitches: i64) -> Mating {
-        let locked = self.gear(self.locked);
-        let ascending = locked.face().ascending() as i64;
-        let tooth = |member| {
-            let gear = self.gear(member);
-            let teeth = i64::from(gear.teeth());
-            // Counter-clockwise on one gear is clockwise on the other.
-            let turns = if member == self.locked { 1 } else { -1 };
-            let ascends = turns * ascending * gear.face().ascending() as i64;
-            let pitches = pitches.rem_euclid(teeth);
-            let index = i64::from(mating.tooth(member)) - 1 + ascends * pitches;
-            index.rem_euclid(teeth) as u32 + 1
-        };
-        Mating {
-            wheel_tooth: tooth(Member::Wheel),
-            pinion_tooth: tooth(Member::Pinion),
-            ..*mating
-        }
+    /// The pose of `mating`.
+    pub fn pose(&self, mating: Mating) -> Pose {
+        let rotation = |member| self.rotation(member, &mating);
+        Pose::at(mating, rotation(self.locked), rotation(self.free()))
+    }
+}
+
+impl ToothNumbers for OutlinePair {
+    fn teeth(&self, member: Member) -> u32 {
+        self.gear(member).teeth()
+    }
+
+    fn shown_face(&self, member: Member) -> Face {
+        self.gear(member).face()
+    }
+
+    fn locked(&self) -> Member {
+        self.locked
     }
 }
 

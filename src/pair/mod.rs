@@ -12,5 +12,5 @@ mod sweep_plan;
 pub use backlash::{Backlash, BacklashUnit, arcmin};
 pub use gear_pair::{GearPair, MOST_UNEQUAL, Member};
 pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
-pub use pose::{Mating, Pose};
+pub use pose::{Mating, Pose, ToothNumbers};
 pub use sweep_plan::SweepPlan;

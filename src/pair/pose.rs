@@ -1,7 +1,7 @@
 //! Which teeth mate, and the rotations of both gears that follow (design section 3).
 
 use super::{GearPair, Member};
-use crate::gear::Side;
+use crate::gear::{Face, Side};
 
 /// Mating (w, p) at a flank, and a fraction of a pitch beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,11 +45,10 @@ impl Mating {
     }
 
     /// The mating of the same wheel tooth at `flank`, the gears put together as they are.
-    pub fn at_flank(&self, assembly: &GearPair, flank: Side) -> Mating {
+    pub fn at_flank(&self, pair: &impl ToothNumbers, flank: Side) -> Mating {
         let steps = self.steps_to(flank);
-        let pinion = assembly.gear(Member::Pinion);
         Mating {
-            pinion_tooth: pinion.counter_clockwise(self.pinion_tooth, steps),
+            pinion_tooth: pair.counter_clockwise(Member::Pinion, self.pinion_tooth, steps),
             flank,
             ..*self
         }
@@ -62,36 +61,63 @@ impl Mating {
     }
 
     /// The mating of wheel tooth 1 at its right flank, the gears put together as they are.
-    pub fn of_wheel_tooth_1(&self, assembly: &GearPair) -> Mating {
-        let right = self.at_flank(assembly, Side::Right);
-        let ascending = assembly.gear(Member::Wheel).face().ascending();
+    pub fn of_wheel_tooth_1(&self, pair: &impl ToothNumbers) -> Mating {
+        let right = self.at_flank(pair, Side::Right);
+        let ascending = pair.shown_face(Member::Wheel).ascending();
         let steps = ascending as i64 * (i64::from(self.wheel_tooth) - 1);
-        let pinion = assembly.gear(Member::Pinion);
         Mating {
-            wheel_tooth: 1,
-            pinion_tooth: pinion.counter_clockwise(right.pinion_tooth, steps),
-            flank: Side::Right,
-            fraction: 0.0,
+            pinion_tooth: pair.counter_clockwise(Member::Pinion, right.pinion_tooth, steps),
+            ..Mating::FIRST
         }
     }
 
     /// The mating `pitches` beyond (before, where negative), named by the teeth of the last whole pitch: `0 ≤ fraction < 1`.
-    pub fn onward(&self, assembly: &GearPair, pitches: f64) -> Mating {
+    pub fn onward(&self, pair: &impl ToothNumbers, pitches: f64) -> Mating {
         let beyond = self.fraction + pitches;
         let whole = beyond.floor();
         // Ascending numbers stand counter-clockwise on a gear that shows its back.
-        let steps = (assembly.gear(assembly.locked()).face().ascending() * whole) as i64;
-        let (wheel_steps, pinion_steps) = match assembly.locked() {
+        let steps = (pair.shown_face(pair.locked()).ascending() * whole) as i64;
+        let (wheel_steps, pinion_steps) = match pair.locked() {
             Member::Wheel => (steps, -steps),
             Member::Pinion => (-steps, steps),
         };
-        let (wheel, pinion) = (assembly.gear(Member::Wheel), assembly.gear(Member::Pinion));
         Mating {
-            wheel_tooth: wheel.counter_clockwise(self.wheel_tooth, wheel_steps),
-            pinion_tooth: pinion.counter_clockwise(self.pinion_tooth, pinion_steps),
+            wheel_tooth: pair.counter_clockwise(Member::Wheel, self.wheel_tooth, wheel_steps),
+            pinion_tooth: pair.counter_clockwise(Member::Pinion, self.pinion_tooth, pinion_steps),
             flank: self.flank,
             fraction: beyond - whole,
         }
+    }
+}
+
+/// How the teeth of a pair are numbered.
+pub trait ToothNumbers {
+    /// Teeth of one of the gears.
+    fn teeth(&self, member: Member) -> u32;
+    /// The face of a gear that the viewer sees.
+    fn shown_face(&self, member: Member) -> Face;
+    /// The gear that stands still.
+    fn locked(&self) -> Member;
+
+    /// The tooth of a gear `steps` places counter-clockwise of `tooth`.
+    fn counter_clockwise(&self, member: Member, tooth: u32, steps: i64) -> u32 {
+        let teeth = self.teeth(member);
+        self.shown_face(member)
+            .counter_clockwise(teeth, tooth, steps)
+    }
+}
+
+impl ToothNumbers for GearPair {
+    fn teeth(&self, member: Member) -> u32 {
+        GearPair::teeth(self, member)
+    }
+
+    fn shown_face(&self, member: Member) -> Face {
+        self.gear(member).face()
+    }
+
+    fn locked(&self) -> Member {
+        GearPair::locked(self)
     }
 }
 
@@ -108,6 +134,15 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// The pose of `mating` with the gears at these rotations, rad, the free one at its nominal rotation.
+    pub(crate) fn at(mating: Mating, locked_rotation: f64, free_rotation: f64) -> Pose {
+        Pose {
+            mating,
+            locked_rotation,
+            free_rotation,
+        }
+    }
+
     /// The pose of `mating` on `assembly`.
     ///
     /// The locked gear's undisturbed flank passes through the operating pitch

@@ -1,6 +1,6 @@
 //! Which poses a simulation takes.
 
-use super::{GearPair, Mating, Member};
+use super::{Mating, Member, ToothNumbers};
 use crate::gear::Side;
 
 /// The poses of a simulation.
@@ -36,7 +36,7 @@ pub enum SweepPlan {
 impl SweepPlan {
     /// One wheel revolution.
     pub fn wheel_revolution(
-        assembly: &GearPair,
+        assembly: &impl ToothNumbers,
         steps_per_pitch: u32,
         start: (u32, u32),
     ) -> SweepPlan {
@@ -49,7 +49,7 @@ impl SweepPlan {
 
     /// Until the same teeth meet again: lcm(z_1, z_2) pitches.
     pub fn hunting_cycle(
-        assembly: &GearPair,
+        assembly: &impl ToothNumbers,
         steps_per_pitch: u32,
         start: (u32, u32),
     ) -> SweepPlan {
@@ -122,7 +122,7 @@ impl SweepPlan {
     }
 
     /// The matings in order. In a revolution each names the pair of the last whole step and the fraction beyond it.
-    pub fn matings(&self, assembly: &GearPair) -> Vec<Mating> {
+    pub fn matings(&self, assembly: &impl ToothNumbers) -> Vec<Mating> {
         match self {
             SweepPlan::Matings { matings, fractions } => {
                 let mut list = Vec::with_capacity(2 * matings.len() * fractions.len());

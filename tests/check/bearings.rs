@@ -123,7 +123,7 @@ fn the_poses_of_both_ends_have_their_extremes() {
         let found = play(&pair(48.05, 1.0, any_direction), 0.03);
         for end in [&found.pressed, &found.apart] {
             let extreme = end.extreme.as_ref().unwrap();
-            let pair = &extreme.assembly;
+            let pair = extreme.assembly.data().unwrap();
             let found = ExactKernel::new(pair).lost_motion(&extreme.pose.simulated.pose);
             let j_wt = found.unwrap().angle().unwrap() * pair.operating_pitch_radius(pair.free());
             assert!(

@@ -13,7 +13,7 @@ fn both(study: &Study) -> [Vec<&'static str>; 2] {
         .with_extremes()
         .with_checks();
     let analysis = Analysis::silently(&plan).unwrap();
-    let seen: Vec<Seen> = analysis.runs.iter().map(Seen::of).collect();
+    let seen: Vec<Seen> = analysis.runs.iter().filter_map(Seen::of).collect();
     let needed = failed_checks(study, &seen, &analysis.extremes, &ON).unwrap();
     [analysis.diagnosis.failed(), needed]
         .map(|failed| failed.iter().map(|check| check.id).collect())

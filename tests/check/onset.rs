@@ -65,18 +65,20 @@ fn below_the_onset_something_is_touched_above_it_nothing() {
     let (_folder, file) = written(&pair_86_21(160.2));
     let study = input::read(&file).unwrap().study;
     let run = &study.runs().unwrap()[0];
-    let onset = non_involute_onset(&run.assembly, &run.matings)
+    let onset = non_involute_onset(run.assembly.data().unwrap(), &run.matings)
         .unwrap()
         .unwrap();
     assert!(onset.bracket[1] - onset.bracket[0] <= 1e-6);
     let touched = |distance: f64| {
         let assembly = run.assembly.at(distance).unwrap();
-        let kernel = ExactKernel::new(&assembly);
+        let kernel = ExactKernel::new(assembly.data().unwrap());
         (0..960)
             .filter(|phase| {
                 let mating = mating(1, 1).onward(&assembly, f64::from(*phase) / 960.0);
-                let found = kernel.lost_motion(&Pose::new(&assembly, mating)).unwrap();
-                PoseClass::of(&assembly, &found).is_non_involute()
+                let found = kernel
+                    .lost_motion(&Pose::new(assembly.data().unwrap(), mating))
+                    .unwrap();
+                PoseClass::of(assembly.data().unwrap(), &found).is_non_involute()
             })
             .count()
     };

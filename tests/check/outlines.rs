@@ -1,32 +1,32 @@
 //! Outlines through a mesh cycle, against the proven extremes of the same gears.
 
 use super::*;
-use gearlash::analysis::outlines::{OutlineRun, OutlineStudy};
-use gearlash::analysis::study::Material;
-use gearlash::contact::Status;
+use gearlash::analysis::backlash_map::BacklashMap;
+use gearlash::analysis::extremes::{RunExtremes, extremes};
+use gearlash::analysis::study::{Material, Study};
+use gearlash::contact::{Method, Status};
 use gearlash::outline::OutlineGear;
+use gearlash::pair::SweepPlan;
 
-fn run_of(pair: &GearPair) -> OutlineRun {
-    let runs = study_of(pair).runs(true, &|| ControlFlow::Continue(()));
-    let runs = runs.unwrap();
-    runs.into_iter().next().unwrap()
+fn extremes_of_outlines(study: &Study) -> RunExtremes {
+    let on = || ControlFlow::Continue(());
+    let found = extremes(study, Method::Exact { certify: true }, &on).unwrap();
+    found.each.into_iter().next().unwrap()
 }
 
-fn study_of(pair: &GearPair) -> OutlineStudy {
+fn study_of(pair: &GearPair) -> Study {
     let gear = |member| OutlineGear::from(pair.gear(member));
-    OutlineStudy {
-        title: "outlines".to_owned(),
-        materials: vec![(
+    Study::of_drawn(
+        "outlines",
+        vec![(
             Material::AsMeasured,
             gear(Member::Wheel),
             gear(Member::Pinion),
         )],
-        locked: pair.locked(),
-        center_distances: vec![pair.center_distance()],
-        start: Mating::FIRST,
-        steps_per_pitch: 8,
-        requirements: Vec::new(),
-    }
+        pair.locked(),
+        vec![pair.center_distance()],
+        SweepPlan::hunting_cycle(pair, 8, (1, 1)),
+    )
 }
 
 /// 51/23 with a hunting cycle of 1173 matings: what is found of sampled poses lies inside what is proven, and no more than a hundredth of a
@@ -37,13 +37,10 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
     let (_, wheel, pinion) = file.study.materials[0].clone();
     let pair = GearPair::new(wheel, pinion, file.study.center_distances[0]).unwrap();
     let proven = extremes_of(&pair);
-    let run = run_of(&pair);
+    let run = extremes_of_outlines(&study_of(&pair));
     assert_eq!(run.matings, proven.matings);
-    let value = |pose: &Option<gearlash::analysis::outlines::OutlinePose>| {
-        pose.as_ref().unwrap().j_wt.unwrap().0
-    };
     let (least, greatest) = (proven.least.unwrap(), proven.greatest.unwrap());
-    let (low, high) = (value(&run.least), value(&run.greatest));
+    let [low, high] = [&run.least, &run.greatest].map(|end| end.as_ref().unwrap().found());
     assert!(
         low > least.low - 1e-10 && low < least.high + 1e-5,
         "{low} {least:?}"
@@ -52,66 +49,71 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
         high < greatest.high + 1e-10 && high > greatest.low - 1e-5,
         "{high}"
     );
-    assert_eq!(run.turns(), Some(false));
-    let from = run.turns_from.unwrap();
+    assert_eq!(run.assembles(), Some(false));
+    let from = run.assembles_from.unwrap();
     let known = proven.assembles_from.unwrap();
     assert!((from.high - known.high).abs() < 3e-5, "{from:?} {known:?}");
 }
 
-/// A pair too near, and one out of mesh: said so, and from where on it turns.
+/// A pair too near, and one out of mesh: said so, and from where on it assembles.
 #[test]
-fn what_jams_says_from_where_it_turns() {
+fn what_jams_says_from_where_it_assembles() {
     let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
-    let at =
-        |distance| run_of(&GearPair::new(gear(Face::Front), gear(Face::Back), distance).unwrap());
+    let at = |distance| {
+        let pair = GearPair::new(gear(Face::Front), gear(Face::Back), distance).unwrap();
+        extremes_of_outlines(&study_of(&pair))
+    };
     let jammed = at(39.0);
-    assert_eq!(jammed.turns(), Some(false));
+    assert_eq!(jammed.assembles(), Some(false));
     // Perfect gears without backlash at the sum of their pitch radii.
-    let from = jammed.turns_from.unwrap();
+    let from = jammed.assembles_from.unwrap();
     assert!((from.high - 40.0).abs() < 2e-5, "{from:?}");
     let apart = at(44.5);
-    assert_eq!((apart.turns(), apart.count(Status::NoContact)), (None, 160));
+    assert_eq!(apart.status, Status::NoContact);
+    assert!(apart.greatest.is_none() && apart.assembles_from.is_none());
 }
 
-/// Perfect gears: no backlash at the sum of their pitch radii, 40 mm, from whichever side it is looked for; above, j_wt = 2 a (inv α_w − inv α) with
-/// cos α_w = 40 cos α / a, at every pose of the map.
+/// Perfect gears above the sum of their pitch radii, 40 mm: j_wt = 2 a (inv α_w − inv α) with cos α_w = 40 cos α / a at every pose of the map, and as
+/// the extremes; with play in the bearings those at a ∓ c.
 #[test]
-fn a_pair_that_turns_has_a_zero_backlash_distance_and_a_map() {
+fn a_pair_that_turns_has_a_map_and_the_play_of_its_bearings() {
     let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
     let angle = 20f64.to_radians();
     let involute = |angle: f64| angle.tan() - angle;
-    for distance in [40.001, 40.3, 41.5] {
-        let pair = GearPair::new(gear(Face::Front), gear(Face::Back), distance).unwrap();
-        let (study, run) = (study_of(&pair), run_of(&pair));
-        assert_eq!(run.turns(), Some(true));
-        let zero = run.zero_backlash(&study).unwrap().unwrap();
-        assert!(
-            (zero.high - 40.0).abs() < 2e-5 && zero.low < zero.high,
-            "{distance} {zero:?}"
-        );
-        assert!(zero.rounded() >= zero.high && zero.rounded() < zero.high + 1.1e-4);
-        let map = run
-            .map(&study, Some(&zero), &|| ControlFlow::Continue(()))
-            .unwrap();
-        assert_eq!(map.cells.len(), map.distances.len() * map.columns);
-        for (a, row) in map.distances.iter().zip(map.cells.chunks(map.columns)) {
-            // Below 40 mm tips reach fillets, and above 41 mm corners touch.
-            if !(40.0..41.0).contains(a) {
-                continue;
-            }
-            let operating = (40.0 * angle.cos() / a).min(1.0).acos();
-            let known = 2.0 * a * (involute(operating) - involute(angle));
-            for cell in row {
-                let (j_wt, _) = cell.j_wt.unwrap();
-                assert!((j_wt - known).abs() < 1e-9, "{a} {j_wt} {known}");
-            }
-        }
-        let names: Vec<&str> = map.limits.iter().map(|limit| limit.name.as_str()).collect();
-        assert_eq!(names.len(), 3, "{names:?}");
+    let known = |a: f64| {
+        let operating = (40.0 * angle.cos() / a).min(1.0).acos();
+        2.0 * a * (involute(operating) - involute(angle))
+    };
+    let pair = GearPair::new(gear(Face::Front), gear(Face::Back), 40.3).unwrap();
+    let mut study = study_of(&pair);
+    study.bearing_clearance = 0.05;
+    let run = extremes_of_outlines(&study);
+    assert_eq!(run.assembles(), Some(true));
+    let play = run.bearings.as_ref().unwrap();
+    let ends = [
+        (&run.least, 40.3),
+        (&run.greatest, 40.3),
+        (&play.pressed.extreme, 40.25),
+        (&play.apart.extreme, 40.35),
+    ];
+    for (end, a) in ends {
+        let found = end.as_ref().unwrap().found();
+        assert!((found - known(a)).abs() < 1e-9, "{a} {found}");
     }
-    // Out of mesh there is none; stopped, there is no map.
-    let apart = GearPair::new(gear(Face::Front), gear(Face::Back), 44.5).unwrap();
-    let (study, run) = (study_of(&apart), run_of(&apart));
-    assert!(run.zero_backlash(&study).unwrap().is_none());
-    assert!(run.map(&study, None, &|| ControlFlow::Break(())).is_err());
+    let each = [run];
+    let maps = BacklashMap::of_study(&study, &each, &|| ControlFlow::Continue(())).unwrap();
+    let map = &maps[0];
+    assert_eq!(map.cells.len(), map.distances.len() * map.columns);
+    for (a, row) in map.distances.iter().zip(map.cells.chunks(map.columns)) {
+        // Below 40 mm tips reach fillets, and above 41 mm corners touch.
+        if !(40.0..41.0).contains(a) {
+            continue;
+        }
+        for cell in row {
+            let j_wt = cell.backlash.unwrap();
+            assert!((j_wt - known(*a)).abs() < 1e-9, "{a} {j_wt}");
+        }
+    }
+    // Stopped, there is no map.
+    assert!(BacklashMap::of_study(&study, &each, &|| ControlFlow::Break(())).is_err());
 }

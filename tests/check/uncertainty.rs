@@ -108,7 +108,10 @@ fn hold(pairs: u32, redraws: u32, helix_deg: f64) {
         let run = extremes_of(&pair);
         let told = [&run.least, &run.greatest].map(|extreme| {
             uncertainty
-                .of(&run.assembly, &extreme.as_ref().unwrap().pose.simulated)
+                .of(
+                    run.assembly.data().unwrap(),
+                    &extreme.as_ref().unwrap().pose.simulated,
+                )
                 .unwrap()
         });
         let mut sums = [[0.0; 2]; 2];

@@ -193,10 +193,10 @@ fn polygon_results_are_certified() {
         let coarse = CutPair::for_certificates(wheel, pinion);
         for plan in study.runs().unwrap() {
             let cut = CutPair::new(wheel, pinion, study.chord);
-            let kernel = cut.refined_kernel(&plan.assembly);
-            let certifier = Certifier::new(coarse.kernel(&plan.assembly));
+            let kernel = cut.refined_kernel(plan.assembly.data().unwrap());
+            let certifier = Certifier::new(coarse.kernel(plan.assembly.data().unwrap()));
             for mating in &plan.matings {
-                let pose = Pose::new(&plan.assembly, *mating);
+                let pose = Pose::new(plan.assembly.data().unwrap(), *mating);
                 certifier
                     .check(&pose, &kernel.lost_motion(&pose).unwrap())
                     .unwrap();
@@ -238,8 +238,15 @@ fn tips_that_just_meet_5_18() {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/grazing/tips_just_meet_5_18.toml");
     let study = input::read(&path).unwrap().study;
     let runs = simulate(&study, Method::Both, &|| ControlFlow::Continue(())).unwrap();
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion]
-        .map(|member| runs[0].assembly.gear(member).gear().tip_radius());
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| {
+        runs[0]
+            .assembly
+            .data()
+            .unwrap()
+            .gear(member)
+            .gear()
+            .tip_radius()
+    });
     assert!((runs[0].assembly.center_distance() - wheel - pinion).abs() < 2e-13);
     let right = &runs[0].poses[0];
     assert!(right.is_unproven(), "{right:?}");

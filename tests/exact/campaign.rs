@@ -1,8 +1,7 @@
 //! Random poses against brute force.
 
 use crate::{clearance, random};
-use gearlash::contact::ExactKernel;
-use gearlash::gear::ProfilePart;
+use gearlash::contact::{ExactKernel, ToothPlace};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use random::Random;
 
@@ -47,13 +46,14 @@ pub fn compare(assembly: &GearPair, mating: Mating, tally: &mut Tally, seed: u64
             continue;
         };
         match (contact.wheel.curve, contact.pinion.curve) {
-            (ProfilePart::Involute, ProfilePart::Involute) => continue,
-            (ProfilePart::Root, _)
-            | (_, ProfilePart::Root)
-            | (ProfilePart::Tip, ProfilePart::Tip) => tally.lands += 1,
-            (ProfilePart::Tip, ProfilePart::Involute)
-            | (ProfilePart::Involute, ProfilePart::Tip) => tally.tip_on_involute += 1,
-            (ProfilePart::Tip, ProfilePart::Fillet) | (ProfilePart::Fillet, ProfilePart::Tip) => {
+            (ToothPlace::Involute, ToothPlace::Involute) => continue,
+            (ToothPlace::Root, _) | (_, ToothPlace::Root) | (ToothPlace::Tip, ToothPlace::Tip) => {
+                tally.lands += 1
+            }
+            (ToothPlace::Tip, ToothPlace::Involute) | (ToothPlace::Involute, ToothPlace::Tip) => {
+                tally.tip_on_involute += 1
+            }
+            (ToothPlace::Tip, ToothPlace::Fillet) | (ToothPlace::Fillet, ToothPlace::Tip) => {
                 tally.tip_on_fillet += 1
             }
             _ => tally.fillet += 1,

@@ -2,7 +2,7 @@
 
 use crate::outlines::{drawn, measured};
 use crate::random::Random;
-use gearlash::contact::{OutlineContact, OutlineKernel, OutlineTouch, Status};
+use gearlash::contact::{Contact, OutlineKernel, Status, Touch};
 use gearlash::gear::{Face, Side};
 use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::{Mating, Member};
@@ -153,7 +153,7 @@ fn round_heads_touch_two_radii_apart() {
                 // Heads may not overlap; below them the straight sides may touch first.
                 let off = sense * (contact.rotation - expected);
                 assert!(off > -1e-12 - contact.error, "{contact:?} {expected}");
-                let on_head = |touch: OutlineTouch, k: usize| touch.radius > radius[k].hypot(head);
+                let on_head = |touch: Touch, k: usize| touch.radius > radius[k].hypot(head);
                 if on_head(contact.wheel, 0) && on_head(contact.pinion, 1) {
                     assert!(off < 1e-12 + contact.error, "{contact:?} {expected}");
                     on_heads += 1;
@@ -271,7 +271,7 @@ fn polygons_overlap_just_outside_the_play() {
         }
         let (right, left) = (found.right.unwrap(), found.left.unwrap());
         // Beyond both polygons' chords of 1e-5 mm.
-        let off = |contact: &OutlineContact| contact.error + 1e-5;
+        let off = |contact: &Contact| contact.error + 1e-5;
         if left.rotation - right.rotation < 4.0 * off(&left).max(off(&right)) {
             continue;
         }

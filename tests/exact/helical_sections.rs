@@ -2,8 +2,7 @@
 
 use super::helical_pairs::{Draws, drawn, drawn_wide};
 use gearlash::analytic::LineOfAction;
-use gearlash::contact::{Contact, CutPair, ExactKernel, LostMotion, Status};
-use gearlash::gear::ProfilePart;
+use gearlash::contact::{Contact, CutPair, ExactKernel, LostMotion, Status, ToothPlace};
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
@@ -160,7 +159,7 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
             );
             compared += 1;
             let curves = [contact.wheel.curve, contact.pinion.curve];
-            let kinds = [ProfilePart::Involute, ProfilePart::Tip, ProfilePart::Fillet];
+            let kinds = [ToothPlace::Involute, ToothPlace::Tip, ToothPlace::Fillet];
             for (count, kind) in touched.iter_mut().zip(kinds) {
                 *count += u32::from(curves.contains(&kind));
             }
@@ -236,7 +235,7 @@ fn four_times_as_many_sections_find_the_same_between_involutes() {
         for (k, contact) in [right, left].into_iter().enumerate() {
             let missed = (more[k] - few[k]).abs() * per_um;
             let touched = [contact.wheel.curve, contact.pinion.curve];
-            if touched.contains(&ProfilePart::Fillet) {
+            if touched.contains(&ToothPlace::Fillet) {
                 on_fillets += u32::from(missed > 1e-8);
             } else {
                 assert!(missed <= 1e-8, "{missed} µm: {contact:?}");
@@ -265,7 +264,7 @@ fn polygons_in_33_sections_agree() {
         };
         compared += 1;
         let touched = [right, left].map(|contact| [contact.wheel.curve, contact.pinion.curve]);
-        fillets += u32::from(touched.as_flattened().contains(&ProfilePart::Fillet));
+        fillets += u32::from(touched.as_flattened().contains(&ToothPlace::Fillet));
         let certified = pair.lost_motion(mating).unwrap();
         assert_eq!(certified.found, Ok(lost), "{:?}", pair.face());
         let cut = CutPair::new(pair.gear(Member::Wheel), pair.gear(Member::Pinion), 2e-4);

@@ -4,7 +4,7 @@ use super::drawn::{at, closed_by_arcs, cross, turned};
 use crate::outlines::{drawn, measured};
 use crate::random::Random;
 use gearlash::analytic::InvolutePair;
-use gearlash::contact::{OutlineContact, OutlineKernel, Status};
+use gearlash::contact::{Contact, OutlineKernel, Status};
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::Member;
@@ -164,7 +164,7 @@ fn odd_teeth_overlap_just_outside_the_play() {
             let Some((right, left)) = found.right.zip(found.left) else {
                 continue;
             };
-            let off = |contact: &OutlineContact| contact.error + 2e-4;
+            let off = |contact: &Contact| contact.error + 2e-4;
             if found.status() == Status::Clear && left.rotation - right.rotation > 2e-3 {
                 for inside in [
                     right.rotation + off(&right),

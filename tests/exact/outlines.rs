@@ -5,9 +5,7 @@ use crate::random::Random;
 use crate::straight_sided::straight;
 use crate::wide::drawn::{Depth, Drawn, Pair};
 use gearlash::analytic::InvolutePair;
-use gearlash::contact::{
-    ExactKernel, LostMotion, OutlineCertifier, OutlineKernel, OutlineLostMotion, Status,
-};
+use gearlash::contact::{ExactKernel, LostMotion, OutlineCertifier, OutlineKernel, Status};
 use gearlash::gear::{
     AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, Placed, Side,
 };
@@ -24,7 +22,7 @@ fn outlines(pair: &GearPair) -> OutlinePair {
 }
 
 /// Both methods at one rotation of the locked gear, near `mating`; polygons bear out what is found.
-fn both(pair: &GearPair, mating: Mating) -> (LostMotion, OutlineLostMotion) {
+fn both(pair: &GearPair, mating: Mating) -> (LostMotion, LostMotion) {
     let outlines = outlines(pair);
     let pose = Pose::new(pair, mating);
     let locked = pair.gear(pair.locked());
@@ -217,7 +215,7 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
 }
 
 /// Polygons bear out `found`, and neither rotation a little to either side of it: before it nothing touches, beyond it something has.
-fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &OutlineLostMotion) {
+fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &LostMotion) {
     assert_eq!(certifier.check(mating, found), Ok(()), "{found:?}");
     let Some((right, left)) = found.right.zip(found.left).filter(|_| !found.solid) else {
         return;
@@ -233,7 +231,7 @@ fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &Outl
             assert!(seen.is_err_and(|seen| seen.flank == flank), "{seen:?}");
         }
     }
-    let none = OutlineLostMotion {
+    let none = LostMotion {
         right: None,
         ..*found
     };

@@ -2,9 +2,7 @@
 
 use crate::random::{self, Random};
 use crate::wide::drawn::{Depth, Pair};
-use gearlash::contact::{
-    ExactKernel, OutlineCertifier, OutlineContact, OutlineKernel, OutlineLostMotion,
-};
+use gearlash::contact::{Contact, ExactKernel, LostMotion, OutlineCertifier, OutlineKernel};
 use gearlash::gear::Placed;
 use gearlash::outline::{OutlineGear, OutlinePair};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
@@ -43,13 +41,13 @@ fn stands_in_the_body(pair: &GearPair, pose: &Pose) -> Option<bool> {
 }
 
 /// What is found, the same a little off to either side, and left out; whether each is to be borne out.
-fn claims(found: &OutlineLostMotion, pitch: f64) -> Vec<(OutlineLostMotion, bool)> {
+fn claims(found: &LostMotion, pitch: f64) -> Vec<(LostMotion, bool)> {
     let mut claims = vec![(*found, true)];
     for (right, contact) in [(true, found.right), (false, found.left)] {
         let Some(contact) = contact else { continue };
-        let off = |sign: f64| -> Option<OutlineContact> {
+        let off = |sign: f64| -> Option<Contact> {
             let rotation = contact.rotation + sign * (1e-6 + 3.0 * contact.error);
-            Some(OutlineContact {
+            Some(Contact {
                 rotation,
                 ..contact
             })

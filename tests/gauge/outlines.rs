@@ -1,7 +1,7 @@
 //! Spans and pins on outlines: against the gauge of gears by their data, and against closed forms where there is no involute.
 
 use super::*;
-use gearlash::contact::Region;
+use gearlash::contact::ToothPlace;
 use gearlash::gauge::{OverPins, Span, gauge_outline};
 use gearlash::outline::{OutlineGear, OutlineReading, PathSegment, of_gear};
 use nalgebra::{Point2, Rotation2};
@@ -236,7 +236,7 @@ fn round_heads_by_their_closed_form() {
                 assert!(
                     span.touched
                         .iter()
-                        .all(|touch| touch.curve == Region::Flank),
+                        .all(|touch| touch.curve == ToothPlace::Flank),
                     "{span:?}"
                 );
             }

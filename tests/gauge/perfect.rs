@@ -1,6 +1,7 @@
 //! A perfect gear reads what the formulas say.
 
 use super::*;
+use gearlash::contact::ToothPlace;
 use gearlash::gauge::{OverPins, StatedThickness, Unmeasured};
 use gearlash::gear::{ProfilePart, thickness};
 use std::f64::consts::PI;
@@ -206,9 +207,9 @@ fn names_what_it_touches_off_the_involute() {
             ..quick()
         })
     };
-    assert_eq!(ball(1.0), Ok(ProfilePart::Root));
-    assert_eq!(ball(5.25), Ok(ProfilePart::Involute));
-    assert_eq!(ball(12.0), Ok(ProfilePart::Tip));
+    assert_eq!(ball(1.0), Ok(ToothPlace::Root));
+    assert_eq!(ball(5.25), Ok(ToothPlace::Involute));
+    assert_eq!(ball(12.0), Ok(ToothPlace::Tip));
     // On two tip corners: r_K = r_a cos β + √(R² − r_a² sin² β), β half the angle between them.
     let found = measure(
         &part,

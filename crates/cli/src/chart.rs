@@ -1,7 +1,6 @@
 //! `gearlash chart`: curves and bars as SVG.
 
 mod drawn;
-mod outlines;
 
 use super::distances::{self, Distances};
 use super::drawing::{End, Gear, teeth};
@@ -12,7 +11,6 @@ use super::unit::UnitArgs;
 use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use drawn::DrawnChart;
-use gearlash_files::{AnyPair, PairFile};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -67,26 +65,24 @@ enum Kind {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_options(args)?;
-    let PairFile {
-        study,
-        stem,
-        sources,
-        ..
-    } = match studies::any(&args.pair)? {
-        AnyPair::Data(file) => *file,
-        AnyPair::Outlines(file) => return outlines::run(args, *file),
-    };
-    let given = Target::prepare_given(args.output.as_ref(), &sources)?;
+    let file = studies::any(&args.pair)?;
+    let (study, sources) = (file.view().study, file.view().sources);
+    if study.is_drawn() && !matches!(args.kind, Kind::Revolution | Kind::Map) {
+        return Err(Error::Usage(
+            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map".to_owned(),
+        ));
+    }
+    let given = Target::prepare_given(args.output.as_ref(), sources)?;
     let drawn = match args.kind {
-        Kind::Revolution | Kind::Difference => DrawnChart::over_teeth(args, study)?,
-        Kind::Distance => DrawnChart::over_distance(args, &study)?,
-        Kind::Inspection => DrawnChart::inspection(args, &study)?,
-        Kind::Map => DrawnChart::map(args, &study)?,
-        Kind::Field => DrawnChart::field(args, study)?,
+        Kind::Revolution | Kind::Difference => DrawnChart::over_teeth(args, study.clone())?,
+        Kind::Distance => DrawnChart::over_distance(args, study)?,
+        Kind::Inspection => DrawnChart::inspection(args, study)?,
+        Kind::Map => DrawnChart::map(args, study)?,
+        Kind::Field => DrawnChart::field(args, study.clone())?,
     };
     let target = match given {
         Some(target) => target,
-        None => Target::prepare_own(&stem, drawn.file, &sources)?,
+        None => Target::prepare_own(file.view().stem, drawn.file, sources)?,
     };
     target.write(&drawn.svg)?;
     Ok(exit_code(drawn.agrees))

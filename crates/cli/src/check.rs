@@ -3,16 +3,15 @@
 use super::console::{ScreenArgs, print_note};
 use super::judged::{self, JudgedFormat, StepSummary, print_outcome};
 use super::maps::{self, DrawnMap};
-use super::method::{MethodArgs, agreed, all_proven};
+use super::method::{MethodArgs, agreed};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::run_under_bar;
-use super::{distances, outlines, poses, studies};
+use super::{distances, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash::analysis::Plan;
-use gearlash::analysis::outlines::unproven;
 use gearlash_files::outlines::Drawings;
-use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
+use gearlash_files::{AnyPair, OutlinePairFile, PairView, Sources};
 use gearlash_results::judged::{Judged, JudgedFile, Outcome};
 use gearlash_results::{RemedyRecord, checked};
 use std::path::{Path, PathBuf};
@@ -72,12 +71,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => judged::read(&args.pairs, studies::any)?,
     };
     let mut sources = Sources::new();
-    for (_, file) in &files {
-        match file {
-            Ok(AnyPair::Data(file)) => sources.extend(&file.sources),
-            Ok(AnyPair::Outlines(file)) => sources.extend(&file.sources),
-            Err(_) => {}
-        }
+    for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
+        sources.extend(file.view().sources);
     }
     let summary = StepSummary::prepare(args.format, &sources)?;
     let is_text = args.format == JudgedFormat::Text;
@@ -88,11 +83,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         files: Vec::new(),
     };
     for (path, file) in files {
-        let judged = match file {
-            Ok(AnyPair::Data(file)) => data(args, &path, &file, &mut map),
-            Ok(AnyPair::Outlines(file)) => drawn_pair(args, &path, &file, &mut map),
-            Err(error) => Err(error),
-        };
+        let judged = file.and_then(|file| pair(args, &path, &file.view(), &mut map));
         if is_text && is_alone {
             outcome.files.push(JudgedFile::Judged(Box::new(judged?)));
         } else {
@@ -108,51 +99,32 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(code)
 }
 
-/// Checks a pair of gears by their data.
-fn data(
+/// Checks a pair.
+fn pair(
     args: &Args,
     path: &Path,
-    file: &PairFile,
+    file: &PairView,
     map: &mut Option<String>,
 ) -> Result<Judged, Error> {
-    let study = &file.study;
+    let study = file.study;
+    let method = args.method.of(study)?;
     poses::allow(path, study.pose_count(), &poses::HELD)?;
-    let folder = folder(args, &file.stem, &file.sources)?;
-    let plan = Plan::new(study, args.method.method())
-        .with_remedies()
-        .with_checks();
+    let folder = folder(args, file.stem, file.sources)?;
+    let plan = Plan::new(study, method).with_remedies().with_checks();
     let analysis = run_under_bar(&plan)?;
-    let diagnosis = &analysis.diagnosis;
     if let Some(folder) = folder {
-        *map = Some(written(folder, maps::of_data(study, diagnosis)?)?);
+        *map = Some(written(folder, maps::of(&analysis)?)?);
     }
     let name = path.display().to_string();
     let verdict = analysis.verdict();
     let is_proven = agreed(&analysis);
     let screen = args.screen.screen();
-    let remedies = RemedyRecord::all(file, &analysis.remedies);
+    let remedies = RemedyRecord::all(*file, &analysis.remedies);
+    let diagnosis = &analysis.diagnosis;
     checked(
-        &name, file, diagnosis, &verdict, &remedies, is_proven, &screen,
+        &name, *file, diagnosis, &verdict, &remedies, is_proven, &screen,
     )
     .map_err(Error::unwritable("the checks"))
-}
-
-/// Checks a pair with a drawn gear.
-fn drawn_pair(
-    args: &Args,
-    path: &Path,
-    file: &OutlinePairFile,
-    map: &mut Option<String>,
-) -> Result<Judged, Error> {
-    let folder = folder(args, &file.stem, &file.sources)?;
-    let runs = outlines::runs(file, &args.method)?;
-    if let Some(folder) = folder {
-        *map = Some(written(folder, maps::of_outlines(file, &runs)?)?);
-    }
-    let is_proven = all_proven(unproven(&runs));
-    let name = path.display().to_string();
-    gearlash_results::outlines::checked(&name, file, &runs, is_proven, &args.screen.screen())
-        .map_err(Error::unwritable("the checks"))
 }
 
 /// The pair of two drawings on the command line; `None` of pair files.

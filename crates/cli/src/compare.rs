@@ -165,7 +165,7 @@ fn compared(
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, method, tolerance_um, unproven, &tick, none)?;
     let found = progress.searching(|| extremes(study, method, &tick))?;
-    let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
+    let seen: Vec<Seen> = runs.iter().filter_map(|run| run.seen.clone()).collect();
     let failed_checks = failed_checks(study, &seen, &found, &|| ControlFlow::Continue(()))?;
     let is_proven = agreement(&runs);
     let pair = ComparedPair {

@@ -47,7 +47,7 @@ pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
 
 /// The material of `study` that `--material` names.
 pub(super) fn material(end: End, study: &Study) -> Result<Material, Error> {
-    match study.materials.len() {
+    match study.material_count() {
         2 => Ok(end.material()),
         _ => Err(Error::Usage(
             "--material: this pair file states one thickness a gear; leave the option out"

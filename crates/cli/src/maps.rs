@@ -3,12 +3,13 @@
 use super::console::tell;
 use super::progress::Progress;
 use crate::error::Error;
+use gearlash::analysis::Analysis;
+use gearlash::analysis::backlash_map::{BACKLASH_MAP_ROWS, BacklashMap};
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, ZeroDistance, map};
-use gearlash::analysis::outlines::{OUTLINE_MAP_ROWS, OutlineMap, OutlineRun, TurnsFrom};
+use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::pair::Member;
-use gearlash_files::OutlinePairFile;
-use gearlash_results::outlines::outline_map_csv;
+use gearlash_results::backlash_map_csv;
 
 /// A map of one material.
 pub(super) struct DrawnMap {
@@ -36,8 +37,15 @@ pub(super) fn is_own(name: &str) -> bool {
     map.is_some_and(|map| materials.iter().any(|material| material.name() == map))
 }
 
-/// A map of each material, at the study's first centre distance.
-pub(super) fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error> {
+/// A map of each material, at the study's first centre distance: of what touches, or, of a drawn pair, of the backlash.
+pub(super) fn of(analysis: &Analysis) -> Result<Vec<DrawnMap>, Error> {
+    match analysis.study.is_drawn() {
+        true => of_drawn(analysis.study, &analysis.extremes.each),
+        false => of_data(analysis.study, &analysis.diagnosis),
+    }
+}
+
+fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error> {
     let mut drawn: Vec<(&Group, &ZeroDistance)> = Vec::new();
     let mut seen = Vec::new();
     for group in &diagnosis.groups {
@@ -77,35 +85,17 @@ pub(super) fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnM
     maps.collect()
 }
 
-/// The same of a pair with an outline, of `runs` of it.
-pub(super) fn of_outlines(
-    file: &OutlinePairFile,
-    runs: &[OutlineRun],
-) -> Result<Vec<DrawnMap>, Error> {
-    let drawn = &runs[..file.study.materials.len().min(runs.len())];
-    let zeros = drawn.iter().map(|run| run.zero_backlash(&file.study));
-    let zeros = zeros.collect::<Result<Vec<_>, _>>()?;
-    let maps = outline_maps(file, drawn, &zeros)?;
-    let maps = drawn.iter().zip(maps).map(|(run, map)| {
+/// The same of a drawn pair with these extremes.
+fn of_drawn(study: &Study, each: &[RunExtremes]) -> Result<Vec<DrawnMap>, Error> {
+    let rows = study.material_count() as u64 * u64::from(BACKLASH_MAP_ROWS);
+    let progress = Progress::of(rows, "rows of the map");
+    let maps = BacklashMap::of_study(study, each, &|| progress.tick())?;
+    let drawn = maps.iter().map(|map| {
         Ok(DrawnMap {
-            material: run.material,
-            svg: gearlash_render::outline_map_picture(&file.study.title, run, &map),
-            csv: outline_map_csv(&map).map_err(Error::unwritable("the map"))?,
+            material: map.material,
+            svg: gearlash_render::backlash_map_picture(&study.title, map),
+            csv: backlash_map_csv(map).map_err(Error::unwritable("the map"))?,
         })
     });
-    maps.collect()
-}
-
-/// The map of each material at the first centre distance, under a bar; `zeros` are the zero-backlash distances of `runs`.
-pub(super) fn outline_maps(
-    file: &OutlinePairFile,
-    runs: &[OutlineRun],
-    zeros: &[Option<TurnsFrom>],
-) -> Result<Vec<OutlineMap>, Error> {
-    let materials = file.study.materials.len();
-    let rows = materials as u64 * u64::from(OUTLINE_MAP_ROWS);
-    let progress = Progress::of(rows, "rows of the map");
-    let first = runs.iter().zip(zeros).take(materials);
-    let maps = first.map(|(run, zero)| run.map(&file.study, zero.as_ref(), &|| progress.tick()));
-    Ok(maps.collect::<Result<_, _>>()?)
+    drawn.collect()
 }

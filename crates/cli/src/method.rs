@@ -1,8 +1,10 @@
 //! `--method` and `--no-certify`: what several commands share.
 
 use super::console::tell;
+use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::Analysis;
+use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{METHODS_AGREE_WITHIN, Method, MethodAgreement};
 use gearlash_files::numbers::{order_um, power};
@@ -33,14 +35,18 @@ impl MethodArgs {
         self.method.is_some() || self.no_certify
     }
 
-    /// Whether a method was asked for by name.
-    pub fn named(&self) -> bool {
-        self.method.is_some()
-    }
-
-    /// Whether polygons are to bear out what the exact method finds.
-    pub fn certifies(&self) -> bool {
-        !self.no_certify
+    /// The method asked for, on the pair of `study`.
+    ///
+    /// # Errors
+    /// [`Error::Usage`]: drawn curves have one method.
+    pub fn of(&self, study: &Study) -> Result<Method, Error> {
+        match study.is_drawn() && self.method.is_some() {
+            false => Ok(self.method()),
+            true => Err(Error::Usage(
+                "--method is for gears by their data: drawn curves are searched as drawn, and polygons check every pose; leave it out"
+                    .to_owned(),
+            )),
+        }
     }
 
     /// The method asked for.
@@ -142,9 +148,14 @@ mod tests {
         let compared = |cut: &CutPair| {
             let method = Method::Exact { certify: true };
             let matings = &plan.matings[..1];
-            let poses = sweep(&plan.assembly, cut, method, matings, 0.0, &|| {
-                ControlFlow::Continue(())
-            });
+            let poses = sweep(
+                plan.assembly.data().unwrap(),
+                cut,
+                method,
+                matings,
+                0.0,
+                &|| ControlFlow::Continue(()),
+            );
             let run = Run {
                 material: plan.material,
                 assembly: plan.assembly.clone(),
@@ -155,8 +166,10 @@ mod tests {
         };
         let unproven =
             |runs: &[ComparedRun]| -> usize { runs.iter().map(|run| run.unproven().count()).sum() };
-        assert!(all_proven(unproven(&compared(&cut_of(&plan.assembly)))));
-        let runs = compared(&cut_of(&other.assembly));
+        assert!(all_proven(unproven(&compared(&cut_of(
+            plan.assembly.data().unwrap()
+        )))));
+        let runs = compared(&cut_of(other.assembly.data().unwrap()));
         assert_eq!(unproven(&runs), 1);
         assert!(!all_proven(unproven(&runs)));
     }

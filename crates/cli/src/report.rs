@@ -1,17 +1,16 @@
 //! `gearlash report`: the whole result as one page.
 
 use super::date::today;
-use super::method::{MethodArgs, agreed, all_proven};
+use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
 use super::target::Target;
-use super::{maps, outlines, poses, studies};
+use super::{poses, studies};
 use crate::error::{Error, exit_code};
 use gearlash::analysis::Plan;
-use gearlash::analysis::outlines::unproven;
 use gearlash::gauge::{graded, pitches, profiles};
 use gearlash::gear::Inspection;
-use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
-use gearlash_render::{self, GearGrades, OutlineReport, Report};
+use gearlash_files::{AnyPair, PairFile, Sources};
+use gearlash_render::{self, GearGrades, Report};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -35,22 +34,23 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
-    let pair = match studies::any(&args.pair)? {
-        AnyPair::Data(pair) => *pair,
-        AnyPair::Outlines(pair) => return of_outlines(args, &pair, &date),
-    };
-    let study = &pair.study;
-    let target = target(args, &pair.stem, &pair.sources)?;
-    let method = args.method.method();
+    let file = studies::any(&args.pair)?;
+    let pair = file.view();
+    let study = pair.study;
+    let target = target(args, pair.stem, pair.sources)?;
+    let method = args.method.of(study)?;
     let plan = Plan::whole(study, method);
     poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
     let analysis = run_under_bar(&plan)?;
     let progress = Progress::working();
     progress.now("accuracy grades");
-    let grades = grades(&pair);
+    let grades = match &file {
+        AnyPair::Data(pair) => grades(pair),
+        AnyPair::Outlines(_) => Vec::new(),
+    };
     progress.now("page");
     let page = gearlash_render::report(&Report {
-        pair: &pair,
+        pair,
         file: &name(args),
         date: &date,
         analysis: &analysis,
@@ -60,27 +60,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let agree = agreed(&analysis);
     target.write(&page)?;
     Ok(exit_code(agree))
-}
-
-/// The page of a pair with an outline.
-fn of_outlines(args: &Args, pair: &OutlinePairFile, date: &str) -> Result<ExitCode, Error> {
-    let target = target(args, &pair.stem, &pair.sources)?;
-    let runs = outlines::runs(pair, &args.method)?;
-    let progress = Progress::working();
-    progress.now("zero-backlash distances");
-    let zeros = runs.iter().map(|run| run.zero_backlash(&pair.study));
-    let zeros = zeros.collect::<Result<Vec<_>, _>>()?;
-    drop(progress);
-    let page = gearlash_render::outline_report(&OutlineReport {
-        pair,
-        file: &name(args),
-        date,
-        runs: &runs,
-        zeros: &zeros,
-        maps: &maps::outline_maps(pair, &runs, &zeros)?,
-    })?;
-    target.write(&page)?;
-    Ok(exit_code(all_proven(unproven(&runs))))
 }
 
 /// Where the page goes.

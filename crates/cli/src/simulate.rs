@@ -6,21 +6,19 @@ use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::unit::UnitArgs;
-use super::{outlines, poses, studies};
+use super::{poses, studies};
 use crate::error::{Error, exit_code};
 use crate::output::{NewFile, OutputFolder};
 use gearlash::analysis::diagnosis::{Seen, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::measured::MeasuredTally;
-use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::contact::{MeshSection, PoseResult};
-use gearlash::pair::GearPair;
-use gearlash_files::{AnyPair, OutlinePairFile, distance_refused};
+use gearlash_files::distance_refused;
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
-use gearlash_render::Snapshot;
-use gearlash_results::ResultWriter;
+use gearlash_render::pose_picture;
+use gearlash_results::{ResultWriter, drawn_notes};
 use std::io::{IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -53,24 +51,23 @@ pub(super) struct Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let mut file = match studies::any(&args.pair)? {
-        AnyPair::Data(file) => *file,
-        AnyPair::Outlines(file) => return of_outlines(args, *file),
-    };
+    let mut pair = studies::any(&args.pair)?;
     if let Some(Distances(distances)) = &args.center_distance {
-        let moved = file.at(distances.clone());
-        file = moved.map_err(|reason| {
+        let moved = pair.at(distances.clone());
+        pair = moved.map_err(|reason| {
             let reason = distance_refused(&reason);
             Error::Usage(format!("--center-distance: {reason}"))
         })?;
     }
-    let study = &file.study;
+    let file = pair.view();
+    let study = file.study;
+    let method = args.method.of(study)?;
     let unit = args
         .unit
         .of_table(study, args.results.format == Format::Text)?;
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
-    let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
+    let mut folder = args.results.folder(file.stem, file.sources, is_own)?;
     let (bytes, streamed) = match args.results.format {
         _ if folder.is_some() => (POSE_BYTES_JSON + POSE_BYTES_CSV, false),
         Format::Csv => (POSE_BYTES_CSV, true),
@@ -84,10 +81,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => Progress::none(),
         false => Progress::of(study.pose_count() + run_count(study)?, "steps"),
     };
-    let (method, tick) = (args.method.method(), || progress.tick());
+    let tick = || progress.tick();
     let found = progress.searching(|| extremes(study, method, &tick))?;
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
-    let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
+    let mut writer = ResultWriter::begin(file, json, csv).map_err(unwritable)?;
     let mut measured = MeasuredTally::new(study);
     let each = &mut |piece: Piece| {
         match piece {
@@ -99,7 +96,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let tolerance = study.tolerance_um;
     let runs = simulate_by_blocks(study, method, tolerance, MOST_UNPROVEN, &tick, each)?;
-    let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
+    let seen: Vec<Seen> = runs.iter().filter_map(|run| run.seen.clone()).collect();
     let failed = failed_checks(study, &seen, &found, &|| ControlFlow::Continue(()))?;
     let verdict = Verdict::of_study(study, &found.each, failed);
     writer.finish(&verdict).map_err(unwritable)?;
@@ -107,15 +104,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
     match (args.results.format, &mut folder) {
         (Format::Text, _) => {
-            let measured = measured.matings(study);
+            let (measured, screen) = (measured.matings(study), args.screen.screen());
             print(&gearlash_results::text::simulation(
-                study,
-                &verdict,
-                &runs,
-                &measured,
-                unit,
-                &args.screen.screen(),
+                study, &verdict, &runs, &measured, unit, &screen,
             ))?;
+            print(&screen.fold(&drawn_notes(&file)))?;
         }
         (Format::Json, Some(folder)) => print_file(folder, JSON)?,
         (Format::Csv, Some(folder)) => print_file(folder, CSV)?,
@@ -124,7 +117,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     if let Some(mut folder) = folder {
         if let Some((run, assembly, pose)) = verdict.worst() {
-            let picture = picture(study, assembly, run.material, &pose.simulated)?;
+            let title = &study.title;
+            let picture = pose_picture(title, assembly, run.material, &pose.simulated)?;
             folder.add(WORST, &picture)?;
         }
         if args.snapshots {
@@ -134,24 +128,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let kept = verdict.requirement.is_kept();
     Ok(exit_code(agreement(&runs) & kept))
-}
-
-/// The same of a pair of which a gear is an outline.
-fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
-    if args.snapshots {
-        return Err(Error::Usage(
-            "--snapshots is for gears by their data: the worst pose is drawn by itself; leave it out".to_owned(),
-        ));
-    }
-    if let Some(Distances(distances)) = &args.center_distance {
-        file = file.at(distances.clone());
-    }
-    outlines::simulate(
-        &file,
-        &args.results,
-        &args.screen,
-        (&args.method, &args.unit),
-    )
 }
 
 const JSON: &str = "result.json";
@@ -224,24 +200,6 @@ fn is_own(name: &str) -> bool {
     matches!(name, JSON | CSV | WORST) || picture(name)
 }
 
-/// A picture of `pose` in the `material` of its run; of helical gears in the section where the flank of the pose touches.
-fn picture(
-    study: &Study,
-    assembly: &GearPair,
-    material: Material,
-    pose: &PoseResult,
-) -> Result<String, Error> {
-    let section = MeshSection::binding(assembly, pose)?;
-    Ok(gearlash_render::snapshot(&Snapshot {
-        title: &study.title,
-        assembly,
-        pose: &pose.pose,
-        material,
-        found: pose.found.as_ref(),
-        section: section.as_ref(),
-    }))
-}
-
 /// Snapshots of each run's least and greatest pose, into `folder`.
 fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Result<(), Error> {
     for run in runs {
@@ -257,7 +215,8 @@ fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Res
                 run.assembly.center_distance(),
                 run.material.name()
             );
-            let picture = picture(study, &run.assembly, run.material, &pose.simulated)?;
+            let pose = &pose.simulated;
+            let picture = pose_picture(&study.title, &run.assembly, run.material, pose)?;
             folder.add(&name, &picture)?;
         }
     }

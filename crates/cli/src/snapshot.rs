@@ -1,23 +1,21 @@
 //! `gearlash snapshot`: one contact as a picture.
 
-use super::console::{tell, tell_verdict};
+use super::console::tell;
 use super::distances;
 use super::drawing::{End, material, teeth};
-use super::method::{MethodArgs, all_proven};
+use super::method::all_proven;
 use super::pictures::{exaggeration, pitch};
+use super::studies;
 use super::target::Target;
 use super::worst::{self, Binding, Wanted};
-use super::{outlines, studies};
 use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::analysis::{self, outlines::OutlinePose};
-use gearlash::contact::{LostMotion, MeshSection, PoseResult, Unproven};
+use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::gear::Side;
-use gearlash::outline::OutlinePair;
-use gearlash::pair::{GearPair, Mating, Member, Pose};
-use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
-use gearlash_render::Snapshot;
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{GearPair, Mating, Member};
+use gearlash_render::{Snapshot, pose_picture};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -87,43 +85,12 @@ impl Flank {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let PairFile {
-        study,
-        stem,
-        sources,
-        ..
-    } = match studies::any(&args.pair)? {
-        AnyPair::Data(file) => *file,
-        AnyPair::Outlines(file) => return of_outlines(args, *file),
-    };
-    check_section(args, &study)?;
-    let title = study.title.clone();
-    let given = Target::prepare_given(args.output.as_ref(), &sources)?;
-    let subject = subject(args, study)?;
-    let section = section(args, &subject)?;
-    let view = Snapshot {
-        title: &title,
-        assembly: &subject.assembly,
-        pose: &subject.pose,
-        material: subject.material,
-        found: subject.found.as_ref(),
-        section: section.as_ref(),
-    };
-    let mut unproven = subject.unproven;
-    let picture = match args.exaggerate {
-        None if args.animate => {
-            let steps = pitch(&subject.assembly, &subject.pose)?;
-            unproven += steps.iter().filter(|step| step.is_unproven()).count();
-            let sections = sections(&subject.assembly, &steps, section.as_ref())?;
-            gearlash_render::animation(&view, &steps, &sections)
-        }
-        None => gearlash_render::snapshot(&view),
-        Some(factor) => {
-            let drawn = section.as_ref().map(MeshSection::pair);
-            let gears = exaggeration(drawn.unwrap_or(&subject.assembly), factor)?;
-            gearlash_render::exaggerated(&view, &gears)
-        }
-    };
+    let file = studies::any(&args.pair)?;
+    let (study, sources) = (file.view().study, file.view().sources);
+    check(args, study)?;
+    let given = Target::prepare_given(args.output.as_ref(), sources)?;
+    let subject = subject(args, study.clone())?;
+    let (picture, unproven) = picture(args, &study.title, &subject)?;
     let target = match given {
         Some(target) => target,
         None => {
@@ -131,35 +98,79 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 Some(at) => subject.file.replace(".svg", &format!("_z{at}.svg")),
                 None => subject.file,
             };
-            Target::prepare_own(&stem, name, &sources)?
+            Target::prepare_own(file.view().stem, name, sources)?
         }
     };
     target.write(&picture)?;
-    Ok(exit_code(all_proven(unproven)))
+    Ok(exit_code(all_proven(subject.unproven + unproven)))
 }
 
 /// That what is asked for can be drawn of this pair.
-fn check_section(args: &Args, study: &Study) -> Result<(), Error> {
-    match args.section {
-        Some(_) if !study.is_helical() => Err(Error::Usage(SPUR_SECTION.to_owned())),
-        _ => Ok(()),
+fn check(args: &Args, study: &Study) -> Result<(), Error> {
+    if args.section.is_some() && !study.is_helical() {
+        return Err(Error::Usage(SPUR_SECTION.to_owned()));
     }
+    if study.is_drawn() && (args.animate || args.exaggerate.is_some()) {
+        return Err(Error::Usage(
+            "--animate and --exaggerate are for gears by their data; leave them out".to_owned(),
+        ));
+    }
+    Ok(())
+}
+
+/// The picture, and how many poses of it beside the subject's are not proven.
+fn picture(args: &Args, title: &str, subject: &Subject) -> Result<(String, usize), Error> {
+    let pose = &subject.pose;
+    let assembly = match &subject.assembly {
+        AssembledPair::Data(pair) => pair,
+        drawn @ AssembledPair::Drawn(_) => {
+            let picture = pose_picture(title, drawn, subject.material, pose)?;
+            return Ok((picture, 0));
+        }
+    };
+    let section = section(args, assembly, pose)?;
+    let view = Snapshot {
+        title,
+        assembly,
+        pose: &pose.pose,
+        material: subject.material,
+        found: pose.found.as_ref(),
+        section: section.as_ref(),
+    };
+    Ok(match args.exaggerate {
+        None if args.animate => {
+            let steps = pitch(assembly, &pose.pose)?;
+            let unproven = steps.iter().filter(|step| step.is_unproven()).count();
+            let sections = sections(assembly, &steps, section.as_ref())?;
+            let picture = gearlash_render::animation(&view, &steps, &sections);
+            (picture, unproven)
+        }
+        None => (gearlash_render::snapshot(&view), 0),
+        Some(factor) => {
+            let drawn = section.as_ref().map(MeshSection::pair);
+            let gears = exaggeration(drawn.unwrap_or(assembly), factor)?;
+            (gearlash_render::exaggerated(&view, &gears), 0)
+        }
+    })
 }
 
 const SPUR_SECTION: &str =
     "--section is for helical gears: every section of these gears is the same; leave it out";
 
 /// The section of helical gears that is drawn.
-fn section(args: &Args, subject: &Subject) -> Result<Option<MeshSection>, Error> {
-    let assembly = &subject.assembly;
+fn section(
+    args: &Args,
+    assembly: &GearPair,
+    pose: &PoseResult,
+) -> Result<Option<MeshSection>, Error> {
     if !assembly.is_helical() {
         return Ok(None);
     }
-    let found = subject.found.as_ref().ok();
+    let found = pose.proven();
     let at = args
         .section
-        .unwrap_or_else(|| MeshSection::of_contact(assembly, &subject.pose, found));
-    let section = MeshSection::new(assembly, &subject.pose, found, at);
+        .unwrap_or_else(|| MeshSection::of_contact(assembly, &pose.pose, found));
+    let section = MeshSection::new(assembly, &pose.pose, found, at);
     section.map(Some).map_err(|reason| match args.section {
         Some(at) => Error::Usage(format!("--section {at}: {reason}")),
         None => reason.into(),
@@ -181,86 +192,6 @@ fn sections(
     Ok(sections.collect::<Result<_, _>>()?)
 }
 
-/// The same of a pair of which a gear is an outline.
-fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
-    if args.animate || args.exaggerate.is_some() {
-        return Err(Error::Usage(
-            "--animate and --exaggerate are for gears by their data; leave them out".to_owned(),
-        ));
-    }
-    if args.section.is_some() {
-        return Err(Error::Usage(SPUR_SECTION.to_owned()));
-    }
-    let given = Target::prepare_given(args.output.as_ref(), &file.sources)?;
-    if let Some(distance) = args.center_distance {
-        file = file.at(vec![distance]);
-    }
-    if let Some(end) = args.material {
-        let wanted = end.material();
-        file.study.materials.retain(|gears| gears.0 == wanted);
-    }
-    let mut unproven = 0;
-    let drawn = match (wanted(args), args.mating, args.flank) {
-        (Some((asked, Wanted::LeastOf(_))), ..) => {
-            return Err(Error::Usage(format!(
-                "{asked}: the kinds of contact are of gears by their data; give --worst alone"
-            )));
-        }
-        (Some((_, wanted)), ..) => {
-            let runs = outlines::runs(&file, &MethodArgs::default())?;
-            unproven = analysis::outlines::unproven(&runs);
-            tell_verdict(&gearlash_results::outlines::lines(&file.study, &runs));
-            let (chosen, name) = match wanted {
-                Wanted::Greatest => (analysis::outlines::greatest(&runs), "greatest"),
-                _ => (analysis::outlines::worst(&runs), "worst"),
-            };
-            chosen.map(|(run, pose)| {
-                (
-                    run.pair.clone(),
-                    run.material,
-                    pose.clone(),
-                    name.to_owned(),
-                )
-            })
-        }
-        (None, Some(teeth), Some(flank)) => {
-            let Some((material, wheel, pinion)) = file.study.materials.first().cloned() else {
-                return Err(Error::Usage(
-                    "--material: this pair has no such material".to_owned(),
-                ));
-            };
-            let distance = file.study.center_distances[0];
-            let pair = OutlinePair::new(wheel, pinion, distance, file.study.locked);
-            let pair = pair.map_err(gearlash::error::Error::from)?;
-            let flank = flank.side();
-            let count = |member| pair.gear(member).teeth();
-            let mating = mating(teeth, args.fraction, count, flank)?;
-            let pose = OutlinePose::of(&pair, mating);
-            let name = format!("snapshot_{}_{}_{}", teeth.0, teeth.1, flank.name());
-            Some((pair, material, pose, name))
-        }
-        _ => return Err(which()),
-    };
-    let Some((pair, material, pose, name)) = drawn else {
-        let asked = wanted(args).map_or("--mating", |(asked, _)| asked);
-        return Err(Error::Usage(format!(
-            "{asked}: no pose is in mesh; there is none to draw"
-        )));
-    };
-    let picture = gearlash_render::outline_snapshot(&file.study.title, &pair, material, &pose);
-    let target = match given {
-        Some(target) => target,
-        None => {
-            let name = format!("{name}_a{}_{}.svg", pair.center_distance(), material.name());
-            Target::prepare_own(&file.stem, name, &file.sources)?
-        }
-    };
-    target.write(&picture)?;
-    Ok(exit_code(all_proven(
-        unproven.max(usize::from(pose.found.is_err())),
-    )))
-}
-
 /// The pose that is asked for by its backlash, and the option that asks for it.
 fn wanted(args: &Args) -> Option<(&'static str, Wanted)> {
     match args.worst {
@@ -279,9 +210,8 @@ fn which() -> Error {
 /// What is drawn, and the name of its file.
 struct Subject {
     material: Material,
-    assembly: GearPair,
-    pose: Pose,
-    found: Result<LostMotion, Unproven>,
+    assembly: AssembledPair,
+    pose: PoseResult,
     /// Poses that are not proven: this one, or those that the worst was looked for among.
     unproven: usize,
     file: String,
@@ -306,8 +236,7 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
             file: format!("{name}_a{distance}_{end}.svg"),
             material: run.material,
             assembly: run.assembly,
-            pose: pose.pose,
-            found: pose.found,
+            pose,
             unproven,
         });
     }
@@ -330,17 +259,16 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         ),
         material,
         assembly,
-        pose: result.pose,
         unproven: usize::from(result.is_unproven()),
-        found: result.found,
+        pose: result,
     })
 }
 
 /// The gears at the material and centre distance asked for.
-fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
+fn assembly(args: &Args, study: &Study) -> Result<(Material, AssembledPair), Error> {
     let wanted = match args.material {
         Some(end) => material(end, study)?,
-        None if study.materials.len() == 1 => Material::AsMeasured,
+        None if study.material_count() == 1 => Material::AsMeasured,
         None => Material::Most,
     };
     let first = study.center_distances.first().copied();
@@ -355,19 +283,11 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
             study.center_distances.len()
         ));
     }
-    let gears = study
-        .materials
-        .iter()
-        .find(|(material, ..)| *material == wanted);
-    let Some((material, wheel, pinion)) = gears else {
-        return Err(Error::Usage(
-            "--material: the pair file has no such material".to_owned(),
-        ));
-    };
-    study
-        .pair(wheel, pinion, distance)
-        .map(|assembly| (*material, assembly))
-        .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
+    let pairs = study
+        .pairs(distance)
+        .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))?;
+    let pair = pairs.into_iter().find(|(material, _)| *material == wanted);
+    pair.ok_or_else(|| Error::Usage("--material: the pair file has no such material".to_owned()))
 }
 
 fn mating(

@@ -25,11 +25,8 @@ pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
 /// As [`pair`].
 pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     let file = gearlash_files::read_any(path)?;
-    let (sources, warnings, remarks) = match &file {
-        AnyPair::Data(file) => (&file.sources, &file.warnings, &file.remarks),
-        AnyPair::Outlines(file) => (&file.sources, &file.warnings, &file.remarks),
-    };
-    tell(path, sources, warnings, remarks)?;
+    let view = file.view();
+    tell(path, view.sources, view.warnings, view.remarks)?;
     Ok(file)
 }
 
@@ -66,11 +63,7 @@ pub(super) fn print_inputs(paths: &[PathBuf]) -> Result<ExitCode, Error> {
     let mut lines = String::new();
     for path in paths {
         let file = gearlash_files::read_any(path)?;
-        let sources = match &file {
-            AnyPair::Data(file) => &file.sources,
-            AnyPair::Outlines(file) => &file.sources,
-        };
-        for name in sources.names() {
+        for name in file.view().sources.names() {
             let text = name.to_str().filter(|text| plain(text) == **text);
             let Some(text) = text else {
                 let name = plain(&name.to_string_lossy()).to_string();

@@ -3,9 +3,8 @@
 use super::drawing::Gear;
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash::analysis::outlines::OutlineStudy;
 use gearlash::analysis::study::Study;
-use gearlash::pair::{BacklashUnit, Member};
+use gearlash::pair::BacklashUnit;
 
 #[derive(clap::Args)]
 pub(super) struct UnitArgs {
@@ -36,11 +35,16 @@ impl UnitArgs {
     /// # Errors
     /// `--at` beside µm.
     pub(super) fn unit(&self, study: &Study) -> Result<BacklashUnit, Error> {
-        let arcmin = |at| {
-            let (_, wheel, pinion) = study.materials.first()?;
-            Some(BacklashUnit::arcmin(at, wheel.gear(), pinion.gear()))
-        };
-        self.of(study.locked, arcmin)
+        match (self.unit, self.at) {
+            (Some(Name::Arcmin), at) => {
+                Ok(study.arcmin(at.map_or(study.locked.mate(), Gear::member)))
+            }
+            (Some(Name::Um) | None, Some(_)) => Err(Error::Usage(
+                "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out"
+                    .to_owned(),
+            )),
+            _ => Ok(BacklashUnit::Um),
+        }
     }
 
     /// The same of a table.
@@ -50,36 +54,6 @@ impl UnitArgs {
     pub(super) fn of_table(&self, study: &Study, is_text: bool) -> Result<BacklashUnit, Error> {
         let unit = self.unit(study)?;
         self.shown(is_text).map(|()| unit)
-    }
-
-    /// The same of a pair with an outline.
-    ///
-    /// # Errors
-    /// As [`UnitArgs::of_table`].
-    pub(super) fn of_outlines(
-        &self,
-        study: &OutlineStudy,
-        is_text: bool,
-    ) -> Result<BacklashUnit, Error> {
-        let unit = self.of(study.locked, |at| study.arcmin(at))?;
-        self.shown(is_text).map(|()| unit)
-    }
-
-    fn of(
-        &self,
-        locked: Member,
-        arcmin: impl FnOnce(Member) -> Option<BacklashUnit>,
-    ) -> Result<BacklashUnit, Error> {
-        match (self.unit, self.at) {
-            (Some(Name::Arcmin), at) => {
-                Ok(arcmin(at.map_or(locked.mate(), Gear::member)).unwrap_or_default())
-            }
-            (Some(Name::Um) | None, Some(_)) => Err(Error::Usage(
-                "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out"
-                    .to_owned(),
-            )),
-            _ => Ok(BacklashUnit::Um),
-        }
     }
 
     /// Whether what was asked for can be shown.

@@ -20,7 +20,7 @@ pub(super) fn extremes_and_failed_checks(
     let tick = || progress.tick();
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, none)?;
-    let seen: Vec<Seen> = runs.into_iter().map(|run| run.seen).collect();
+    let seen: Vec<Seen> = runs.into_iter().filter_map(|run| run.seen).collect();
     let on = || ControlFlow::Continue(());
     let failed = diagnosis::failed_checks(study, &seen, &cycle, &on)?;
     Ok((cycle, failed))

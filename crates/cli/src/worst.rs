@@ -11,7 +11,8 @@ use gearlash::analysis::tally::{Piece, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{ContactClass, ContactKind, Method, PoseResult};
 use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Mating};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Mating;
 use gearlash_files::distance_refused;
 use gearlash_results::verdict::lines;
 
@@ -51,7 +52,7 @@ impl Binding {
     }
 
     /// Whether one of the contacts of `pose` is of this kind.
-    fn bounds(self, assembly: &GearPair, pose: &PoseResult) -> bool {
+    fn bounds(self, assembly: &AssembledPair, pose: &PoseResult) -> bool {
         let Some(found) = pose.proven() else {
             return false;
         };
@@ -59,7 +60,8 @@ impl Binding {
         contacts.into_iter().any(|(side, contact)| {
             let class = contact
                 .as_ref()
-                .map(|contact| ContactClass::of(assembly, side, contact));
+                .zip(assembly.data())
+                .map(|(contact, pair)| ContactClass::of(pair, side, contact));
             class.is_some_and(|class| self.includes(class.kind))
         })
     }
@@ -73,11 +75,16 @@ pub(super) fn find(
     distance: Option<f64>,
     material: Option<Material>,
 ) -> Result<(Run, PoseResult, usize), Error> {
+    if study.is_drawn() && matches!(wanted, Wanted::LeastOf(_)) {
+        return Err(Error::Usage(format!(
+            "{asked}: the kinds of contact are of gears by their data; give --worst alone"
+        )));
+    }
     let study = narrowed(asked, study, distance, material)?;
     let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
     tell_verdict(&lines(&verdict));
-    let run = |run: (Material, &GearPair, Option<(u32, u32)>), pose: &PoseResult| {
+    let run = |run: (Material, &AssembledPair, Option<(u32, u32)>), pose: &PoseResult| {
         let run = Run {
             material: run.0,
             assembly: run.1.clone(),
@@ -185,7 +192,7 @@ fn narrowed(
     material: Option<Material>,
 ) -> Result<Study, Error> {
     if let Some(material) = material {
-        study.materials.retain(|gears| gears.0 == material);
+        study.keep(material);
     }
     let Some(distance) = distance else {
         return match study.center_distances.is_empty() {

@@ -70,6 +70,7 @@ pub mod tolerance;
 mod tolerance_table;
 mod uncertainty;
 mod unmodelled;
+mod view;
 
 use node::Node;
 use pair_file::PairTables;
@@ -98,6 +99,7 @@ pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
 pub use sources::Sources;
 pub use spec::{explained, gear_schema, pair_schema};
+pub use view::{AnyPair, AnyPairSpec, PairView};
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
 ///
@@ -123,15 +125,6 @@ pub fn read_text(name: &Path, text: &str) -> Result<PairFile, InputError> {
 pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError> {
     let place = Place::of_working_folder();
     with_text(name, &place, Ok(text.to_owned()), no_outlines)
-}
-
-/// A pair file of either kind.
-#[derive(Debug)]
-pub enum AnyPair {
-    /// Both gears by their data.
-    Data(Box<PairFile>),
-    /// One at least by its outline.
-    Outlines(Box<OutlinePairFile>),
 }
 
 /// Reads the pair file at `path`, be its gears given by data or by outlines. `-` is standard input.

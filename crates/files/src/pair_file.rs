@@ -211,6 +211,7 @@ impl<'a> PairTables<'a> {
         let study = Study {
             title,
             materials,
+            drawn: Vec::new(),
             locked,
             face,
             center_distances,

@@ -3,7 +3,7 @@
 use crate::sources::Sources;
 use crate::spec::{CenterDistanceSpec, GearSpec, PairSpec};
 use gearlash::analysis::study::{Material, Study};
-use gearlash::error::GearError;
+use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
 
 /// A pair file, understood.
@@ -40,7 +40,7 @@ impl PairFile {
     ///
     /// # Errors
     /// As [`Study::at`].
-    pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile, GearError> {
+    pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile, Error> {
         self.spec.assembly.center_distance_mm =
             CenterDistanceSpec::Distances(center_distances.clone());
         self.study = self.study.at(center_distances)?;
@@ -49,9 +49,9 @@ impl PairFile {
 }
 
 /// Why a study cannot be had at other centre distances, in the keys of pair files.
-pub fn distance_refused(reason: &GearError) -> String {
+pub fn distance_refused(reason: &Error) -> String {
     match reason {
-        GearError::MeasuredRows => {
+        Error::Gear(GearError::MeasuredRows) => {
             "without [sweep] exactly the rows of [measured] are run, at their centre distances; add [sweep] to run others".to_owned()
         }
         other => other.to_string(),

@@ -32,7 +32,7 @@ pub fn lost_motion(
         let pose = assembly.lost_motion(mating)?;
         let run = Run {
             material,
-            assembly,
+            assembly: assembly.into(),
             phase: None,
             poses: vec![pose],
         };

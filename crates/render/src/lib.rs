@@ -35,12 +35,8 @@ mod tolerance;
 pub mod viewer;
 
 pub use chart::PictureError;
-pub use map::{map_picture, outline_map_picture};
+pub use map::{backlash_map_picture, map_picture};
 pub use match_map::match_map;
-pub use report::{
-    GearGrades, OutlineReport, Report, ToleranceReport, outline_report, report, tolerance_report,
-};
-pub use snapshot::{
-    Snapshot, animation, exaggerated, outline_difference, outline_snapshot, snapshot,
-};
+pub use report::{GearGrades, Report, ToleranceReport, report, tolerance_report};
+pub use snapshot::{Snapshot, animation, exaggerated, outline_difference, pose_picture, snapshot};
 pub use tolerance::{Pictures, pictures as tolerance_pictures};

@@ -1,4 +1,4 @@
-//! Maps over centre distance and mesh phase: of what touches, and of the backlash of outlines.
+//! Maps over centre distance and mesh phase: of what touches, and of the backlash of drawn gears.
 
 mod grid;
 mod outlines;
@@ -8,8 +8,8 @@ use crate::pose_name::pose_name;
 use gearlash::analysis::diagnosis::{Map, MapCell};
 use gearlash::contact::{ContactKind, PoseClass};
 use grid::Grid;
-pub(crate) use outlines::outline_map_in_page;
-pub use outlines::outline_map_picture;
+pub(crate) use outlines::backlash_map_in_page;
+pub use outlines::backlash_map_picture;
 
 /// What a cell is coloured by; distinguished by lightness first.
 #[derive(Clone, Copy, PartialEq)]

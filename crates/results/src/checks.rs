@@ -3,6 +3,7 @@
 use crate::check::CheckRow;
 use crate::column::{Object, Row};
 use crate::extreme::extremes;
+use crate::fitted::{self, FittedRecord};
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
 use crate::remedies::RemedyRecord;
@@ -10,12 +11,12 @@ use crate::run::contact_count;
 use crate::text::check::{governing, outlines, text, unit};
 use crate::verdict::lines;
 use crate::verdict_json::{VerdictRecord, verdict_record};
+use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::PairFile;
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
-use gearlash_files::spec::PairSpec;
+use gearlash_files::{AnyPairSpec, PairView};
 use serde::Serialize;
 use serde_json::{Value, to_value};
 
@@ -23,7 +24,9 @@ use serde_json::{Value, to_value};
 struct FileRecord<'a> {
     file: &'a str,
     passed: bool,
-    pair: &'a PairSpec,
+    pair: AnyPairSpec<'a>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    fitted_involutes: Vec<FittedRecord>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     warnings: &'a [String],
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
@@ -48,15 +51,16 @@ struct GroupRecord {
 ///
 /// # Errors
 /// None for a diagnosis; a number that JSON cannot hold otherwise.
-pub fn checked(
-    name: &str,
-    file: &PairFile,
+pub fn checked<'a>(
+    name: &'a str,
+    file: impl Into<PairView<'a>>,
     diagnosis: &Diagnosis,
     verdict: &Verdict,
     remedies: &[RemedyRecord],
     is_proven: bool,
     screen: &Screen,
 ) -> serde_json::Result<Judged> {
+    let file = file.into();
     let checks = diagnosis.verdict() < diagnosis::Verdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
     let lines = lines(verdict);
@@ -89,9 +93,10 @@ pub fn checked(
     let record = FileRecord {
         file: name,
         passed: passes,
-        pair: &file.spec,
-        warnings: &file.warnings,
-        remarks: &file.remarks,
+        pair: file.spec,
+        fitted_involutes: fitted::records(&file),
+        warnings: file.warnings,
+        remarks: file.remarks,
         verdict: verdict_record(verdict),
         extremes: extremes(verdict),
         checks_verdict: diagnosis.verdict().name(),
@@ -114,9 +119,9 @@ pub fn checked(
         title: file.study.title.clone(),
         passes,
         cases,
-        warnings: file.warnings.clone(),
-        remarks: file.remarks.clone(),
-        text: text(&file.study, verdict, diagnosis, remedies, screen),
+        warnings: file.warnings.to_vec(),
+        remarks: file.remarks.to_vec(),
+        text: text(&file, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
         json: to_value(&record)?,
         verdict: lines,
@@ -152,6 +157,39 @@ fn group_record(group: &Group) -> GroupRecord {
         material: group.material.name(),
         contact: contact_count(&group.contact),
     }
+}
+
+/// `map` of a drawn pair as CSV, a row a cell: its pose.
+///
+/// # Errors
+/// None: it is written to memory.
+pub fn backlash_map_csv(map: &BacklashMap) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([
+        "center_distance_mm",
+        "pitches",
+        "wheel_tooth",
+        "pinion_tooth",
+        "fraction",
+        "status",
+        "j_wt_um",
+    ])?;
+    let rows = map.distances.iter();
+    for (a, cells) in rows.zip(map.cells.chunks(map.columns.max(1))) {
+        for cell in cells {
+            let j_wt = cell.backlash.map(|mm| (mm * 1e3).to_string());
+            writer.write_record([
+                &a.to_string(),
+                &cell.pitches.to_string(),
+                &cell.mating.wheel_tooth.to_string(),
+                &cell.mating.pinion_tooth.to_string(),
+                &cell.mating.fraction.to_string(),
+                cell.status.name(),
+                &j_wt.unwrap_or_default(),
+            ])?;
+        }
+    }
+    csv_text(writer)
 }
 
 /// `map` as CSV, a row a pose.

@@ -300,7 +300,12 @@ impl<R: Row> Columns<R> {
         let shown = self.columns.iter().filter_map(|column| {
             let heading = column.heading.as_ref()?;
             let values: Vec<Value> = rows.iter().map(|row| (column.value)(row)).collect();
-            let is_empty = values.iter().all(|value| *value == Value::Absent);
+            let is_empty = values.iter().all(|value| match value {
+                Value::Absent => true,
+                // No row has a model.
+                Value::Null => column.unit == Unit::Beside,
+                _ => false,
+            });
             (!is_empty).then_some((heading, column.unit, values))
         });
         let shown: Vec<(&layout::Column, Unit, Vec<Value>)> = shown.collect();

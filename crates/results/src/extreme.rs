@@ -6,7 +6,8 @@ use crate::verdict::{doubt, in_words};
 use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Doubt;
-use gearlash::pair::{Backlash, GearPair, Member};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Member, arcmin};
 use serde_json::json;
 use std::sync::LazyLock;
 
@@ -19,7 +20,7 @@ pub struct ExtremeRow {
     proven: bool,
     uncertainty: Option<f64>,
     doubt: Option<String>,
-    assembly: GearPair,
+    assembly: AssembledPair,
     /// The worst high tooth of each gear whose runout has no direction.
     high_teeth: Option<[Option<f64>; 2]>,
     pose: PoseRow,
@@ -29,17 +30,20 @@ impl ExtremeRow {
     /// The row of `extreme`, which is of `run` and of `verdict`.
     pub fn new(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRow {
         let assembly = &extreme.assembly;
-        let high_tooth = |member| {
-            let is_open = run.assembly.gear(member).any_direction();
-            is_open.then(|| assembly.gear(member).high_tooth())
-        };
+        let open = run.assembly.data().filter(|_| run.any_direction());
+        let high_teeth = open.zip(assembly.data()).map(|(open, worst)| {
+            Member::BOTH.map(|member| {
+                let is_open = open.gear(member).any_direction();
+                is_open.then(|| worst.gear(member).high_tooth())
+            })
+        });
         ExtremeRow {
             bracket: [extreme.low, extreme.high],
             found: extreme.found(),
             proven: extreme.is_proven(),
             uncertainty: verdict.expanded(extreme),
             doubt: doubt(extreme),
-            high_teeth: run.any_direction().then(|| Member::BOTH.map(high_tooth)),
+            high_teeth,
             pose: PoseRow::new(assembly, &extreme.pose),
             assembly: assembly.clone(),
         }
@@ -48,12 +52,12 @@ impl ExtremeRow {
     /// The lost motion at one end of the bracket; null where nothing is known of it.
     fn lost_motion(&self, end: usize) -> Value {
         let free = self.assembly.free();
-        let angle = |j_wt| self.assembly.backlash(j_wt).angle(free);
+        let angle = |j_wt| self.assembly.angle(free, j_wt);
         known(self.bracket[end]).map(angle).into()
     }
 
-    fn backlash(&self) -> Backlash {
-        self.assembly.backlash(self.found)
+    fn arcmin(&self, member: Member) -> f64 {
+        arcmin(self.assembly.angle(member, self.found))
     }
 
     fn high_tooth(&self, gear: usize) -> Value {
@@ -75,8 +79,8 @@ impl Row for ExtremeRow {
                 "found_j_wt_um" Backlash => Value::um(row.found);
                 "lost_motion_rad.0" Plain => row.lost_motion(0);
                 "lost_motion_rad.1" Plain => row.lost_motion(1);
-                "lost_motion_arcmin.wheel" Plain => row.backlash().arcmin(Member::Wheel);
-                "lost_motion_arcmin.pinion" Plain => row.backlash().arcmin(Member::Pinion);
+                "lost_motion_arcmin.wheel" Plain => row.arcmin(Member::Wheel);
+                "lost_motion_arcmin.pinion" Plain => row.arcmin(Member::Pinion);
                 "proven" Plain => row.proven;
                 "uncertainty_um" Plain => Value::um(row.uncertainty);
                 "doubt" Plain => Value::optional(row.doubt.clone());

@@ -6,7 +6,8 @@ use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{Contact, ContactClass, LostMotion, PoseClass, PoseResult, Unproven};
 use gearlash::gear::Side;
-use gearlash::pair::{Backlash, GearPair, Mating, Member};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Backlash, GearPair, Mating, Member, arcmin};
 use gearlash_files::numbers::um_ascii;
 use serde_json::json;
 use std::f64::consts::{PI, TAU};
@@ -23,8 +24,11 @@ pub struct PoseRow {
     pose: ComparedPose,
     /// Lost motion, rad. Without one, nothing of the pose is a number: it is jammed, out of mesh or unproven.
     angle: Option<f64>,
+    /// Lost motion at the wheel and at the pinion, arcmin.
+    arcmin: [Option<f64>; 2],
+    /// The backlash in units that need a module or a base circle; `None` of a drawn pair.
     backlash: Option<Backlash>,
-    class: PoseClass,
+    class: Option<PoseClass>,
     right: Option<ContactRow>,
     left: Option<ContactRow>,
 }
@@ -40,13 +44,16 @@ impl PoseRow {
     }
 
     /// The row of a `pose` of `assembly` alone.
-    pub fn new(assembly: &GearPair, pose: &ComparedPose) -> PoseRow {
+    pub fn new(assembly: &AssembledPair, pose: &ComparedPose) -> PoseRow {
         let result = &pose.simulated;
-        let found = result.proven();
+        let (data, found) = (assembly.data(), result.proven());
         let angle = found.and_then(LostMotion::angle);
         let contact = |side, contact: fn(&LostMotion) -> Option<&Contact>| {
             let contact = contact(angle.and(found)?)?;
-            Some(ContactRow::new(assembly, side, contact))
+            Some(ContactRow {
+                contact: *contact,
+                class: data.map(|pair| ContactClass::of(pair, side, contact)),
+            })
         };
         PoseRow {
             center_distance: assembly.center_distance(),
@@ -54,8 +61,11 @@ impl PoseRow {
             phase: None,
             locked: assembly.locked(),
             angle,
-            backlash: result.backlash.map(|j_wt| assembly.backlash(j_wt)),
-            class: result.class(assembly),
+            arcmin: Member::BOTH.map(|at| Some(arcmin(assembly.angle(at, result.backlash?)))),
+            backlash: data
+                .zip(result.backlash)
+                .map(|(pair, j_wt)| pair.backlash(j_wt)),
+            class: data.map(|pair| result.class(pair)),
             right: contact(Side::Right, |found| found.right.as_ref()),
             left: contact(Side::Left, |found| found.left.as_ref()),
             pose: pose.clone(),
@@ -144,8 +154,8 @@ fn columns() -> Vec<Column<PoseRow>> {
         "j_t_um" Plain => Value::um(row.backlash.map(|of| of.j_t));
         "j_bn_um" Plain => Value::um(row.backlash.map(|of| of.j_bn));
         "j_r_um" Plain [rank(3)] => Value::um(row.backlash.and_then(|of| of.j_r));
-        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3)] => row.backlash.map(|of| of.arcmin(Member::Wheel));
-        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3)] => row.backlash.map(|of| of.arcmin(Member::Pinion));
+        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3)] => row.arcmin[0];
+        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3)] => row.arcmin[1];
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
         "error_bound_um" Bound [heading(shown("± bound").spare(6))] => Value::um(row.angle.and(row.result().error_bound));
@@ -166,7 +176,7 @@ fn columns() -> Vec<Column<PoseRow>> {
     columns.extend(columns!(row: PoseRow {
         "unproven_range_min_reason" Plain [no_json, rank(2)] => row.unproven_end(0).map(|end| end.reason.clone());
         "unproven_range_max_reason" Plain [no_json, rank(2)] => row.unproven_end(1).map(|end| end.reason.clone());
-        "class" Plain => row.class.name();
+        "class" Plain => row.class.map(PoseClass::name);
         "right" Plain [no_csv] => row.right.as_ref().map_or(Value::Null, |_| Value::Absent);
         "" Plain [people(shown("right contact").spare(3))] => row.right.as_ref().map(ContactRow::words);
     }));
@@ -188,7 +198,8 @@ fn columns() -> Vec<Column<PoseRow>> {
 #[derive(Debug)]
 pub struct ContactRow {
     contact: Contact,
-    class: ContactClass,
+    /// `None` of a drawn pair.
+    class: Option<ContactClass>,
 }
 
 impl ContactRow {
@@ -196,7 +207,7 @@ impl ContactRow {
     pub fn new(assembly: &GearPair, side: Side, contact: &Contact) -> ContactRow {
         ContactRow {
             contact: *contact,
-            class: ContactClass::of(assembly, side, contact),
+            class: Some(ContactClass::of(assembly, side, contact)),
         }
     }
 
@@ -223,9 +234,9 @@ impl Row for ContactRow {
                 "section_mm" Plain [no_csv] => row.contact.section;
                 "normal.0" Plain [no_csv] => row.contact.normal.x;
                 "normal.1" Plain [no_csv] => row.contact.normal.y;
-                "class" Plain [no_csv] => row.class.kind.name();
-                "tip_gear" Plain [no_csv] => Value::optional(row.class.tip.map(Member::name));
-                "tip_moment" Plain [no_csv] => Value::optional(row.class.moment.map(|moment| moment.name()));
+                "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
+                "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
+                "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));
             }))
         });
         &COLUMNS

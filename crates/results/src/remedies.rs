@@ -1,8 +1,10 @@
 //! Remedies, the single changes that make a pair fit: as JSON and in words.
 
 use gearlash::analysis::remedies::{Change, Remedy};
-use gearlash_files::PairFile;
+use gearlash::analysis::study::Study;
 use gearlash_files::numbers::rounded;
+use gearlash_files::spec::PairSpec;
+use gearlash_files::{AnyPairSpec, PairView};
 use serde::Serialize;
 
 /// A remedy in the keys and units of a pair file.
@@ -16,26 +18,30 @@ pub struct RemedyRecord {
 
 impl RemedyRecord {
     /// The records of `remedies`, found for the study of `file`; none of a file with a temperature, which states its lengths at 20 °C.
-    pub fn all(file: &PairFile, remedies: &[Remedy]) -> Vec<RemedyRecord> {
-        if file.spec.assembly.temperature_c.is_some() {
+    pub fn all<'a>(file: impl Into<PairView<'a>>, remedies: &[Remedy]) -> Vec<RemedyRecord> {
+        let file = file.into();
+        let AnyPairSpec::Data(spec) = file.spec else {
+            return Vec::new();
+        };
+        if spec.assembly.temperature_c.is_some() {
             return Vec::new();
         }
         let records = remedies
             .iter()
-            .map(|remedy| RemedyRecord::new(file, remedy));
+            .map(|remedy| RemedyRecord::new(spec, file.study, remedy));
         records.collect()
     }
 
-    fn new(file: &PairFile, remedy: &Remedy) -> RemedyRecord {
+    fn new(spec: &PairSpec, study: &Study, remedy: &Remedy) -> RemedyRecord {
         let (what, scale, decimals) = match remedy.what {
             Change::CenterDistance => ("center_distance_mm", 1.0, 3),
             Change::FlankOffset => ("flank_offset_mm", 1.0, 3),
             Change::ThicknessAllowance => ("thickness_allowance_um", 1e3, 0),
         };
         // A file states the nominal distance of a band. The middle one of the study may be an end of the band.
-        let stated = file.spec.assembly.center_distance_mm.nominal_mm();
-        let listed = &file.study.center_distances;
-        let shift = match (remedy.what, stated, file.study.band) {
+        let stated = spec.assembly.center_distance_mm.nominal_mm();
+        let listed = &study.center_distances;
+        let shift = match (remedy.what, stated, study.band) {
             (Change::CenterDistance, Some(nominal), Some(_)) => nominal - listed[listed.len() / 2],
             _ => 0.0,
         };

@@ -6,20 +6,21 @@ use crate::pose::{ContactRow, PoseRow};
 use gearlash::analysis::compare::{ComparedPose, Summary};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
 use gearlash::analysis::tally::RunTally;
-use gearlash::pair::{GearPair, Member};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Member, arcmin};
 use serde_json::json;
 use std::sync::LazyLock;
 
 /// A run and its summary.
 #[derive(Debug)]
 pub struct RunRow {
-    assembly: GearPair,
+    assembly: AssembledPair,
     material: &'static str,
     phase: Option<(u32, u32)>,
     poses: usize,
     unproven: usize,
     summary: Summary,
-    contact: serde_json::Value,
+    contact: Option<serde_json::Value>,
     /// Where the least and the greatest backlash stand.
     at: [Option<String>; 2],
     /// Radial clearance of both bearings, mm.
@@ -38,7 +39,7 @@ impl RunRow {
             poses: run.poses,
             unproven: run.unproven,
             summary: run.summary(),
-            contact: contact_count(&run.seen.contact),
+            contact: run.seen.as_ref().map(|seen| contact_count(&seen.contact)),
             at: [at(least), at(greatest)],
             clearance,
         }
@@ -50,7 +51,7 @@ impl RunRow {
     }
 
     fn arcmin(&self, j_wt: Option<f64>, member: Member) -> Option<f64> {
-        Some(self.assembly.backlash(j_wt?).arcmin(member))
+        Some(arcmin(self.assembly.angle(member, j_wt?)))
     }
 
     /// Poses that are not proven at either end of the bearing clearance.
@@ -87,7 +88,7 @@ fn columns() -> Vec<Column<RunRow>> {
         "material" Plain [heading(shown("material"))] => row.material;
         "phase.wheel_tooth" Plain => Value::optional(row.phase.map(|phase| phase.0));
         "phase.pinion_tooth" Plain => Value::optional(row.phase.map(|phase| phase.1));
-        "operating_pressure_angle_deg" Plain => row.assembly.operating_pressure_angle().to_degrees();
+        "operating_pressure_angle_deg" Plain => row.assembly.data().map(|pair| pair.operating_pressure_angle().to_degrees());
         "" Plain [people(shown("poses").spare(5))] => row.poses;
         "" Backlash [people(shown("least"))] => Value::um(row.summary.min);
         "" Plain [people(shown("at").broken())] => row.at[0].clone();

@@ -8,7 +8,7 @@ use gearlash::analysis::diagnosis;
 use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
-use gearlash::contact::{Doubt, Status};
+use gearlash::contact::{Contact, Doubt, Status};
 use gearlash::pair::{Member, arcmin};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, stated_distance, um, um_within, unit_of};
@@ -379,6 +379,16 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         [false, true] => "Greatest not proven.",
         [true, true] => "Least and greatest not proven.",
     };
+    let is_drawn = verdict
+        .runs
+        .iter()
+        .any(|run| run.assembly.drawn().is_some());
+    if is_drawn && least_and_greatest(verdict).any(is_sampled) {
+        return vec![
+            "Sampled over the whole cycle, not proven between poses.".to_owned(),
+            "Sampled, not proven.".to_owned(),
+        ];
+    }
     if !of.is_empty() {
         return vec![of.to_owned()];
     }
@@ -402,6 +412,23 @@ fn proof(verdict: &Verdict) -> Vec<String> {
     ]
 }
 
+fn least_and_greatest<'a>(verdict: &'a Verdict) -> impl Iterator<Item = &'a RunExtreme> {
+    let runs = verdict.runs.iter();
+    runs.flat_map(|run| run.least.iter().chain(&run.greatest))
+}
+
+/// Whether the extreme is that of proven poses of a drawn pair, not of all between them.
+fn is_sampled(extreme: &RunExtreme) -> bool {
+    extreme.doubt == Some(Doubt::Sampled) && extreme.pose.simulated.found.is_ok()
+}
+
+/// What the drawings leave open of an extreme, mm; `None` of gears by their data, and where it is rounding alone.
+fn drawing_bound(extreme: &RunExtreme) -> Option<f64> {
+    let bound = extreme.pose.simulated.error_bound?;
+    extreme.assembly.drawn().filter(|_| bound >= 5e-6)?;
+    Some(bound)
+}
+
 /// From which centre distance the pair assembles, and up to which it is in mesh, where it does not or is not; and whether that is proven.
 fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
     let is_apart = |run: &RunExtremes| run.status == Status::NoContact;
@@ -423,7 +450,11 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
 }
 
 fn at(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
-    let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
+    let unless_proven = match doubt {
+        // The first line says so.
+        None | Some(Doubt::Sampled) => "",
+        Some(_) => " (not proven)",
+    };
     let text = format!("{words} a = {} mm{unless_proven}", fixed(distance, 4));
     (text, doubt.is_none())
 }
@@ -470,12 +501,12 @@ fn row(
     let teeth = teeth(&extreme.pose).filter(|_| !is_alike);
     ExtremeRow {
         name,
-        value: value(found, verdict.expanded(extreme)),
+        value: value(found, verdict.expanded(extreme).or(drawing_bound(extreme))),
         arcmin: verdict.lost_motion_of.map(|member| {
-            let angle = run.assembly.backlash(found).angle(member);
+            let angle = run.assembly.angle(member, found);
             (lost_motion(angle), member)
         }),
-        curves: None,
+        curves: touched(extreme),
         direction: run.any_direction().then_some(match name {
             "greatest" => "low points in mesh",
             _ => "high points in mesh",
@@ -486,6 +517,21 @@ fn row(
         phase: run.phase.filter(|_| teeth.is_none()),
         teeth,
     }
+}
+
+/// Where the teeth of a drawn pair touch: `tip on flank`, the wheel's place first, of right and of left flanks.
+fn touched(extreme: &RunExtreme) -> Option<String> {
+    extreme.assembly.drawn()?;
+    let found = extreme.pose.simulated.proven()?;
+    let words = |contact: &Contact| {
+        let [wheel, pinion] = [contact.wheel, contact.pinion].map(|touch| touch.curve.name());
+        format!("{wheel} on {pinion}")
+    };
+    let [right, left] = [found.right.as_ref()?, found.left.as_ref()?].map(words);
+    Some(match right == left {
+        true => right,
+        false => format!("{right} / {left}"),
+    })
 }
 
 /// A backlash in µm, with its uncertainty or error bound to two digits.
@@ -520,6 +566,9 @@ fn sentences(verdict: &Verdict) -> Vec<String> {
     sentences.extend(checks(verdict));
     sentences.extend(doubts(verdict));
     sentences.extend(bearings(verdict));
+    if least_and_greatest(verdict).any(|extreme| drawing_bound(extreme).is_some()) {
+        sentences.push("± is what the drawings leave open".to_owned());
+    }
     if let Some(stated) = verdict.uncertainty {
         let k = stated.coverage;
         sentences.push(format!("± is the expanded uncertainty, k = {k}"));
@@ -611,7 +660,8 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
             true => run.least.clone(),
             false => run.greatest.clone(),
         };
-        let extremes: Vec<RunExtreme> = verdict.runs.iter().filter_map(of).collect();
+        let extremes = verdict.runs.iter().filter_map(of);
+        let extremes: Vec<RunExtreme> = extremes.filter(|of| !is_sampled(of)).collect();
         let reasons = each(extremes.iter().filter_map(doubt)).join(", ");
         if reasons.is_empty() {
             continue;
@@ -663,6 +713,7 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::SecondOrder => "runout direction bounded to second order",
         Doubt::Profile => "profile deviations bounded for each flank as a whole",
         Doubt::ContactLost => "contact lost at a pose",
+        Doubt::Sampled => "only sampled, as a gear is drawn",
     }
 }
 

@@ -6,7 +6,7 @@ use crate::pose::PoseRow;
 use crate::verdict::lines;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::verdict::Verdict;
-use gearlash::pair::GearPair;
+use gearlash::outline::AssembledPair;
 use gearlash_files::characters;
 use serde::Serialize;
 
@@ -32,7 +32,10 @@ pub fn extremes_json(verdict: &Verdict) -> Result<String, serde_json::Error> {
 ///
 /// # Errors
 /// None for a pose; a number that JSON cannot hold otherwise.
-pub fn pose_json(assembly: &GearPair, pose: &ComparedPose) -> Result<String, serde_json::Error> {
+pub fn pose_json(
+    assembly: &AssembledPair,
+    pose: &ComparedPose,
+) -> Result<String, serde_json::Error> {
     serde_json::to_string(&PoseRow::columns().object(&PoseRow::new(assembly, pose)))
         .map(characters::json)
 }

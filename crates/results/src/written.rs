@@ -2,6 +2,7 @@
 
 use crate::column::{Row, Value};
 use crate::extreme::extremes;
+use crate::fitted;
 use crate::json::Json;
 use crate::notes;
 use crate::pose::PoseRow;
@@ -10,7 +11,7 @@ use crate::verdict_json::verdict_record;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::tally::{Piece, RunTally, whole};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::PairFile;
+use gearlash_files::PairView;
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
 
@@ -31,22 +32,27 @@ impl<'w> ResultWriter<'w> {
     ///
     /// # Errors
     /// A writer failed, as in all methods of this type.
-    pub fn begin(
-        file: &PairFile,
+    pub fn begin<'a>(
+        file: impl Into<PairView<'a>>,
         json: Option<Out<'w>>,
         csv: Option<Out<'w>>,
     ) -> Result<ResultWriter<'w>> {
+        let file = file.into();
         let mut json = json.map(Json::new);
         if let Some(json) = &mut json {
             json.open_object()?;
             json.entry("gearlash", &env!("CARGO_PKG_VERSION"))?;
             json.entry("pair", &file.spec)?;
-            if let Some(notes) = notes::notes(&file.study) {
+            if let Some(notes) = notes::notes(file.study) {
                 json.entry("notes", &notes)?;
             }
-            for (key, messages) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
+            let fitted = fitted::records(&file);
+            if !fitted.is_empty() {
+                json.entry("fitted_involutes", &fitted)?;
+            }
+            for (key, messages) in [("warnings", file.warnings), ("remarks", file.remarks)] {
                 if !messages.is_empty() {
-                    json.entry(key, messages)?;
+                    json.entry(key, &messages)?;
                 }
             }
             json.key("runs")?;
@@ -150,19 +156,19 @@ fn of_csv(error: csv::Error) -> Error {
 /// The whole result of a study whose poses are there already.
 #[derive(Debug)]
 pub struct ResultFile<'a> {
-    file: &'a PairFile,
+    file: PairView<'a>,
     runs: &'a [ComparedRun],
     verdict: &'a Verdict<'a>,
 }
 
 /// The result of `file` as it is written.
 pub fn result_file<'a>(
-    file: &'a PairFile,
+    file: impl Into<PairView<'a>>,
     runs: &'a [ComparedRun],
     verdict: &'a Verdict<'a>,
 ) -> ResultFile<'a> {
     ResultFile {
-        file,
+        file: file.into(),
         runs,
         verdict,
     }

@@ -76,6 +76,10 @@ fn with_left_flanks(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<ComparedRun>, Error> {
+    // Each pose of a drawn pair is of both flanks, and no formula tells them apart.
+    if study.is_drawn() {
+        return Ok(runs);
+    }
     let mut plans = study.runs()?;
     for plan in &mut plans {
         for mating in &mut plan.matings {
@@ -106,11 +110,9 @@ pub fn with_revolution_pose_count(study: &Study) -> u64 {
 /// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel
 /// tooth 1 on, in the assembly phase of its first mating, at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
 pub fn with_sweep(mut study: Study) -> Study {
-    if let Some((_, wheel, _)) = study.materials.first()
-        && !study.sweeps()
-    {
+    if !study.sweeps() {
         study.sweep = Some(SweepPlan::Revolution {
-            pitches: u64::from(wheel.gear().basic_data().teeth()),
+            pitches: u64::from(study.teeth()[0]),
             steps_per_pitch: STEPS_PER_PITCH,
             start: from_tooth_1(&study),
         });
@@ -139,11 +141,11 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
         flank: Side::Right,
         fraction: 0.0,
     };
-    let first = study.materials.first().zip(study.center_distances.first());
-    let assembly = first.and_then(|((_, wheel, pinion), a)| study.pair(wheel, pinion, *a).ok());
-    let Some(assembly) = assembly else {
+    let first = study.center_distances.first();
+    let pairs = first.and_then(|a| study.pairs(*a).ok());
+    let Some((_, assembly)) = pairs.iter().flatten().next() else {
         return (wheel_tooth, pinion_tooth);
     };
-    let start = mating.of_wheel_tooth_1(&assembly);
+    let start = mating.of_wheel_tooth_1(assembly);
     (start.wheel_tooth, start.pinion_tooth)
 }

@@ -9,7 +9,8 @@ use crate::analysis::study::{MeasuredRow, RunPlan, Study};
 use crate::contact::{Method, MethodAgreement, Status};
 use crate::error::{Error, GearError};
 use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member};
+use crate::outline::AssembledPair;
+use crate::pair::{Mating, Member};
 use std::ops::ControlFlow;
 
 /// Steps over the range of centre distances.
@@ -76,10 +77,9 @@ pub fn over_distance(
     let distances = grid(study, &measured, assembles_from);
     let mut plans = Vec::new();
     for &a in &distances {
-        for (material, wheel, pinion) in &study.materials {
-            let assembly = study.pair(wheel, pinion, a)?;
+        for (material, assembly) in study.pairs(a)? {
             plans.push(RunPlan {
-                material: *material,
+                material,
                 matings: poses(&assembly, followed, !measured.is_empty())?,
                 assembly,
                 phase: None,
@@ -128,7 +128,11 @@ pub fn over_distance(
 }
 
 /// The poses of what is `followed`; two teeth that were `measured` are the same at both flanks.
-fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<Mating>, Error> {
+fn poses(
+    assembly: &AssembledPair,
+    followed: Followed,
+    measured: bool,
+) -> Result<Vec<Mating>, Error> {
     let (wheel_tooth, pinion_tooth) = match followed {
         Followed::Pose(mating) => return Ok(vec![mating]),
         Followed::Teeth(wheel, pinion) => (wheel, pinion),

@@ -13,10 +13,12 @@ use crate::analysis::compare::{ComparedPose, ComparedRun, compare};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::simulate::simulate_plans;
 use crate::analysis::study::{RunPlan, Study};
-use crate::contact::{Contact, Method};
+use crate::contact::{Contact, Method, ToothPlace};
 use crate::error::Error;
-use crate::gear::{ProfilePart, Side};
-use crate::pair::{GearPair, Mating, Pose};
+use crate::gear::Side;
+use crate::outline::AssembledPair;
+use crate::pair::{Mating, ToothNumbers};
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 /// A bend below this part of the range of all curves at its centre distance is not drawn: a chart is some 300 units high.
@@ -121,7 +123,7 @@ struct Point {
 }
 
 /// Tooth and part of it that touch, of wheel and pinion.
-type Touching = [(u32, ProfilePart); 2];
+type Touching = [(u32, ToothPlace); 2];
 
 impl Point {
     fn value(&self) -> Option<f64> {
@@ -159,7 +161,7 @@ impl<'a> Curve<'a> {
         })
     }
 
-    fn assembly(&self) -> &'a GearPair {
+    fn assembly(&self) -> &'a AssembledPair {
         &self.run.run.assembly
     }
 
@@ -247,11 +249,11 @@ impl<'a> Curve<'a> {
 }
 
 /// The mating at `flank` in which the locked gear stands as in the pose of `extreme`.
-fn mating_of(extreme: &RunExtreme, assembly: &GearPair, flank: Side) -> Mating {
+fn mating_of(extreme: &RunExtreme, assembly: &AssembledPair, flank: Side) -> Mating {
     let pose = &extreme.pose.simulated.pose;
     let there = pose.mating().at_flank(assembly, flank);
-    let locked = assembly.gear(assembly.locked());
-    let pitch = -locked.face().ascending() * locked.gear().basic_data().angular_pitch();
-    let turned = pose.locked_rotation() - Pose::new(assembly, there).locked_rotation();
+    let locked = assembly.locked();
+    let pitch = -assembly.shown_face(locked).ascending() * TAU / f64::from(assembly.teeth(locked));
+    let turned = pose.locked_rotation() - assembly.pose(there).locked_rotation();
     there.onward(assembly, turned / pitch)
 }

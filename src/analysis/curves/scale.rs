@@ -1,6 +1,6 @@
 //! Where poses stand on the horizontal axis of a curve over the teeth.
 
-use crate::pair::{GearPair, Mating, Member};
+use crate::pair::{Mating, Member, ToothNumbers};
 
 /// From pitches to places.
 pub struct Scale {
@@ -14,7 +14,7 @@ pub struct Scale {
 impl Scale {
     /// The scale of `matings`, one after the other.
     pub fn of<'a, I: Iterator<Item = &'a Mating>>(
-        assembly: &GearPair,
+        assembly: &impl ToothNumbers,
         matings: impl Fn() -> I,
     ) -> Scale {
         let pitches = pitches(matings());
@@ -72,8 +72,8 @@ pub(super) fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iter
 ///
 /// Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them where the two faces
 /// look opposite ways.
-fn wheel_sense(assembly: &GearPair) -> f64 {
-    let ascending = |member| assembly.gear(member).face().ascending();
+fn wheel_sense(assembly: &impl ToothNumbers) -> f64 {
+    let ascending = |member| assembly.shown_face(member).ascending();
     match assembly.locked() {
         Member::Wheel => 1.0,
         Member::Pinion => -ascending(Member::Wheel) * ascending(Member::Pinion),

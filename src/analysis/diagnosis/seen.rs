@@ -3,8 +3,8 @@
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::study::Material;
-use crate::contact::{Contact, ContactClass, ContactKind, Touch, Unproven};
-use crate::gear::{ProfilePart, Side};
+use crate::contact::{Contact, ContactClass, ContactKind, ToothPlace, Touch, Unproven};
+use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
 
@@ -54,11 +54,11 @@ impl Seen {
         }
     }
 
-    /// At the poses of `run`.
-    pub fn of(run: &ComparedRun) -> Seen {
-        let mut seen = Seen::new(&run.run.assembly, run.run.material);
+    /// At the poses of `run`; `None` of a pair with a drawn gear.
+    pub fn of(run: &ComparedRun) -> Option<Seen> {
+        let mut seen = Seen::new(run.run.assembly.data()?, run.run.material);
         run.poses.iter().for_each(|pose| seen.add(pose));
-        seen
+        Some(seen)
     }
 
     /// Takes in a pose.
@@ -145,10 +145,10 @@ impl Touched {
         self.greatest = greatest(self.greatest, Some(here.radius));
         self.least = least(self.least, Some(here.radius));
         let below = match here.curve {
-            ProfilePart::Fillet | ProfilePart::Root => true,
-            ProfilePart::Tip => false,
+            ToothPlace::Fillet | ToothPlace::Root => true,
+            ToothPlace::Tip | ToothPlace::Flank => false,
             // An undercut edge: the class knows, of one gear or the other.
-            ProfilePart::Involute => {
+            ToothPlace::Involute => {
                 let form = assembly.gear(member).gear().form_radius();
                 here.radius <= form + 1e-7
                     && ContactClass::of(assembly, side, contact).kind == ContactKind::Edge
@@ -213,7 +213,7 @@ pub(super) fn place(mating: &Mating) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign, ProfilePart};
     use nalgebra::{Point2, Vector2};
 
     fn pair(teeth: [u32; 2]) -> GearPair {
@@ -228,7 +228,7 @@ mod tests {
     fn contact(wheel: (ProfilePart, f64), pinion: (ProfilePart, f64), teeth: [u32; 2]) -> Contact {
         let touch = |(curve, radius): (ProfilePart, f64), tooth| Touch {
             tooth,
-            curve,
+            curve: curve.into(),
             radius,
         };
         Contact {

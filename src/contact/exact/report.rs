@@ -53,7 +53,7 @@ fn touch(shape: &HalfToothShape, tooth: u32, (curve, t): (ProfilePart, f64)) -> 
     };
     Touch {
         tooth,
-        curve,
+        curve: curve.into(),
         radius,
     }
 }

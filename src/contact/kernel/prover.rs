@@ -18,7 +18,7 @@ use crate::contact::exact::{
     ExactKernel, FlankProblem, HalfToothShape, Placed, PosedFlanks, Section, reduced,
 };
 use crate::contact::gap::{C, turn};
-use crate::contact::lost_motion::{Contact, LostMotion};
+use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
@@ -291,7 +291,7 @@ impl<'a> Proving<'a> {
         // Where lands cross, what overlaps is thin beside its length.
         let curves = [contact.wheel.curve, contact.pinion.curve];
         let is_thin =
-            curves.iter().all(|curve| curve.is_land()) || curves.contains(&ProfilePart::Root);
+            curves.iter().all(|curve| curve.is_land()) || curves.contains(&ToothPlace::Root);
         let closing = if is_thin { THIN * opening } else { opening };
         Ok(Held {
             rotation: self.turned(contact.rotation + onward),

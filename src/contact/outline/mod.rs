@@ -15,10 +15,8 @@ mod teeth;
 use super::effort::Effort;
 use super::exact::lens_half;
 use super::gap::{C, CurveContact, Inside, Origin, PathSearch, common_normal, rounding, turn};
-use super::lost_motion::Framed;
-use super::outline_contact::{
-    NotBorneOut, OutlineContact, OutlineLostMotion, OutlineTouch, Region, SearchExhausted,
-};
+use super::lost_motion::{Contact, Framed, LostMotion, ToothPlace, Touch};
+use super::outline_contact::{NotBorneOut, SearchExhausted};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
@@ -76,7 +74,7 @@ impl<'a> OutlineKernel<'a> {
     ///
     /// # Errors
     /// [`SearchExhausted`], never a pair of curves left out.
-    pub fn lost_motion(&self, mating: &Mating) -> Result<OutlineLostMotion, SearchExhausted> {
+    pub fn lost_motion(&self, mating: &Mating) -> Result<LostMotion, SearchExhausted> {
         self.lost_motion_at(self.pair, mating)
     }
 
@@ -85,10 +83,7 @@ impl<'a> OutlineKernel<'a> {
     ///
     /// # Errors
     /// As [`OutlineKernel::lost_motion`].
-    pub fn lost_motion_by_search(
-        &self,
-        mating: &Mating,
-    ) -> Result<OutlineLostMotion, SearchExhausted> {
+    pub fn lost_motion_by_search(&self, mating: &Mating) -> Result<LostMotion, SearchExhausted> {
         self.found(self.pair, mating, false)
     }
 
@@ -100,7 +95,7 @@ impl<'a> OutlineKernel<'a> {
         &self,
         pair: &OutlinePair,
         mating: &Mating,
-    ) -> Result<OutlineLostMotion, SearchExhausted> {
+    ) -> Result<LostMotion, SearchExhausted> {
         self.found(pair, mating, true)
     }
 
@@ -109,7 +104,7 @@ impl<'a> OutlineKernel<'a> {
         pair: &OutlinePair,
         mating: &Mating,
         prunes: bool,
-    ) -> Result<OutlineLostMotion, SearchExhausted> {
+    ) -> Result<LostMotion, SearchExhausted> {
         let effort = match prunes {
             true => Effort::of_pose(),
             // Each side ends by its own nodes.
@@ -123,7 +118,7 @@ impl<'a> OutlineKernel<'a> {
             .map_or(0.0, |(right, left)| right.rotation - left.rotation);
         let free = pair.gear(pair.free());
         let deep = || self.sides[0].reaches_within(pair, mating, self.solid);
-        Ok(OutlineLostMotion {
+        Ok(LostMotion {
             right,
             left,
             solid: overlap >= free.pitch() || deep(),
@@ -156,7 +151,7 @@ impl<'a> OutlineCertifier<'a> {
     ///
     /// # Errors
     /// [`NotBorneOut`]: something touches before, or nothing there.
-    pub fn check(&self, mating: &Mating, found: &OutlineLostMotion) -> Result<(), NotBorneOut> {
+    pub fn check(&self, mating: &Mating, found: &LostMotion) -> Result<(), NotBorneOut> {
         if found.solid {
             return Ok(());
         }
@@ -179,7 +174,7 @@ impl SideKernel<'_> {
         pair: &OutlinePair,
         cut: &CutSide,
         mating: &Mating,
-        contact: Option<&OutlineContact>,
+        contact: Option<&Contact>,
     ) -> Result<(), &'static str> {
         let (rotation, locked) = self.locked_frame(pair, mating);
         let pairs = self.facing(pair, mating, rotation);
@@ -266,7 +261,7 @@ impl SideKernel<'_> {
         mating: &Mating,
         prunes: bool,
         effort: &Effort,
-    ) -> Result<Option<OutlineContact>, SearchExhausted> {
+    ) -> Result<Option<Contact>, SearchExhausted> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
         // Gaps count from the nominal rotation.
@@ -317,7 +312,7 @@ impl SideKernel<'_> {
         [locked, free]: [u32; 2],
         frames: [Frame; 2],
         nominal: f64,
-    ) -> OutlineContact {
+    ) -> Contact {
         let halves = [self.locked.half(locked), self.free.half(free)];
         let at = [meeting.locked, meeting.free];
         let pieces = [0, 1].map(|k: usize| &halves[k].pieces[at[k].0]);
@@ -328,11 +323,11 @@ impl SideKernel<'_> {
         let touch = |k: usize, tooth: u32| {
             let radius = pieces[k].point(at[k].1).norm();
             let region = match radius {
-                _ if radius >= halves[k].tip_limit => Region::Tip,
-                _ if radius <= halves[k].root_limit => Region::Root,
-                _ => Region::Flank,
+                _ if radius >= halves[k].tip_limit => ToothPlace::Tip,
+                _ if radius <= halves[k].root_limit => ToothPlace::Root,
+                _ => ToothPlace::Flank,
             };
-            OutlineTouch {
+            Touch {
                 tooth,
                 curve: region,
                 radius,

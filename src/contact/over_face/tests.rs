@@ -1,8 +1,8 @@
 //! What is taken of sections, of contacts put together by hand: expected is what their rotations are made of.
 
 use super::OverFace;
-use crate::contact::{Contact, LostMotion, Status, Touch};
-use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, ProfilePart, Side};
+use crate::contact::{Contact, LostMotion, Status, ToothPlace, Touch};
+use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
 use crate::pair::{GearPair, Mating, Pose};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
@@ -31,7 +31,7 @@ fn pose(pitches: f64) -> Pose {
 fn contact(pose: &Pose, beyond: f64, turns: f64) -> Contact {
     let touch = Touch {
         tooth: 1,
-        curve: ProfilePart::Involute,
+        curve: ToothPlace::Involute,
         radius: 20.0,
     };
     Contact {

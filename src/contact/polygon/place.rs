@@ -119,7 +119,7 @@ fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
     Part {
         touch: Touch {
             tooth,
-            curve: named,
+            curve: named.into(),
             radius,
         },
         normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),

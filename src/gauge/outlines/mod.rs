@@ -10,7 +10,7 @@ mod span;
 use super::Unmeasured;
 use super::pins::{OverPins, over};
 use super::spread::{ends, mean};
-use crate::contact::OutlineTouch;
+use crate::contact::Touch;
 use crate::outline::OutlineGear;
 use nalgebra::Point2;
 
@@ -25,7 +25,7 @@ pub struct OutlineSpan {
     /// Bound on its error, mm: what the search left, and twice how far the outline may lie from what was drawn.
     pub error: f64,
     /// Where the anvils touched: the first tooth's own left flank, the last one's own right flank.
-    pub touched: [OutlineTouch; 2],
+    pub touched: [Touch; 2],
 }
 
 /// Spans at every first tooth of an outline.
@@ -49,7 +49,7 @@ pub struct OutlineSeat {
     /// Bound on the error of the centre, mm.
     pub error: f64,
     /// What it touches: own right flank of `tooth`, own left flank of the next.
-    pub touched: [OutlineTouch; 2],
+    pub touched: [Touch; 2],
 }
 
 /// Pins in every space of an outline.

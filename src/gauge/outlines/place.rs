@@ -4,7 +4,7 @@
 //! where the normals cannot point the way sought, the best place is an end; elsewhere what a stretch may gain falls with the square of its
 //! length, so some twenty halvings reach the last bits.
 
-use crate::contact::{OutlineTouch, Region};
+use crate::contact::{ToothPlace, Touch};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 use nalgebra::Complex;
@@ -127,14 +127,14 @@ impl Sought {
 
 impl Place {
     /// As it is reported, on `tooth`.
-    pub fn touch(&self, half: &HalfOutline, tooth: u32) -> OutlineTouch {
+    pub fn touch(&self, half: &HalfOutline, tooth: u32) -> Touch {
         let radius = self.at.norm();
-        OutlineTouch {
+        Touch {
             tooth,
             curve: match radius {
-                _ if radius >= half.tip_limit => Region::Tip,
-                _ if radius <= half.root_limit => Region::Root,
-                _ => Region::Flank,
+                _ if radius >= half.tip_limit => ToothPlace::Tip,
+                _ if radius <= half.root_limit => ToothPlace::Root,
+                _ => ToothPlace::Flank,
             },
             radius,
         }

@@ -3,7 +3,7 @@
 use super::half::{Ends, Half};
 use super::stood::Frame;
 use super::{Referee, Stood};
-use gearlash::contact::{Contact, LostMotion, Touch};
+use gearlash::contact::{Contact, LostMotion, ToothPlace, Touch};
 use gearlash::gear::{ProfilePart, Side};
 use gearlash::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
@@ -67,10 +67,11 @@ fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> V
         }
         let (tip, form, root) = (named.half.tip, named.half.form, named.half.root);
         let [low, high] = match touch.curve {
-            ProfilePart::Tip => [tip, tip],
-            ProfilePart::Involute => [form, tip],
-            ProfilePart::Fillet => [root, form],
-            ProfilePart::Root => [root, root],
+            ToothPlace::Tip => [tip, tip],
+            ToothPlace::Involute => [form, tip],
+            ToothPlace::Fillet => [root, form],
+            ToothPlace::Root => [root, root],
+            ToothPlace::Flank => [root, tip],
         };
         let off = (low - touch.radius).max(touch.radius - high);
         if !(off <= known) {

@@ -23,7 +23,7 @@ use gearlash_render::chart::{self, Heading};
 use gearlash_results::verdict::{in_short, lines};
 
 /// The file of a map.
-pub(super) const MAP: &str = "chart_map.svg";
+const MAP: &str = "chart_map.svg";
 
 /// A chart and the name of its file.
 pub(super) struct DrawnChart {
@@ -40,13 +40,13 @@ impl DrawnChart {
         let mut study = curves::with_sweep(study);
         if let Some(end) = args.material {
             let wanted = material(end, &study)?;
-            study.materials.retain(|(material, ..)| *material == wanted);
+            study.keep(wanted);
         }
         let distance = distance(args, &study.center_distances)?;
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-        let plan = Plan::new(&study, args.method.method())
+        let plan = Plan::new(&study, args.method.of(&study)?)
             .with_revolution()
             .with_extremes();
         poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
@@ -142,13 +142,13 @@ impl DrawnChart {
     /// What touches over centre distance and mesh phase.
     pub fn map(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
-        let plan = Plan::new(study, args.method.method())
+        let plan = Plan::new(study, args.method.of(study)?)
             .with_extremes()
             .with_checks();
         let analysis = run_under_bar(&plan)?;
         tell_verdict(&lines(&analysis.verdict()));
         Ok(DrawnChart {
-            svg: first_map(maps::of_data(study, &analysis.diagnosis)?)?,
+            svg: first_map(maps::of(&analysis)?)?,
             file: MAP.to_owned(),
             agrees: agreed(&analysis),
         })
@@ -167,7 +167,8 @@ impl DrawnChart {
         let title = study.title.clone();
         let (run, pose, unproven) =
             worst::find(("--kind field", Wanted::Least), study, distance, end)?;
-        let field = Field::of(&run.assembly, &pose).ok_or_else(|| {
+        let field = run.assembly.data().and_then(|pair| Field::of(pair, &pose));
+        let field = field.ok_or_else(|| {
             Error::Usage(
                 "--kind field: the worst pose is jammed or unproven; there are no contact lines"
                     .to_owned(),
@@ -188,7 +189,7 @@ impl DrawnChart {
 }
 
 /// The centre distance at which a chart is drawn: what was asked for, else the first of `stated`, if there is one.
-pub(super) fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
+fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
     if let Some(given) = asked_distance(args)? {
         return Ok(vec![given]);
     }
@@ -202,7 +203,7 @@ pub(super) fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
 }
 
 /// The centre distance that was asked for.
-pub(super) fn asked_distance(args: &Args) -> Result<Option<f64>, Error> {
+fn asked_distance(args: &Args) -> Result<Option<f64>, Error> {
     match args.center_distance.as_ref().map(|given| &given.0[..]) {
         None => Ok(None),
         Some([only]) => Ok(Some(*only)),
@@ -213,7 +214,7 @@ pub(super) fn asked_distance(args: &Args) -> Result<Option<f64>, Error> {
 }
 
 /// The one of the most material.
-pub(super) fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
+fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     if maps.len() > 1 {
         tell("note: with the most material; `gearlash check --map` draws both");
     }
@@ -222,7 +223,7 @@ pub(super) fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     first.map(|map| map.svg).ok_or_else(none)
 }
 
-pub(super) fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
+fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
     Heading {
         prefix: "chart",
         title,
@@ -256,7 +257,7 @@ fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String 
 }
 
 /// What tells a chart in `unit` from one in µm.
-pub(super) fn suffix(unit: BacklashUnit) -> String {
+fn suffix(unit: BacklashUnit) -> String {
     match unit {
         BacklashUnit::Um => String::new(),
         BacklashUnit::Arcmin { at, .. } => format!("_arcmin_{}", at.name()),

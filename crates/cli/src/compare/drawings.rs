@@ -7,8 +7,7 @@ use crate::outlines::is_drawing;
 use crate::target::Target;
 use gearlash_files::outlines::TwoDrawings;
 use gearlash_render::outline_difference;
-use gearlash_results::outlines::{comparison_json, difference_csv};
-use gearlash_results::text;
+use gearlash_results::{comparison_json, difference_csv, text};
 use std::process::ExitCode;
 
 /// Runs the command of two drawings.

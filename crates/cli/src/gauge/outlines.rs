@@ -10,7 +10,7 @@ use gearlash::gauge::gauge_outline;
 use gearlash_files::outlines::{OutlineGearEntry, OutlineGearsFile};
 use gearlash_render::gauge::outlines as text;
 use gearlash_results::gauge::teeth_csv;
-use gearlash_results::outlines::{GaugedOutline, gauged_json};
+use gearlash_results::gauge::{GaugedOutline, gauged_json};
 use std::process::ExitCode;
 
 /// Runs the command.

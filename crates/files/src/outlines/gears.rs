@@ -75,7 +75,7 @@ impl From<OutlinePairFile> for OutlineGearsFile {
         let (wheel, pinion) = (&pair.spec.wheel, &pair.spec.pinion);
         let mut gears = Vec::new();
         for (name, spec) in [("wheel", wheel), ("pinion", pinion)] {
-            for (material, wheel, pinion) in &pair.study.materials {
+            for (material, wheel, pinion) in &pair.study.drawn {
                 let gear = if name == "wheel" { wheel } else { pinion };
                 // A drawing is the same in every material of its mate.
                 let drawn = matches!(spec, EitherGearSpec::Outline(_));

@@ -15,11 +15,10 @@ use crate::spec::{
 };
 use crate::sweep::Sweep;
 use crate::table::Table;
-use gearlash::analysis::outlines::OutlineStudy;
-use gearlash::analysis::study::Material;
-use gearlash::gear::Side;
+use gearlash::analysis::study::{Material, Study};
+use gearlash::error::Error;
 use gearlash::outline::{OutlineGear, OutlinePair};
-use gearlash::pair::Mating;
+use gearlash::pair::SweepPlan;
 use std::path::Path;
 
 /// Keys of a pair file with an outline.
@@ -36,6 +35,9 @@ pub(super) const KEYS: &[&str] = &[
     "uncertainty",
     "tolerance",
 ];
+
+/// Poses of a cycle at most (tuned: some seconds).
+const MOST_POSES: u64 = 100_000;
 
 /// Tables that an outline has no use for, and why.
 const LEFT_OUT: [(&str, &str); 5] = [
@@ -69,7 +71,7 @@ const NOT_REQUIRED: [(&str, &str); 3] = [
 #[derive(Debug, Clone)]
 pub struct OutlinePairFile {
     /// What it asks for.
-    pub study: OutlineStudy,
+    pub study: Study,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// The input as understood.
@@ -86,13 +88,15 @@ pub struct OutlinePairFile {
 
 impl OutlinePairFile {
     /// The same at other centre distances, mm.
-    #[must_use]
-    pub fn at(mut self, mut center_distances: Vec<f64>) -> OutlinePairFile {
+    ///
+    /// # Errors
+    /// As [`Study::at`].
+    pub fn at(mut self, mut center_distances: Vec<f64>) -> Result<OutlinePairFile, Error> {
         center_distances.sort_by(f64::total_cmp);
         self.spec.assembly.center_distance_mm =
             CenterDistanceSpec::Distances(center_distances.clone());
-        self.study.center_distances = center_distances;
-        self
+        self.study = self.study.at(center_distances)?;
+        Ok(self)
     }
 }
 
@@ -199,20 +203,21 @@ pub(crate) fn read(
     let (first, second) = sweep
         .start
         .map_or((1, 1), |[wheel, pinion]| (wheel, pinion));
-    let study = OutlineStudy {
-        title: title?,
-        materials: materials(&wheel, &pinion),
-        locked,
-        center_distances: distances,
-        start: Mating {
-            wheel_tooth: first,
-            pinion_tooth: second,
-            flank: Side::Right,
-            fraction: 0.0,
-        },
-        steps_per_pitch: sweep.steps_per_pitch.unwrap_or(DEFAULT_STEPS),
-        requirements: require.map_or_else(Vec::new, |require| require.requirements()),
+    let [wheel_teeth, pinion_teeth] = [&wheel, &pinion].map(|part| part.gears[0].1.teeth());
+    let pitches = SweepPlan::hunting_pitches(wheel_teeth, pinion_teeth);
+    // Longer cycles are run more thinly.
+    let most = u32::try_from(MOST_POSES / pitches)
+        .unwrap_or(u32::MAX)
+        .max(1);
+    let sweep_plan = SweepPlan::Revolution {
+        pitches,
+        steps_per_pitch: sweep.steps_per_pitch.unwrap_or(DEFAULT_STEPS).min(most),
+        start: (first, second),
     };
+    let gears = materials(&wheel, &pinion);
+    let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep_plan);
+    study.bearing_clearance = bearings.sum_mm();
+    study.requirements = require.map_or_else(Vec::new, |require| require.requirements());
     Some(OutlinePairFile {
         stem,
         drawings: [wheel.read, pinion.read],

@@ -42,10 +42,10 @@ fn told(table: &str, teeth: u32, keys: &str) -> String {
 fn lost_motion(study: &PairFile) -> Vec<f64> {
     let runs = study.study.runs().unwrap();
     let of = |run: &gearlash::analysis::study::RunPlan| {
-        let kernel = ExactKernel::new(&run.assembly);
+        let kernel = ExactKernel::new(run.assembly.data().unwrap());
         let motion = |mating| {
             kernel
-                .lost_motion(&Pose::new(&run.assembly, mating))
+                .lost_motion(&Pose::new(run.assembly.data().unwrap(), mating))
                 .unwrap()
         };
         run.matings

@@ -46,7 +46,7 @@ fn the_rig_reads_back_with_its_lost_motion() {
         let AnyPair::Outlines(file) = read_any(&path).unwrap() else {
             panic!("no outlines");
         };
-        let (_, wheel, pinion) = file.study.materials[0].clone();
+        let (_, wheel, pinion) = file.study.drawn[0].clone();
         let outlines = OutlinePair::new(wheel, pinion, 132.21, Member::Wheel).unwrap();
         let (kernel, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));
         let radius = outlines.operating_pitch_radius(Member::Pinion);

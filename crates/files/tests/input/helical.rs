@@ -37,8 +37,14 @@ fn hand_and_face_are_read() {
     let file = study(HELICAL);
     assert_eq!(file.study.face, [-5.0, 15.0]);
     let run = &file.study.runs().unwrap()[0];
-    assert_eq!(run.assembly.face(), [-5.0, 15.0]);
-    let data = run.assembly.gear(Member::Wheel).gear().basic_data();
+    assert_eq!(run.assembly.data().unwrap().face(), [-5.0, 15.0]);
+    let data = run
+        .assembly
+        .data()
+        .unwrap()
+        .gear(Member::Wheel)
+        .gear()
+        .basic_data();
     assert_eq!(data.hand(), Some(Hand::Left));
     let radius = 30.0 / f64::to_radians(15.0).cos();
     assert!((data.reference_radius() - radius).abs() < 1e-13);
@@ -111,17 +117,17 @@ fn warm([wheel, pinion, housing]: [f64; 3]) -> String {
 fn a_pair_that_expands_evenly_has_all_its_lengths_times_the_same() {
     let backlash = |text: &str| {
         let run = study(text).study.runs().unwrap().remove(0);
-        let kernel = ExactKernel::new(&run.assembly);
+        let kernel = ExactKernel::new(run.assembly.data().unwrap());
         let radius = run.assembly.operating_pitch_radius(run.assembly.free());
         let found: Vec<f64> = run
             .matings
             .iter()
             .map(|mating| {
-                let pose = Pose::new(&run.assembly, *mating);
+                let pose = Pose::new(run.assembly.data().unwrap(), *mating);
                 kernel.lost_motion(&pose).unwrap().angle().unwrap() * radius
             })
             .collect();
-        (run.assembly.face(), found)
+        (run.assembly.data().unwrap().face(), found)
     };
     let ((cold_face, cold), (warm_face, warm)) = (
         backlash(&warm([0.0; 3])),
@@ -143,7 +149,8 @@ fn gears_that_expand_unlike_keep_their_helix_angle() {
     let file = study(&text);
     let run = &file.study.runs().unwrap()[0];
     let factors = [1.0 + 40.0 * 11.5e-6, 1.0 + 40.0 * 110e-6];
-    let gears = [Member::Wheel, Member::Pinion].map(|member| run.assembly.gear(member).gear());
+    let gears = [Member::Wheel, Member::Pinion]
+        .map(|member| run.assembly.data().unwrap().gear(member).gear());
     for ((gear, factor), z) in gears.into_iter().zip(factors).zip([20.0, 30.0]) {
         let data = gear.basic_data();
         assert_eq!(data.helix_angle(), f64::to_radians(15.0));
@@ -154,7 +161,7 @@ fn gears_that_expand_unlike_keep_their_helix_angle() {
         assert!((lead - data.base_helix_angle().tan()).abs() < 1e-15);
     }
     // From −5 mm of the pinion, 4 mm off, to 15 mm of the wheel.
-    let face = run.assembly.face();
+    let face = run.assembly.data().unwrap().face();
     let expected = [4.0 * factors[0] - 5.0 * factors[1], 15.0 * factors[0]];
     for (end, expected) in face.iter().zip(expected) {
         assert!((end - expected).abs() < 1e-12, "{end} {expected}");
@@ -293,7 +300,7 @@ fn a_dimension_is_over_balls_or_over_pins() {
     ] {
         let file = gear(over);
         let run = &file.study.runs().unwrap()[0];
-        let wheel = run.assembly.gear(Member::Wheel).gear();
+        let wheel = run.assembly.data().unwrap().gear(Member::Wheel).gear();
         let nominal = wheel.design().nominal_base_thickness();
         assert!((wheel.base_thickness() - nominal).abs() < 1e-9, "{over}");
         let echo = serde_json::to_value(&file.spec.wheel.thickness).unwrap();
@@ -302,12 +309,16 @@ fn a_dimension_is_over_balls_or_over_pins() {
     let other = gear("{ pin_mm = 9, kind = \"pin\", mm = 147.07716569057362 }");
     let thin = other.study.runs().unwrap()[0]
         .assembly
+        .data()
+        .unwrap()
         .gear(Member::Wheel)
         .gear()
         .base_thickness();
     let ball = gear("{ pin_mm = 9, mm = 147.07716569057362 }");
     let right = ball.study.runs().unwrap()[0]
         .assembly
+        .data()
+        .unwrap()
         .gear(Member::Wheel)
         .gear()
         .base_thickness();
@@ -344,6 +355,8 @@ fn of_a_spur_gear_balls_and_pins_are_the_same() {
         let file = study(&spur.replace("KIND", kind));
         let base = file.study.runs().unwrap()[0]
             .assembly
+            .data()
+            .unwrap()
             .gear(Member::Wheel)
             .gear()
             .base_thickness();

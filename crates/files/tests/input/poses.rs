@@ -30,7 +30,7 @@ fn matings_of_the_reference_poses() {
             assert_eq!(mating.pinion_tooth, reference["pinion_tooth"]);
             assert_eq!(mating.flank.name(), reference["flank"]);
             assert_eq!(mating.fraction, reference["fraction"]);
-            let rotation = Pose::new(&run.assembly, mating).locked_rotation();
+            let rotation = Pose::new(run.assembly.data().unwrap(), mating).locked_rotation();
             let expected = reference["wheel_rotation_rad"].as_f64().unwrap();
             let turns = (rotation - expected) / TAU;
             assert!(

@@ -19,7 +19,7 @@ fn thickness_over_pins_of_the_86_21_pair() {
     for run in &runs {
         assert_eq!(run.material, Material::AsMeasured);
         for (member, expected) in [(Member::Wheel, -17.830833), (Member::Pinion, -22.195630)] {
-            let gear = gear(&run.assembly, member);
+            let gear = gear(run.assembly.data().unwrap(), member);
             let nominal = gear.design().nominal_base_thickness();
             let um =
                 1000.0 * allowance_from_base(gear.basic_data(), nominal, gear.base_thickness());

@@ -1,10 +1,10 @@
 //! Spans and pins read on outlines, as a short table of each gear.
 
-use gearlash::contact::{OutlineTouch, Region};
+use gearlash::contact::{ToothPlace, Touch};
 use gearlash::gauge::OverPins;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use gearlash_results::outlines::GaugedOutline;
+use gearlash_results::gauge::GaugedOutline;
 use gearlash_results::text::{Column, Screen, Table};
 use std::fmt::Write;
 
@@ -100,12 +100,12 @@ fn remarks(gauged: &GaugedOutline) -> String {
         .map(|one| one.touched);
     let pins = gauged.gauged.pins.iter().flatten();
     let pins = pins.flat_map(|pins| &pins.seats).map(|seat| seat.touched);
-    let kinds: [(&str, Vec<[OutlineTouch; 2]>); 2] =
+    let kinds: [(&str, Vec<[Touch; 2]>); 2] =
         [("spans", spans.collect()), ("pins", pins.collect())];
     let mut text = String::new();
     for (what, touches) in &kinds {
-        for region in [Region::Tip, Region::Root] {
-            let on = |both: &&[OutlineTouch; 2]| both.iter().any(|touch| touch.curve == region);
+        for region in [ToothPlace::Tip, ToothPlace::Root] {
+            let on = |both: &&[Touch; 2]| both.iter().any(|touch| touch.curve == region);
             let count = touches.iter().filter(on).count();
             if count > 0 {
                 let (all, region) = (touches.len(), region.name());

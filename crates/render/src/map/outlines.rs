@@ -2,10 +2,9 @@
 
 use super::grid::Grid;
 use crate::kit::Axis;
-use gearlash::analysis::outlines::{OutlineMap, OutlineRun};
+use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::study::Material;
 use gearlash::contact::Status;
-use gearlash::pair::Member;
 use gearlash_files::numbers::shortest;
 use svg::node::element::SVG;
 
@@ -18,30 +17,31 @@ const COLOURS: [&str; 9] = [
     "#ff00ff",
 ];
 
-/// `map`, of `run`, as SVG; `title` stands above.
-pub fn outline_map_picture(title: &str, run: &OutlineRun, map: &OutlineMap) -> String {
-    format!("{}\n", draw(title, run, map))
+/// `map` as SVG; `title` stands above.
+pub fn backlash_map_picture(title: &str, map: &BacklashMap) -> String {
+    format!("{}\n", draw(title, map))
 }
 
 /// The same for a page, named for those who do not see it.
-pub(crate) fn outline_map_in_page(title: &str, run: &OutlineRun, map: &OutlineMap) -> String {
+pub(crate) fn backlash_map_in_page(title: &str, map: &BacklashMap) -> String {
     let label = "Backlash over mesh cycle and centre distance";
-    let picture = draw(title, run, map);
+    let picture = draw(title, map);
     format!("{}\n", picture.set("role", "img").set("aria-label", label))
 }
 
-fn draw(title: &str, run: &OutlineRun, map: &OutlineMap) -> SVG {
-    let teeth = |member| run.pair.gear(member).teeth();
+fn draw(title: &str, map: &BacklashMap) -> SVG {
+    let [wheel, pinion] = map.teeth;
     let caption = format!(
-        "{} and {} teeth{}: backlash j_wt over the whole mesh cycle, the least in each cell",
-        teeth(Member::Wheel),
-        teeth(Member::Pinion),
-        match run.material {
+        "{wheel} and {pinion} teeth{}: backlash j_wt over the whole mesh cycle, the least in each cell",
+        match map.material {
             Material::AsMeasured => String::new(),
             material => format!(", {}", material.words()),
         }
     );
-    let um = map.cells.iter().filter_map(|cell| Some(1e3 * cell.j_wt?.0));
+    let um = map
+        .cells
+        .iter()
+        .filter_map(|cell| Some(1e3 * cell.backlash?));
     let greatest = um.fold(0.0, f64::max);
     let step = step(greatest / STEPS as f64);
     let upto = |steps: usize| shortest(step * steps as f64);
@@ -54,12 +54,12 @@ fn draw(title: &str, run: &OutlineRun, map: &OutlineMap) -> SVG {
     names.push(format!("backlash above {} µm", upto(STEPS - 1)));
     names.push("out of mesh".to_owned());
     names.push("not settled".to_owned());
-    let cells = map.cells.iter().map(|cell| match cell.status() {
+    let cells = map.cells.iter().map(|cell| match cell.status {
         Status::Unproven => 8,
         Status::NoContact => 7,
         Status::Jammed => 0,
         Status::Clear | Status::Interference => {
-            let steps = cell.j_wt.map_or(0.0, |(mm, _)| 1e3 * mm / step);
+            let steps = cell.backlash.map_or(0.0, |mm| 1e3 * mm / step);
             // From −1 step, one shade a step.
             (steps.floor() + 3.0).clamp(1.0, 6.0) as usize
         }

@@ -4,7 +4,7 @@ use super::page::Page;
 use super::phrases::few;
 use gearlash::analysis::outcome::PoseOfRun;
 use gearlash::analysis::phases::phase;
-use gearlash::pair::{Member, SweepPlan};
+use gearlash::pair::{GearPair, Member, SweepPlan};
 use maud::{Markup, html};
 use std::collections::BTreeSet;
 
@@ -64,16 +64,30 @@ fn others(page: &Page) -> Markup {
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
-        @if extremes.iter().all(|run| Member::BOTH.iter().all(|member| !run.assembly.gear(*member).has_unlike_teeth())) {
+        @if extremes.iter().all(|run| run.assembly.data().is_some_and(has_like_teeth)) {
             "The teeth of each gear are all alike, and so are all matings. "
         }
-        "The hunting cycle is " (matings) " matings. Least and greatest backlash are bracketed over all of them and every rotation between"
+        "The hunting cycle is " (matings) " matings. Least and greatest backlash are "
+        @if page.report.pair.study.is_drawn() { "those of sampled poses of the cycle, closer round the best of them" } @else { "bracketed over all of them and every rotation between" }
         @match unproven {
             0 => ", and proven.",
             some if some == extremes.len() => { ", but " strong { "not proven" } "." },
             some => { "; " strong { (some) " of " (extremes.len()) " brackets are not proven" } "." },
         }
     }
+}
+
+/// Whether all teeth of each gear are alike.
+fn has_like_teeth(pair: &GearPair) -> bool {
+    Member::BOTH
+        .iter()
+        .all(|member| !pair.gear(*member).has_unlike_teeth())
+}
+
+fn both_deviate(pair: &GearPair) -> bool {
+    Member::BOTH
+        .iter()
+        .all(|member| pair.gear(*member).has_unlike_teeth())
 }
 
 /// In which of several ways the gears are put together.
@@ -93,8 +107,7 @@ fn phases(page: &Page) -> Markup {
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.simulated.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
-    let deviate = Member::BOTH.map(|member| run.run.assembly.gear(member).has_unlike_teeth());
-    let matters = deviate == [true, true] && ways > 1;
+    let matters = ways > 1 && run.run.assembly.data().is_none_or(both_deviate);
     let way = phase(&run.run.assembly, mating);
     let asked = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();

@@ -177,7 +177,7 @@ const DEFINITIONS: [Definition; 4] = [
 fn definitions(page: &Page) -> Markup {
     let of = |found: Option<PoseOfRun>| {
         let found = found?;
-        let pair = found.run.run.assembly.clone();
+        let pair = found.run.run.assembly.data()?.clone();
         let backlash = pair.backlash(found.pose.simulated.backlash?);
         Some((pair, backlash))
     };

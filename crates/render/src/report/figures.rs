@@ -23,7 +23,9 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
         Ok(html! {
             figure.chart tabindex="0" {
                 (svg(&drawn))
-                figcaption.hint { "Click or tap the chart: the mesh below turns to that pose." }
+                @if !page.report.pair.study.is_drawn() {
+                    figcaption.hint { "Click or tap the chart: the mesh below turns to that pose." }
+                }
             }
         })
     };

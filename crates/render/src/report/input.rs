@@ -4,12 +4,13 @@ use super::figures::inspections;
 use super::page::Page;
 use super::phrases::{plain, sentence, symbol};
 use super::stated::{high_tooth, pitch, profile, runout, thickness};
-use super::{grades, notes};
+use super::{drawings, grades, notes};
 use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
 use gearlash::pair::Member;
+use gearlash_files::AnyPairSpec;
 use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
-use gearlash_files::spec::{GearSpec, HandName};
+use gearlash_files::spec::{AssemblySpec, GearSpec, HandName};
 use maud::{Markup, html};
 
 /// A property of a gear as built: symbol, index, name, unit, decimals, value.
@@ -142,7 +143,10 @@ const DRAWN: [Property; 7] = [
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
     let study = &page.report.pair.study;
-    let spec = &page.report.pair.spec;
+    let spec = match page.report.pair.spec {
+        AnyPairSpec::Data(spec) => spec,
+        AnyPairSpec::Outlines(spec) => return Ok(drawings::section(page, spec)),
+    };
     let gears = [&spec.wheel, &spec.pinion];
     let several = study.materials.len() > 1;
     let stated = |words: fn(&GearSpec) -> String| gears.map(words);
@@ -193,8 +197,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                     }
                 }
             }
-            (assembly(page))
-            @for warning in page.report.pair.warnings.iter().chain(&page.report.pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
+            (assembly(page, &spec.assembly))
+            @for warning in page.report.pair.warnings.iter().chain(page.report.pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
             (notes::list(page))
             (grades::table(page))
             (inspections(page)?)
@@ -258,16 +262,24 @@ fn text_row(
     }
 }
 
-fn assembly(page: &Page) -> Markup {
+pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     let study = &page.report.pair.study;
-    let clearance = &page.report.pair.spec.assembly.bearing_clearance_mm;
+    let clearance = &spec.bearing_clearance_mm;
     let distances: Vec<String> = study
         .center_distances
         .iter()
         .map(|a| stated_distance(*a))
         .collect();
     let angles = page.report.analysis.runs.iter();
-    let angles = angles.map(|run| run.run.assembly.operating_pressure_angle().to_degrees());
+    let angles = angles.filter_map(|run| {
+        Some(
+            run.run
+                .assembly
+                .data()?
+                .operating_pressure_angle()
+                .to_degrees(),
+        )
+    });
     let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = match least == most {
         true => fixed(least, 4),
@@ -282,11 +294,13 @@ fn assembly(page: &Page) -> Markup {
                         td { (distances.join(", ")) } }
                     @if study.is_helical() {
                         @let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
-                        @let offset = page.report.pair.spec.assembly.face_offset_mm.unwrap_or_default();
+                        @let offset = spec.face_offset_mm.unwrap_or_default();
                         tr { td {} th scope="row" { "face offset: the pinion’s measuring plane beyond the wheel’s, away from the viewer" } td { "mm" } td { (shortest(offset)) } }
                         tr { td {} th scope="row" { "common face, from the wheel’s measuring plane away from the viewer" } td { "mm" } td { (from) " … " (to) } }
                     }
-                    tr { td { (symbol("α", "wt")) } th scope="row" { "operating pressure angle" } td { "°" } td { (angle) } }
+                    @if !study.is_drawn() {
+                        tr { td { (symbol("α", "wt")) } th scope="row" { "operating pressure angle" } td { "°" } td { (angle) } }
+                    }
                     tr { td {} th scope="row" { "radial bearing clearance, wheel / pinion" } td { "mm" }
                         td { (shortest(clearance.wheel)) " / " (shortest(clearance.pinion)) } }
                     tr { td {} th scope="row" { "locked gear" } td {} td { (study.locked.name()) } }

@@ -3,18 +3,24 @@
 use super::figures::not_on_paper;
 use super::page::Page;
 use super::phrases::{j_wt, symbol};
+use gearlash_files::AnyPairSpec;
 use gearlash_files::numbers::bound_um;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
+    let is_drawn = page.report.pair.study.is_drawn();
     html! {
         section id="method" {
             h2 { "Method and error bound" }
             details {
                 summary { "How the numbers are found" }
                 p {
-                    "Both outlines are built as measured: involutes, generated fillets, tips and roots, each flank where its "
-                    "thickness and pitch deviation put it, each gear off its axis by half its runout. The "
+                    @if is_drawn {
+                        "Outlines are taken as drawn; a gear by its data is built as measured. The "
+                    } @else {
+                        "Both outlines are built as measured: involutes, generated fillets, tips and roots, each flank where its "
+                        "thickness and pitch deviation put it, each gear off its axis by half its runout. The "
+                    }
                     (page.report.pair.study.locked.name()) " is locked; its mate is turned until the right flanks touch, and until the "
                     "left flanks touch. The angle between is the lost motion, signed: negative backlash means that the teeth "
                     "would have to overlap, and that the pair cannot be assembled. Times the mate’s operating pitch radius it is "
@@ -22,16 +28,27 @@ pub(super) fn section(page: &Page) -> Markup {
                 }
                 p {
                     "Contacts are found on the curves themselves. The bound on the error of " (j_wt())
-                    " covers rounding alone and follows each pose"
+                    @if is_drawn { " covers rounding, and how far the curves may lie from what was drawn, and follows each pose" }
+                    @else { " covers rounding alone and follows each pose" }
                     @if let Some(error) = page.whole.error_bound {
                         "; the greatest here is " (bound_um(error)) " µm"
                     }
-                    ". Symbols follow ISO 21771: " (symbol("s", base_index(page))) " base tooth thickness, " (symbol("x", "E"))
-                    " generating profile shift coefficient, " (symbol("d", "Ff")) " root form diameter."
+                    @if is_drawn {
+                        ". How far a drawing lies from the gear that was meant cannot be told from the drawing."
+                    } @else {
+                        ". Symbols follow ISO 21771: " (symbol("s", base_index(page))) " base tooth thickness, " (symbol("x", "E"))
+                        " generating profile shift coefficient, " (symbol("d", "Ff")) " root form diameter."
+                    }
                 }
                 p {
                     "In a mating (w, p) the flank of wheel tooth w stands in the operating pitch point; flanks are named as seen "
                     "from the front, teeth numbered on each gear’s reference face."
+                }
+                @if is_drawn {
+                    p {
+                        "Teeth of a drawing are numbered clockwise from the first at or beyond +y; the picture shows the reference face. A tooth’s tip and root are the "
+                        "last hundredth of its height; between is flank."
+                    }
                 }
                 @if page.report.pair.study.is_helical() {
                     p {
@@ -60,8 +77,14 @@ fn base_index(page: &Page) -> &'static str {
 
 /// What this run does not model.
 fn not_in_the_model(page: &Page) -> Vec<&'static str> {
-    let spec = &page.report.pair.spec;
     let mut left_out = vec!["Deflection under load.", "Axes that are not parallel."];
+    let AnyPairSpec::Data(spec) = page.report.pair.spec else {
+        left_out.extend([
+            "Deviations along the face width.",
+            "Temperature: none is stated.",
+        ]);
+        return left_out;
+    };
     left_out.push(match page.report.pair.study.is_helical() {
         true => "Lead deviations and modifications.",
         false => "Deviations along the face width.",

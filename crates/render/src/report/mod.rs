@@ -6,6 +6,7 @@
 
 mod checks;
 mod cycle;
+mod drawings;
 mod face;
 mod figures;
 mod grades;
@@ -15,7 +16,6 @@ mod measured;
 mod method;
 mod models;
 mod notes;
-mod outlines;
 mod page;
 mod phrases;
 mod poses;
@@ -35,7 +35,6 @@ use maud::html;
 use page::Page;
 use shell::Shell;
 
-pub use outlines::{OutlineReport, outline_report};
 pub use page::{GearGrades, Report};
 pub use tolerance::{ToleranceReport, tolerance_report};
 
@@ -74,16 +73,20 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     ];
     sections.retain(|(id, _)| *id != "measured" || !report.analysis.measured.is_empty());
     sections.retain(|(id, _)| *id != "face" || face::is_of(&page));
+    let is_drawn = report.pair.study.is_drawn();
+    sections.retain(|(id, _)| !is_drawn || !matches!(*id, "trust" | "checks" | "models"));
     let main = html! {
         (verdict::section(&page))
         (unproven::section(&page))
         (results::section(&page)?)
         (face::section(&page)?)
-        (trust::section(&page))
-        (checks::section(&page))
+        @if !is_drawn {
+            (trust::section(&page))
+            (checks::section(&page))
+        }
         (input::section(&page)?)
         (measured::section(&page))
-        (models::section(&page)?)
+        @if !is_drawn { (models::section(&page)?) }
         (poses::section(&page))
         (method::section(&page))
     };
@@ -92,7 +95,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         file: report.file,
         date: report.date,
         sections: &sections,
-        same: "The same pair file and version give the same numbers.",
+        same: match is_drawn {
+            true => "The same pair file, drawings and version give the same numbers.",
+            false => "The same pair file and version give the same numbers.",
+        },
     };
     Ok(shell.page(&main))
 }

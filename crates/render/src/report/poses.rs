@@ -3,9 +3,9 @@
 use super::figures::not_on_paper;
 use super::page::Page;
 use super::phrases::pose;
-use crate::snapshot::{Snapshot, snapshot_in_page};
+use crate::snapshot::pose_picture_in_page;
 use gearlash::analysis::outcome::PoseOfRun;
-use gearlash::contact::{MeshSection, Status};
+use gearlash::contact::Status;
 use gearlash_files::numbers::{stated_distance, trimmed, um};
 use maud::{Markup, PreEscaped, html};
 
@@ -94,35 +94,30 @@ fn others<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
 fn figure(page: &Page, id: &str, what: &str, found: PoseOfRun) -> Markup {
     let run = &found.run.run;
     let result = &found.pose.simulated;
-    let section = match MeshSection::binding(&run.assembly, result) {
-        Ok(section) => section,
-        Err(reason) => return html! { p { (what) ": not drawn: " (reason.to_string()) "." } },
-    };
-    let view = Snapshot {
-        title: &page.report.pair.study.title,
-        assembly: &run.assembly,
-        pose: &result.pose,
-        material: run.material,
-        found: result.found.as_ref(),
-        section: section.as_ref(),
-    };
     let backlash = result
         .backlash
         .map(|mm| format!(": {} µm", um(Some(mm), 2)));
-    let at = section.as_ref().map_or(String::new(), |section| {
-        format!(", section at z = {} mm", trimmed(section.at(), 0, 3))
-    });
-    let words = format!(
-        "{what}{}, {}, centre distance {} mm, {}{at}.",
-        backlash.unwrap_or_default(),
-        pose(found),
-        stated_distance(run.assembly.center_distance()),
-        run.material.words()
-    );
+    let words = |section: Option<f64>| {
+        let at = section.map_or(String::new(), |at| {
+            format!(", section at z = {} mm", trimmed(at, 0, 3))
+        });
+        format!(
+            "{what}{}, {}, centre distance {} mm, {}{at}.",
+            backlash.as_deref().unwrap_or_default(),
+            pose(found),
+            stated_distance(run.assembly.center_distance()),
+            run.material.words()
+        )
+    };
+    let title = &page.report.pair.study.title;
+    let drawn = pose_picture_in_page(title, &run.assembly, run.material, result, (id, words));
     html! {
-        figure.sheet tabindex="0" {
-            (PreEscaped(snapshot_in_page(&view, id, &words)))
-            figcaption { (words) }
+        @match drawn {
+            Ok([picture, words]) => figure.sheet tabindex="0" {
+                (PreEscaped(picture))
+                figcaption { (words) }
+            },
+            Err(reason) => p { (what) ": not drawn: " (reason.to_string()) "." },
         }
     }
 }

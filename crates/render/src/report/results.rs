@@ -3,6 +3,7 @@
 use super::figures::{charted, folded, over_distance, revolutions};
 use super::page::Page;
 use crate::chart::PictureError;
+use crate::map::backlash_map_in_page;
 use crate::viewer;
 use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash::analysis::phases::phase_groups;
@@ -22,15 +23,31 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         section id="backlash" {
             h2 { "Backlash and mesh" }
             (revolutions(page)?)
-            h3 { "The mesh" }
-            (PreEscaped(mesh))
+            @if !mesh.is_empty() {
+                h3 { "The mesh" }
+                (PreEscaped(mesh))
+            }
             h3 { "Over the centre distance" }
-            (over_distance(page)?)
+            @if page.report.pair.study.is_drawn() { (maps(page)) } @else { (over_distance(page)?) }
             h3 { "Each centre distance and material" }
             (materials(page))
             (phases(page))
         }
     })
+}
+
+/// Backlash of a drawn pair over the mesh cycle and the centre distance.
+fn maps(page: &Page) -> Markup {
+    let title = &page.report.pair.study.title;
+    html! {
+        p {
+            "How much backlash is left at each centre distance, all round the mesh cycle. Where interference reaches farther up than "
+            "elsewhere, that tooth interferes first."
+        }
+        @for map in &page.report.analysis.maps {
+            figure.chart.tall tabindex="0" { (PreEscaped(backlash_map_in_page(title, map))) }
+        }
+    }
 }
 
 /// Each centre distance and material.

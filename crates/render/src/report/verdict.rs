@@ -115,7 +115,7 @@ fn table(page: &Page) -> Markup {
             table.big {
                 caption {
                     "Circumferential backlash " (j_wt()) " on the operating pitch circle, µm"
-                    @if study.materials.len() > 1 { ", from most to least material" }
+                    @if study.material_count() > 1 { ", from most to least material" }
                     ". Teeth: wheel·pinion, right flanks / left flanks in contact."
                 }
                 thead { tr {

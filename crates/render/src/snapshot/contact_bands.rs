@@ -32,9 +32,12 @@ pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width
     let mut group = Group::new();
     for member in Member::BOTH {
         let touch = contact.touch(member);
-        let (colour, dashes) = style(touch.curve);
+        let Some(part) = touch.curve.part() else {
+            continue;
+        };
+        let (colour, dashes) = style(part);
         let placed = scene.placed(member);
-        let points = placed.curve(contact.side, touch.tooth, touch.curve, view.chord());
+        let points = placed.curve(contact.side, touch.tooth, part, view.chord());
         let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
         for run in clip::parts(&spots, &wide) {
             let clip = format!("url(#{id}-{}-clip)", member.name());

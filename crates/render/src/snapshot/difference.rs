@@ -9,7 +9,7 @@ use crate::kit::{
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
 use gearlash_files::numbers::{fixed, signed_um};
 use gearlash_files::outlines::ComparedOutlines;
-use gearlash_results::outlines::{difference_sentence, turn_words};
+use gearlash_results::{difference_sentence, turn_words};
 use nalgebra::Point2;
 use svg::node::element::{ClipPath, Definitions, Group};
 

@@ -1,4 +1,4 @@
-//! The contact of two outlines: one pose, true to scale, on an A4 sheet; both contacts enlarged beside it.
+//! The contact of a drawn pair: one pose, true to scale, on an A4 sheet; both contacts enlarged beside it.
 
 use super::gears::{CENTRES_DASH, PITCH_DASH, clipped};
 use super::inset;
@@ -10,14 +10,12 @@ use crate::kit::{
     Frame, GREY, HEIGHT, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL,
     WIDTH, area, around, arrow, blank_sheet, clip, dot, hatch, line, scale, within_area,
 };
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::analysis::study::Material;
-use gearlash::contact::{OutlineContact, Status};
+use gearlash::contact::{Contact, PoseResult, Status};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{bound_um, trimmed, um};
-use gearlash_results::outlines::region_words;
 use nalgebra::Point2;
 use svg::node::element::{Group, SVG};
 
@@ -30,27 +28,27 @@ const FOOT: f64 = 16.0;
 /// Of the stroke half lies outside the metal.
 const STROKE: f64 = 1.2;
 
-/// A pose of two outlines as the SVG text of a sheet.
+/// A pose of a drawn pair as the SVG text of a sheet.
 pub fn outline_snapshot(
     title: &str,
     pair: &OutlinePair,
     material: Material,
-    pose: &OutlinePose,
+    pose: &PoseResult,
 ) -> String {
     let (sheet, _) = draw(title, pair, material, pose, &Ids::default(), true);
     format!("{sheet}\n")
 }
 
 /// The same for a page, with ids that begin with `prefix`, named `label` for those who do not see it.
-pub(crate) fn outline_snapshot_in_page(
+pub fn outline_snapshot_in_page(
     title: &str,
-    run: &OutlineRun,
-    pose: &OutlinePose,
+    pair: &OutlinePair,
+    material: Material,
+    pose: &PoseResult,
     [prefix, label]: [&str; 2],
 ) -> String {
     // Without the room that an A4 sheet leaves below.
-    let ids = Ids::in_page(prefix);
-    let (sheet, last) = draw(title, &run.pair, run.material, pose, &ids, false);
+    let (sheet, last) = draw(title, pair, material, pose, &Ids::in_page(prefix), false);
     let picture = sheet
         .set("viewBox", format!("0 0 {WIDTH} {}", last + FOOT))
         .set("role", "img")
@@ -58,19 +56,25 @@ pub(crate) fn outline_snapshot_in_page(
     format!("{picture}\n")
 }
 
+/// The contacts of right and of left flanks.
+fn contacts(pose: &PoseResult) -> [Option<Contact>; 2] {
+    pose.proven()
+        .map_or([None; 2], |found| [found.right, found.left])
+}
+
 /// The sheet, and how far down its last row is.
 fn draw(
     title: &str,
     pair: &OutlinePair,
     material: Material,
-    pose: &OutlinePose,
+    pose: &PoseResult,
     ids: &Ids,
     on_paper: bool,
 ) -> (SVG, f64) {
     let main = main_view(pair);
-    let contacts = pose.contacts();
+    let contacts = contacts(pose);
     let held = contacts.iter().flatten().next();
-    let nominal = pair.rotation(pair.free(), &pose.mating);
+    let nominal = pose.pose.free_rotation();
     let rotation = held.map_or(nominal, |contact| contact.rotation);
     let mut occupied = Occupied::default();
     let drawn = gears(pair, pose, &main, ("mesh", ids), rotation);
@@ -124,8 +128,8 @@ fn draw(
 /// A contact enlarged, each gear with the number of its tooth that touches.
 fn enlarged(
     pair: &OutlinePair,
-    pose: &OutlinePose,
-    (side, contact): (Side, &OutlineContact),
+    pose: &PoseResult,
+    (side, contact): (Side, &Contact),
     view: &View,
     ids: &Ids,
 ) -> Group {
@@ -143,7 +147,7 @@ fn enlarged(
 /// Numbers of the teeth in view, the free gear at `rotation`; those that mate in bold.
 fn numbers(
     pair: &OutlinePair,
-    pose: &OutlinePose,
+    pose: &PoseResult,
     view: &View,
     rotation: f64,
     occupied: &mut Occupied,
@@ -158,7 +162,7 @@ fn numbers(
             foot: gear.root_radius(),
             pitch: gear.pitch(),
             teeth: pair.teeth_near(member, turned, view.middle(), view.reach()),
-            mating: pose.mating.tooth(member),
+            mating: pose.pose.mating().tooth(member),
         }
     };
     let gears = Member::BOTH.map(numbered);
@@ -167,19 +171,20 @@ fn numbers(
 }
 
 /// The rotation at which a gear is drawn, the free one at `rotation`.
-fn turned(pair: &OutlinePair, pose: &OutlinePose, member: Member, rotation: f64) -> f64 {
+fn turned(pair: &OutlinePair, pose: &PoseResult, member: Member, rotation: f64) -> f64 {
     match member == pair.locked() {
-        true => pair.rotation(member, &pose.mating),
+        true => pose.pose.locked_rotation(),
         false => rotation,
     }
 }
 
 /// What touches, in words.
-fn words(side: Side, contact: &OutlineContact) -> String {
+fn words(side: Side, contact: &Contact) -> String {
     format!(
-        "{} flanks: {}, wheel tooth {} and pinion tooth {}",
+        "{} flanks: {} on {}, wheel tooth {} and pinion tooth {}",
         side.name(),
-        region_words(contact),
+        contact.wheel.curve.name(),
+        contact.pinion.curve.name(),
         contact.wheel.tooth,
         contact.pinion.tooth
     )
@@ -214,7 +219,7 @@ struct DrawnGears {
 /// Both gears, the free one at `rotation`: metal, overlap, operating pitch circles and line of centres.
 fn gears(
     pair: &OutlinePair,
-    pose: &OutlinePose,
+    pose: &PoseResult,
     view: &View,
     (id, ids): (&str, &Ids),
     rotation: f64,
@@ -254,7 +259,7 @@ fn gears(
 }
 
 /// The contact point, and its normal out of the wheel.
-fn mark(contact: &OutlineContact, view: &View, length: f64, occupied: &mut Occupied) -> Group {
+fn mark(contact: &Contact, view: &View, length: f64, occupied: &mut Occupied) -> Group {
     let spot = view.spot(contact.point);
     // y is down on the sheet.
     let tip = [
@@ -292,11 +297,11 @@ fn caption(
     title: &str,
     pair: &OutlinePair,
     material: Material,
-    pose: &OutlinePose,
+    pose: &PoseResult,
     held: bool,
 ) -> Group {
     let (left, room) = (MAIN.left, WIDTH - 2.0 * MAIN.left);
-    let what = match (pose.status(), pose.j_wt) {
+    let what = match (pose.status(), pose.backlash.zip(pose.error_bound)) {
         (Status::Interference, Some((value, error))) => {
             format!(
                 "j_wt = {} µm (error ≤ {} µm) · interference",
@@ -324,9 +329,9 @@ fn caption(
     };
     let where_to = format!(
         "wheel tooth {} and pinion tooth {}, {} of a pitch on · centre distance {} mm · {}",
-        pose.mating.wheel_tooth,
-        pose.mating.pinion_tooth,
-        trimmed(pose.mating.fraction, 1, 4),
+        pose.pose.mating().wheel_tooth,
+        pose.pose.mating().pinion_tooth,
+        trimmed(pose.pose.mating().fraction, 1, 4),
         trimmed(pair.center_distance(), 3, 6),
         material.words()
     );

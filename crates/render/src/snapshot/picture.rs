@@ -140,7 +140,7 @@ fn shown(scene: &Scene, main: &View) -> Shown {
         on_paper: true,
         gap: contacts.iter().any(|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
-        touching: touches.map(|touch| touch.curve).collect(),
+        touching: touches.filter_map(|touch| touch.curve.part()).collect(),
         form: contacts
             .iter()
             .any(|m| !contact_bands::below_form(m).is_empty()),

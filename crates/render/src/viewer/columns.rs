@@ -61,7 +61,8 @@ impl Columns {
 /// Which of the `outlines` `run` has.
 pub fn outline_of(outlines: &[[&AsBuilt; 2]], run: &ComparedRun) -> usize {
     let gears = gears(run);
-    outlines.iter().position(|own| *own == gears).unwrap_or(0)
+    let own = |own: &[&AsBuilt; 2]| Some(*own) == gears;
+    outlines.iter().position(own).unwrap_or(0)
 }
 
 /// Where the free gear is drawn first: in right-flank contact, or else at its nominal rotation.

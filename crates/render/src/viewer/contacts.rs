@@ -3,7 +3,7 @@
 use super::precision::Precision;
 use gearlash::contact::{Contact, ContactClass, PoseResult};
 use gearlash::gear::Side;
-use gearlash::pair::GearPair;
+use gearlash::outline::AssembledPair;
 use gearlash_files::numbers::rounded;
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ pub struct Contacts {
 impl Contacts {
     /// Those of `poses` on `side`. Classes that are not in `classes` yet are added there.
     pub fn of<'p>(
-        assembly: &GearPair,
+        assembly: &AssembledPair,
         side: Side,
         poses: impl Iterator<Item = &'p PoseResult>,
         precision: Precision,
@@ -40,7 +40,7 @@ impl Contacts {
 
     fn push(
         &mut self,
-        assembly: &GearPair,
+        assembly: &AssembledPair,
         side: Side,
         contact: Option<&Contact>,
         precision: Precision,
@@ -83,8 +83,12 @@ pub fn normal_degrees(contact: &Contact) -> f64 {
 }
 
 /// The class of a contact, and whose tip touches when.
-pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
-    let class = ContactClass::of(assembly, side, contact);
+pub fn class(assembly: &AssembledPair, side: Side, contact: &Contact) -> String {
+    let Some(pair) = assembly.data() else {
+        let [wheel, pinion] = [contact.wheel, contact.pinion].map(|touch| touch.curve.name());
+        return format!("{wheel} on {pinion}");
+    };
+    let class = ContactClass::of(pair, side, contact);
     let tip = class.tip.map(|member| format!("{} tip", member.name()));
     let moment = class.moment.map(|moment| moment.name().to_owned());
     let more: Vec<String> = tip.into_iter().chain(moment).collect();

@@ -30,7 +30,9 @@ pub fn draw(
     pose: &ComparedPose,
     precision: Precision,
 ) -> String {
-    let assembly = &run.run.assembly;
+    let Some(assembly) = run.run.assembly.data() else {
+        return String::new();
+    };
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let turn = |member: Member| {
         let turned = match member == assembly.locked() {
@@ -40,7 +42,7 @@ pub fn draw(
         format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
     };
     let own = outline_of(outlines, run);
-    let section = first(assembly, &pose.simulated);
+    let section = first(&run.run.assembly, &pose.simulated);
     let metal = |member: Member| {
         Use::new()
             .set("href", format!("#viewer-{}-{own}", member.name()))

@@ -33,7 +33,7 @@ const SECTION_SCRIPT: &str = include_str!("section.js");
 /// a dozen charts stays below 8 MB).
 const MOST_POSES: usize = 30_000;
 
-/// The part of a page that shows the mesh of an `analysis`: HTML to stand in the body once; empty without a pose.
+/// The part of a page that shows the mesh of an `analysis`: HTML to stand in the body once; empty without a pose, and where a gear is drawn.
 ///
 /// It opens on the worst pose of the whole mesh cycle. `charts` are curves over the teeth, each with the id of its
 /// chart's `<svg>` in the page: a cursor goes along in it, and a click there leads to the nearest pose. Of more poses than
@@ -53,7 +53,10 @@ pub fn fragment(
         return Ok(String::new());
     };
     let (run, pose) = (&runs[start[0]].run, &runs[start[0]].run.poses[start[1]]);
-    let precision = Precision::of(&run.run.assembly);
+    let Some(pair) = run.run.assembly.data() else {
+        return Ok(String::new());
+    };
+    let precision = Precision::of(pair);
     let outlines = outlines(&runs);
     let (views, every) = viewed(&runs, MOST_POSES, start);
     let [first_run, first_pose] = start;

@@ -4,7 +4,8 @@ use super::contacts::touching;
 use super::precision::{DEGREES, degrees};
 use gearlash::contact::PoseResult;
 use gearlash::gear::{Placed, Side};
-use gearlash::pair::{GearPair, Member};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, trimmed};
 use serde::Serialize;
 
@@ -24,14 +25,15 @@ pub struct HelicalColumns {
 
 impl HelicalColumns {
     /// Those of `assembly`, first shown in the section of `pose`; `None` of spur gears.
-    pub fn of(assembly: &GearPair, pose: &PoseResult) -> Option<HelicalColumns> {
+    pub fn of(assembly: &AssembledPair, pose: &PoseResult) -> Option<HelicalColumns> {
         let start_mm = first(assembly, pose)?;
+        let pair = assembly.data()?;
         let twist = |member| {
-            let data = *assembly.gear(member).gear().basic_data();
+            let data = *pair.gear(member).gear().basic_data();
             rounded(data.twist().to_degrees(), DEGREES + 4)
         };
         Some(HelicalColumns {
-            face_mm: assembly.face(),
+            face_mm: pair.face(),
             twist_deg_a_mm: Member::BOTH.map(twist),
             start_mm: rounded(start_mm, PLACE),
         })
@@ -39,8 +41,8 @@ impl HelicalColumns {
 }
 
 /// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` of spur gears.
-pub fn first(assembly: &GearPair, pose: &PoseResult) -> Option<f64> {
-    let [from, to] = assembly.face();
+pub fn first(assembly: &AssembledPair, pose: &PoseResult) -> Option<f64> {
+    let [from, to] = assembly.data()?.face();
     let touching = touching(pose, Side::Right).map(|contact| contact.section);
     assembly
         .is_helical()
@@ -49,7 +51,7 @@ pub fn first(assembly: &GearPair, pose: &PoseResult) -> Option<f64> {
 
 /// Where each pose of helical gears touches on its right and on its left flanks.
 pub fn sections<'p>(
-    assembly: &GearPair,
+    assembly: &AssembledPair,
     poses: impl Iterator<Item = &'p PoseResult>,
 ) -> Option<[Vec<Option<f64>>; 2]> {
     let place = |pose, side| {
@@ -92,7 +94,7 @@ impl Winding {
 }
 
 /// What is said below the picture.
-pub fn note(assembly: &GearPair, pose: &PoseResult) -> String {
+pub fn note(assembly: &AssembledPair, pose: &PoseResult) -> String {
     let Some(section) = first(assembly, pose) else {
         return String::new();
     };

@@ -5,7 +5,8 @@ use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::simulate::Run;
 use gearlash::contact::{Status, first_least, worst_pose};
 use gearlash::gear::AsBuilt;
-use gearlash::pair::{GearPair, Member};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Member;
 use std::collections::BTreeSet;
 
 /// A run of the page.
@@ -92,7 +93,7 @@ pub fn beyond(analysis: &Analysis) -> Option<ComparedRun> {
 }
 
 /// The number of `pose` of `pair` in a run.
-fn number_of(run: &ComparedRun, pair: &GearPair, pose: &ComparedPose) -> Option<usize> {
+fn number_of(run: &ComparedRun, pair: &AssembledPair, pose: &ComparedPose) -> Option<usize> {
     let is_it = |own: &ComparedPose| own.simulated.pose == pose.simulated.pose;
     let number = run.poses.iter().position(is_it)?;
     (run.run.assembly == *pair).then_some(number)
@@ -123,16 +124,15 @@ pub fn outlines<'a>(runs: &[Shown<'a>]) -> Vec<[&'a AsBuilt; 2]> {
     let mut outlines = Vec::new();
     for shown in runs {
         let gears = gears(shown.run);
-        if !outlines.contains(&gears) {
-            outlines.push(gears);
-        }
+        outlines.extend(gears.filter(|gears| !outlines.contains(gears)));
     }
     outlines
 }
 
-/// Wheel and pinion of a run.
-pub fn gears(run: &ComparedRun) -> [&AsBuilt; 2] {
-    Member::BOTH.map(|member| run.run.assembly.gear(member))
+/// Wheel and pinion of a run; `None` where one is drawn.
+pub fn gears(run: &ComparedRun) -> Option<[&AsBuilt; 2]> {
+    let pair = run.run.assembly.data()?;
+    Some(Member::BOTH.map(|member| pair.gear(member)))
 }
 
 /// The poses of a run that must not be left out.

@@ -46,7 +46,7 @@ fn left_flank_poses_are_of_the_same_assembly() {
             matings.partition(|mating| mating.flank == Side::Right);
         assert_eq!((right.len(), left.len()), (44 * 16, 44 * 16));
         for (right, left) in right.iter().zip(&left) {
-            let [one, other] = [right, left].map(|mating| Pose::new(assembly, *mating));
+            let [one, other] = [right, left].map(|mating| assembly.pose(*mating));
             let turned = |rotation: fn(&Pose) -> f64| rotation(&other) - rotation(&one);
             let pitches =
                 (turned(Pose::locked_rotation) + turned(Pose::free_rotation)) / TAU * 44.0;

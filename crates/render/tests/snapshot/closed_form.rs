@@ -1,9 +1,7 @@
 //! Perfect gears, whose lost motion stands in closed form.
 
-use gearlash::contact::{Contact, LostMotion, Touch};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, ProfilePart, Side, involute,
-};
+use gearlash::contact::{Contact, LostMotion, ToothPlace, Touch};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side, involute};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::TAU;
@@ -88,7 +86,7 @@ fn contact(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Conta
             .unwrap();
         let touch = Touch {
             tooth,
-            curve: ProfilePart::Involute,
+            curve: ToothPlace::Involute,
             radius: involute::radius_at(roll(tooth), gear.base_radius()),
         };
         (touch, roll(tooth) * gear.base_radius())

@@ -11,8 +11,8 @@ mod scene;
 mod solved;
 
 use closed_form::{j_bn, lost_motion, pair, pose};
-use gearlash::contact::LostMotion;
-use gearlash::gear::{ProfilePart, Side};
+use gearlash::contact::{LostMotion, ToothPlace};
+use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use gearlash_render::{Snapshot, snapshot};
 use nalgebra::{Point2, Vector2};
@@ -92,8 +92,8 @@ fn jammed() -> (GearPair, Pose, LostMotion) {
     let made_up = |contact: Option<gearlash::contact::Contact>, turn: f64| {
         let mut contact = contact.unwrap();
         contact.rotation = at.free_rotation() + turn;
-        contact.wheel.curve = ProfilePart::Root;
-        contact.pinion.curve = ProfilePart::Tip;
+        contact.wheel.curve = ToothPlace::Root;
+        contact.pinion.curve = ToothPlace::Tip;
         contact.point = Point2::new(26.2, -30.0 * turn);
         contact.normal = Vector2::x();
         Some(contact)

@@ -59,7 +59,7 @@ fn its_text_and_json_say_so() {
     let case = Case::low_tips();
     let found = diagnosed(&case, CERTIFIED);
     let text = check::text(
-        &case.study,
+        &(&case.pair).into(),
         &CycleVerdict::new(&[], &Vec::new(), None, found.failed()),
         &found,
         &[],

@@ -62,6 +62,7 @@ impl Case {
         let study = pair.study.clone();
         let plan = study.runs().unwrap().remove(0);
         let other = other.runs().unwrap().remove(0).assembly;
+        let other = other.data().unwrap().clone();
         let cut = CutPair::for_certificates(other.gear(Member::Wheel), other.gear(Member::Pinion));
         Case {
             pair,
@@ -83,13 +84,14 @@ impl Case {
     }
 
     fn swept(&self, method: Method) -> Vec<PoseResult> {
-        swept(&self.plan.assembly, &self.cut, method, self)
+        swept(self.plan.assembly.data().unwrap(), &self.cut, method, self)
     }
 
     /// What the exact method finds on the pair itself, and on that of the polygons: nobody is asked to vouch for it.
     fn exact(&self) -> [Vec<PoseResult>; 2] {
         let method = Method::Exact { certify: false };
-        [&self.plan.assembly, &self.other].map(|pair| swept(pair, &self.cut, method, self))
+        [self.plan.assembly.data().unwrap(), &self.other]
+            .map(|pair| swept(pair, &self.cut, method, self))
     }
 
     fn compared(&self, method: Method) -> Vec<ComparedRun> {

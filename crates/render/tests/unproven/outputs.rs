@@ -280,7 +280,7 @@ fn a_picture_draws_no_contact_and_says_why() {
     let pose = run.unproven().next().unwrap();
     let svg = snapshot(&Snapshot {
         title: "t",
-        assembly: &run.run.assembly,
+        assembly: run.run.assembly.data().unwrap(),
         pose: &pose.simulated.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: pose.simulated.found.as_ref(),
@@ -306,6 +306,7 @@ fn a_report_vouches_for_nothing() {
     })
     .unwrap();
     let analysis = Analysis {
+        maps: Vec::new(),
         widths: Vec::new(),
         field: None,
         study: &case.study,
@@ -321,7 +322,7 @@ fn a_report_vouches_for_nothing() {
         diagnosis,
     };
     let page = report(&Report {
-        pair: &case.pair,
+        pair: (&case.pair).into(),
         file: "pair.toml",
         date: "2026-01-01",
         analysis: &analysis,

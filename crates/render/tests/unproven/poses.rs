@@ -140,7 +140,11 @@ fn an_unproven_pose_is_not_the_worst() {
 #[test]
 fn ctrl_c_still_ends_a_sweep() {
     let case = Case::low_tips();
-    let (pair, cut, matings) = (&case.plan.assembly, &case.cut, &case.plan.matings);
+    let (pair, cut, matings) = (
+        case.plan.assembly.data().unwrap(),
+        &case.cut,
+        &case.plan.matings,
+    );
     let ended = sweep(pair, cut, CERTIFIED, matings, 0.0, &|| {
         ControlFlow::Break(())
     });

@@ -1,5 +1,6 @@
 //! What the gauges read, as JSON and CSV.
 
+mod drawn;
 mod json;
 mod readings;
 
@@ -10,8 +11,8 @@ use gearlash_files::short_for_span;
 use gearlash_files::spec::GearSpec;
 use gearlash_files::{NoGearFile, gauged_file};
 
+pub use drawn::{GaugedOutline, gauged_json};
 pub use json::json;
-pub(crate) use json::{json_of, of, over};
 pub use readings::{ByTooth, Chart, Readings, teeth_csv};
 
 /// One gear in one material and what the gauges read on it.

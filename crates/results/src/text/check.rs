@@ -4,26 +4,33 @@ use super::verdict::heading;
 use crate::check::CheckRow;
 pub use crate::check::unit;
 use crate::column::Row;
+use crate::fitted::drawn_notes;
 use crate::layout::{Screen, Tone};
 use crate::remedies::{self, RemedyRecord};
 use crate::verdict::{lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
-use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::BacklashUnit;
+use gearlash_files::PairView;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
 /// As text on `screen`: each check once, at its worst centre distance and material.
 pub fn text(
-    study: &Study,
+    file: &PairView,
     verdict: &CycleVerdict,
     diagnosis: &Diagnosis,
     remedies: &[RemedyRecord],
     screen: &Screen,
 ) -> String {
     let lines = lines(verdict);
-    let mut text = heading(&study.title, &lines, screen);
+    let mut text = heading(&file.study.title, &lines, screen);
+    if file.study.is_drawn() {
+        for sentence in &lines.left_out {
+            let _ = writeln!(text, "{sentence}.\n");
+        }
+        return screen.fold(&(text + &drawn_notes(file)));
+    }
     let several = diagnosis.groups.len() > 1;
     let rows = governing(diagnosis).into_iter();
     let rows: Vec<CheckRow> = rows
@@ -41,7 +48,7 @@ pub fn text(
         let _ = writeln!(text, "\n{sentence}.");
     }
     text += &contact(diagnosis);
-    text += &remedies::text(remedies, !study.requirements.is_empty());
+    text += &remedies::text(remedies, !file.study.requirements.is_empty());
     screen.fold(&text)
 }
 

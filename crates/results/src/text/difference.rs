@@ -1,7 +1,7 @@
 //! How far two outlines of one gear differ, as text.
 
+use crate::difference::{difference_sentence, turn_words};
 use crate::layout::{Column, Screen, Table, Tone};
-use crate::outlines::{difference_sentence, turn_words};
 use gearlash::outline::Deviation;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, bound_um, signed_um, um_ascii};

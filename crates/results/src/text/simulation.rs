@@ -47,7 +47,11 @@ pub fn simulation(
     if groups.is_empty() {
         text += &listed(study);
         text += &run_table(study, runs, unit, screen);
-        text += &screen.paragraphs(&format!("{}{RUN_LEGEND}", unit::measure(unit)));
+        let models = if study.is_drawn() { "" } else { MODELS };
+        let of = unit::measure(unit);
+        text += &screen.paragraphs(&format!(
+            "{of}{AT}{models} Negative backlash: interference."
+        ));
     }
     for group in &groups {
         text += &phase_table(group, unit, screen);
@@ -60,10 +64,12 @@ pub fn simulation(
 
 /// Of helical gears: which section each of their data is of, and over which face the result holds.
 fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
-    let Some(run) = runs.iter().find(|run| run.assembly.is_helical()) else {
+    let helical = |run: &RunTally| Some(run.assembly.data()?.gear(Member::Wheel).gear().clone());
+    let wheel = runs.iter().find(|run| run.assembly.is_helical());
+    let Some(wheel) = wheel.and_then(helical) else {
         return String::new();
     };
-    let data = run.assembly.gear(Member::Wheel).gear().basic_data();
+    let data = wheel.basic_data();
     let hand = match data.hand() {
         Some(Hand::Left) => "left",
         _ => "right",
@@ -85,9 +91,9 @@ fn listed(study: &Study) -> String {
     format!("{of} (the verdict above is of the whole mesh cycle):\n")
 }
 
-const RUN_LEGEND: &str = "\
-, simulated; \"at\": mating, fraction of a pitch beyond it, flank. Off model 2, 3: largest \
-difference to the involute and to the line-of-action formula. Negative backlash: interference.";
+const AT: &str = ", simulated; \"at\": mating, fraction of a pitch beyond it, flank.";
+const MODELS: &str =
+    " Off model 2, 3: largest difference to the involute and to the line-of-action formula.";
 
 fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
     let rows = runs.iter().flat_map(|run| {

@@ -79,9 +79,9 @@ impl Here<'_> {
 
     /// Whether the pair assembles over the whole cycle, where that is beyond doubt and rounding.
     pub fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
-        let place = |pair: &GearPair| pair.center_distance();
+        let distance = self.assembly.center_distance();
         let runs = cycle.each.iter().filter(|run| {
-            run.material == self.seen.material && place(&run.assembly) == place(self.assembly)
+            run.material == self.seen.material && run.assembly.center_distance() == distance
         });
         // Over all directions of a runout the search follows one of them.
         let beyond = match is_open(self.assembly) {

@@ -76,9 +76,8 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
     let of_group = |plans: &[RunPlan]| {
         let first = plans.first();
         let planned = plans.iter().flat_map(|plan| &plan.matings).copied();
-        first.map_or(0, |first| {
-            pitches(&first.assembly, &distinct(planned)).len()
-        })
+        let pair = first.and_then(|first| first.assembly.data());
+        pair.map_or(0, |pair| pitches(pair, &distinct(planned)).len())
     };
     let key = |plan: &RunPlan| (plan.assembly.center_distance(), plan.material);
     let groups = plans.chunk_by(|one, other| key(one) == key(other));
@@ -104,7 +103,7 @@ pub fn diagnose(
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Diagnosis, Error> {
-    let seen: Vec<Seen> = runs.iter().map(Seen::of).collect();
+    let seen: Vec<Seen> = runs.iter().filter_map(Seen::of).collect();
     let mut groups: Vec<Group> = Vec::new();
     let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
     let each = runs.chunk_by(|one, other| same_place(place_of(one), place_of(other)));

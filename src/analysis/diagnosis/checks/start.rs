@@ -31,7 +31,7 @@ impl Start {
     ) -> Start {
         let beside = || extremes.iter().filter(|run| run.run.material == material);
         // Of a runout without a direction the one that is worst.
-        let worst = beside().next().map(|run| &run.run.assembly);
+        let worst = beside().find_map(|run| run.run.assembly.data());
         let worst = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
         Start {
             assembly: worst.clone(),

@@ -59,6 +59,8 @@ pub enum Doubt {
     Profile,
     /// A contact was lost at a pose.
     ContactLost,
+    /// A gear is drawn: extremes are those of sampled poses, and of more round the best.
+    Sampled,
 }
 
 /// A bound that holds for the whole cycle, rad, and why it is not as near as it was wanted.

@@ -1,7 +1,8 @@
 //! Spans and pins read on outlines, as tables, JSON and CSV: keys and columns as of gears by their data.
 
-use crate::gauge::{ByTooth, Readings, json_of, of, over};
-use gearlash::contact::OutlineTouch;
+use super::json::{json_of, of, over};
+use super::{ByTooth, Readings};
+use gearlash::contact::Touch;
 use gearlash::gauge::{OutlineGauged, Unmeasured};
 use gearlash_files::outlines::OutlineGearEntry;
 use serde_json::{Value, json};
@@ -102,7 +103,7 @@ fn gear(gauged: &GaugedOutline) -> Value {
     value
 }
 
-fn touched(touches: &[OutlineTouch]) -> Value {
-    let one = |touch: &OutlineTouch| json!({ "tooth": touch.tooth, "region": touch.curve.name(), "radius_mm": touch.radius });
+fn touched(touches: &[Touch]) -> Value {
+    let one = |touch: &Touch| json!({ "tooth": touch.tooth, "curve": touch.curve.name(), "radius_mm": touch.radius });
     touches.iter().map(one).collect()
 }

@@ -1,19 +1,21 @@
-//! What an outline looks like, in words and as a record.
+//! Drawn gears in words, and the involute that a drawing looks like, as a record.
 
 use gearlash::outline::{FittedInvolute, OutlineGear};
-use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{fixed, trimmed, um};
 use gearlash_files::spec::EitherGearSpec;
+use gearlash_files::{AnyPairSpec, PairView};
 use serde::Serialize;
 
-/// The gears of a pair that are outlines and look like an involute, by name.
-fn fitted(file: &OutlinePairFile) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
-    let Some((_, wheel, pinion)) = file.study.materials.first() else {
+/// The drawn gears of a pair that look like an involute, by name.
+fn fitted<'a>(file: &PairView<'a>) -> Vec<(&'static str, &'a OutlineGear, FittedInvolute)> {
+    let (Some((_, wheel, pinion)), AnyPairSpec::Outlines(spec)) =
+        (file.study.drawn.first(), file.spec)
+    else {
         return Vec::new();
     };
     let gears = [
-        ("wheel", &file.spec.wheel, wheel),
-        ("pinion", &file.spec.pinion, pinion),
+        ("wheel", &spec.wheel, wheel),
+        ("pinion", &spec.pinion, pinion),
     ];
     let fitted = gears
         .into_iter()
@@ -24,11 +26,21 @@ fn fitted(file: &OutlinePairFile) -> Vec<(&'static str, &OutlineGear, FittedInvo
     fitted.collect()
 }
 
-/// A sentence for each gear that is an outline and looks like an involute.
-pub fn looks_like(file: &OutlinePairFile) -> Vec<String> {
+/// A sentence for each drawn gear that looks like an involute.
+pub fn looks_like(file: &PairView) -> Vec<String> {
     let each = fitted(file).into_iter();
     each.map(|(name, gear, found)| sentence(name, gear.teeth(), &found))
         .collect()
+}
+
+/// What a reader has to know of a pair with a drawn gear, a line each; empty of other pairs.
+pub fn drawn_notes(file: &PairView) -> String {
+    if !file.study.is_drawn() {
+        return String::new();
+    }
+    let left_out = "A drawn gear has no module and no involute: formulas and checks are left out.";
+    let lines = [left_out.to_owned()].into_iter().chain(looks_like(file));
+    lines.map(|line| line + "\n").collect()
 }
 
 fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
@@ -61,7 +73,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
 }
 
 /// An involute that a gear looks like.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 pub(super) struct FittedRecord {
     gear: &'static str,
     base_diameter_mm: f64,
@@ -73,15 +85,15 @@ pub(super) struct FittedRecord {
     standard: Vec<StandardRecord>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct StandardRecord {
     module_mm: f64,
     pressure_angle_deg: f64,
     generating_shift: f64,
 }
 
-/// Of each gear that is an outline and looks like an involute.
-pub(super) fn records(file: &OutlinePairFile) -> Vec<FittedRecord> {
+/// The records of the drawn gears that look like an involute.
+pub(super) fn records(file: &PairView) -> Vec<FittedRecord> {
     let each = fitted(file).into_iter();
     each.map(|(gear, outline, found)| FittedRecord {
         gear,

@@ -1,21 +1,22 @@
 //! What was read of each drawing, and how the gears are put together.
 
-use super::super::phrases::{plain, sentence, symbol};
-use super::super::stated::{high_tooth, runout, thickness};
-use super::OutlineReport;
+use super::input::assembly;
+use super::page::Page;
+use super::phrases::{plain, sentence};
+use super::stated::{high_tooth, runout, thickness};
 use gearlash::outline::OutlineGear;
-use gearlash_files::numbers::{bound_um, fixed, shortest, stated_distance, trimmed};
+use gearlash_files::numbers::{bound_um, shortest, trimmed};
 use gearlash_files::outlines::DrawingRead;
 use gearlash_files::spec::{
-    CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlineSpec, PointsKind,
+    CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlinePairSpec, OutlineSpec, PointsKind,
 };
-use gearlash_results::outlines::looks_like;
+use gearlash_results::drawn_notes;
 use maud::{Markup, html};
 
-pub(super) fn section(report: &OutlineReport) -> Markup {
-    let pair = report.pair;
-    let specs = [&pair.spec.wheel, &pair.spec.pinion];
-    let found = looks_like(pair);
+pub(super) fn section(page: &Page, spec: &OutlinePairSpec) -> Markup {
+    let pair = &page.report.pair;
+    let specs = [&spec.wheel, &spec.pinion];
+    let notes = drawn_notes(pair);
     html! {
         section id="input" {
             h2 { "Drawings and assembly" }
@@ -25,27 +26,27 @@ pub(super) fn section(report: &OutlineReport) -> Markup {
                     thead { tr {
                         th scope="col" { "name" } th.n scope="col" { "wheel (1)" } th.n scope="col" { "pinion (2)" }
                     } }
-                    tbody { @for (name, cells) in rows(report, specs) {
+                    tbody { @for (name, cells) in rows(page, specs) {
                         tr { th scope="row" { (name) } @for cell in cells { td.n { (cell) } } }
                     } }
                 }
             }
-            @for sentence in &found { p { (sentence) } }
-            @if found.len() < pair.drawings.iter().flatten().count() {
-                p { (if found.is_empty() { "No" } else { "No other" }) " outline looks like an involute." }
+            @for note in notes.lines() { p { (note) } }
+            @if notes.lines().count() <= pair.drawings.iter().flatten().count() {
+                p { (if notes.lines().count() > 1 { "No other" } else { "No" }) " outline looks like an involute." }
             }
-            (assembly(report))
-            @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
+            (assembly(page, &spec.assembly))
+            @for warning in pair.warnings.iter().chain(pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
         }
     }
 }
 
 /// Name, and of each gear what it says.
-fn rows(report: &OutlineReport, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String; 2])> {
+fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String; 2])> {
     let dash = || "–".to_owned();
     let of = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String,
               data: &dyn Fn(&GearSpec) -> String| {
-        [0, 1].map(|k| match (specs[k], &report.pair.drawings[k]) {
+        [0, 1].map(|k| match (specs[k], page.report.pair.drawings[k]) {
             (EitherGearSpec::Outline(spec), Some(read)) => drawing(&spec.outline, read),
             (EitherGearSpec::Data(spec), _) => data(spec),
             (EitherGearSpec::Outline(_), None) => dash(),
@@ -54,7 +55,7 @@ fn rows(report: &OutlineReport, specs: [&EitherGearSpec; 2]) -> Vec<(&'static st
     let drawn = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String| of(drawing, &|_| dash());
     let gears = |value: fn(&OutlineGear) -> f64| {
         [0, 1].map(|k| {
-            let materials = report.pair.study.materials.iter();
+            let materials = page.report.pair.study.drawn.iter();
             let mut values: Vec<String> = materials
                 .map(|(_, wheel, pinion)| trimmed(value([wheel, pinion][k]), 0, 4))
                 .collect();
@@ -148,30 +149,4 @@ fn parts(spec: &OutlineSpec, read: &DrawingRead) -> String {
         PointsKind::Polygon => "",
     };
     named.collect::<Vec<_>>().join(", ") + smooth
-}
-
-fn assembly(report: &OutlineReport) -> Markup {
-    let study = &report.pair.study;
-    let distances = study.center_distances.iter();
-    let distances: Vec<String> = distances.map(|a| stated_distance(*a)).collect();
-    let radii = report.runs.first().map(|run| {
-        [study.locked, study.locked.mate()].map(|member| run.pair.operating_pitch_radius(member))
-    });
-    html! {
-        div.scroll tabindex="0" role="region" aria-label="Assembly" {
-            table {
-                caption { "Assembly" }
-                tbody {
-                    tr { td { i { "a" } } th scope="row" { "centre distance" } td { "mm" } td { (distances.join(", ")) } }
-                    @if let Some([locked, free]) = radii {
-                        tr { td { (symbol("r", "w")) } th scope="row" { "operating pitch radius at the least, locked / free gear" } td { "mm" }
-                            td { (fixed(locked, 4)) " / " (fixed(free, 4)) } }
-                    }
-                    tr { td {} th scope="row" { "locked gear" } td {} td { (study.locked.name()) } }
-                    tr { td {} th scope="row" { "first mating, wheel·pinion" } td {} td { (study.start.wheel_tooth) "·" (study.start.pinion_tooth) } }
-                    tr { td {} th scope="row" { "poses a pitch" } td {} td { (study.steps_per_pitch) } }
-                }
-            }
-        }
-    }
 }

@@ -1,0 +1,177 @@
+//! Backlash of a drawn pair over its mesh cycle and the centre distance.
+
+use super::diagnosis::Limit;
+use super::extremes::RunExtremes;
+use super::sampled::Sample;
+use super::study::{Material, Study};
+use crate::contact::{OutlineKernel, Status};
+use crate::error::Error;
+use crate::outline::OutlinePair;
+use crate::pair::{Mating, Member, SweepPlan};
+use crate::parallel;
+use std::ops::ControlFlow;
+
+/// Rows of a map (tuned: what can be told apart on a sheet).
+pub const BACKLASH_MAP_ROWS: u32 = 60;
+/// Columns at most, likewise.
+const MOST_COLUMNS: u64 = 120;
+/// Poses a mating, and poses of a row at most (tuned: some seconds for a map). Longer cycles are looked at more thinly.
+const EACH: u64 = 2;
+const MOST_IN_ROW: u64 = 1200;
+/// Room above and below what is shown, of the lesser tooth depth.
+const ROOM: f64 = 0.05;
+
+/// A grid of poses of one material.
+#[derive(Debug, Clone)]
+pub struct BacklashMap {
+    /// Which thickness.
+    pub material: Material,
+    /// Teeth of wheel and pinion.
+    pub teeth: [u32; 2],
+    /// The mating of the first pose.
+    pub start: Mating,
+    /// Matings of the cycle, shared by the columns.
+    pub matings: u64,
+    /// Centre distances of the rows, mm, rising.
+    pub distances: Vec<f64>,
+    /// Cells of a row.
+    pub columns: usize,
+    /// Row by row.
+    pub cells: Vec<BacklashCell>,
+    /// What is drawn across, from the least centre distance up.
+    pub limits: Vec<Limit>,
+}
+
+/// A pose of a cell: of those looked at the one that interferes most, else one that is not settled or out of mesh, else the one with the least
+/// backlash.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BacklashCell {
+    /// Pitches from the first pose.
+    pub pitches: f64,
+    /// Which teeth mate.
+    pub mating: Mating,
+    /// How the pose ends.
+    pub status: Status,
+    /// `j_wt`, mm.
+    pub backlash: Option<f64>,
+}
+
+impl BacklashMap {
+    /// The map of each material of a drawn pair round its first centre distance in `each`, the extremes of `study`; none of gears by their
+    /// data. `tick` is called after each row; a break ends it.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`].
+    pub fn of_study(
+        study: &Study,
+        each: &[RunExtremes],
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Vec<BacklashMap>, Error> {
+        let start = match study.sweep {
+            Some(SweepPlan::Revolution { start, .. }) => start,
+            _ => (1, 1),
+        };
+        let start = Mating {
+            wheel_tooth: start.0,
+            pinion_tooth: start.1,
+            ..Mating::FIRST
+        };
+        let mut maps: Vec<BacklashMap> = Vec::new();
+        for run in each {
+            let Some(pair) = run.assembly.drawn() else {
+                continue;
+            };
+            if maps.iter().all(|map| map.material != run.material) {
+                maps.push(BacklashMap::new(run, pair, start, tick)?);
+            }
+        }
+        Ok(maps)
+    }
+
+    fn new(
+        run: &RunExtremes,
+        pair: &OutlinePair,
+        start: Mating,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<BacklashMap, Error> {
+        let from = run.assembles_from.map(|from| from.high);
+        let (distances, limits) = shown(pair, from);
+        // A whole number of columns a mating where they fit.
+        let columns = match run.matings {
+            few if few <= MOST_COLUMNS => few * (MOST_COLUMNS / few),
+            _ => MOST_COLUMNS,
+        };
+        let in_cell = (EACH * run.matings).min(MOST_IN_ROW).div_ceil(columns);
+        let apart = run.matings as f64 / (columns * in_cell) as f64;
+        let kernel = OutlineKernel::new(pair);
+        let rows = parallel::map(distances.iter().copied(), |distance| {
+            let pair = pair.at(distance)?;
+            let radius = pair.operating_pitch_radius(pair.free());
+            let cells = (0..columns).filter_map(|column| {
+                let places = (column * in_cell..).take(in_cell as usize);
+                let samples = places.map(|k| Sample::new(&kernel, &pair, &start, k as f64 * apart));
+                let sample = samples.min_by(|a, b| {
+                    let [a, b] = [a, b].map(|sample| (order(sample.status), sample.room()));
+                    a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+                })?;
+                Some(BacklashCell {
+                    pitches: sample.pitches,
+                    mating: sample.mating,
+                    status: sample.status,
+                    backlash: sample.angle.map(|(angle, _)| angle * radius),
+                })
+            });
+            let cells: Vec<BacklashCell> = cells.collect();
+            Error::if_stopped(tick()).map(|()| cells)
+        });
+        let rows: Result<Vec<Vec<BacklashCell>>, Error> = rows.into_iter().collect();
+        Ok(BacklashMap {
+            material: run.material,
+            teeth: Member::BOTH.map(|member| pair.gear(member).teeth()),
+            start,
+            matings: run.matings,
+            distances,
+            columns: columns as usize,
+            cells: rows?.concat(),
+            limits,
+        })
+    }
+}
+
+/// Centre distances of the rows, mm, and what is drawn across them.
+fn shown(pair: &OutlinePair, assembles_from: Option<f64>) -> (Vec<f64>, Vec<Limit>) {
+    let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+    let limit = |name: &str, distance: f64| Limit {
+        name: name.to_owned(),
+        distance,
+    };
+    let bottom = f64::max(
+        wheel.tip_radius() + pinion.root_radius(),
+        pinion.tip_radius() + wheel.root_radius(),
+    );
+    let mut limits = vec![
+        limit("a of the pair", pair.center_distance()),
+        limit("a tip on a root circle", bottom),
+    ];
+    limits.extend(assembles_from.map(|from| limit("assembles from here on", from)));
+    limits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let depth = [wheel, pinion].map(|gear| gear.tip_radius() - gear.root_radius());
+    let room = ROOM * f64::min(depth[0], depth[1]);
+    let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
+    let a = pair.center_distance();
+    let low = (ends(f64::min).unwrap_or(a) - room).max(pair.least_distance());
+    let high = ends(f64::max).unwrap_or(a) + room;
+    let rows = f64::from(BACKLASH_MAP_ROWS);
+    let row = |row: u32| low + (high - low) * (f64::from(row) + 0.5) / rows;
+    ((0..BACKLASH_MAP_ROWS).map(row).collect(), limits)
+}
+
+/// The pose that a cell stands for comes first.
+fn order(status: Status) -> u8 {
+    match status {
+        Status::Jammed | Status::Interference => 0,
+        Status::Unproven => 1,
+        Status::NoContact => 2,
+        Status::Clear => 3,
+    }
+}

@@ -1,0 +1,134 @@
+//! A pair as assembled, be its gears known by data or by drawings.
+
+use super::pair::OutlinePair;
+use crate::error::Error;
+use crate::gear::Face;
+use crate::pair::{GearPair, Mating, Member, Pose, ToothNumbers};
+use nalgebra::Point2;
+
+/// Two gears at a centre distance.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AssembledPair {
+    /// Both gears are known by their data.
+    Data(GearPair),
+    /// One gear at least is known by its drawing.
+    Drawn(OutlinePair),
+}
+
+impl From<GearPair> for AssembledPair {
+    fn from(pair: GearPair) -> AssembledPair {
+        AssembledPair::Data(pair)
+    }
+}
+
+impl From<OutlinePair> for AssembledPair {
+    fn from(pair: OutlinePair) -> AssembledPair {
+        AssembledPair::Drawn(pair)
+    }
+}
+
+impl AssembledPair {
+    /// The pair of gears by their data; `None` of a pair with a drawn gear.
+    pub fn data(&self) -> Option<&GearPair> {
+        match self {
+            AssembledPair::Data(pair) => Some(pair),
+            AssembledPair::Drawn(_) => None,
+        }
+    }
+
+    /// The pair with a drawn gear; `None` of gears by their data.
+    pub fn drawn(&self) -> Option<&OutlinePair> {
+        match self {
+            AssembledPair::Data(_) => None,
+            AssembledPair::Drawn(pair) => Some(pair),
+        }
+    }
+
+    /// Centre distance `a`, mm.
+    pub fn center_distance(&self) -> f64 {
+        match self {
+            AssembledPair::Data(pair) => pair.center_distance(),
+            AssembledPair::Drawn(pair) => pair.center_distance(),
+        }
+    }
+
+    /// The same gears at another centre distance, mm.
+    ///
+    /// # Errors
+    /// As [`GearPair::at`] and [`OutlinePair::at`].
+    pub fn at(&self, center_distance: f64) -> Result<AssembledPair, Error> {
+        Ok(match self {
+            AssembledPair::Data(pair) => pair.at(center_distance)?.into(),
+            AssembledPair::Drawn(pair) => pair.at(center_distance)?.into(),
+        })
+    }
+
+    /// Whether its teeth wind about their axes.
+    pub fn is_helical(&self) -> bool {
+        self.data().is_some_and(GearPair::is_helical)
+    }
+
+    /// The gear that stands still.
+    pub fn locked(&self) -> Member {
+        ToothNumbers::locked(self)
+    }
+
+    /// The gear that turns.
+    pub fn free(&self) -> Member {
+        self.locked().mate()
+    }
+
+    /// Teeth of one of the gears.
+    pub fn teeth(&self, member: Member) -> u32 {
+        ToothNumbers::teeth(self, member)
+    }
+
+    /// Operating pitch radius `r_w`, mm: of drawn gears `a z/(z_1 + z_2)`.
+    pub fn operating_pitch_radius(&self, member: Member) -> f64 {
+        match self {
+            AssembledPair::Data(pair) => pair.operating_pitch_radius(member),
+            AssembledPair::Drawn(pair) => pair.operating_pitch_radius(member),
+        }
+    }
+
+    /// Lost motion at `member`, rad, of a backlash `j_wt`, mm.
+    pub fn angle(&self, member: Member, j_wt: f64) -> f64 {
+        j_wt / self.operating_pitch_radius(member)
+    }
+
+    /// Rotation axis, mm.
+    pub fn axis(&self, member: Member) -> Point2<f64> {
+        member.axis(self.center_distance())
+    }
+
+    /// The pose of `mating`.
+    pub fn pose(&self, mating: Mating) -> Pose {
+        match self {
+            AssembledPair::Data(pair) => Pose::new(pair, mating),
+            AssembledPair::Drawn(pair) => pair.pose(mating),
+        }
+    }
+}
+
+impl ToothNumbers for AssembledPair {
+    fn teeth(&self, member: Member) -> u32 {
+        match self {
+            AssembledPair::Data(pair) => pair.teeth(member),
+            AssembledPair::Drawn(pair) => pair.gear(member).teeth(),
+        }
+    }
+
+    fn shown_face(&self, member: Member) -> Face {
+        match self {
+            AssembledPair::Data(pair) => pair.shown_face(member),
+            AssembledPair::Drawn(pair) => pair.shown_face(member),
+        }
+    }
+
+    fn locked(&self) -> Member {
+        match self {
+            AssembledPair::Data(pair) => pair.locked(),
+            AssembledPair::Drawn(pair) => pair.locked(),
+        }
+    }
+}

@@ -47,4 +47,6 @@ pub use pose_result::{
     FirstLeast, PolygonDifference, PoseResult, Unproven, first_least, worst_pose,
 };
 pub use scene::{FreePlacement, LineOfAction, Scene};
-pub use sweep::{BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks};
+pub use sweep::{
+    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, sweep, sweep_blocks,
+};

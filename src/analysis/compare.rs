@@ -178,6 +178,8 @@ pub struct Summary {
     pub unproven: usize,
     /// Poses that are not proven at `a − c`, and at `a + c`.
     pub unproven_ends: [usize; 2],
+    /// Poses that polygons checked.
+    pub polygon_checked: usize,
     /// Least backlash.
     pub min: Option<f64>,
     /// Greatest backlash.
@@ -197,6 +199,7 @@ pub struct Summary {
 pub(crate) struct SummaryTally {
     unproven: usize,
     unproven_ends: [usize; 2],
+    polygon_checked: usize,
     min: Option<f64>,
     max: Option<f64>,
     /// Sum and number of the values.
@@ -220,6 +223,7 @@ impl SummaryTally {
         for end in [0, 1] {
             self.unproven_ends[end] += usize::from(result.is_end_unproven(end));
         }
+        self.polygon_checked += usize::from(result.polygon_checked);
         join(&mut self.min, result.backlash, f64::min);
         join(&mut self.max, result.backlash, f64::max);
         if let Some(backlash) = result.backlash {
@@ -239,6 +243,7 @@ impl SummaryTally {
         Summary {
             unproven: self.unproven,
             unproven_ends: self.unproven_ends,
+            polygon_checked: self.polygon_checked,
             min: self.min,
             max: self.max,
             mean: self.sum.map(|(sum, count)| sum / count as f64),

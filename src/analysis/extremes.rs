@@ -267,7 +267,7 @@ pub fn extremes(
     });
     let simulated = |study: &Study, plans: Vec<RunPlan>| {
         let on = || ControlFlow::Continue(());
-        let runs = simulate_plans(study, plans, method, &on)?;
+        let runs = simulate_plans(study, plans, method.of_extremes(), &on)?;
         Ok::<_, Error>(compare(runs, study.tolerance_um))
     };
     let runs = simulated(study, poses.collect())?;

@@ -94,7 +94,7 @@ pub fn each_block<E: From<Error>>(
     let cut = |material: Material| {
         let gears = study.materials.iter().find(|gears| gears.0 == material);
         gears.map(|(_, wheel, pinion)| match method {
-            Method::Exact { .. } => CutPair::for_certificates(wheel, pinion),
+            Method::Exact { .. } | Method::Checked => CutPair::for_certificates(wheel, pinion),
             Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chord),
         })
     };

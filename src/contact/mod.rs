@@ -45,5 +45,6 @@ pub use pose_result::{
 };
 pub use scene::{FreePlacement, LineOfAction, Scene};
 pub use sweep::{
-    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, sweep, sweep_blocks, sweep_outlines,
+    BLOCK, CutPair, METHODS_AGREE_WITHIN, Method, POLYGONS_EVERY, sweep, sweep_blocks,
+    sweep_outlines,
 };

@@ -1,6 +1,7 @@
 //! What a sweep found at a pose, and which pose of several is the worst.
 
 use super::class::PoseClass;
+use super::kernel::Proof;
 use super::lost_motion::{LostMotion, Status};
 use crate::pair::{GearPair, Pose};
 use std::collections::VecDeque;
@@ -22,6 +23,10 @@ pub struct PoseResult {
     pub with_clearance: Option<[Result<Option<f64>, Unproven>; 2]>,
     /// With [`super::Method::Both`]: how the polygon method lies off the exact one; `None` where neither found contacts.
     pub polygon_difference: Option<PolygonDifference>,
+    /// Whether polygons found or checked the contacts.
+    pub polygon_checked: bool,
+    /// With [`super::Method::Both`], and of [`GearPair::lost_motion`]: what proves the contacts, where directions do.
+    pub proof: Option<Box<Proof>>,
 }
 
 /// How the polygon method lies off the exact one at a pose.

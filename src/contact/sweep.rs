@@ -3,6 +3,7 @@
 use super::by_sections::Sections;
 use super::effort::Effort;
 use super::exact::ExactKernel;
+use super::kernel::{Proof, Prover};
 use super::lost_motion::LostMotion;
 use super::outline::{OutlineCertifier, OutlineKernel};
 use super::over_face::FoundOverFace;
@@ -20,9 +21,11 @@ use std::ops::ControlFlow;
 pub enum Method {
     /// On the smooth curves.
     Exact {
-        /// Whether polygons must bear out each rotation found.
+        /// Whether each pose is proven by directions. Polygons check one pose in [`POLYGONS_EVERY`], and each pose that directions do not prove.
         certify: bool,
     },
+    /// On the smooth curves. Each pose is proven by directions and checked by polygons.
+    Checked,
     /// On polygons cut ever finer round each contact.
     Polygon,
     /// By both; the exact result is kept, and how far the other lies off: a pose at which they differ by more than
@@ -36,6 +39,25 @@ const CERTIFICATE_CHORDAL_ERROR: f64 = 3e-4;
 
 /// How far both methods may differ, mm, whatever their error bounds: 1e-6 µm of `j_wt`.
 pub const METHODS_AGREE_WITHIN: f64 = 1e-9;
+
+/// Polygons check the first of so many poses of a sweep.
+pub const POLYGONS_EVERY: usize = 64;
+
+impl Method {
+    /// The method for poses of extremes, which polygons check too.
+    pub fn of_extremes(self) -> Method {
+        if self == (Method::Exact { certify: true }) {
+            Method::Checked
+        } else {
+            self
+        }
+    }
+
+    /// Whether exact results are proven.
+    fn proves(self) -> bool {
+        matches!(self, Method::Exact { certify: true } | Method::Checked)
+    }
+}
 
 /// The gears of one material, cut once for all centre distances.
 pub struct CutPair {
@@ -81,14 +103,15 @@ struct Solver<'a> {
     guides: bool,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
-    /// In place of both, of helical gears.
+    prover: Option<Prover<'a>>,
+    /// In place of polygon method and certifier, of helical gears.
     sections: Option<Sections<'a>>,
-    certify: bool,
+    method: Method,
 }
 
 impl<'a> Solver<'a> {
     fn new(assembly: &'a GearPair, cut: &'a CutPair, method: Method) -> Solver<'a> {
-        let certify = method == Method::Exact { certify: true };
+        let certify = method.proves();
         let exact = method != Method::Polygon;
         let polygon = matches!(method, Method::Polygon | Method::Both);
         let spur = !assembly.is_helical();
@@ -99,6 +122,10 @@ impl<'a> Solver<'a> {
             assembly,
             polygon: (polygon && spur).then(|| cut.refined_kernel(assembly)),
             certifier: (certify && spur).then(|| Certifier::new(cut.kernel(assembly))),
+            prover: kernel
+                .as_ref()
+                .filter(|_| certify || method == Method::Both)
+                .map(|kernel| Prover::new(assembly, kernel)),
             sections: places.map(|kernel| Sections {
                 assembly,
                 cut: [&cut.wheel, &cut.pinion],
@@ -106,12 +133,12 @@ impl<'a> Solver<'a> {
             }),
             kernel,
             guides: !exact,
-            certify,
+            method,
         }
     }
 
-    /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
-    fn find(&self, pose: &Pose) -> Result<SolvedPose, Error> {
+    /// The contacts at `pose`, and how far the polygon method lies off where both are asked for. `index` counts the poses of a sweep.
+    fn find(&self, pose: &Pose, index: usize) -> Result<SolvedPose, Error> {
         // One for all that is done at this pose.
         let effort = Effort::of_pose();
         let kernel = self.kernel.as_ref();
@@ -119,7 +146,7 @@ impl<'a> Solver<'a> {
         let seen = found.as_ref().and_then(|found| found.as_ref().ok());
         let polygon = match (&self.sections, &self.polygon) {
             // Without a guide polygons do not know where to look.
-            (Some(sections), _) if !self.certify && (seen.is_some() || !self.guides) => {
+            (Some(sections), _) if !self.method.proves() && (seen.is_some() || !self.guides) => {
                 Some(sections.lost_motion(pose, seen, &effort))
             }
             (_, kernel) => kernel
@@ -137,16 +164,31 @@ impl<'a> Solver<'a> {
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
         let jam = exact.as_ref().and_then(|found| found.as_ref().ok()?.jam);
         let exact = exact.map(|found| found.map(|found| found.lost_motion));
+        let mut polygon_checked = polygon.is_some();
         let value = |found: &LostMotion| self.backlash(found);
         let found_by =
             |tried: &Option<Result<LostMotion, String>>| tried.as_ref().map(Result::is_ok);
         let one_alone = found_by(&exact).zip(found_by(&polygon));
         let one_alone = one_alone.is_some_and(|(exact, polygon)| exact != polygon);
         let found = match (exact, polygon) {
-            (Some(Ok(exact)), Some(Ok(polygon))) => return Ok(self.of_both(exact, &polygon)),
+            (Some(Ok(exact)), Some(Ok(polygon))) => {
+                return Ok(self.of_both(pose, exact, &polygon));
+            }
             (Some(Ok(lost_motion)), None) => {
                 let found = FoundOverFace { lost_motion, jam };
-                match self.certificate(pose, &found, &effort)? {
+                let not_proven = match &self.prover {
+                    Some(prover) => prover.check_within(pose, &lost_motion, &effort).err(),
+                    None => None,
+                };
+                polygon_checked = self.method == Method::Checked
+                    || self.method.proves() && index.is_multiple_of(POLYGONS_EVERY)
+                    || not_proven.is_some();
+                let refused = if polygon_checked {
+                    self.certificate(pose, &found, &effort)?
+                } else {
+                    None
+                };
+                match refused {
                     None => Ok(lost_motion),
                     Some(reason) => Err(Unproven {
                         reason,
@@ -173,11 +215,13 @@ impl<'a> Solver<'a> {
         Ok(SolvedPose {
             lost_motion: found,
             polygon_difference: one_alone.then_some(PolygonDifference::OneAlone),
+            polygon_checked,
+            proof: None,
         })
     }
 
     /// The exact result, where the polygons' lies within what is allowed of it.
-    fn of_both(&self, exact: LostMotion, polygon: &LostMotion) -> SolvedPose {
+    fn of_both(&self, pose: &Pose, exact: LostMotion, polygon: &LostMotion) -> SolvedPose {
         let values = [self.backlash(&exact), self.backlash(polygon)];
         let bound = |found: &LostMotion| Some(found.error()? * self.pitch_radius());
         let (difference, reason) = match values {
@@ -215,10 +259,18 @@ impl<'a> Solver<'a> {
         SolvedPose {
             lost_motion: reason.map_or(Ok(exact), |reason| Err(unproven(reason))),
             polygon_difference: Some(difference),
+            polygon_checked: true,
+            proof: self.proof(pose, &exact),
         }
     }
 
-    /// Why the certificate of `found` fails; `None` where it holds or none is asked for.
+    /// What proves `found` by directions.
+    fn proof(&self, pose: &Pose, found: &LostMotion) -> Option<Box<Proof>> {
+        let proof = self.prover.as_ref()?.proof(pose, found);
+        proof.ok().map(Box::new)
+    }
+
+    /// Why the certificate of `found` fails; `None` where it holds.
     fn certificate(
         &self,
         pose: &Pose,
@@ -227,7 +279,7 @@ impl<'a> Solver<'a> {
     ) -> Result<Option<String>, Error> {
         let checked = match (&self.certifier, &self.sections) {
             (Some(certifier), _) => certifier.check_within(pose, &found.lost_motion, effort),
-            (None, Some(sections)) if self.certify => sections.check(pose, found, effort),
+            (None, Some(sections)) => sections.check(pose, found, effort),
             _ => return Ok(None),
         };
         let checked = settle(Some(checked))?;
@@ -248,6 +300,8 @@ impl<'a> Solver<'a> {
 struct SolvedPose {
     lost_motion: Result<LostMotion, Unproven>,
     polygon_difference: Option<PolygonDifference>,
+    polygon_checked: bool,
+    proof: Option<Box<Proof>>,
 }
 
 /// What was tried, with the reason where it is of this pose alone; else the error.
@@ -374,15 +428,16 @@ impl<'a> OutlineSolver<'a> {
 
 /// Finds the lost motion at poses of one pair.
 trait FindPose: Sync {
-    fn find_at(&self, mating: &Mating) -> Result<(Pose, SolvedPose), Error>;
+    /// The pose of `mating` and what is found there. `index` counts the poses of a sweep.
+    fn find_at(&self, mating: &Mating, index: usize) -> Result<(Pose, SolvedPose), Error>;
     /// Of the free gear, mm.
     fn pitch_radius(&self) -> f64;
 }
 
 impl FindPose for Solver<'_> {
-    fn find_at(&self, mating: &Mating) -> Result<(Pose, SolvedPose), Error> {
+    fn find_at(&self, mating: &Mating, index: usize) -> Result<(Pose, SolvedPose), Error> {
         let pose = Pose::new(self.assembly, *mating);
-        Ok((pose, self.find(&pose)?))
+        Ok((pose, self.find(&pose, index)?))
     }
 
     fn pitch_radius(&self) -> f64 {
@@ -391,7 +446,7 @@ impl FindPose for Solver<'_> {
 }
 
 impl FindPose for OutlineSolver<'_> {
-    fn find_at(&self, mating: &Mating) -> Result<(Pose, SolvedPose), Error> {
+    fn find_at(&self, mating: &Mating, _: usize) -> Result<(Pose, SolvedPose), Error> {
         let found = self
             .kernel
             .lost_motion(mating)
@@ -410,6 +465,8 @@ impl FindPose for OutlineSolver<'_> {
                 polygon: None,
             }),
             polygon_difference: None,
+            polygon_checked: self.certifier.is_some(),
+            proof: None,
         };
         Ok((self.pair.pose(*mating), solved))
     }
@@ -427,12 +484,12 @@ fn each_pose<S: FindPose, E: From<Error>>(
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let find = |mating: &Mating| {
+    let find = |(index, mating): (usize, &Mating)| {
         Error::if_stopped(tick())?;
-        pose_result(here, ends, mating)
+        pose_result(here, ends, mating, index)
     };
     for block in matings.chunks(BLOCK) {
-        let poses = parallel::map(block, find).into_iter();
+        let poses = parallel::map(block.iter().enumerate(), find).into_iter();
         each(poses.collect::<Result<_, Error>>()?)?;
     }
     Ok(())
@@ -443,11 +500,12 @@ fn pose_result<S: FindPose>(
     here: &S,
     ends: Option<&[S; 2]>,
     mating: &Mating,
+    index: usize,
 ) -> Result<PoseResult, Error> {
-    let (pose, found) = here.find_at(mating)?;
+    let (pose, found) = here.find_at(mating, index)?;
     let backlash = |solver: &S, found: &LostMotion| Some(found.angle()? * solver.pitch_radius());
     let at_end = |end: &S| -> Result<Result<Option<f64>, Unproven>, Error> {
-        let (_, found) = end.find_at(mating)?;
+        let (_, found) = end.find_at(mating, index)?;
         Ok(found.lost_motion.map(|found| backlash(end, &found)))
     };
     let with_clearance = match ends {
@@ -464,6 +522,8 @@ fn pose_result<S: FindPose>(
         found: found.lost_motion,
         with_clearance,
         polygon_difference: found.polygon_difference,
+        polygon_checked: found.polygon_checked,
+        proof: found.proof,
     })
 }
 
@@ -477,22 +537,26 @@ impl AssembledPair {
             AssembledPair::Data(pair) => pair.lost_motion(mating),
             AssembledPair::Drawn(pair) => {
                 let kernel = OutlineKernel::new(pair);
-                pose_result(&OutlineSolver::new(pair, &kernel, true), None, &mating)
+                pose_result(&OutlineSolver::new(pair, &kernel, true), None, &mating, 0)
             }
         }
     }
 }
 
 impl GearPair {
-    /// Lost motion where the teeth of `mating` meet: by the exact method, checked by polygons. For many poses use [`sweep`].
+    /// Lost motion where the teeth of `mating` meet, by [`Method::Checked`]. For many poses use [`sweep`].
     ///
-    /// A pose that nothing vouches for is [`Unproven`] in the result.
+    /// A pose that is not proven is [`Unproven`] in the result. The result keeps its proof by directions.
     ///
     /// # Errors
     /// As [`sweep`]: none here.
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
         let cut = CutPair::for_certificates(self.gear(Member::Wheel), self.gear(Member::Pinion));
-        let here = Solver::new(self, &cut, Method::Exact { certify: true });
-        pose_result(&here, None, &mating)
+        let here = Solver::new(self, &cut, Method::Checked);
+        let mut result = pose_result(&here, None, &mating, 0)?;
+        if let Ok(found) = &result.found {
+            result.proof = here.proof(&result.pose, found);
+        }
+        Ok(result)
     }
 }

@@ -3,10 +3,12 @@
 use crate::clearance;
 use crate::wide::drawn::{Depth, Drawn};
 use gearlash::contact::{
-    Certifier, Contact, CutPair, ExactKernel, LostMotion, Piece, Proof, Prover, Reason, Status,
+    Certifier, Contact, CutPair, ExactKernel, LostMotion, Method, Piece, Proof, Prover, Reason,
+    Status, sweep,
 };
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use std::ops::ControlFlow;
 
 /// Proven poses of the campaign, each with what was found and its proof; and how many of other poses there were.
 fn proven(depth: Option<Depth>, count: u64) -> (Vec<(Drawn, LostMotion, Proof)>, usize) {
@@ -182,7 +184,8 @@ fn a_flank_may_close_against_the_far_flank() {
         ..Mating::at(1, 2, Side::Left)
     };
     let pose = Pose::new(&pair, mating);
-    let exact = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+    let kernel = ExactKernel::new(&pair);
+    let exact = kernel.lost_motion(&pose).unwrap();
     let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
     let polygon = cut.refined_kernel(&pair).lost_motion(&pose).unwrap();
     let radius_um = 1e3 * pair.operating_pitch_radius(pair.free());
@@ -200,6 +203,56 @@ fn a_flank_may_close_against_the_far_flank() {
     assert!(contact.pinion.radius < 2.79 && exact.status() == Status::Clear);
     let overlap = |off: f64| clearance::overlap(&pair, &pose, contact.rotation + off);
     assert!(overlap(1e-4) <= 0.0 && overlap(-1e-3) > 1e-4);
+    let proof = Prover::new(&pair, &kernel).proof(&pose, &exact).unwrap();
+    assert_eq!(proof.verify(&pair, &pose), Ok(()));
     let found = pair.lost_motion(mating).unwrap();
-    assert!(found.found.is_ok(), "{found:?}");
+    assert_eq!(found.proof.as_deref(), Some(&proof));
+    // The flank that closes is of the far half: without it another pair would.
+    let mut open = exact;
+    open.right.as_mut().unwrap().rotation -= 1e-4;
+    assert!(Prover::new(&pair, &kernel).check(&pose, &open).is_err());
+}
+
+/// 11 on 16 undercut teeth.
+fn undercut() -> GearPair {
+    let gear = |teeth, face| {
+        let basic = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
+        AsBuilt::perfect(Gear::nominal(GearDesign::standard(basic)).unwrap(), face)
+    };
+    GearPair::new(gear(11, Face::Front), gear(16, Face::Back), 27.1).unwrap()
+}
+
+/// Each pose of a sweep is proven; polygons check the first of every 64, all with `Checked` and `Both`, none without proof. The proof is kept with `Both`
+/// alone. All methods give the same values.
+#[test]
+fn polygons_check_every_64th_pose() {
+    let pair = undercut();
+    let cut = CutPair::for_certificates(pair.gear(Member::Wheel), pair.gear(Member::Pinion));
+    let plan = SweepPlan::wheel_revolution(&pair, 12, (1, 1));
+    let matings = plan.matings(&pair);
+    let by = |method| {
+        let go_on = || ControlFlow::Continue(());
+        sweep(&pair, &cut, method, &matings, 0.0, &go_on).unwrap()
+    };
+    let sampled = by(Method::Exact { certify: true });
+    for (method, checked, with_proof) in [
+        (Method::Exact { certify: true }, &[0, 64, 128][..], false),
+        (Method::Exact { certify: false }, &[], false),
+        (Method::Checked, &Vec::from_iter(0..132), false),
+        (Method::Both, &Vec::from_iter(0..132), true),
+    ] {
+        let poses = by(method);
+        assert_eq!(poses.len(), 132);
+        let indices = (0..132).filter(|index| poses[*index].polygon_checked);
+        assert_eq!(Vec::from_iter(indices), checked, "{method:?}");
+        for (pose, same) in poses.iter().zip(&sampled) {
+            assert_eq!(pose.found, same.found);
+            assert_eq!(pose.proof.is_some(), with_proof);
+            let verified = pose
+                .proof
+                .iter()
+                .map(|proof| proof.verify(&pair, &pose.pose));
+            assert!(verified.into_iter().all(|verified| verified == Ok(())));
+        }
+    }
 }

@@ -14,14 +14,14 @@ pub(super) struct MethodArgs {
     /// How lost motion is found [default: exact]
     #[arg(long, value_enum)]
     method: Option<Name>,
-    /// Skip the polygon check of each exact result
+    /// Skip the proof of each exact result
     #[arg(long)]
     no_certify: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Name {
-    /// On the exact tooth curves, each result certified by polygons
+    /// On the exact tooth curves, each result proven; polygons check every 64th
     Exact,
     /// On polygons refined around each contact: an independent method, slower
     Polygon,
@@ -146,7 +146,7 @@ mod tests {
             CutPair::for_certificates(assembly.gear(Member::Wheel), assembly.gear(Member::Pinion))
         };
         let compared = |cut: &CutPair| {
-            let method = Method::Exact { certify: true };
+            let method = Method::Checked;
             let matings = &plan.matings[..1];
             let poses = sweep(
                 plan.assembly.data().unwrap(),

@@ -129,7 +129,7 @@ fn um(mm: Option<f64>) -> f64 {
     mm.map_or(f64::NAN, |mm| mm * 1e3)
 }
 
-/// The poses, each checked by polygons.
+/// The poses, each proven.
 fn certified(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<FoundPose>, Error> {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
     let cut = CutPair::for_certificates(wheel, pinion);

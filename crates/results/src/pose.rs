@@ -109,6 +109,12 @@ impl PoseRow {
         self.result().found.as_ref().err()
     }
 
+    /// What proves the contacts by directions, where that was kept.
+    fn proof(&self) -> Value {
+        let proof = self.result().proof.as_deref();
+        Value::optional(proof.map(|proof| json!(proof)))
+    }
+
     /// Why the backlash at one end of the bearing clearance is not proven.
     fn unproven_end(&self, end: usize) -> Option<&Unproven> {
         let ends = self.result().with_clearance.as_ref()?;
@@ -187,6 +193,7 @@ fn columns() -> Vec<Column<PoseRow>> {
     }));
     columns.extend(ContactRow::columns().within("left", |row: &PoseRow| row.left.as_ref()));
     columns.extend(columns!(row: PoseRow {
+        "proof" Plain [no_csv] => row.proof();
         "analytic.michalec_um" Beside [csv("michalec_um"), heading(shown("Michalec").spare(5))] => Value::um(row.pose.michalec);
         "analytic.involute_um" Beside [csv("involute_um"), heading(shown("involute").spare(4))] => Value::um(row.pose.involute);
         "analytic.line_of_action_um" Beside [csv("line_of_action_um"), heading(shown("line of action").spare(1))] => Value::um(row.pose.line_of_action);

@@ -103,6 +103,7 @@ fn columns() -> Vec<Column<RunRow>> {
         "summary.max_j_wt_um" Plain => Value::um(row.summary.max);
         "summary.mean_j_wt_um" Plain => Value::um(row.summary.mean);
         "summary.unproven" Plain => row.summary.unproven;
+        "summary.polygon_checked" Plain => row.summary.polygon_checked;
         "summary.with_bearing_clearance.min_j_wt_um" Plain => Value::um(row.summary.with_clearance[0]);
         "summary.with_bearing_clearance.max_j_wt_um" Plain => Value::um(row.summary.with_clearance[1]);
         "summary.with_bearing_clearance.unproven" Plain => row.unproven_ends();

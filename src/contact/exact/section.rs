@@ -104,11 +104,6 @@ impl Section {
         self.free
     }
 
-    /// Whether a tooth may meet the mate's far flank first.
-    pub fn meets_far_flanks(&self) -> bool {
-        self.meets_far_flanks
-    }
-
     /// Angular pitch of the free gear, rad.
     pub fn free_pitch(&self) -> f64 {
         self.right.free.pitch

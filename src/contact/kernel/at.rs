@@ -11,8 +11,9 @@
 //! ```
 //!
 //! `s > 0` in one direction proves the pieces apart, however the direction was found. Where the arm is above 0 too, `s` rises with `μ` until the
-//! normal passes the axis on its far side: the pieces stay apart as the free gear turns on. Only such directions count. A piece that stays off the
-//! disc in which the free piece turns, by a direction of its own, is *out of reach* at every rotation.
+//! normal passes the axis on its far side: the pieces stay apart as the free gear turns on. Where the arm is below 0, they stay apart over a play of
+//! `w` if `s > |s_μ| w + r w²`, `r` the free gear's greatest radius about its axis: `|s_μμ| = |H − ρ_F| ≤ 2r`, with the support `H` about the axis.
+//! A piece that stays off the disc in which the free piece turns, by a direction of its own, is *out of reach* at every rotation.
 
 use super::convex::{Convex, along, dot, wrapped};
 use crate::contact::gap::{C, turn};
@@ -36,6 +37,10 @@ pub(super) struct At {
     pub angles: [f64; 2],
     /// `e^{iθ}`.
     pub directions: [C; 2],
+    /// Over which part of the free gear's rotation the pieces must stay apart, rad; infinite where no other contact ends it.
+    pub play: f64,
+    /// Greatest radius of the free gear about its axis, mm.
+    pub radius: f64,
 }
 
 /// The room between two pieces in one direction.
@@ -51,14 +56,6 @@ pub(super) struct Room {
     pub arm: f64,
 }
 
-impl Room {
-    /// Whether it keeps the pieces apart as the free gear turns on.
-    #[inline]
-    pub fn holds(&self, need: f64) -> bool {
-        self.room > need && self.arm > 0.0
-    }
-}
-
 /// A direction that proves two pieces apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Apart {
@@ -69,6 +66,17 @@ pub(super) enum Apart {
 }
 
 impl At {
+    /// Whether a room, mm, with this arm keeps two pieces apart as the free gear turns on.
+    #[inline]
+    pub fn stays(&self, room: f64, arm: f64, need: f64) -> bool {
+        let lost = if arm > 0.0 {
+            0.0
+        } else {
+            self.play * (self.radius * self.play - arm)
+        };
+        room > need + lost
+    }
+
     /// The room between `locked` and `free` in the direction `n = e^{iν}`, `ν` within ±π.
     #[inline]
     pub fn room(&self, locked: &Convex, free: &Convex, nu: f64, n: C) -> Room {
@@ -81,7 +89,7 @@ impl At {
             room: dot(d, n) - l.reach - f.reach,
             slope: along(d, n) - l.along - f.along,
             radius: l.radius + f.radius,
-            arm: f.along - along(self.centres[1], n),
+            arm: f.lever - along(self.centres[1], n),
         }
     }
 
@@ -120,7 +128,7 @@ impl At {
             let nu = wrapped(start + off);
             let n = turn(nu);
             let here = self.room(locked, free, nu, n);
-            if here.holds(need) {
+            if self.stays(here.room, here.arm, need) {
                 return Some(Apart::Direction(n));
             }
             if here.slope > 0.0 {
@@ -208,6 +216,8 @@ mod tests {
             centres: [C::new(50.4, 0.01), turn(rotation) * C::new(0.02, -0.03)],
             angles,
             directions: angles.map(turn),
+            play: f64::INFINITY,
+            radius: 33.0,
         }
     }
 

@@ -20,6 +20,22 @@ struct Half<'a> {
     turned: UnitComplex<f64>,
 }
 
+/// A locked tooth: the half that faces the mate, and the other one.
+struct Tooth<'a> {
+    near: Half<'a>,
+    far: Half<'a>,
+}
+
+/// A locked tooth and the free half tooth that faces it.
+struct Pair<'a> {
+    locked: Tooth<'a>,
+    free: Half<'a>,
+    /// The axis of the free gear.
+    axis: Point2<f64>,
+    /// Over which of its rotations they are apart, rad.
+    play: f64,
+}
+
 /// How far a piece reaches in a direction: greatest `P·n`, and where.
 type Reach = (f64, Point2<f64>);
 
@@ -34,6 +50,7 @@ impl Proof {
                 return Err(format!("nothing is said of the {} side", side.name()));
             }
         }
+        self.verify_play(assembly, pose)?;
         for side in &self.sides {
             if !assembly.is_helical() {
                 verify_side(assembly, pose, side)?;
@@ -46,27 +63,47 @@ impl Proof {
     }
 }
 
+impl Proof {
+    /// Verifies that what ends before the free gear can turn no farther ends beyond where the other side begins.
+    fn verify_play(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
+        // From the nominal rotation in each section.
+        let until = |side: &SideProof| {
+            let here = pose.in_section(assembly, side.section);
+            Some(side.until? - here.free_rotation())
+        };
+        let of = |side: Side| self.sides.iter().filter(move |proof| proof.side == side);
+        for right in of(Side::Right) {
+            for left in of(Side::Left) {
+                let meet = match (until(right), until(left)) {
+                    (None, None) => true,
+                    (Some(right), Some(left)) => right >= left,
+                    _ => false,
+                };
+                if !meet {
+                    return Err("between both sides some rotations are not covered".to_owned());
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<(), String> {
     let side = proof.side;
     let free = |tooth, rotation| Half::new(assembly, assembly.free(), rotation, side, tooth);
     let locked = |tooth| {
-        Half::new(
-            assembly,
-            assembly.locked(),
-            pose.locked_rotation(),
-            side,
-            tooth,
-        )
+        let (gear, rotation) = (assembly.locked(), pose.locked_rotation());
+        let [near, far] =
+            [side, side.other()].map(|side| Half::new(assembly, gear, rotation, side, tooth));
+        Tooth { near, far }
     };
     if let Some(touch) = &proof.touch {
-        let teeth = [
-            locked(touch.locked_tooth),
-            free(touch.free_tooth, touch.closed),
-        ];
-        if let Some(tooth) = teeth.iter().find(|tooth| !tooth.has(touch.point)) {
+        let tooth = locked(touch.locked_tooth);
+        let in_locked = tooth.near.has(touch.point) || tooth.far.has(touch.point);
+        if !(in_locked && free(touch.free_tooth, touch.closed).has(touch.point)) {
             return Err(format!(
-                "tooth {} does not hold the common point",
-                tooth.tooth
+                "teeth {} and {} do not both hold the common point",
+                touch.locked_tooth, touch.free_tooth
             ));
         }
     }
@@ -84,15 +121,19 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
         let locked_tooth = gear.counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
         // Out of reach at every rotation, where no rotation is named.
-        let pair = [
-            locked(locked_tooth),
-            free(free_tooth, proof.open.unwrap_or(0.0)),
-        ];
+        let pair = Pair {
+            locked: locked(locked_tooth),
+            free: free(free_tooth, proof.open.unwrap_or(0.0)),
+            axis: assembly.axis(assembly.free()),
+            play: match (proof.open, proof.until) {
+                (Some(open), Some(until)) => (until - open).abs(),
+                _ => f64::INFINITY,
+            },
+        };
         let named =
             |one: &&Separation| (one.locked_tooth, one.free_tooth) == (locked_tooth, free_tooth);
         let named: Vec<&Separation> = proof.apart.iter().filter(named).collect();
-        let axis = assembly.axis(assembly.free());
-        if named.is_empty() && pair[0].distance(axis) > pair[1].reach_about(axis) {
+        if named.is_empty() && pair.is_out_of_reach(proof.open.is_some()) {
             continue;
         }
         let failed = |what: &str| {
@@ -102,22 +143,24 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
             ))
         };
         for one in &named {
-            if !holds(&pair, one, axis, proof.open.is_some()) {
+            if !pair.holds(one, proof.open.is_some()) {
                 return failed(&format!(
                     "{:?} of {:?} and {:?}",
                     one.by, one.locked, one.free
                 ));
             }
         }
-        for part in PARTS {
-            for other in PARTS {
-                let radii = pair[0].radius(part) + pair[1].radius(other);
-                let apart = (pair[0].centre - axis).norm() - pair[1].gear.eccentricity();
-                if radii > apart && !covers(&pair, &named, part, other) {
+        // Where nothing touches, the half teeth that face each other do not.
+        let parts = LOCKED
+            .into_iter()
+            .filter(|part| part.0 || proof.open.is_some());
+        for locked in parts {
+            for free in FREE {
+                if pair.may_meet(locked.1, free) && !pair.covers(&named, locked, free) {
                     return failed(&format!(
                         "of {} and {} a part is left out",
-                        part.name(),
-                        other.name()
+                        locked.1.name(),
+                        free.name()
                     ));
                 }
             }
@@ -126,74 +169,147 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
     Ok(())
 }
 
-/// Parts of a half tooth, each with what it is named by; the top includes tip and involute.
-const PARTS: [ProfilePart; 3] = [ProfilePart::Tip, ProfilePart::Fillet, ProfilePart::Root];
+/// Parts of the free half tooth, each with what it is named by: the top includes tip and involute.
+const FREE: [ProfilePart; 3] = [ProfilePart::Tip, ProfilePart::Fillet, ProfilePart::Root];
 
-/// Whether `named` has all of two parts: of fillets every stretch.
-fn covers(pair: &[Half; 2], named: &[&Separation], part: ProfilePart, other: ProfilePart) -> bool {
-    let parts = [part, other];
-    let ranges = [0, 1].map(|k| pair[k].range(parts[k]));
-    if ranges.iter().any(|(low, high)| low >= high) {
-        return true;
+/// Those of the locked tooth's near half, and of its far half. (Its root land faces the other side of the free gear's teeth.)
+const LOCKED: [(bool, ProfilePart); 5] = [
+    (true, ProfilePart::Tip),
+    (true, ProfilePart::Fillet),
+    (true, ProfilePart::Root),
+    (false, ProfilePart::Tip),
+    (false, ProfilePart::Fillet),
+];
+
+impl Tooth<'_> {
+    fn half(&self, is_near: bool) -> &Half<'_> {
+        if is_near { &self.near } else { &self.far }
     }
-    let within = |piece: Piece, k: usize| match (piece, parts[k]) {
-        (Piece::Top, ProfilePart::Tip) | (Piece::Root, ProfilePart::Root) => Some(ranges[k]),
-        (Piece::Fillet([low, high]), ProfilePart::Fillet) => Some((low, high)),
-        _ => None,
-    };
-    let whole_free = |one: &&Separation| one.by == Reason::OutOfReach && one.free == Piece::Top;
-    let boxes: Vec<[(f64, f64); 2]> = named
-        .iter()
-        .filter_map(|one| {
-            let free = if whole_free(one) {
-                Some(ranges[1])
-            } else {
-                within(one.free, 1)
-            };
-            Some([within(one.locked, 0)?, free?])
-        })
-        .collect();
-    // Every cell of the grid of all their ends lies in one of them.
-    let grid = [0, 1].map(|k| {
-        let mut ends: Vec<f64> = boxes.iter().flat_map(|one| [one[k].0, one[k].1]).collect();
-        ends.extend([ranges[k].0, ranges[k].1]);
-        ends.retain(|end| *end >= ranges[k].0 && *end <= ranges[k].1);
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        ends.windows(2)
-            .map(|ends| 0.5 * (ends[0] + ends[1]))
-            .collect::<Vec<f64>>()
-    });
-    grid[0].iter().all(|x| {
-        grid[1].iter().all(|y| {
-            let has = |range: (f64, f64), at: f64| range.0 <= at && at <= range.1;
-            boxes.iter().any(|one| has(one[0], *x) && has(one[1], *y))
-        })
-    })
+
+    fn reach(&self, piece: Piece, n: Vector2<f64>) -> Reach {
+        match piece {
+            Piece::Tooth => farther(
+                self.near.reach(Piece::Top, n),
+                self.far.reach(Piece::Top, n),
+            ),
+            Piece::FarFillet(range) => self.far.reach(Piece::Fillet(range), n),
+            _ => self.near.reach(piece, n),
+        }
+    }
 }
 
-/// Whether what is said to keep two pieces apart does; `open`: at a rotation, else at every one.
-fn holds(pair: &[Half; 2], one: &Separation, axis: Point2<f64>, open: bool) -> bool {
-    let [locked, free] = pair;
-    let n = one.normal;
-    let opening = -locked.side.sense();
-    let (reach, _) = locked.reach(one.locked, n);
-    match one.by {
-        Reason::Direction => {
-            let (back, at) = free.reach(one.free, -n);
-            open && -back > reach && opening * turns(axis, at, n) > 0.0
+impl Pair<'_> {
+    /// Whether the free half tooth reaches nothing of the locked tooth, or of its near half alone, at any rotation.
+    fn is_out_of_reach(&self, with_far: bool) -> bool {
+        let is_off = |half: &Half| half.distance(self.axis) > self.free.reach_about(self.axis);
+        is_off(&self.locked.near) && (!with_far || is_off(&self.locked.far))
+    }
+
+    /// Whether two parts may meet by their greatest radii.
+    fn may_meet(&self, locked: ProfilePart, free: ProfilePart) -> bool {
+        let near = &self.locked.near;
+        let apart = (near.centre - self.axis).norm() - self.free.gear.eccentricity();
+        near.radius(locked) + self.free.radius(free) > apart
+    }
+
+    /// Whether `named` has all of two parts: of fillets every stretch.
+    fn covers(
+        &self,
+        named: &[&Separation],
+        (is_near, part): (bool, ProfilePart),
+        other: ProfilePart,
+    ) -> bool {
+        let ranges = [
+            self.locked.half(is_near).range(part),
+            self.free.range(other),
+        ];
+        if ranges.iter().any(|(low, high)| low >= high) {
+            return true;
         }
-        Reason::OutOfReach => axis.coords.dot(&n) - free.piece_about(one.free, axis) > reach,
-        Reason::LockedTangents => {
-            open && off_tangents(locked, one.locked, (free, one.free), |at, n| {
-                opening * turns(axis, at, n)
+        let locked = |piece: Piece| match (piece, is_near, part) {
+            (Piece::Tooth, _, ProfilePart::Tip) => Some(ranges[0]),
+            (Piece::Top, true, ProfilePart::Tip) | (Piece::Root, true, ProfilePart::Root) => {
+                Some(ranges[0])
+            }
+            (Piece::Fillet([low, high]), true, ProfilePart::Fillet) => Some((low, high)),
+            (Piece::FarFillet([low, high]), false, ProfilePart::Fillet) => Some((low, high)),
+            _ => None,
+        };
+        let free = |one: &Separation| match (one.free, other) {
+            // The disc of the whole half tooth.
+            (Piece::Top, _) if one.by == Reason::OutOfReach => Some(ranges[1]),
+            (Piece::Top, ProfilePart::Tip) | (Piece::Root, ProfilePart::Root) => Some(ranges[1]),
+            (Piece::Fillet([low, high]), ProfilePart::Fillet) => Some((low, high)),
+            _ => None,
+        };
+        let boxes: Vec<[(f64, f64); 2]> = named
+            .iter()
+            .filter_map(|one| Some([locked(one.locked)?, free(one)?]))
+            .collect();
+        // Every cell of the grid of all their ends lies in one of them.
+        let grid = [0, 1].map(|k| {
+            let mut ends: Vec<f64> = boxes.iter().flat_map(|one| [one[k].0, one[k].1]).collect();
+            ends.extend([ranges[k].0, ranges[k].1]);
+            ends.retain(|end| *end >= ranges[k].0 && *end <= ranges[k].1);
+            ends.sort_by(f64::total_cmp);
+            ends.dedup();
+            ends.windows(2)
+                .map(|ends| 0.5 * (ends[0] + ends[1]))
+                .collect::<Vec<f64>>()
+        });
+        grid[0].iter().all(|x| {
+            grid[1].iter().all(|y| {
+                let has = |range: (f64, f64), at: f64| range.0 <= at && at <= range.1;
+                boxes.iter().any(|one| has(one[0], *x) && has(one[1], *y))
             })
-        }
-        // A force out of the free metal turns the free gear the other way.
-        Reason::FreeTangents => {
-            open && off_tangents(free, one.free, (locked, one.locked), |at, n| {
-                opening * turns(axis, at, -n)
-            })
+        })
+    }
+
+    /// Whether a distance, mm, stays above 0 as the free gear turns on: it grows where its arm is above 0, and else falls by no more than this.
+    fn stays(&self, distance: f64, arm: f64) -> bool {
+        let gear = self.free.gear;
+        let reach = gear.eccentricity() + gear.gear().tip_radius();
+        let falls = if arm > 0.0 {
+            0.0
+        } else {
+            self.play * (reach * self.play - arm)
+        };
+        distance > falls
+    }
+
+    /// Whether what is said to keep two pieces apart does; `open`: at a rotation, else at every one.
+    fn holds(&self, one: &Separation, open: bool) -> bool {
+        let Pair {
+            locked, free, axis, ..
+        } = self;
+        let n = one.normal;
+        let opening = -free.side.sense();
+        let (reach, _) = locked.reach(one.locked, n);
+        match one.by {
+            Reason::Direction => {
+                let (back, at) = free.reach(one.free, -n);
+                // Turned on, the free piece stands with another of its corners towards the line.
+                let next = free.next_corner(one.free, -n, at).unwrap_or(at);
+                let arm = |at| opening * turns(*axis, at, n);
+                open && self.stays(-back - reach, arm(at).min(arm(next)))
+            }
+            Reason::OutOfReach => axis.coords.dot(&n) - free.piece_about(one.free, *axis) > reach,
+            Reason::LockedTangents => {
+                let (half, fillet) = match one.locked {
+                    Piece::FarFillet(range) => (&locked.far, Piece::Fillet(range)),
+                    fillet => (&locked.near, fillet),
+                };
+                let stays =
+                    |s, [_, at]: [Point2<f64>; 2], n| self.stays(s, opening * turns(*axis, at, n));
+                open && off_tangents(half, fillet, |n| free.reach(one.free, n), stays)
+            }
+            // A force out of the free metal turns the free gear the other way.
+            Reason::FreeTangents => {
+                let stays = |s, [at, _]: [Point2<f64>; 2], n: Vector2<f64>| {
+                    self.stays(s, opening * turns(*axis, at, -n))
+                };
+                open && off_tangents(free, one.free, |n| locked.reach(one.locked, n), stays)
+            }
         }
     }
 }
@@ -210,21 +326,22 @@ fn turns(axis: Point2<f64>, at: Point2<f64>, n: Vector2<f64>) -> f64 {
 fn off_tangents(
     half: &Half,
     fillet: Piece,
-    (mate, piece): (&Half, Piece),
-    arm: impl Fn(Point2<f64>, Vector2<f64>) -> f64,
+    mate: impl Fn(Vector2<f64>) -> Reach,
+    stays: impl Fn(f64, [Point2<f64>; 2], Vector2<f64>) -> bool,
 ) -> bool {
     let Piece::Fillet([low, high]) = fillet else {
         return false;
     };
     let at = |t: f64| {
         let (point, n) = half.at(ProfilePart::Fillet, t);
-        let (back, met) = mate.reach(piece, -n);
+        let (back, met) = mate(-n);
         (point, n, -back - point.coords.dot(&n), met)
     };
     let mut cells = vec![(low, high, 0)];
     while let Some((low, high, depth)) = cells.pop() {
         let [(p0, n0, s0, q0), (p1, n1, s1, q1)] = [low, high].map(at);
-        if !(s0 > 0.0 && s1 > 0.0 && arm(q0, n0) > 0.0 && arm(q1, n1) > 0.0) {
+        let stay = |s0, s1| stays(s0, [p0, q0], n0) && stays(s1, [p1, q1], n1);
+        if !stay(s0, s1) {
             return false;
         }
         // σ' is how far the mate's point lies along the tangent; towards each other it falls.
@@ -236,9 +353,16 @@ fn off_tangents(
             -slope(p1, q1, n1) * turn.signum(),
         ];
         let width = turn.abs().asin();
-        let hollow = (p1 - p0).norm() >= (q1 - q0).norm();
-        // Each bound is concave where it is above 0: the greater of both is least where they cross, or at an end.
-        if hollow && crossing([s0, s1], falls, width) > 0.0 {
+        let [run, run_of_mate] = [(p1 - p0).norm(), (q1 - q0).norm()];
+        let least = if run >= run_of_mate {
+            // Each bound is concave where it is above 0: the greater of both is least where they cross, or at an end.
+            crossing([s0, s1], falls, width)
+        } else {
+            // σ' changes by no more than both points move.
+            let steepest = falls[0].abs().max(falls[1].abs()) + run + run_of_mate;
+            s0.min(s1) - width * steepest
+        };
+        if stay(least, least) {
             continue;
         }
         if depth > 40 {
@@ -316,12 +440,45 @@ impl<'a> Half<'a> {
     /// How far a piece reaches in the direction `n`.
     fn reach(&self, piece: Piece, n: Vector2<f64>) -> Reach {
         match piece {
-            Piece::Top => {
+            Piece::Top | Piece::Tooth => {
                 let of = |part| self.reach_of(part, self.range(part), n);
                 farther(of(ProfilePart::Tip), of(ProfilePart::Involute))
             }
-            Piece::Fillet([low, high]) => self.reach_of(ProfilePart::Fillet, (low, high), n),
+            Piece::Fillet([low, high]) | Piece::FarFillet([low, high]) => {
+                self.reach_of(ProfilePart::Fillet, (low, high), n)
+            }
             Piece::Root => self.reach_of(ProfilePart::Root, self.range(ProfilePart::Root), n),
+        }
+    }
+
+    /// The corner with which a piece of the free gear that reaches farthest in the direction `n` with the point `at` does so once it has turned on past
+    /// an edge between two corners.
+    fn next_corner(&self, piece: Piece, n: Vector2<f64>, at: Point2<f64>) -> Option<Point2<f64>> {
+        let (part, (low, high)) = match piece {
+            Piece::Top | Piece::Tooth => (ProfilePart::Tip, self.range(ProfilePart::Tip)),
+            Piece::Fillet([low, high]) | Piece::FarFillet([low, high]) => {
+                (ProfilePart::Fillet, (low, high))
+            }
+            Piece::Root => (ProfilePart::Root, self.range(ProfilePart::Root)),
+        };
+        let ends = [low, high].map(|t| self.at(part, t).0);
+        let [n, far, other] = [
+            self.own(self.centre + n),
+            self.own(ends[0]),
+            self.own(ends[1]),
+        ];
+        match part {
+            // Only from beyond the far corner, or within 30° of straight from behind: from elsewhere curves follow.
+            ProfilePart::Tip => {
+                let (form, _) = self.range(ProfilePart::Involute);
+                let joint = self.own(self.at(ProfilePart::Involute, form).0);
+                let is_behind = n.dot(&joint) < -0.75f64.sqrt() * joint.norm();
+                (n.y > 0.0 && far.perp(&n) > 0.0 || is_behind).then_some(ends[0])
+            }
+            ProfilePart::Root if !ends.contains(&at) => None,
+            // The end that lies clockwise.
+            _ if n.perp(&far) < n.perp(&other) => Some(ends[0]),
+            _ => Some(ends[1]),
         }
     }
 
@@ -361,21 +518,18 @@ impl Half<'_> {
         Vector2::new(own.x, -self.side.sense() * own.y)
     }
 
-    /// Whether a point lies in its metal, between the outline and the far corner of the tip land.
+    /// Whether a point lies in its metal: within the root circle, or between the outline and the far corner of the tip land.
     fn has(&self, point: Point2<f64>) -> bool {
         let own = self.own(point);
         let radius = own.norm();
         let gear = self.gear.gear();
         let here = own.y.atan2(own.x);
-        let ends = [
-            -self.range(ProfilePart::Root).1,
-            -self.range(ProfilePart::Tip).0,
-        ];
-        if radius >= gear.tip_radius() || here >= ends[1] {
-            return false;
-        }
+        // Within its root circle a gear is solid.
         if radius <= gear.root_radius() {
-            return here > ends[0];
+            return true;
+        }
+        if radius >= gear.tip_radius() || here >= -self.range(ProfilePart::Tip).0 {
+            return false;
         }
         let part = match radius >= gear.form_radius() {
             true => ProfilePart::Involute,
@@ -418,27 +572,33 @@ impl Half<'_> {
     /// Greatest distance of a piece from its axis, mm. Along a fillet it may fall and then rises; along an involute it rises towards the tip.
     fn piece_about(&self, piece: Piece, axis: Point2<f64>) -> f64 {
         match piece {
-            Piece::Fillet(ends) => {
+            Piece::Fillet(ends) | Piece::FarFillet(ends) => {
                 let distances = ends.map(|t| (self.at(ProfilePart::Fillet, t).0 - axis).norm());
                 distances[0].max(distances[1])
             }
             Piece::Root => self.land_about(ProfilePart::Root, axis),
-            Piece::Top => self.reach_about(axis),
+            Piece::Top | Piece::Tooth => self.reach_about(axis),
         }
     }
 
     /// Greatest distance of the whole half tooth from its axis, mm.
     fn reach_about(&self, axis: Point2<f64>) -> f64 {
-        let deeper = self.gear.eccentricity() + self.gear.gear().form_radius();
-        self.land_about(ProfilePart::Tip, axis).max(deeper)
+        let low = self.range(ProfilePart::Tip).0;
+        let high = self.range(ProfilePart::Root).1;
+        let form = self.gear.gear().form_radius();
+        self.land_about(ProfilePart::Tip, axis)
+            .max(self.arc_about(form, (low, high), axis))
     }
 
-    /// That of a land: where it lies straight beyond the gear's centre, or an end.
     fn land_about(&self, part: ProfilePart, axis: Point2<f64>) -> f64 {
-        let (low, high) = self.range(part);
-        let beyond = self.own(self.centre + (self.centre - axis));
-        let at = (-beyond.y.atan2(beyond.x)).clamp(low.min(high), high);
-        let distance = |t: f64| (self.at(part, t).0 - axis).norm();
+        self.arc_about(self.radius(part), self.range(part), axis)
+    }
+
+    /// That of an arc about the gear's centre between two parameters of a land: where it lies straight beyond the centre, or an end.
+    fn arc_about(&self, radius: f64, (low, high): (f64, f64), axis: Point2<f64>) -> f64 {
+        let axis = self.own(axis);
+        let at = (-(-axis.y).atan2(-axis.x)).clamp(low.min(high), high);
+        let distance = |t: f64| (radius * Vector2::new(t.cos(), -t.sin()) - axis).norm();
         [at, low, high]
             .map(distance)
             .into_iter()

@@ -34,15 +34,28 @@ pub(super) struct Support {
     pub along: f64,
     /// `h + h''`, mm: radius of curvature of the outline there.
     pub radius: f64,
+    /// Least `h'`, mm, as the direction turns clockwise past the next edge between two corners.
+    pub lever: f64,
 }
 
 impl Support {
     #[inline]
     fn of_point(point: C, n: C) -> Support {
+        let along = along(point, n);
         Support {
             reach: dot(point, n),
-            along: along(point, n),
+            along,
             radius: 0.0,
+            lever: along,
+        }
+    }
+
+    /// The support of two points: past their edge it is that of the other one.
+    fn of_edge(points: [C; 2], n: C) -> Support {
+        let [one, other] = points.map(|point| Support::of_point(point, n));
+        Support {
+            lever: one.along.min(other.along),
+            ..one.farther(other)
         }
     }
 
@@ -77,6 +90,8 @@ pub(super) struct Arc {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Convex<'a> {
     Top(Top<'a>),
+    /// Both tops of a tooth, which is locked: its levers are not known.
+    Tooth(Top<'a>),
     Arc(Arc),
     /// The hull of two points: a chord of a hollow curve, which reaches no farther.
     Chord([C; 2]),
@@ -86,6 +101,11 @@ impl<'a> Convex<'a> {
     /// The top of a half tooth of this shape, `far` the far corner of its tip land.
     pub fn top(shape: &'a HalfToothShape, far: C) -> Convex<'a> {
         Convex::Top(Top { shape, far })
+    }
+
+    /// Both tops of a tooth whose near half has this shape, `far` the far corner of its tip land.
+    pub fn tooth(shape: &'a HalfToothShape, far: C) -> Convex<'a> {
+        Convex::Tooth(Top { shape, far })
     }
 
     /// The arc of this radius, mm, between two directions, rad.
@@ -104,20 +124,19 @@ impl<'a> Convex<'a> {
     pub fn support(&self, omega: f64, n: C) -> Support {
         match self {
             Convex::Top(top) => top.support(omega, n),
+            Convex::Tooth(top) => top.support_of_tooth(omega, n),
             Convex::Arc(arc) => arc.support(omega, n),
-            Convex::Chord([a, b]) => Support::of_point(*a, n).farther(Support::of_point(*b, n)),
+            Convex::Chord(ends) => Support::of_edge(*ends, n),
         }
     }
 
     /// Greatest distance, mm, from an axis at `−off` in the piece's own frame.
     pub fn farthest(&self, off: C) -> f64 {
         match self {
-            Convex::Top(top) => {
-                let [low, high] = [top.shape.tip_corner().arg(), top.far.arg()];
-                let land = farthest_of_arc(top.shape.tip_radius, low, high, off);
-                let ends = [top.shape.tip_corner(), top.far, top.shape.joint];
-                let ends = ends.map(|end| (off + end).norm());
-                ends.into_iter().fold(land, f64::max)
+            Convex::Top(top) => top.farthest(off),
+            Convex::Tooth(top) => {
+                let far_joint = top.mirrored(top.shape.joint);
+                top.farthest(off).max((off + far_joint).norm())
             }
             Convex::Arc(arc) => farthest_of_arc(arc.radius, arc.low, arc.high, off),
             Convex::Chord(ends) => {
@@ -127,13 +146,36 @@ impl<'a> Convex<'a> {
         }
     }
 
-    /// Greatest radius of curvature, mm, in directions within `play` of `omega`.
+    /// Greatest radius of curvature, mm, in directions within `play` of `omega`; infinite where an edge of the hull is one of several points.
     pub fn greatest_radius(&self, omega: f64, play: f64) -> f64 {
         match self {
             Convex::Top(top) => top.greatest_radius(omega, play),
+            Convex::Tooth(top) => {
+                let (joint, beta) = (top.shape.joint, top.mirror().arg());
+                let mirrored = wrapped(beta - omega);
+                let edge = radius_of_edge([top.mirrored(joint), joint], omega, play);
+                let near = top.radius_of_curves(omega, play).max(edge);
+                near.max(top.radius_of_curves(mirrored, play))
+            }
             Convex::Arc(arc) => arc.radius,
             Convex::Chord(_) => 0.0,
         }
+    }
+}
+
+/// `e^{iβ}`, with which the far half of a tooth is `e^{iβ}` times the conjugate of the near one, `far` its far corner.
+pub(super) fn mirror(shape: &HalfToothShape, far: C) -> C {
+    let turned = far * shape.tip_corner();
+    turned / turned.norm()
+}
+
+/// Infinite where the normal of the edge between two corners of a hull, counter-clockwise from one to the other, is within `play` of `omega`.
+fn radius_of_edge([from, to]: [C; 2], omega: f64, play: f64) -> f64 {
+    let normal = (from - to) * C::i();
+    if wrapped(omega - normal.arg()).abs() <= play {
+        f64::INFINITY
+    } else {
+        0.0
     }
 }
 
@@ -158,18 +200,71 @@ pub(super) fn wrapped(angle: f64) -> f64 {
 }
 
 impl Top<'_> {
+    /// `e^{iβ}`: the far half of the tooth is `e^{iβ}` times the conjugate of the near one.
+    fn mirror(&self) -> C {
+        mirror(self.shape, self.far)
+    }
+
+    fn mirrored(&self, own: C) -> C {
+        own.conj() * self.mirror()
+    }
+
+    /// The support of both tops, which mirror each other.
+    #[inline]
+    fn support_of_tooth(&self, omega: f64, n: C) -> Support {
+        let is_near = dot(n, self.shape.tip_corner()) >= dot(n, self.far);
+        if is_near {
+            return self.support_of_near_half(omega, n);
+        }
+        let n = self.mirrored(n);
+        let support = self.support_of_near_half(n.arg(), n);
+        Support {
+            along: -support.along,
+            lever: f64::NAN,
+            ..support
+        }
+    }
+
+    /// The support of both tops in a direction nearer to the near one's corner.
+    #[inline]
+    fn support_of_near_half(&self, omega: f64, n: C) -> Support {
+        let shape = self.shape;
+        let roll = omega + shape.half_base + FRAC_PI_2;
+        let is_behind = roll > shape.tip_roll && dot(n, shape.tip_corner()) < 0.0;
+        if roll < shape.form_roll || is_behind {
+            let far = self.mirrored(shape.joint);
+            return Support::of_edge([shape.joint, far], n);
+        }
+        self.support(omega, n)
+    }
+
+    fn farthest(&self, off: C) -> f64 {
+        let [low, high] = [self.shape.tip_corner().arg(), self.far.arg()];
+        let land = farthest_of_arc(self.shape.tip_radius, low, high, off);
+        let ends = [self.shape.tip_corner(), self.far, self.shape.joint];
+        let ends = ends.map(|end| (off + end).norm());
+        ends.into_iter().fold(land, f64::max)
+    }
+
     #[inline]
     fn support(&self, omega: f64, n: C) -> Support {
         let shape = self.shape;
         let roll = omega + shape.half_base + FRAC_PI_2;
         if roll < shape.form_roll {
-            return Support::of_point(shape.joint, n);
+            let inwards = dot(n, shape.joint);
+            // Within 30° of straight from behind, the edge to the far corner is the next one.
+            return if inwards < 0.0 && inwards * inwards > 0.75 * shape.joint.norm_sqr() {
+                Support::of_edge([self.far, shape.joint], n)
+            } else {
+                Support::of_point(shape.joint, n)
+            };
         }
         if roll <= shape.tip_roll {
             return Support {
                 reach: shape.base * roll,
                 along: shape.base,
                 radius: shape.base * roll,
+                lever: shape.base,
             };
         }
         // Clockwise of the corner's own direction the corner, then the land.
@@ -182,13 +277,19 @@ impl Top<'_> {
                 reach: shape.tip_radius,
                 along: 0.0,
                 radius: shape.tip_radius,
+                lever: 0.0,
             };
         }
         // From beyond the far corner to straight from behind.
-        Support::of_point(self.far, n).farther(Support::of_point(shape.joint, n))
+        Support::of_edge([self.far, shape.joint], n)
     }
 
     fn greatest_radius(&self, omega: f64, play: f64) -> f64 {
+        let edge = radius_of_edge([self.far, self.shape.joint], omega, play);
+        self.radius_of_curves(omega, play).max(edge)
+    }
+
+    fn radius_of_curves(&self, omega: f64, play: f64) -> f64 {
         let shape = self.shape;
         let roll = omega + shape.half_base + FRAC_PI_2;
         let mut most = 0.0f64;
@@ -211,10 +312,10 @@ impl Arc {
                 reach: self.radius,
                 along: 0.0,
                 radius: self.radius,
+                lever: 0.0,
             };
         }
-        let [a, b] = self.ends.map(|end| Support::of_point(end, n));
-        a.farther(b)
+        Support::of_edge(self.ends, n)
     }
 }
 
@@ -233,46 +334,59 @@ mod tests {
             let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
             let shape = HalfToothShape::new(&Profile::new(&gear));
             let far = shape.tip_corner().conj() * turn(wider);
-            let top = Convex::top(&shape, far);
-            let along = |low: f64, high: f64, part| {
-                let shape = &shape;
-                (0..=4000).map(move |k| shape.at(part, low + (high - low) * f64::from(k) / 4000.0))
-            };
-            let (form, tip) = shape.range(ProfilePart::Involute);
-            let (_, corner) = shape.range(ProfilePart::Tip);
-            let land = along(-far.arg(), corner, ProfilePart::Tip);
-            let points: Vec<C> = along(form, tip, ProfilePart::Involute)
-                .chain(land)
-                .map(|sample| sample.point)
-                .collect();
-            for k in 0..720 {
-                let omega = wrapped(0.003 + TAU * f64::from(k) / 720.0);
-                let n = turn(omega);
-                let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
-                let support = top.support(omega, n);
-                let over = support.reach - farthest;
-                assert!((-1e-12..1e-6).contains(&over), "{teeth} {omega}: {over:e}");
-                const STEP: f64 = 1e-5;
-                let [before, behind] = [omega - STEP, omega + STEP]
-                    .map(|omega| top.support(wrapped(omega), turn(omega)));
-                // Not where one curve's normals end.
-                if before.radius > 0.0 && behind.radius > 0.0 || support.radius == 0.0 {
-                    let slope = (behind.reach - before.reach) / (2.0 * STEP);
-                    assert!(
-                        (slope - support.along).abs() < 1e-4,
-                        "{teeth} {omega}: {slope}"
-                    );
+            for is_whole in [false, true] {
+                let top = match is_whole {
+                    true => Convex::tooth(&shape, far),
+                    false => Convex::top(&shape, far),
+                };
+                let along = |low: f64, high: f64, part| {
+                    let shape = &shape;
+                    (0..=4000)
+                        .map(move |k| shape.at(part, low + (high - low) * f64::from(k) / 4000.0))
+                };
+                let (form, tip) = shape.range(ProfilePart::Involute);
+                let (_, corner) = shape.range(ProfilePart::Tip);
+                let land = along(-far.arg(), corner, ProfilePart::Tip);
+                let mut points: Vec<C> = along(form, tip, ProfilePart::Involute)
+                    .chain(land)
+                    .map(|sample| sample.point)
+                    .collect();
+                if is_whole {
+                    let far: Vec<C> = points
+                        .iter()
+                        .map(|point| point.conj() * turn(wider))
+                        .collect();
+                    points.extend(far);
                 }
-                let most = top.greatest_radius(omega, 0.02);
-                for off in [-0.02, 0.0, 0.02] {
-                    let there = top.support(wrapped(omega + off), turn(omega + off));
-                    assert!(there.radius <= most + 1e-12, "{teeth} {omega} {off}");
+                for k in 0..720 {
+                    let omega = wrapped(0.003 + TAU * f64::from(k) / 720.0);
+                    let n = turn(omega);
+                    let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
+                    let support = top.support(omega, n);
+                    let over = support.reach - farthest;
+                    assert!((-1e-12..1e-6).contains(&over), "{teeth} {omega}: {over:e}");
+                    const STEP: f64 = 1e-5;
+                    let [before, behind] = [omega - STEP, omega + STEP]
+                        .map(|omega| top.support(wrapped(omega), turn(omega)));
+                    // Not where one curve's normals end.
+                    if before.radius > 0.0 && behind.radius > 0.0 || support.radius == 0.0 {
+                        let slope = (behind.reach - before.reach) / (2.0 * STEP);
+                        assert!(
+                            (slope - support.along).abs() < 1e-4,
+                            "{teeth} {omega}: {slope}"
+                        );
+                    }
+                    let most = top.greatest_radius(omega, 0.02);
+                    for off in [-0.02, 0.0, 0.02] {
+                        let there = top.support(wrapped(omega + off), turn(omega + off));
+                        assert!(there.radius <= most + 1e-12, "{teeth} {omega} {off}");
+                    }
                 }
-            }
-            for off in [C::ZERO, C::new(0.3, 0.2), C::new(-0.1, 0.4)] {
-                let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
-                let over = top.farthest(off) - farthest;
-                assert!((-1e-12..1e-6).contains(&over), "{teeth} {off}: {over:e}");
+                for off in [C::ZERO, C::new(0.3, 0.2), C::new(-0.1, 0.4)] {
+                    let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
+                    let over = top.farthest(off) - farthest;
+                    assert!((-1e-12..1e-6).contains(&over), "{teeth} {off}: {over:e}");
+                }
             }
         }
     }

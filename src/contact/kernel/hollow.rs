@@ -12,8 +12,8 @@
 //! the difference has the non-negative kernel `sin(x − y)`. One evaluation proves the whole neighbourhood of a touch.
 
 use super::at::{Apart, At};
-use super::convex::{Convex, along, dot, wrapped};
-use crate::contact::gap::C;
+use super::convex::{Convex, Support, along, dot, wrapped};
+use crate::contact::gap::{C, turn};
 use crate::gear::{Fillet, Part, PartCurve};
 use std::f64::consts::PI;
 
@@ -26,12 +26,19 @@ const DEEPEST: u32 = 26;
 /// A fillet, cut into stretches.
 #[derive(Debug, Clone)]
 pub(super) struct Hollow {
-    curve: PartCurve,
-    /// `r`, mm, of a fillet's generating circle.
-    pitch_radius: f64,
+    curve: HollowCurve,
     /// From one end to the other.
     pub whole: Stretch,
     stretches: Vec<Stretch>,
+}
+
+#[derive(Debug, Clone)]
+struct HollowCurve {
+    curve: PartCurve,
+    /// `r`, mm, of a fillet's generating circle.
+    pitch_radius: f64,
+    /// Whether it is mirrored in the tooth's centre line.
+    mirrored: bool,
 }
 
 /// A stretch of a hollow curve.
@@ -74,11 +81,15 @@ pub(super) enum OffStretch {
 }
 
 impl Hollow {
-    /// A fillet, whose generating circle has this radius, mm. It may bulge where no mate touches it.
-    pub fn new(part: &Part, pitch_radius: f64) -> Hollow {
+    /// A fillet, whose generating circle has this radius, mm, or its mirror image. It may bulge where no mate touches it.
+    pub fn new(part: &Part, pitch_radius: f64, mirrored: bool) -> Hollow {
         let (low, high) = part.range();
-        let curve = &part.curve;
-        let stretch = |low: f64, high: f64| Stretch::new(curve, pitch_radius, [low, high]);
+        let curve = HollowCurve {
+            curve: part.curve.clone(),
+            pitch_radius,
+            mirrored,
+        };
+        let stretch = |low: f64, high: f64| Stretch::new(&curve, [low, high]);
         let at = |k: u32| match k {
             // The end is itself, to the last bit.
             STRETCHES => high,
@@ -87,25 +98,51 @@ impl Hollow {
         Hollow {
             stretches: (0..STRETCHES).map(|k| stretch(at(k), at(k + 1))).collect(),
             whole: stretch(low, high),
-            curve: curve.clone(),
-            pitch_radius,
+            curve,
         }
     }
 
-    fn parts(&self, stretch: &Stretch, at: f64) -> [Stretch; 2] {
+    /// The support of all its points in the direction `n` at most, and their least lever; nothing else of it is known.
+    pub fn bound(&self, n: C) -> Support {
+        let mut bound = Support {
+            reach: f64::MIN,
+            along: f64::NAN,
+            radius: f64::NAN,
+            lever: f64::MAX,
+        };
+        for stretch in &self.stretches {
+            let (reach, least) = stretch.bound(n);
+            bound.reach = bound.reach.max(reach);
+            bound.lever = bound.lever.min(least);
+        }
+        bound
+    }
+
+    /// A stretch in parts: one of them about the parameter `at`, else its halves.
+    fn cut(&self, stretch: &Stretch, at: Option<f64>) -> impl Iterator<Item = Stretch> {
         let [low, high] = stretch.ends;
-        [[low, at], [at, high]].map(|ends| Stretch::new(&self.curve, self.pitch_radius, ends))
+        let width = |at: f64| (0.2 * (high - low)).min(at - low).min(high - at);
+        let about = at.filter(|at| width(*at) > 1e-3 * (high - low));
+        let (first, second) = match about {
+            Some(at) => (at - width(at), at + width(at)),
+            None => (0.5 * (low + high), high),
+        };
+        let parts = [[low, first], [first, second], [second, high]];
+        let parts = parts.into_iter().filter(|[from, to]| from < to);
+        parts.map(|ends| Stretch::new(&self.curve, ends))
     }
 
     fn halves(&self, stretch: &Stretch) -> [Stretch; 2] {
-        self.parts(stretch, 0.5 * (stretch.ends[0] + stretch.ends[1]))
+        let [low, high] = stretch.ends;
+        let middle = 0.5 * (low + high);
+        [[low, middle], [middle, high]].map(|ends| Stretch::new(&self.curve, ends))
     }
 }
 
 impl Stretch {
-    fn new(curve: &PartCurve, pitch_radius: f64, ends: [f64; 2]) -> Stretch {
-        let [(a, na), (b, nb)] = ends.map(|t| at(curve, t));
-        let (_, middle) = at(curve, 0.5 * (ends[0] + ends[1]));
+    fn new(curve: &HollowCurve, ends: [f64; 2]) -> Stretch {
+        let [(a, na), (b, nb)] = ends.map(|t| curve.at(t));
+        let (_, middle) = curve.at(0.5 * (ends[0] + ends[1]));
         let chord = b - a;
         let length = chord.norm();
         let normal = C::new(chord.im, -chord.re) / length;
@@ -116,9 +153,9 @@ impl Stretch {
         };
         // Of a hollow curve the normal turns one way: to the middle and from there by less than a right angle.
         let turns_little = dot(na, middle) > 0.0 && dot(middle, nb) > 0.0;
-        let radii = radii(curve, pitch_radius, ends).filter(|_| turns_little);
+        let radii = curve.radii(ends).filter(|_| turns_little);
         // The tangents at both ends enclose it; of a curve that may turn either way, lines as steep as its steepest.
-        let (_, half_turn) = curve.spread(ends[0], ends[1]);
+        let (_, half_turn) = curve.curve.spread(ends[0], ends[1]);
         let slope = match radii {
             Some(_) if dot(na, nb) > -0.5 => along(na, nb).abs() / (1.0 + dot(na, nb)),
             None if half_turn < 0.5 => (2.0 * half_turn).tan(),
@@ -135,6 +172,18 @@ impl Stretch {
         }
     }
 
+    /// How far its points reach in the direction `n` at most, and their least coordinate along `i n`.
+    fn bound(&self, n: C) -> (f64, f64) {
+        let [a, b] = self.points;
+        let beyond = if self.reaches_no_farther(n) {
+            0.0
+        } else {
+            self.sag
+        };
+        let reach = dot(a, n).max(dot(b, n)) + beyond;
+        (reach, along(a, n).min(along(b, n)) - self.sag)
+    }
+
     /// Whether no point reaches farther in the direction `n` than both ends: the only other greatest `P·n` of a hollow curve is where the normal is
     /// `−n`.
     fn reaches_no_farther(&self, n: C) -> bool {
@@ -142,20 +191,30 @@ impl Stretch {
     }
 }
 
-fn at(curve: &PartCurve, t: f64) -> (C, C) {
-    let (point, normal) = curve.at(t);
-    (C::new(point.x, point.y), C::new(normal.x, normal.y))
-}
+impl HollowCurve {
+    /// Point and normal at a parameter.
+    fn at(&self, t: f64) -> (C, C) {
+        let (point, normal) = self.curve.at(t);
+        let both = (C::new(point.x, point.y), C::new(normal.x, normal.y));
+        if self.mirrored {
+            (both.0.conj(), both.1.conj())
+        } else {
+            both
+        }
+    }
 
-/// Least and greatest radius of curvature of a hollow curve between two parameters; `None` where it is not known to be hollow.
-fn radii(curve: &PartCurve, pitch_radius: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
-    match curve.convexity(low, high) {
-        Some((least, most)) if most < 0.0 => Some([-1.0 / least, -1.0 / most]),
-        Some(_) => None,
-        None => match curve {
-            PartCurve::Trochoid(fillet) => shallow_radii(fillet, pitch_radius, [low, high]),
-            _ => None,
-        },
+    /// Least and greatest radius of curvature between two parameters; `None` where it is not known to be hollow.
+    fn radii(&self, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+        match self.curve.convexity(low, high) {
+            Some((least, most)) if most < 0.0 => Some([-1.0 / least, -1.0 / most]),
+            Some(_) => None,
+            None => match &self.curve {
+                PartCurve::Trochoid(fillet) => {
+                    shallow_radii(fillet, self.pitch_radius, [low, high])
+                }
+                _ => None,
+            },
+        }
     }
 }
 
@@ -213,7 +272,7 @@ impl At {
             radius: support.radius,
             omega,
             arm: match owner {
-                0 => support.along - along(self.centres[1], n),
+                0 => support.lever - along(self.centres[1], n),
                 _ => along(p, n),
             },
         }
@@ -235,17 +294,20 @@ impl At {
     pub fn is_off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex, need: f64) -> bool {
         let line = (stretch.points[0], stretch.normal);
         let off = self.off_line(owner, line, stretch.angle, mate);
-        off.arm > 0.0
-            && off.room > need
-            && (stretch.reaches_no_farther(stretch.normal) || off.room > need + stretch.sag)
+        let sag = if stretch.reaches_no_farther(stretch.normal) {
+            0.0
+        } else {
+            stretch.sag
+        };
+        self.stays(off.room - sag, off.arm - sag, need)
     }
 
     /// Whether `mate` stands off all of a hollow curve of gear `owner` by more than `need` mm. Each stretch proven is told to `tell`; `looks`
-    /// counts what is looked at, up to `most`.
+    /// counts what is looked at, up to `most`. `start`, rad, is the direction to begin with, where that is not a stretch's own normal.
     pub fn is_off_hollow(
         &self,
         (owner, hollow): (usize, &Hollow),
-        mate: &Convex,
+        (mate, start): (&Convex, Option<f64>),
         need: f64,
         (looks, most): (&mut u32, u32),
         tell: &mut impl FnMut([f64; 2], OffStretch),
@@ -254,7 +316,7 @@ impl At {
         for stretch in &hollow.stretches {
             open.push((*stretch, 0));
             while let Some((stretch, depth)) = open.pop() {
-                let proof = self.off_stretch((owner, hollow), &stretch, mate, need, looks);
+                let proof = self.off_stretch((owner, hollow), &stretch, (mate, start), need, looks);
                 if let Some(proof) = proof {
                     tell(stretch.ends, proof);
                     continue;
@@ -262,37 +324,46 @@ impl At {
                 if depth >= DEEPEST || *looks > most {
                     return false;
                 }
-                let halves = match self.place_to_cut((owner, hollow), &stretch, mate) {
-                    Some(at) => hollow.parts(&stretch, at),
-                    None => hollow.halves(&stretch),
-                };
-                open.extend(halves.map(|half| (half, depth + 1)));
+                let nearest = self.nearest_tangent((owner, hollow), &stretch, mate, need);
+                let parts = hollow.cut(&stretch, nearest.map(|(at, _)| at));
+                open.extend(parts.map(|part| (part, depth + 1)));
             }
         }
         true
     }
 
-    /// The parameter beside the nearest tangents, at which to cut: what is left about them is proven in one.
-    fn place_to_cut(
+    /// The parameter of the tangent that `mate` is nearest to, within a stretch, and whether that keeps it off.
+    fn nearest_tangent(
         &self,
         (owner, hollow): (usize, &Hollow),
         stretch: &Stretch,
         mate: &Convex,
-    ) -> Option<f64> {
+        need: f64,
+    ) -> Option<(f64, bool)> {
         let [low, high] = stretch.ends;
-        let middle = 0.5 * (low + high);
-        let off = self.off_tangent(owner, at(&hollow.curve, middle), mate);
-        let bend = stretch.radii?[0] - off.radius - off.room;
-        let turn = along(stretch.normals[1], stretch.normals[0]);
-        if !(bend > 0.0) || turn == 0.0 {
+        let radii = stretch.radii?;
+        let turned = along(stretch.normals[1], stretch.normals[0]);
+        if turned == 0.0 {
             return None;
         }
-        let nearest = middle - off.slope / bend * (high - low) / turn;
-        let width = 0.2 * (high - low);
-        let [below, above] = [nearest - width, nearest + width];
-        [above, below]
-            .into_iter()
-            .find(|at| *at > low + 0.05 * width && *at < high - 0.05 * width)
+        let mut at = 0.5 * (low + high);
+        for _ in 0..6 {
+            let off = self.off_tangent(owner, hollow.curve.at(at), mate);
+            let bend = 0.5 * (radii[0] + radii[1]) - off.radius - off.room;
+            if !(bend > 0.0) {
+                return None;
+            }
+            let step = off.slope / bend * (high - low) / turned;
+            if step.abs() <= 1e-9 * (high - low) {
+                return Some((at, self.stays(off.room, off.arm, need)));
+            }
+            at -= step;
+            if !(at >= low && at <= high) {
+                return None;
+            }
+        }
+        let off = self.off_tangent(owner, hollow.curve.at(at), mate);
+        Some((at, self.stays(off.room, off.arm, need)))
     }
 
     /// How `mate` is proven off a stretch.
@@ -300,7 +371,7 @@ impl At {
         &self,
         (owner, hollow): (usize, &Hollow),
         stretch: &Stretch,
-        mate: &Convex,
+        (mate, given): (&Convex, Option<f64>),
         need: f64,
         looks: &mut u32,
     ) -> Option<OffStretch> {
@@ -310,15 +381,20 @@ impl At {
             return Some(OffStretch::Apart(Apart::Direction(start)));
         }
         if self.is_off_tangents((owner, hollow), stretch, mate, need) {
-            let (_, normal) = at(&hollow.curve, 0.5 * (stretch.ends[0] + stretch.ends[1]));
+            let (_, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
             return Some(OffStretch::Tangents(self.out_of_locked(owner, normal)));
+        }
+        // A shorter stretch about the nearest tangent is proven by its tangents.
+        let nearest = self.nearest_tangent((owner, hollow), stretch, mate, need);
+        if nearest.is_some_and(|(_, stays)| stays) {
+            return None;
         }
         let chord = Convex::Chord(stretch.points);
         let (locked, free) = match owner {
             0 => (&chord, mate),
             _ => (mate, &chord),
         };
-        let start = start.im.atan2(start.re);
+        let start = given.unwrap_or_else(|| start.im.atan2(start.re));
         let apart = self.separated(locked, free, start, need, looks)?;
         let back = self.directions[owner].conj();
         let is_of_curve = match apart {
@@ -342,7 +418,16 @@ impl At {
         mate: &Convex,
         need: f64,
     ) -> bool {
-        let (point, normal) = at(&hollow.curve, 0.5 * (stretch.ends[0] + stretch.ends[1]));
+        // Of a chord each end has a bound of its own: across the chord's normal its support jumps.
+        if let Convex::Chord([a, b]) = mate
+            && a != b
+        {
+            let ends = [*a, *b].map(|end| Convex::Chord([end; 2]));
+            return ends
+                .iter()
+                .all(|end| self.is_off_tangents((owner, hollow), stretch, end, need));
+        }
+        let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
         let off = self.off_tangent(owner, (point, normal), mate);
         let turns = stretch.normals.map(|end| along(end, normal).abs().asin());
         let play = turns[0].max(turns[1]);
@@ -363,14 +448,15 @@ impl At {
             ),
         };
         let is_short = stretch.normals.iter().all(|end| dot(*end, normal) > 0.0);
-        is_short && play < 0.5 && least > need && off.arm > play * (point + radius)
+        let arm = off.arm - play * (point + radius);
+        is_short && play < 0.5 && self.stays(least, arm, need)
     }
 
     /// Whether two hollow curves stay off each other: of any two stretches, one stands off the other's chord, by more than its sag where
     /// the other's curve may reach farther than its chord.
     pub fn is_off_both(
         &self,
-        [locked, free]: [&Hollow; 2],
+        ([locked, free], nu): ([&Hollow; 2], f64),
         need: f64,
         (looks, most): (&mut u32, u32),
         tell: &mut impl FnMut([[f64; 2]; 2], usize, OffStretch),
@@ -379,7 +465,14 @@ impl At {
         for l in &locked.stretches {
             open.extend(free.stretches.iter().map(|f| [*l, *f]));
         }
+        let n = turn(nu);
+        let start = Some(nu);
         while let Some([l, f]) = open.pop() {
+            if self.are_off_along([&l, &f], n, need) {
+                tell([l.ends, f.ends], 0, OffStretch::Apart(Apart::Direction(n)));
+                continue;
+            }
+            *looks += 1;
             let chords = [&l, &f].map(|stretch| Convex::Chord(stretch.points));
             let mut proof = |owner: usize| {
                 let ((hollow, stretch), mate) = match owner {
@@ -387,12 +480,14 @@ impl At {
                     _ => ((free, &f), &l),
                 };
                 let chord = &chords[1 - owner];
-                let off = self.off_stretch((owner, hollow), stretch, chord, need, looks)?;
+                let off =
+                    self.off_stretch((owner, hollow), stretch, (chord, start), need, looks)?;
                 if self.holds_for_curve(1 - owner, mate, stretch, off) {
                     return Some((owner, off));
                 }
                 let need = need + mate.sag;
-                let off = self.off_stretch((owner, hollow), stretch, chord, need, looks)?;
+                let off =
+                    self.off_stretch((owner, hollow), stretch, (chord, start), need, looks)?;
                 Some((owner, off))
             };
             if let Some((owner, proof)) = proof(0).or_else(|| proof(1)) {
@@ -402,11 +497,22 @@ impl At {
             if *looks > most || open.len() > 400 {
                 return false;
             }
-            for half in locked.halves(&l) {
-                open.extend(free.halves(&f).map(|other| [half, other]));
+            if l.sag > f.sag {
+                open.extend(locked.halves(&l).map(|half| [half, f]));
+            } else {
+                open.extend(free.halves(&f).map(|half| [l, half]));
             }
         }
         true
+    }
+
+    /// Whether one direction keeps a stretch of the locked gear off one of the free gear.
+    fn are_off_along(&self, [locked, free]: [&Stretch; 2], n: C, need: f64) -> bool {
+        let own = [0, 1].map(|k| n * self.directions[k].conj());
+        let (reach, _) = locked.bound(own[0]);
+        let (back, least) = free.bound(-own[1]);
+        let room = dot(self.centres[1] - self.centres[0], n) - reach - back;
+        self.stays(room, least - along(self.centres[1], n), need)
     }
 
     /// Whether what keeps the chord of a stretch of gear `owner` off `mate` keeps the curve off, however far it lies off the chord.
@@ -468,11 +574,19 @@ mod tests {
             centres: [shift, shift + centre],
             angles: [0.0, 0.0],
             directions: [C::ONE; 2],
+            play: f64::INFINITY,
+            radius: 100.0,
         }
     }
 
     fn is_off(at: &At, hollow: &Hollow, mate: &Convex) -> bool {
-        at.is_off_hollow((0, hollow), mate, 1e-14, (&mut 0, 4000), &mut |_, _| ())
+        at.is_off_hollow(
+            (0, hollow),
+            (mate, None),
+            1e-14,
+            (&mut 0, 4000),
+            &mut |_, _| (),
+        )
     }
 
     /// Discs and corners that stand off a fillet by 1e-12 mm are proven off it, those that reach in by as much are not, at any place. Source: the
@@ -481,20 +595,24 @@ mod tests {
     fn a_fillet_is_told_from_what_touches_it() {
         let gear = Gear::nominal(GearDesign::plain(30, 2.0)).unwrap();
         let part = gear.part(ProfilePart::Fillet);
-        let hollow = Hollow::new(part, gear.basic_data().reference_radius());
+        let hollow = Hollow::new(part, gear.basic_data().reference_radius(), false);
         let (low, high) = part.range();
         // The free axis lies where the mate has a lever in all directions of the fillet.
-        let (_, middle) = at(&part.curve, 0.5 * (low + high));
+        let (_, middle) = hollow.curve.at(0.5 * (low + high));
         let mut tried = 0;
         for k in 1..40 {
             let t = low + (high - low) * f64::from(k) / 40.0;
-            let (point, normal) = at(&part.curve, t);
-            let [(p, n), (q, m)] = [t - 1e-6, t + 1e-6].map(|t| at(&part.curve, t));
+            let (point, normal) = hollow.curve.at(t);
+            let [(p, n), (q, m)] = [t - 1e-6, t + 1e-6].map(|t| hollow.curve.at(t));
             let radius = (q - p).norm() / along(n, m).abs();
             for share in [0.0, 0.3, 0.9] {
                 let disc = share * radius;
-                let points = (0..=2000)
-                    .map(|k| at(&part.curve, low + (high - low) * f64::from(k) / 2000.0).0);
+                let points = (0..=2000).map(|k| {
+                    hollow
+                        .curve
+                        .at(low + (high - low) * f64::from(k) / 2000.0)
+                        .0
+                });
                 let distances = points.map(|p| (p - point - normal * disc).norm());
                 if distances.fold(f64::MAX, f64::min) < disc - 1e-9 {
                     // Nearer to the root the fillet is too narrow for this disc.

@@ -19,9 +19,14 @@ pub struct SideProof {
     /// Which flanks.
     pub side: Side,
     /// Where along the axes, mm from the measuring plane; 0 of spur gears.
+    #[cfg_attr(feature = "serde", serde(rename = "section_mm"))]
     pub section: f64,
     /// Rotation of the free gear in that section, rad, at which all pairs are apart; `None` where nothing touches at any rotation.
+    #[cfg_attr(feature = "serde", serde(rename = "open_rad"))]
     pub open: Option<f64>,
+    /// Rotation, rad, up to which they stay apart: the middle between both contacts. `None`: as far as the free gear can turn.
+    #[cfg_attr(feature = "serde", serde(rename = "until_rad"))]
+    pub until: Option<f64>,
     /// What shows that something touches; `None` where nothing does, and in sections in which another one touches first.
     pub touch: Option<TouchProof>,
     /// What keeps the parts of all pairs in reach apart.
@@ -33,12 +38,14 @@ pub struct SideProof {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TouchProof {
     /// Rotation of the free gear, rad, at which both teeth have the point.
+    #[cfg_attr(feature = "serde", serde(rename = "closed_rad"))]
     pub closed: f64,
     /// Tooth of the locked gear.
     pub locked_tooth: u32,
     /// Tooth of the free gear.
     pub free_tooth: u32,
     /// The point in the picture, mm.
+    #[cfg_attr(feature = "serde", serde(rename = "point_mm"))]
     pub point: Point2<f64>,
 }
 
@@ -67,8 +74,12 @@ pub struct Separation {
 pub enum Piece {
     /// Form point, involute, tip corner and tip land, up to the far corner.
     Top,
+    /// The tops of both half teeth of the locked tooth.
+    Tooth,
     /// The fillet between two of its parameters, rad.
     Fillet([f64; 2]),
+    /// The fillet of the locked tooth's other half.
+    FarFillet([f64; 2]),
     /// The root land.
     Root,
 }

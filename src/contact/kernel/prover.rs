@@ -6,11 +6,12 @@
 //! touch: so something touches at `μ − δ` or farther on. With `need = 8 ε (a + r_aL + r_aF)`, the rounding of a room in mm,
 //! `δ = error + 3 need/arm`: the pair that touches passes by its own normal.
 //!
-//! Not proven here are gears whose flanks are no involutes, contacts on fillets that bulge, root lands that reach each other, and teeth that may
-//! meet the mate's far flank.
+//! The locked tooth is proven apart with both its flanks: a free tooth of few teeth may close against the far one.
+//!
+//! Not proven here are gears whose flanks are no involutes, contacts on fillets that bulge, and root lands that reach each other.
 
 use super::at::{Apart, At};
-use super::convex::{Convex, along};
+use super::convex::{Convex, Support, along, dot, mirror, wrapped};
 use super::hollow::{Hollow, OffStretch};
 use super::proof::{Piece, Proof, Reason, Separation, SideProof, TouchProof};
 use crate::contact::Effort;
@@ -22,6 +23,9 @@ use crate::contact::lost_motion::{Contact, LostMotion, ToothPlace};
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
+use std::f64::consts::PI;
+use std::iter;
+use std::ops::Range;
 
 /// A bound wider than this part of a pitch says nothing about one pair of teeth.
 const NARROW: f64 = 1e-2;
@@ -45,6 +49,8 @@ pub struct Prover<'a> {
     kernel: ExactKernel,
     /// Of the locked and the free gear: the fillet, where the mate reaches it.
     hollows: [Option<Hollow>; 2],
+    /// The fillet of the locked teeth's other halves, likewise.
+    far_hollow: Option<Hollow>,
     /// Whether the mate's top reaches the root land, and whether its fillet does.
     roots: [bool; 2],
     deep_roots: [bool; 2],
@@ -56,6 +62,8 @@ pub struct Prover<'a> {
     need: f64,
     /// Angular pitch of the free gear, rad.
     pitch: f64,
+    /// Greatest radius of the free gear about its axis, mm.
+    radius: f64,
 }
 
 /// A contact in the frame of [`crate::contact::exact`].
@@ -74,6 +82,8 @@ struct Held {
     arm: f64,
     /// Tooth numbers, the locked gear's first.
     teeth: [u32; 2],
+    /// From the contact to the middle between both contacts, rad; infinite where they leave no room.
+    play: f64,
 }
 
 impl<'a> Prover<'a> {
@@ -93,17 +103,15 @@ impl<'a> Prover<'a> {
             let (low, high) = shapes[k].range(ProfilePart::Fillet);
             nearest - tips[1 - k] < forms[k] && high > low
         });
-        let hollows = [0, 1].map(|k| {
+        let hollow = |k: usize, mirrored| {
             let fillet = shapes[k].part(ProfilePart::Fillet);
-            is_reached[k].then(|| Hollow::new(fillet, shapes[k].pitch_radius))
-        });
+            is_reached[k].then(|| Hollow::new(fillet, shapes[k].pitch_radius, mirrored))
+        };
         let is_other = |k: usize| !gears[k].is_generated() || gears[k].is_modified();
         let beyond = if (0..2).any(is_other) {
             Some("a flank is no involute")
         } else if rooted[0] + rooted[1] > nearest {
             Some("root lands reach each other")
-        } else if kernel.plane().meets_far_flanks() {
-            Some("a tooth may meet the mate's far flank")
         } else {
             None
         };
@@ -113,10 +121,12 @@ impl<'a> Prover<'a> {
             roots: [0, 1].map(|k| nearest - tips[1 - k] < rooted[k]),
             deep_roots: [0, 1].map(|k| rooted[k] + forms[1 - k] > nearest),
             fillets_meet: forms[0] + forms[1] > nearest,
-            hollows,
+            hollows: [0, 1].map(|k| hollow(k, false)),
+            far_hollow: hollow(0, true),
             beyond,
             need: 8.0 * f64::EPSILON * (distance + tips[0] + tips[1]),
             pitch: gears[1].gear().basic_data().angular_pitch(),
+            radius: gears[1].reach(),
         }
     }
 
@@ -142,7 +152,7 @@ impl<'a> Prover<'a> {
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
                 let posed = section.posed(section.side(side), here);
-                let mut proving = Proving::new(self, &posed, section.free());
+                let mut proving = Proving::new(self, &posed, section.free(), found);
                 let proven = proving.side(pose, here, contact, b);
                 effort.spend(u64::from(proving.looks / LOOKS_A_UNIT) + 1);
                 proven?;
@@ -160,7 +170,7 @@ impl<'a> Prover<'a> {
         self.over(pose, found, |section, here, b| {
             for (side, contact) in contacts(found) {
                 let posed = section.posed(section.side(side), here);
-                let mut proving = Proving::new(self, &posed, section.free());
+                let mut proving = Proving::new(self, &posed, section.free(), found);
                 proving.apart = Some(Vec::new());
                 let held = proving.side(pose, here, contact, b)?;
                 let contact = contact.filter(|contact| contact.section == b);
@@ -168,6 +178,9 @@ impl<'a> Prover<'a> {
                     side,
                     section: b,
                     open: held.map(|held| proving.turned(held.rotation + held.opening)),
+                    until: held
+                        .filter(|held| held.play.is_finite())
+                        .map(|held| proving.turned(held.rotation + held.play)),
                     touch: held.zip(contact).and_then(|(held, _)| {
                         let [locked_tooth, free_tooth] = held.teeth;
                         let point = proving.common_point(&held)?;
@@ -226,6 +239,8 @@ struct Proving<'a> {
     prover: &'a Prover<'a>,
     posed: &'a PosedFlanks<'a>,
     free: Member,
+    /// As [`Held::play`].
+    play: f64,
     /// Directions looked at so far.
     looks: u32,
     /// What was proven, where that is asked for.
@@ -240,12 +255,115 @@ struct Pair<'a> {
     tops: [Convex<'a>; 2],
 }
 
+/// What a pair reaches along the direction that keeps its tops apart.
+struct Along {
+    n: C,
+    /// How far the locked tooth reaches, mm.
+    tooth: f64,
+    top: Lowest,
+    /// Whether the free tooth turns within a disc that is meant in place of each of its pieces.
+    is_disc: bool,
+}
+
+/// Where a free piece begins along a direction, mm, and its arm.
+#[derive(Clone, Copy)]
+struct Lowest {
+    at: f64,
+    arm: f64,
+}
+
+impl Along {
+    fn new(pair: &Pair, apart: Apart, nu: f64) -> Along {
+        let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
+        let (at, [tooth, top]) = (&pair.at, &pair.tops);
+        let own = n * at.directions[0].conj();
+        let locked = tooth.support(wrapped(nu - at.angles[0]), own);
+        let is_disc = matches!(apart, Apart::OutOfReach(_));
+        let top = if is_disc {
+            Lowest {
+                at: -top.farthest(at.centres[1] * at.directions[1].conj()),
+                arm: f64::INFINITY,
+            }
+        } else {
+            let own = -n * at.directions[1].conj();
+            lowest(
+                at,
+                n,
+                top.support(wrapped(wrapped(nu + PI) - at.angles[1]), own),
+            )
+        };
+        Along {
+            n,
+            tooth: dot(at.centres[0], n) + locked.reach,
+            top,
+            is_disc,
+        }
+    }
+
+    fn of_locked(&self, pair: &Pair, hollow: &Hollow, is_far: bool) -> f64 {
+        let direction = if is_far {
+            pair.far_direction()
+        } else {
+            pair.at.directions[0]
+        };
+        dot(pair.at.centres[0], self.n) + hollow.bound(self.n * direction.conj()).reach
+    }
+
+    fn of_free(&self, at: &At, hollow: &Hollow) -> Lowest {
+        if self.is_disc {
+            return self.top;
+        }
+        lowest(at, self.n, hollow.bound(-self.n * at.directions[1].conj()))
+    }
+
+    fn keeps_off(&self, at: &At, reach: f64, free: Lowest, need: f64) -> bool {
+        at.stays(free.at - reach, free.arm, need)
+    }
+}
+
+/// Where a free piece begins along `n`, whose support against `n` this is.
+fn lowest(at: &At, n: C, back: Support) -> Lowest {
+    Lowest {
+        at: dot(at.centres[1], n) - back.reach,
+        arm: back.lever - along(at.centres[1], n),
+    }
+}
+
+/// The tops of a pair as pieces.
+const TOPS: [Piece; 2] = [Piece::Tooth, Piece::Top];
+
+impl Pair<'_> {
+    /// `e^{iθ}` of the far half of the locked tooth, whose curves are mirrored.
+    fn far_direction(&self) -> C {
+        let [locked, _] = &self.placed;
+        locked.direction * mirror(locked.shape, locked.far)
+    }
+
+    /// The pair with the far half of the locked tooth in place of the near one.
+    fn far_at(&self) -> At {
+        let direction = self.far_direction();
+        At {
+            angles: [direction.im.atan2(direction.re), self.at.angles[1]],
+            directions: [direction, self.at.directions[1]],
+            ..self.at
+        }
+    }
+}
+
 impl<'a> Proving<'a> {
-    fn new(prover: &'a Prover<'a>, posed: &'a PosedFlanks<'a>, free: Member) -> Proving<'a> {
+    fn new(
+        prover: &'a Prover<'a>,
+        posed: &'a PosedFlanks<'a>,
+        free: Member,
+        found: &LostMotion,
+    ) -> Proving<'a> {
+        let angle = found.angle().filter(|angle| *angle > 0.0);
         Proving {
             prover,
             posed,
             free,
+            // A little beyond the middle, so that both sides cover all.
+            play: angle.map_or(f64::INFINITY, |angle| 0.5 * angle * (1.0 + 1e-9)),
             looks: 0,
             apart: None,
         }
@@ -305,6 +423,7 @@ impl<'a> Proving<'a> {
                 Member::Pinion => [contact.wheel.tooth, contact.pinion.tooth],
                 Member::Wheel => [contact.pinion.tooth, contact.wheel.tooth],
             },
+            play: self.play,
         })
     }
 
@@ -381,10 +500,13 @@ impl<'a> Proving<'a> {
                 centres: [locked.centre, turned * free.centre],
                 angles: [on_locked, reduced(on_free + rotation)],
                 directions: [locked.direction, turned * free.direction],
+                play: self.play,
+                radius: self.prover.radius,
             },
-            tops: placed
-                .each_ref()
-                .map(|half| Convex::top(half.shape, half.far)),
+            tops: [
+                Convex::tooth(locked.shape, locked.far),
+                Convex::top(free.shape, free.far),
+            ],
             placed,
         }
     }
@@ -394,14 +516,13 @@ impl<'a> Proving<'a> {
         let rotation = held.rotation + held.opening;
         let turned = turn(rotation);
         let nu = held.normal.im.atan2(held.normal.re);
-        for step in self.posed.steps() {
+        for step in self.steps() {
             let pair = self.pair(step, rotation, turned);
-            self.tops_apart(&pair, (nu, held.normal))?;
+            let (apart, nu) = self.tops_apart(&pair, (nu, held.normal))?;
+            self.fillets_apart(&pair, apart, nu)?;
             for owner in 0..2 {
-                self.fillet_apart(&pair, owner, (Piece::Top, &pair.tops[1 - owner]))?;
                 self.root_apart(&pair, owner, nu)?;
             }
-            self.fillets_apart(&pair)?;
             if self.looks > MOST_LOOKS {
                 return Err("too many directions were tried");
             }
@@ -409,50 +530,119 @@ impl<'a> Proving<'a> {
         Ok(())
     }
 
-    fn tops_apart(&mut self, pair: &Pair, (nu, n): (f64, C)) -> Result<(), NotProven> {
-        let (need, pieces) = (self.prover.need, [Piece::Top; 2]);
-        let [locked, free] = &pair.tops;
-        self.looks += 1;
-        if pair.at.room(locked, free, nu, n).holds(need) {
-            self.tell(pair.step, pieces, Reason::Direction, n);
-            return Ok(());
+    /// Steps whose locked tooth may reach the free gear: with one more, of which the far half may.
+    fn steps(&self) -> Range<i64> {
+        let steps = self.posed.steps();
+        if self.problem().window().is_none() {
+            return steps;
         }
-        let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
-        let apart = apart.ok_or("two teeth are not shown to be apart")?;
-        self.tell_apart(pair.step, pieces, apart);
-        Ok(())
+        let least = -((self.problem().locked.count() - 1) / 2);
+        (steps.start - 1).max(least)..steps.end
     }
 
-    /// Proves that the fillet of gear `owner` is apart from a convex piece of the mate.
-    fn fillet_apart(
-        &mut self,
-        pair: &Pair,
-        owner: usize,
-        (piece, mate): (Piece, &Convex),
-    ) -> Result<(), NotProven> {
+    /// Proves that the tops of a pair are apart: what keeps them so, and its direction, rad.
+    fn tops_apart(&mut self, pair: &Pair, (nu, n): (f64, C)) -> Result<(Apart, f64), NotProven> {
+        let need = self.prover.need;
+        let [locked, free] = &pair.tops;
+        self.looks += 1;
+        let here = pair.at.room(locked, free, nu, n);
+        let (apart, nu) = if pair.at.stays(here.room, here.arm, need) {
+            (Apart::Direction(n), nu)
+        } else {
+            let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
+            let apart = apart.ok_or("two teeth are not shown to be apart")?;
+            let (Apart::Direction(n) | Apart::OutOfReach(n)) = apart;
+            (apart, n.im.atan2(n.re))
+        };
+        self.tell_apart(pair.step, TOPS, apart);
+        Ok((apart, nu))
+    }
+
+    /// Proves that the fillets of a pair are apart from the mate: by what keeps the tops apart, where that does, else each by itself.
+    fn fillets_apart(&mut self, pair: &Pair, apart: Apart, nu: f64) -> Result<(), NotProven> {
         let prover = self.prover;
-        let Some(hollow) = &prover.hollows[owner] else {
+        let [near, free] = &prover.hollows;
+        if near.is_none() && free.is_none() {
+            return Ok(());
+        }
+        let (at, [tooth, top]) = (&pair.at, &pair.tops);
+        self.looks += 1;
+        let along = Along::new(pair, apart, nu);
+        let free_bound = free.as_ref().map(|free| (free, along.of_free(at, free)));
+        let near = near.as_ref().map(|near| (near, false));
+        let far = prover.far_hollow.as_ref().map(|far| (far, true));
+        for (hollow, is_far) in near.into_iter().chain(far) {
+            let named = if is_far {
+                Piece::FarFillet
+            } else {
+                Piece::Fillet
+            };
+            let piece = named(hollow.whole.ends);
+            let reach = along.of_locked(pair, hollow, is_far);
+            // The normals of a far fillet point away from the mate.
+            let start = is_far.then_some(nu);
+            let here = || if is_far { pair.far_at() } else { pair.at };
+            if along.keeps_off(at, reach, along.top, prover.need) {
+                self.tell_apart(pair.step, [piece, Piece::Top], apart);
+            } else {
+                self.fillet_apart(
+                    pair.step,
+                    &here(),
+                    (0, hollow),
+                    (Piece::Top, top, start),
+                    named,
+                )?;
+            }
+            let Some((free, bound)) = free_bound.filter(|_| prover.fillets_meet) else {
+                continue;
+            };
+            if along.keeps_off(at, reach, bound, prover.need) {
+                let pieces = [piece, Piece::Fillet(free.whole.ends)];
+                self.tell_apart(pair.step, pieces, apart);
+            } else {
+                self.both_apart(pair.step, &here(), ([hollow, free], nu), named)?;
+            }
+        }
+        let Some((free, bound)) = free_bound else {
             return Ok(());
         };
-        let at = &pair.at;
+        if along.keeps_off(at, along.tooth, bound, prover.need) {
+            let pieces = [Piece::Tooth, Piece::Fillet(free.whole.ends)];
+            self.tell_apart(pair.step, pieces, apart);
+            return Ok(());
+        }
+        let mate = (Piece::Tooth, tooth, None);
+        self.fillet_apart(pair.step, at, (1, free), mate, Piece::Fillet)
+    }
+
+    /// Proves that a fillet of gear `owner` is apart from a convex piece of the mate.
+    fn fillet_apart(
+        &mut self,
+        step: i64,
+        at: &At,
+        (owner, hollow): (usize, &Hollow),
+        (piece, mate, start): (Piece, &Convex, Option<f64>),
+        named: fn([f64; 2]) -> Piece,
+    ) -> Result<(), NotProven> {
+        let need = self.prover.need;
         self.looks += 1;
-        if at.is_off_chord(owner, &hollow.whole, mate, prover.need) {
-            let pieces = ordered(owner, Piece::Fillet(hollow.whole.ends), piece);
+        if at.is_off_chord(owner, &hollow.whole, mate, need) {
+            let pieces = ordered(owner, named(hollow.whole.ends), piece);
             let n = at.out_of_locked(owner, hollow.whole.normal);
-            self.tell(pair.step, pieces, Reason::Direction, n);
+            self.tell(step, pieces, Reason::Direction, n);
             return Ok(());
         }
         let mut looks = self.looks;
-        let mut tell = |ends, proof| {
-            let pieces = ordered(owner, Piece::Fillet(ends), piece);
-            self.tell_stretch(pair.step, owner, pieces, proof);
-        };
         let budget = (&mut looks, MOST_LOOKS);
-        let is_off = at.is_off_hollow((owner, hollow), mate, prover.need, budget, &mut tell);
+        let mut tell = |ends, proof| {
+            self.tell_stretch(step, owner, ordered(owner, named(ends), piece), proof);
+        };
+        let is_off = at.is_off_hollow((owner, hollow), (mate, start), need, budget, &mut tell);
         self.looks = looks;
-        match is_off {
-            true => Ok(()),
-            false => Err("a fillet is not shown to be apart from the mate"),
+        if is_off {
+            Ok(())
+        } else {
+            Err("a fillet is not shown to be apart from the mate")
         }
     }
 
@@ -470,51 +660,82 @@ impl<'a> Proving<'a> {
         let need = self.prover.need;
         let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
         let apart = apart.ok_or("a root land is not shown to be apart from the mate's tip")?;
-        self.tell_apart(pair.step, ordered(owner, Piece::Root, Piece::Top), apart);
+        self.tell_apart(
+            pair.step,
+            ordered(owner, Piece::Root, TOPS[1 - owner]),
+            apart,
+        );
         match self.prover.deep_roots[owner] {
-            true => self.fillet_apart(pair, 1 - owner, (Piece::Root, &land)),
+            true => self.fillets_off_root(pair, 1 - owner, (&land, nu)),
             false => Ok(()),
         }
     }
 
-    fn fillets_apart(&mut self, pair: &Pair) -> Result<(), NotProven> {
+    /// Proves that the fillets of gear `owner` are apart from the mate's root land.
+    fn fillets_off_root(
+        &mut self,
+        pair: &Pair,
+        owner: usize,
+        (land, nu): (&Convex, f64),
+    ) -> Result<(), NotProven> {
         let prover = self.prover;
-        let [Some(locked), Some(free)] = &prover.hollows else {
-            return Ok(());
-        };
-        if !prover.fillets_meet {
-            return Ok(());
+        if let Some(hollow) = &prover.hollows[owner] {
+            let mate = (Piece::Root, land, None);
+            self.fillet_apart(pair.step, &pair.at, (owner, hollow), mate, Piece::Fillet)?;
         }
-        let mut looks = self.looks;
-        let mut tell = |[locked, free]: [[f64; 2]; 2], owner, proof| {
-            let pieces = [Piece::Fillet(locked), Piece::Fillet(free)];
-            self.tell_stretch(pair.step, owner, pieces, proof);
+        let far = prover.far_hollow.as_ref().filter(|_| owner == 0);
+        let Some(hollow) = far else {
+            return Ok(());
         };
+        let mate = (Piece::Root, land, Some(nu));
+        self.fillet_apart(
+            pair.step,
+            &pair.far_at(),
+            (0, hollow),
+            mate,
+            Piece::FarFillet,
+        )
+    }
+
+    /// Proves that a fillet of the locked tooth and one of the free tooth are apart.
+    fn both_apart(
+        &mut self,
+        step: i64,
+        at: &At,
+        hollows: ([&Hollow; 2], f64),
+        named: fn([f64; 2]) -> Piece,
+    ) -> Result<(), NotProven> {
+        let (need, mut looks) = (self.prover.need, self.looks);
         let budget = (&mut looks, MOST_LOOKS);
-        let is_off = pair
-            .at
-            .is_off_both([locked, free], prover.need, budget, &mut tell);
+        let mut tell = |[locked, free]: [[f64; 2]; 2], owner, proof| {
+            let pieces = [named(locked), Piece::Fillet(free)];
+            self.tell_stretch(step, owner, pieces, proof);
+        };
+        let is_off = at.is_off_both(hollows, need, budget, &mut tell);
         self.looks = looks;
-        match is_off {
-            true => Ok(()),
-            false => Err("two fillets are not shown to be apart"),
+        if is_off {
+            Ok(())
+        } else {
+            Err("two fillets are not shown to be apart")
         }
     }
 
-    /// Proves that no pair in reach touches at any rotation.
+    /// Proves that no pair of facing half teeth in reach touches at any rotation.
     fn nothing(&mut self) -> Result<(), NotProven> {
         for step in self.posed.steps() {
             let pair = self.pair(step, 0.0, C::ONE);
             let at = &pair.at;
             // All of the free tooth turns within its top's disc.
             let radius = pair.tops[1].farthest(at.centres[1] * at.directions[1].conj());
-            self.beyond(&pair, Piece::Top, &pair.tops[0], radius)?;
+            let [locked, _] = &pair.placed;
+            let top = Convex::top(locked.shape, locked.far);
+            self.beyond(&pair, Piece::Top, &top, radius)?;
             if let Some(hollow) = &self.prover.hollows[0] {
                 let (need, mut looks) = (self.prover.need, self.looks);
                 let budget = (&mut looks, MOST_LOOKS);
                 let mut tell = |ends, n| {
                     let pieces = [Piece::Fillet(ends), Piece::Top];
-                    self.tell(pair.step, pieces, Reason::OutOfReach, n);
+                    self.tell(step, pieces, Reason::OutOfReach, n);
                 };
                 let is_beyond = at.is_beyond(hollow, radius, need, budget, &mut tell);
                 self.looks = looks;
@@ -564,10 +785,20 @@ impl<'a> Proving<'a> {
         let deep = held.normal * (0.5 * held.arm * held.closing);
         let moved = held.point * turn(-held.closing);
         let back = turn(held.closing - held.rotation);
-        let is_common =
-            |point: &C| depth(&locked, *point) > need && depth(&free, point * back) > need;
+        let is_common = |point: &C| {
+            let in_locked =
+                depth(&locked, *point, deep.norm()) > need || far_depth(&locked, *point) > need;
+            in_locked && depth(&free, point * back, deep.norm()) > need
+        };
+        // At the end of a root land the mate's flank may stand along the radius: there it is deeper towards the centre.
+        let centres = [locked.centre, turn(held.rotation) * free.centre];
+        let deeper = |point: C| {
+            let towards = centres.map(|centre| (centre - point) / (centre - point).norm());
+            towards.map(|towards| point + towards * (0.5 * deep.norm()))
+        };
         [held.point - deep, moved + deep]
             .into_iter()
+            .flat_map(|point| iter::once(point).chain(deeper(point)))
             .find(is_common)
     }
 }
@@ -586,17 +817,27 @@ fn root_land(half: &Placed) -> Option<Convex<'static>> {
     (high > low).then(|| Convex::arc(half.shape.root_radius, -high, -low))
 }
 
-/// How deep a point lies in the metal of a half tooth, between its outline, the middle of the space and the far corner of its tip land, mm along
-/// circles about its centre; not above 0 outside.
-fn depth(half: &Placed, point: C) -> f64 {
+/// How deep a point lies in the metal of a half tooth, between its outline and the far corner of its tip land, mm along circles about its centre; not
+/// above 0 outside. Within the root circle it reaches `beyond` mm past the middle of the space: there the gear is solid.
+fn depth(half: &Placed, point: C, beyond: f64) -> f64 {
+    depth_of((point - half.centre) * half.direction.conj(), half, beyond)
+}
+
+/// The same of the tooth's other half.
+fn far_depth(half: &Placed, point: C) -> f64 {
+    let direction = half.direction * mirror(half.shape, half.far);
+    depth_of(((point - half.centre) * direction.conj()).conj(), half, 0.0)
+}
+
+/// The same of a point in the half tooth's own frame.
+fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
     let shape = half.shape;
-    let own = (point - half.centre) * half.direction.conj();
     let radius = own.norm();
     let angle = own.im.atan2(own.re);
     let before_far = half.far.arg() - angle;
     if radius <= shape.root_radius {
-        let within = (angle + half.root_end).min(before_far);
-        return (shape.root_radius - radius).min(within * radius);
+        let within = (angle + half.root_end).min(before_far) * radius + beyond;
+        return (shape.root_radius - radius).min(within);
     }
     let below_tip = shape.tip_radius - radius;
     if below_tip <= 0.0 {

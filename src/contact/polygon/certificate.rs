@@ -249,6 +249,6 @@ fn first_touching(
     effort: &Effort,
 ) -> Result<bool, Error> {
     let steps = steps_in_reach(teeth.assembly, pose);
-    let problems: Vec<FlankProblem> = FlankProblem::all(teeth, pose, side, steps).collect();
+    let problems: Vec<FlankProblem> = FlankProblem::facing(teeth, pose, side, steps).collect();
     Ok(!search(&problems, finest_chord(teeth.assembly), effort)?.is_empty())
 }

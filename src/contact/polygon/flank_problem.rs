@@ -81,6 +81,16 @@ impl<'a> FlankProblem<'a> {
         FlankProblem::on(teeth, pose, [side; 2], steps)
     }
 
+    /// The pairs of half teeth of `steps` that face each other: where none of them touches, nothing does.
+    pub fn facing(
+        teeth: &CutTeeth<'a>,
+        pose: &'a Pose,
+        side: Side,
+        steps: Range<i64>,
+    ) -> impl Iterator<Item = FlankProblem<'a>> {
+        steps.map(move |steps| FlankProblem::new(teeth, pose, side, steps))
+    }
+
     /// All pairs of half teeth of `steps` that may touch: where the far flank of a locked tooth may be met, it with the same free half tooth.
     pub fn all(
         teeth: &CutTeeth<'a>,

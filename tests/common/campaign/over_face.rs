@@ -25,7 +25,7 @@ pub fn outcome(drawn: &Drawn, cut: &CutPair) -> Outcome {
         (found.remove(0), start.elapsed())
     };
     let (both, both_took) = by(Method::Both);
-    let (certified, certified_took) = by(Method::Exact { certify: true });
+    let (certified, certified_took) = by(Method::Checked);
     Outcome {
         verdict: match &exact {
             Err(error) => Verdict::Unproven(format!("exact: {error}")),

@@ -128,7 +128,7 @@ class Pair:
         center_distance_mm: float | None = None,
         material: str | None = None,
     ) -> Pose:
-        """Lost motion where these teeth mate: the exact method, checked by polygons. For many poses: :meth:`lost_motions`."""
+        """Lost motion where these teeth mate: the exact method, proven and checked by polygons. For many poses: :meth:`lost_motions`."""
         teeth = (wheel_tooth, pinion_tooth)
         found = _core.lost_motion(
             self._core, teeth, is_left(flank), fraction, center_distance_mm, material
@@ -150,7 +150,7 @@ class Pair:
         """Lost motion at n poses: whole numbers, flanks (``"right"``/``"left"`` or :class:`Flank`) and numbers of pitches, each a value or
         of shape (n,). Bearing clearance is not applied.
 
-        ``certify=False`` leaves out the polygons that bear each pose out, which take some 20 times as long as the poses.
+        ``certify=False`` leaves out the proof of each pose, which takes a few times as long as the pose.
         ``threads``: as many of its own, or ``None`` for those that all calls share. The interpreter's lock is released.
         """
         teeth = _whole("wheel_tooth", wheel_tooth), _whole("pinion_tooth", pinion_tooth)

@@ -94,6 +94,8 @@ class Pose:
     pinion_arcmin: float | None
     right: Contact | None
     left: Contact | None
+    proof: dict[str, Any] | None = field(repr=False, compare=False)
+    """The directions that keep all teeth apart a little more open, and a point in the metal of both teeth a little more closed."""
     record: dict[str, Any] = field(repr=False, compare=False)
     """The pose as ``result.json`` has it: the formulas' values (``analytic``) and rotations too."""
 
@@ -118,6 +120,7 @@ class Pose:
             pinion_arcmin=arcmin.get("pinion"),
             right=_contact(record["right"]),
             left=_contact(record["left"]),
+            proof=record.get("proof"),
             record=record,
         )
 

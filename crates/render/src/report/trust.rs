@@ -65,11 +65,11 @@ fn answer(page: &Page) -> String {
 
 fn certificate(page: &Page) -> Markup {
     let how = match page.report.analysis.method {
-        Method::Exact { certify: true } => {
-            "Each rotation was found on the exact tooth curves and certified by polygons: with slightly more clearance nothing touches, with slightly less something does. "
+        Method::Exact { certify: true } | Method::Checked => {
+            "Each rotation was found on the exact tooth curves and proven: slightly more open nothing touches, slightly more closed something does. Polygons check the poses of the extremes and every 64th pose. "
         }
         Method::Exact { certify: false } => {
-            "Each rotation was found on the exact tooth curves; the check by polygons was left out (--no-certify). "
+            "Each rotation was found on the exact tooth curves; the proof was left out (--no-certify). "
         }
         Method::Polygon => "Each rotation was found on polygons cut ever finer round the contact. ",
         Method::Both => {

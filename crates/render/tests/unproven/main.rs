@@ -113,7 +113,7 @@ fn swept(pair: &GearPair, cut: &CutPair, method: Method, case: &Case) -> Vec<Pos
     .unwrap()
 }
 
-const CERTIFIED: Method = Method::Exact { certify: true };
+const CERTIFIED: Method = Method::Checked;
 
 fn unproven(pose: &PoseResult) -> Option<&Unproven> {
     pose.found.as_ref().err()

@@ -148,28 +148,27 @@ impl Column {
             Column::CenterDistance => Quantity::CenterDistance,
             Column::WheelTooth => Quantity::WheelTooth,
             Column::PinionTooth => Quantity::PinionTooth,
-            Column::MeasuredRight | Column::MeasuredLeft => Quantity::Measured,
+            Column::MeasuredRight => Quantity::MeasuredRight,
+            Column::MeasuredLeft => Quantity::MeasuredLeft,
             Column::PredictedMin => Quantity::PredictedMin,
             Column::PredictedMax => Quantity::PredictedMax,
         };
-        let is_side = match self {
-            Column::MeasuredRight => side == Some(Side::Right),
-            Column::MeasuredLeft => side == Some(Side::Left),
-            Column::Deviation => side.is_none(),
-            _ => true,
-        };
-        quantity == wanted && is_side
+        quantity == wanted && (self != Column::Deviation || side.is_none())
     }
 
     /// Whether a column that the user names may be it: its heading may say less, but nothing else.
     pub fn may_be_named(self, meaning: Meaning) -> bool {
         let Meaning { side, quantity } = meaning;
         let is_deviation = quantity == Quantity::Deviation;
+        let is_unsaid = matches!(
+            quantity,
+            Quantity::Unsaid | Quantity::MeasuredRight | Quantity::MeasuredLeft
+        );
         if let Some((wanted, _)) = self.pitch() {
-            let fits = quantity == Quantity::Unsaid || quantity.is_pitch() || is_deviation;
+            let fits = is_unsaid || quantity.is_pitch() || is_deviation;
             return fits && side.is_none_or(|side| side == wanted);
         }
-        quantity == Quantity::Unsaid
+        is_unsaid
             || (is_deviation && matches!(self, Column::Thickness | Column::Runout))
             || self.may_be(meaning)
     }

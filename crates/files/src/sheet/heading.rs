@@ -39,7 +39,8 @@ pub enum Quantity {
     WheelTooth,
     PinionTooth,
     /// Backlash that a rig measured.
-    Measured,
+    MeasuredRight,
+    MeasuredLeft,
     PredictedMin,
     PredictedMax,
     /// Words on where a row comes from.
@@ -203,6 +204,12 @@ fn letter(word: &str) -> Option<Side> {
 }
 
 fn of_words(name: &str) -> Option<Meaning> {
+    if let Some(quantity) = VOCABULARY.quantities.get(&plain(name)) {
+        return Some(Meaning {
+            side: None,
+            quantity: *quantity,
+        });
+    }
     let (mut side, mut rest, mut has_flank) = (None, Vec::new(), false);
     let (mut is_letter, mut is_both) = (false, false);
     for part in parts(name) {

@@ -183,7 +183,10 @@ impl Origin {
         Origin {
             sheet: found.grid.sheet.clone().filter(|_| grids.len() > 1),
             header_row: found.head.line,
-            kind: quantities.clone().filter_map(Quantity::pitch_kind).last(),
+            kind: quantities
+                .clone()
+                .filter_map(Quantity::pitch_kind)
+                .next_back(),
             by_space: quantities
                 .clone()
                 .any(|quantity| quantity == Quantity::Space),

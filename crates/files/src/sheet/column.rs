@@ -59,26 +59,35 @@ const ROLL_LENGTH: Limits = Limits {
     help: "correct the line",
 };
 
+type Description = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static Limits,
+    Quantity,
+);
+
 impl Column {
-    /// Name, the key that names the column in a pair file, unit and limits.
-    fn description(self) -> (&'static str, &'static str, &'static str, &'static Limits) {
+    /// Name, the key that names the column in a pair file, unit, limits and heading.
+    fn description(self) -> Description {
+        use Quantity as Q;
         match self {
-            Column::Right(_) => ("right", "right", "µm", &DEVIATION),
-            Column::Left(_) => ("left", "left", "µm", &DEVIATION),
-            Column::Thickness => ("thickness", "column", "µm", &DEVIATION),
-            Column::Runout => ("runout", "column", "µm", &DEVIATION),
-            Column::Span => ("span", "column", "mm", &LENGTH),
-            Column::OverPins => ("over pins", "column", "mm", &LENGTH),
-            Column::RollLength => ("roll length", "", "mm", &ROLL_LENGTH),
-            Column::Diameter => ("diameter", "", "mm", &LENGTH),
-            Column::Deviation => ("deviation", "column", "µm", &DEVIATION),
-            Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH),
-            Column::WheelTooth => ("wheel_tooth", "", "", &LENGTH),
-            Column::PinionTooth => ("pinion_tooth", "", "", &LENGTH),
-            Column::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION),
-            Column::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION),
-            Column::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION),
-            Column::PredictedMax => ("predicted_max_um", "", "µm", &DEVIATION),
+            Column::Right(_) => ("right", "right", "µm", &DEVIATION, Q::Pitch),
+            Column::Left(_) => ("left", "left", "µm", &DEVIATION, Q::Pitch),
+            Column::Thickness => ("thickness", "column", "µm", &DEVIATION, Q::Thickness),
+            Column::Runout => ("runout", "column", "µm", &DEVIATION, Q::Runout),
+            Column::Span => ("span", "column", "mm", &LENGTH, Q::Span),
+            Column::OverPins => ("over pins", "column", "mm", &LENGTH, Q::OverPins),
+            Column::RollLength => ("roll length", "", "mm", &ROLL_LENGTH, Q::RollLength),
+            Column::Diameter => ("diameter", "", "mm", &LENGTH, Q::Diameter),
+            Column::Deviation => ("deviation", "column", "µm", &DEVIATION, Q::Deviation),
+            Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH, Q::CenterDistance),
+            Column::WheelTooth => ("wheel_tooth", "", "", &LENGTH, Q::WheelTooth),
+            Column::PinionTooth => ("pinion_tooth", "", "", &LENGTH, Q::PinionTooth),
+            Column::MeasuredRight => ("measured_right_um", "", "µm", &DEVIATION, Q::MeasuredRight),
+            Column::MeasuredLeft => ("measured_left_um", "", "µm", &DEVIATION, Q::MeasuredLeft),
+            Column::PredictedMin => ("predicted_min_um", "", "µm", &DEVIATION, Q::PredictedMin),
+            Column::PredictedMax => ("predicted_max_um", "", "µm", &DEVIATION, Q::PredictedMax),
         }
     }
 
@@ -131,29 +140,11 @@ impl Column {
 
     /// Whether a column with a heading of this meaning may be it.
     pub fn may_be(self, Meaning { side, quantity }: Meaning) -> bool {
-        let wanted = match self {
-            Column::Right(_) | Column::Left(_) => {
-                return self.pitch().is_some_and(|(wanted, kind)| {
-                    let is_unsaid = matches!(quantity, Quantity::Unsaid | Quantity::Pitch);
-                    side == Some(wanted) && (is_unsaid || quantity.pitch_kind() == Some(kind))
-                });
-            }
-            Column::Thickness => Quantity::Thickness,
-            Column::Runout => Quantity::Runout,
-            Column::Span => Quantity::Span,
-            Column::OverPins => Quantity::OverPins,
-            Column::RollLength => Quantity::RollLength,
-            Column::Diameter => Quantity::Diameter,
-            Column::Deviation => Quantity::Deviation,
-            Column::CenterDistance => Quantity::CenterDistance,
-            Column::WheelTooth => Quantity::WheelTooth,
-            Column::PinionTooth => Quantity::PinionTooth,
-            Column::MeasuredRight => Quantity::MeasuredRight,
-            Column::MeasuredLeft => Quantity::MeasuredLeft,
-            Column::PredictedMin => Quantity::PredictedMin,
-            Column::PredictedMax => Quantity::PredictedMax,
-        };
-        quantity == wanted && (self != Column::Deviation || side.is_none())
+        if let Some((wanted, kind)) = self.pitch() {
+            let is_unsaid = matches!(quantity, Quantity::Unsaid | Quantity::Pitch);
+            return side == Some(wanted) && (is_unsaid || quantity.pitch_kind() == Some(kind));
+        }
+        quantity == self.description().4 && (self != Column::Deviation || side.is_none())
     }
 
     /// Whether a column that the user names may be it: its heading may say less, but nothing else.

@@ -5,7 +5,7 @@
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 use serde::Deserialize;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;
 
 /// Content of a column.
@@ -70,73 +70,48 @@ pub struct Meaning {
     pub quantity: Quantity,
 }
 
-/// `headings.toml`.
+type Set = HashSet<String>;
+
+/// The words of `headings.toml`.
 #[derive(Debug, Default, Deserialize)]
-struct File {
-    symbols: BTreeMap<Quantity, Vec<String>>,
-    quantities: BTreeMap<Quantity, Vec<String>>,
+struct Vocabulary {
+    symbols: BTreeMap<Quantity, Set>,
+    quantities: BTreeMap<Quantity, Set>,
     flanks: Flanks,
     words: Words,
-    units: BTreeMap<String, Vec<String>>,
+    units: BTreeMap<String, Set>,
     statistics: Statistics,
 }
 
 #[derive(Debug, Default, Deserialize)]
 struct Flanks {
-    left: Vec<String>,
-    right: Vec<String>,
-    flank: HashSet<String>,
+    left: Set,
+    right: Set,
+    flank: Set,
 }
 
 #[derive(Debug, Default, Deserialize)]
 struct Words {
-    fillers: HashSet<String>,
-    no_unit: HashSet<String>,
+    fillers: Set,
+    no_unit: Set,
 }
 
 #[derive(Debug, Default, Deserialize)]
 struct Statistics {
-    symbols: HashSet<String>,
-    words: HashSet<String>,
+    symbols: Set,
+    words: Set,
 }
 
-/// The words, by word.
-struct Vocabulary {
-    symbols: HashMap<String, Quantity>,
-    quantities: HashMap<String, Quantity>,
-    sides: HashMap<String, Side>,
-    flank: HashSet<String>,
-    words: Words,
-    units: HashMap<String, &'static str>,
-    statistics: Statistics,
-}
+/// A test reads the file, too.
+static VOCABULARY: LazyLock<Vocabulary> =
+    LazyLock::new(|| toml::from_str(include_str!("headings.toml")).unwrap_or_default());
 
-static VOCABULARY: LazyLock<Vocabulary> = LazyLock::new(|| {
-    // A test reads the file, too.
-    let file: File = toml::from_str(include_str!("headings.toml")).unwrap_or_default();
-    let units = file.units.into_iter().flat_map(|(meant, words)| {
-        let meant: &'static str = meant.leak();
-        words.into_iter().map(move |word| (word, meant))
-    });
-    let sides = [
-        (Side::Left, file.flanks.left),
-        (Side::Right, file.flanks.right),
-    ];
-    Vocabulary {
-        symbols: by_word(file.symbols),
-        quantities: by_word(file.quantities),
-        sides: by_word(sides),
-        flank: file.flanks.flank,
-        words: file.words,
-        units: units.collect(),
-        statistics: file.statistics,
-    }
-});
-
-fn by_word<T: Copy>(lists: impl IntoIterator<Item = (T, Vec<String>)>) -> HashMap<String, T> {
-    let pairs =
-        |(meaning, words): (T, Vec<String>)| words.into_iter().map(move |word| (word, meaning));
-    lists.into_iter().flat_map(pairs).collect()
+/// The meaning whose list holds `word`.
+fn find<'a, T>(lists: &'a BTreeMap<T, Set>, word: &str) -> Option<&'a T> {
+    let mut lists = lists.iter();
+    lists
+        .find(|(_, words)| words.contains(word))
+        .map(|(meaning, _)| meaning)
 }
 
 /// The unit that `text` is, perhaps in brackets.
@@ -144,7 +119,7 @@ pub fn unit(text: &str) -> Option<&'static str> {
     let bare = text.trim().trim_start_matches(['(', '[']);
     let bare = bare.trim_end_matches([')', ']']).trim().to_lowercase();
     let bare = bare.strip_prefix("in ").unwrap_or(&bare);
-    VOCABULARY.units.get(bare).copied()
+    find(&VOCABULARY.units, bare).map(String::as_str)
 }
 
 /// Whether `text` stands for no unit in a row of units.
@@ -204,7 +179,7 @@ fn letter(word: &str) -> Option<Side> {
 }
 
 fn of_words(name: &str) -> Option<Meaning> {
-    if let Some(quantity) = VOCABULARY.quantities.get(&plain(name)) {
+    if let Some(quantity) = find(&VOCABULARY.quantities, &plain(name)) {
         return Some(Meaning {
             side: None,
             quantity: *quantity,
@@ -214,13 +189,21 @@ fn of_words(name: &str) -> Option<Meaning> {
     let (mut is_letter, mut is_both) = (false, false);
     for part in parts(name) {
         let word = plain(part);
-        if VOCABULARY.flank.contains(&word) {
+        let flanks = &VOCABULARY.flanks;
+        if flanks.flank.contains(&word) {
             has_flank = true;
             continue;
         }
         let letter = letter(&word);
         is_letter |= letter.is_some();
-        match VOCABULARY.sides.get(&word).copied().or(letter) {
+        let found = if flanks.left.contains(&word) {
+            Some(Side::Left)
+        } else if flanks.right.contains(&word) {
+            Some(Side::Right)
+        } else {
+            letter
+        };
+        match found {
             Some(found) => is_both |= side.replace(found).is_some_and(|side| side != found),
             None => rest.push(part),
         }
@@ -269,10 +252,10 @@ fn parts(name: &str) -> impl Iterator<Item = &str> {
 }
 
 fn of_word(word: &str) -> Option<Quantity> {
-    let symbol = VOCABULARY.symbols.get(word.trim_end_matches('.'));
+    let symbol = find(&VOCABULARY.symbols, word.trim_end_matches('.'));
     let plain = plain(word);
     let letters = plain.trim_end_matches(|c: char| c.is_ascii_digit());
-    let known = |word: &str| VOCABULARY.quantities.get(word);
+    let known = |word: &str| find(&VOCABULARY.quantities, word);
     let found = symbol.or_else(|| known(&plain));
     let numbered = || known(&format!("{letters}#")).filter(|_| letters.len() < plain.len());
     found.or_else(numbered).copied()
@@ -336,14 +319,14 @@ mod tests {
 
     #[test]
     fn the_file_of_words_can_be_read() {
-        let file: File = toml::from_str(include_str!("headings.toml")).unwrap();
-        let said =
-            |lists: &BTreeMap<Quantity, Vec<String>>| lists.values().map(Vec::len).sum::<usize>();
+        let words: Vocabulary = toml::from_str(include_str!("headings.toml")).unwrap();
         // No word means two things.
-        assert_eq!(said(&file.symbols), VOCABULARY.symbols.len());
-        assert_eq!(said(&file.quantities), VOCABULARY.quantities.len());
-        let words: usize = file.units.values().map(Vec::len).sum();
-        assert_eq!(words, VOCABULARY.units.len());
+        let lists: Vec<&Set> = words.quantities.values().collect();
+        for (place, list) in lists.iter().enumerate() {
+            assert!(!list.is_empty());
+            assert!(lists[..place].iter().all(|other| other.is_disjoint(list)));
+        }
+        assert_eq!(unit("[microns]"), Some("µm"));
     }
 
     #[test]

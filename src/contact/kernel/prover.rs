@@ -794,7 +794,7 @@ impl<'a> Proving<'a> {
         let centres = [locked.centre, turn(held.rotation) * free.centre];
         let deeper = |point: C| {
             let towards = centres.map(|centre| (centre - point) / (centre - point).norm());
-            towards.map(|towards| point + towards * (0.5 * deep.norm()))
+            towards.map(|towards| point + towards * (2.0 * deep.norm()))
         };
         [held.point - deep, moved + deep]
             .into_iter()

@@ -264,7 +264,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// What proves `found` by directions.
+    /// The proof of `found` by directions.
     fn proof(&self, pose: &Pose, found: &LostMotion) -> Option<Box<Proof>> {
         let proof = self.prover.as_ref()?.proof(pose, found);
         proof.ok().map(Box::new)

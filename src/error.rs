@@ -263,6 +263,14 @@ pub enum Error {
     Interrupted,
 }
 
+/// What helps where a search ends by its effort.
+const TRY_ANOTHER_POSE: &str =
+    "Another fraction of a pitch, or a trace with fewer points, may be proven.";
+
+/// What helps where two methods contradict each other.
+pub(crate) const REPORT_PAIR: &str =
+    "Rely on neither value; please report the pair file, with which the pose can be run again.";
+
 impl Error {
     /// Ends a calculation whose `tick` asked to stop.
     pub(crate) fn if_stopped(tick: ControlFlow<()>) -> Result<(), Error> {
@@ -283,11 +291,18 @@ impl Error {
                 reason,
                 ..
             } => Some(format!(
-                "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost: {reason}"
+                "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost: {reason}. {TRY_ANOTHER_POSE}"
             )),
-            Error::CertificateFailed { side, reason, .. } => Some(format!(
-                "the certificate failed: on the {side} side {reason}"
-            )),
+            Error::CertificateFailed { side, reason, .. } => {
+                let help = if reason.contains("effort") {
+                    TRY_ANOTHER_POSE
+                } else {
+                    REPORT_PAIR
+                };
+                Some(format!(
+                    "the certificate failed: on the {side} side {reason}. {help}"
+                ))
+            }
             _ => None,
         }
     }

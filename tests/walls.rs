@@ -141,6 +141,8 @@ fn paths(tree: &str) -> Vec<String> {
         depth += i32::from(letter == '{') - i32::from(letter == '}');
         letter == ',' && depth == 0
     });
+    // A comma may end the list.
+    let branches = branches.filter(|branch| !branch.trim().is_empty());
     let paths = branches.flat_map(paths);
     paths.map(|path| format!("{}{path}", stem.trim())).collect()
 }

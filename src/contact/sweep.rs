@@ -9,7 +9,7 @@ use super::outline::{OutlineCertifier, OutlineKernel};
 use super::over_face::FoundOverFace;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use super::pose_result::{PolygonDifference, PoseResult, Unproven};
-use crate::error::Error;
+use crate::error::{Error, REPORT_PAIR};
 use crate::gear::AsBuilt;
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Mating, Member, Pose};
@@ -232,7 +232,7 @@ impl<'a> Solver<'a> {
                 let allowed = bounds.max(METHODS_AGREE_WITHIN);
                 let reason = (!(difference.abs() <= allowed)).then(|| {
                     format!(
-                        "the exact and the polygon method differ by {:.3e} µm of j_wt, more than both error bounds, {:.1e} µm, and more than {:.0e} µm",
+                        "the exact and the polygon method differ by {:.3e} µm of j_wt, more than both error bounds, {:.1e} µm, and more than {:.0e} µm. {REPORT_PAIR}",
                         difference.abs() * 1e3,
                         bounds * 1e3,
                         METHODS_AGREE_WITHIN * 1e3
@@ -244,7 +244,7 @@ impl<'a> Solver<'a> {
             _ => {
                 let name = |found: &LostMotion| found.status().name().replace('_', " ");
                 let reason = format!(
-                    "the exact method finds {}, the polygon method {}",
+                    "the exact method finds {}, the polygon method {}. {REPORT_PAIR}",
                     name(&exact),
                     name(polygon)
                 );
@@ -264,7 +264,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// What proves `found` by directions.
+    /// The proof of `found` by directions.
     fn proof(&self, pose: &Pose, found: &LostMotion) -> Option<Box<Proof>> {
         let proof = self.prover.as_ref()?.proof(pose, found);
         proof.ok().map(Box::new)

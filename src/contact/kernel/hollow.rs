@@ -218,7 +218,7 @@ impl HollowCurve {
     }
 }
 
-/// Those of a fillet whose tool's round stands outside its pitch line, `h_0 < 0`.
+/// The radii of a fillet whose tool's round stands outside its pitch line, `h_0 < 0`.
 ///
 /// `R = S/q` with `c = 1/cos γ`: `q = 1 + h_0 c²/r` falls, `S = ρ + h_0 c² (ρ + h_0 c)/r` has one minimum, at `c = −2ρ/3h_0`.
 fn shallow_radii(fillet: &Fillet, r: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
@@ -278,7 +278,7 @@ impl At {
         }
     }
 
-    /// The same of the tangent at a point of a curve.
+    /// How far `mate` stands off the tangent at a point of a curve.
     fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> OffTangent {
         self.off_line(owner, (point, normal), normal.arg(), mate)
     }
@@ -302,7 +302,7 @@ impl At {
         self.stays(off.room - sag, off.arm - sag, need)
     }
 
-    /// Whether `mate` stands off all of a hollow curve of gear `owner` by more than `need` mm. Each stretch proven is told to `tell`; `looks`
+    /// Whether `mate` stands off all of a hollow curve of gear `owner` by more than `need` mm. `tell` takes each stretch proven; `looks`
     /// counts what is looked at, up to `most`. `start`, rad, is the direction to begin with, where that is not a stretch's own normal.
     pub fn is_off_hollow(
         &self,

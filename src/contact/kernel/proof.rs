@@ -1,5 +1,6 @@
-//! What proves a pose: for each side the directions that keep all pairs of half teeth apart a little more open, and a point in the metal of both
-//! teeth that touch a little more closed. [`Proof::verify`] checks it from the outlines alone.
+//! The proof of a pose: on each side, directions that keep all teeth apart, and a point in the metal of both teeth that touch.
+//!
+//! The directions hold with the free gear a little more open, the point with it a little more closed. [`Proof::verify`] checks both from the outlines alone.
 
 use crate::gear::Side;
 use nalgebra::{Point2, Vector2};
@@ -27,9 +28,9 @@ pub struct SideProof {
     /// Rotation, rad, up to which they stay apart: the middle between both contacts. `None`: as far as the free gear can turn.
     #[cfg_attr(feature = "serde", serde(rename = "until_rad"))]
     pub until: Option<f64>,
-    /// What shows that something touches; `None` where nothing does, and in sections in which another one touches first.
+    /// The point in both metals; `None` where nothing does, and in sections in which another one touches first.
     pub touch: Option<TouchProof>,
-    /// What keeps the parts of all pairs in reach apart.
+    /// The separation of each pair of pieces in reach.
     pub apart: Vec<Separation>,
 }
 
@@ -61,7 +62,7 @@ pub struct Separation {
     pub locked: Piece,
     /// Piece of the free half tooth.
     pub free: Piece,
-    /// What keeps them apart.
+    /// The reason why they are apart.
     pub by: Reason,
     /// Unit vector out of the locked metal, in the picture: the direction of the reason, or the middle one of the tangents' normals.
     pub normal: Vector2<f64>,

@@ -1,14 +1,17 @@
-//! Proves a pose that another method found: by directions that keep all pairs of half teeth apart.
+//! Proves a pose that another method found, by directions that keep all teeth in reach apart.
 //!
-//! A contact at the rotation `μ` is proven from two sides. Opened by its error and by rounding, to `μ + δ`, every part of every half tooth in reach
-//! is kept off the mate's by a direction with a positive arm ([`super::at`]), by a hollow curve's own tangents ([`super::hollow`]), or is out of
-//! reach: so nothing touches at `μ + δ` or farther on. Closed by as much, a point lies in the metal of both teeth of the pair that is said to
-//! touch: so something touches at `μ − δ` or farther on. With `need = 8 ε (a + r_aL + r_aF)`, the rounding of a room in mm,
-//! `δ = error + 3 need/arm`: the pair that touches passes by its own normal.
+//! A contact at the rotation `μ` is proven from two sides.
 //!
-//! The locked tooth is proven apart with both its flanks: a free tooth of few teeth may close against the far one.
+//! 1. The free gear is opened to `μ + δ`. Each part of each pair of teeth in reach is kept off the other tooth by a direction ([`super::at`]), by the
+//!    tangents of a hollow curve ([`super::hollow`]), or is out of reach. Nothing touches from there to the middle between both contacts. Where the pair
+//!    interferes, nothing touches as far as the free gear can turn.
+//! 2. The free gear is closed to `μ − δ`. A point lies in the metal of both teeth that touch.
 //!
-//! Not proven here are gears whose flanks are no involutes, contacts on fillets that bulge, and root lands that reach each other.
+//! The rounding of a room is `need = 8 ε (a + r_aL + r_aF)`, mm. With `δ = error + 3 need/arm` the pair that touches passes by its own normal.
+//!
+//! The locked tooth counts with both its flanks: a free gear of few teeth may close against the far one.
+//!
+//! Some poses are not proven here: of gears whose flanks are no involutes, with contact on a fillet that bulges, and where root lands reach each other.
 
 use super::at::{Apart, At};
 use super::convex::{Convex, Support, along, dot, mirror, wrapped};
@@ -47,7 +50,7 @@ type NotProven = &'static str;
 pub struct Prover<'a> {
     assembly: &'a GearPair,
     kernel: ExactKernel,
-    /// Of the locked and the free gear: the fillet, where the mate reaches it.
+    /// The fillets of the locked and the free gear, where the mate reaches them.
     hollows: [Option<Hollow>; 2],
     /// The fillet of the locked teeth's other halves, likewise.
     far_hollow: Option<Hollow>,
@@ -138,7 +141,7 @@ impl<'a> Prover<'a> {
         self.check_within(pose, found, &Effort::of_pose())
     }
 
-    /// The same with what `effort` allows, that of this pose.
+    /// As [`Prover::check`], within the `effort` of this pose.
     pub(in crate::contact) fn check_within(
         &self,
         pose: &Pose,
@@ -161,7 +164,7 @@ impl<'a> Prover<'a> {
         })
     }
 
-    /// What proves both contacts of `found` at `pose`.
+    /// The proof of both contacts of `found` at `pose`.
     ///
     /// # Errors
     /// Why it is not proven here; it may be right all the same.
@@ -243,7 +246,7 @@ struct Proving<'a> {
     play: f64,
     /// Directions looked at so far.
     looks: u32,
-    /// What was proven, where that is asked for.
+    /// The separations found, where the proof is asked for.
     apart: Option<Vec<Separation>>,
 }
 
@@ -255,7 +258,7 @@ struct Pair<'a> {
     tops: [Convex<'a>; 2],
 }
 
-/// What a pair reaches along the direction that keeps its tops apart.
+/// Where the pieces of a pair end along the direction that keeps its tops apart.
 struct Along {
     n: C,
     /// How far the locked tooth reaches, mm.
@@ -794,7 +797,7 @@ impl<'a> Proving<'a> {
         let centres = [locked.centre, turn(held.rotation) * free.centre];
         let deeper = |point: C| {
             let towards = centres.map(|centre| (centre - point) / (centre - point).norm());
-            towards.map(|towards| point + towards * (0.5 * deep.norm()))
+            towards.map(|towards| point + towards * (2.0 * deep.norm()))
         };
         [held.point - deep, moved + deep]
             .into_iter()
@@ -823,13 +826,13 @@ fn depth(half: &Placed, point: C, beyond: f64) -> f64 {
     depth_of((point - half.centre) * half.direction.conj(), half, beyond)
 }
 
-/// The same of the tooth's other half.
+/// How deep a point lies in the metal of the tooth's other half, mm.
 fn far_depth(half: &Placed, point: C) -> f64 {
     let direction = half.direction * mirror(half.shape, half.far);
     depth_of(((point - half.centre) * direction.conj()).conj(), half, 0.0)
 }
 
-/// The same of a point in the half tooth's own frame.
+/// As [`depth`], of a point in the half tooth's own frame.
 fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
     let shape = half.shape;
     let radius = own.norm();

@@ -175,8 +175,7 @@ impl<'a> Certifier<'a> {
                 }
                 Seen::TooMuch => {
                     return Err(format!(
-                        "the effort allowed for one pose was spent on tooth {} of the locked gear and tooth {} of the free one: too many \
-                         stretches of the outlines are too near each other to be told apart",
+                        "the effort of a pose ended at tooth {} of the locked gear and tooth {} of the free one",
                         problem.locked_tooth, problem.free_tooth
                     ));
                 }

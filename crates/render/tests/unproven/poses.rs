@@ -35,7 +35,7 @@ fn a_refused_certificate_leaves_its_pose_alone_unproven() {
                 assert_eq!(pose.range(), [None; 2]);
                 assert!(!pose.interferes() && !pose.just_touches());
             }
-            false => assert_eq!(pose, own),
+            false => assert_eq!(pose.found, own.found),
         }
     }
     // Where tooth 5 comes into contact and leaves it, on either side.
@@ -95,10 +95,9 @@ fn a_value_of_one_method_alone_is_in_doubt() {
         );
         let doubt = unproven(pose).unwrap();
         assert_eq!((doubt.exact, doubt.polygon), (own.backlash, None));
-        assert_eq!(
-            doubt.reason,
-            "the exact method finds clear, the polygon method no contact"
-        );
+        let reason =
+            "the exact method finds clear, the polygon method no contact. Rely on neither value;";
+        assert!(doubt.reason.starts_with(reason), "{}", doubt.reason);
         assert_eq!(pose.polygon_difference, Some(PolygonDifference::OneAlone));
     }
 }

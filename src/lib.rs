@@ -181,7 +181,7 @@
 //! let found = pair.lost_motion(mating)?;
 //! let svg = snapshot(&Snapshot {
 //!     title: "20/20",
-//!     assembly: &pair,
+//!     assembly: &pair.clone().into(),
 //!     pose: &found.pose,
 //!     material: Material::AsMeasured,
 //!     found: found.found.as_ref(),

@@ -2,7 +2,8 @@
 
 use super::{Contact, ToothPlace, Touch};
 use crate::gear::Side;
-use crate::pair::{GearPair, Member};
+use crate::outline::AssembledPair;
+use crate::pair::Member;
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 
@@ -21,7 +22,7 @@ pub struct DrawnContact {
     pub normal: Vector2<f64>,
     /// Turn of the free gear from here to the contact, rad, counter-clockwise; 0 when drawn in it.
     pub turn: f64,
-    /// The same as a length along the free gear's base circle, mm; negative where the flanks overlap.
+    /// The same as a length along the free gear's base circle, of a drawn pair along the contact's normal, mm; negative where the flanks overlap.
     pub gap: f64,
     /// The same along the contact's normal, mm: the turn times the normal's distance from the free gear's
     /// axis. `gap` where involutes without eccentricity meet, whose normals touch the base circle.
@@ -30,7 +31,7 @@ pub struct DrawnContact {
 
 impl DrawnContact {
     pub(super) fn new(
-        assembly: &GearPair,
+        assembly: &AssembledPair,
         side: Side,
         contact: Contact,
         rotation: f64,
@@ -39,6 +40,10 @@ impl DrawnContact {
         let turn = turn - TAU * (turn / TAU).round();
         let free = assembly.axis(assembly.free());
         let lever = (contact.point - free).perp(&contact.normal).abs();
+        let along_normal = side.sense() * turn * lever;
+        let base = assembly
+            .data()
+            .map(|pair| pair.gear(pair.free()).gear().base_radius());
         DrawnContact {
             side,
             contact,
@@ -52,8 +57,8 @@ impl DrawnContact {
                 Member::Pinion => -contact.normal,
             },
             turn,
-            gap: side.sense() * turn * assembly.gear(assembly.free()).gear().base_radius(),
-            along_normal: side.sense() * turn * lever,
+            gap: base.map_or(along_normal, |base| side.sense() * turn * base),
+            along_normal,
         }
     }
 

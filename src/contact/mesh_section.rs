@@ -6,6 +6,7 @@ use super::lost_motion::LostMotion;
 use super::pose_result::PoseResult;
 use crate::error::{Error, GearError};
 use crate::gear::Side;
+use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Pose};
 use std::f64::consts::TAU;
 
@@ -15,7 +16,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub struct MeshSection {
     at: f64,
-    pair: GearPair,
+    pair: AssembledPair,
     pose: Pose,
     alone: Option<LostMotion>,
     held: Option<f64>,
@@ -67,7 +68,7 @@ impl MeshSection {
         });
         Ok(MeshSection {
             at,
-            pair,
+            pair: pair.into(),
             pose: here,
             alone,
             held,
@@ -103,7 +104,7 @@ impl MeshSection {
     }
 
     /// The pair of this section alone.
-    pub fn pair(&self) -> &GearPair {
+    pub fn pair(&self) -> &AssembledPair {
         &self.pair
     }
 

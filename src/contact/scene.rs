@@ -7,8 +7,10 @@
 use super::overlap::{Overlap, overlaps};
 use super::{Contact, DrawnContact, LostMotion, MeshSection, Status};
 use crate::gear::{Gear, Placed, Side};
-use crate::pair::{GearPair, Member, Pose};
+use crate::outline::{AssembledPair, OutlinePair};
+use crate::pair::{Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
+use std::f64::consts::TAU;
 
 /// Where the free gear is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,12 +45,96 @@ fn contact(found: &LostMotion, side: Side) -> Option<Contact> {
     }
 }
 
+/// A gear where it stands.
+#[derive(Debug, Clone, Copy)]
+pub enum PlacedGear<'a> {
+    /// A gear by its data.
+    Data(Placed<'a>),
+    /// A gear of a drawn pair, at this rotation, rad.
+    Drawn(&'a OutlinePair, Member, f64),
+}
+
+impl<'a> PlacedGear<'a> {
+    /// The gear by its data; `None` of a drawn pair.
+    pub fn data(&self) -> Option<&Placed<'a>> {
+        match self {
+            PlacedGear::Data(placed) => Some(placed),
+            PlacedGear::Drawn(..) => None,
+        }
+    }
+
+    /// Its rotation axis, mm.
+    pub fn axis(&self) -> Point2<f64> {
+        match self {
+            PlacedGear::Data(placed) => placed.axis(),
+            PlacedGear::Drawn(pair, member, _) => pair.axis(*member),
+        }
+    }
+
+    /// Its geometric centre, mm.
+    pub fn centre(&self) -> Point2<f64> {
+        match self {
+            PlacedGear::Data(placed) => placed.centre(),
+            PlacedGear::Drawn(pair, member, rotation) => pair.centre(*member, *rotation),
+        }
+    }
+
+    /// The outline within `reach` of `place` and more, mm, with chords within `chordal_error` mm.
+    pub fn outline_near(
+        &self,
+        place: Point2<f64>,
+        reach: f64,
+        chordal_error: f64,
+    ) -> Vec<Point2<f64>> {
+        match self {
+            PlacedGear::Data(placed) => placed.outline_near(place, reach, chordal_error),
+            PlacedGear::Drawn(pair, member, rotation) => {
+                pair.outline(*member, *rotation, chordal_error)
+            }
+        }
+    }
+
+    /// The teeth within `reach` of `place`, mm, each with its direction from the centre, rad.
+    pub fn teeth_near(&self, place: Point2<f64>, reach: f64) -> Vec<(u32, f64)> {
+        match self {
+            PlacedGear::Data(placed) => {
+                let teeth = placed.teeth_near(place, reach).into_iter();
+                teeth
+                    .map(|tooth| (tooth, placed.direction(tooth)))
+                    .collect()
+            }
+            PlacedGear::Drawn(pair, member, rotation) => {
+                pair.teeth_near(*member, *rotation, place, reach)
+            }
+        }
+    }
+
+    /// Tip and root radius, mm.
+    pub fn radii(&self) -> [f64; 2] {
+        match self {
+            PlacedGear::Data(placed) => {
+                let gear = placed.as_built().gear();
+                [gear.tip_radius(), gear.root_radius()]
+            }
+            PlacedGear::Drawn(pair, member, _) => {
+                let gear = pair.gear(*member);
+                [gear.tip_radius(), gear.root_radius()]
+            }
+        }
+    }
+
+    /// Base radius, mm; `None` of a drawn pair.
+    pub fn base_radius(&self) -> Option<f64> {
+        Some(self.data()?.as_built().gear().base_radius())
+    }
+}
+
 /// The pose as drawn.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
-    assembly: &'a GearPair,
-    wheel: Placed<'a>,
-    pinion: Placed<'a>,
+    assembly: &'a AssembledPair,
+    wheel: PlacedGear<'a>,
+    pinion: PlacedGear<'a>,
     drawn: FreePlacement,
     contacts: Vec<DrawnContact>,
     lost_motion: Option<&'a LostMotion>,
@@ -56,12 +142,12 @@ pub struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     /// The scene of `pose` with its `lost_motion`.
-    pub fn new(assembly: &'a GearPair, pose: &Pose, lost_motion: &'a LostMotion) -> Scene<'a> {
+    pub fn new(assembly: &'a AssembledPair, pose: &Pose, lost_motion: &'a LostMotion) -> Scene<'a> {
         Scene::of(assembly, pose, Some(lost_motion))
     }
 
     /// The scene of a `pose` whose contacts are not proven: both gears, and nothing that touches.
-    pub fn unproven(assembly: &'a GearPair, pose: &Pose) -> Scene<'a> {
+    pub fn unproven(assembly: &'a AssembledPair, pose: &Pose) -> Scene<'a> {
         Scene::of(assembly, pose, None)
     }
 
@@ -75,7 +161,11 @@ impl<'a> Scene<'a> {
         Scene::held(section.pair(), section.pose(), section.alone(), held)
     }
 
-    fn of(assembly: &'a GearPair, pose: &Pose, lost_motion: Option<&'a LostMotion>) -> Scene<'a> {
+    fn of(
+        assembly: &'a AssembledPair,
+        pose: &Pose,
+        lost_motion: Option<&'a LostMotion>,
+    ) -> Scene<'a> {
         let flank = pose.mating().flank;
         let on = |side| lost_motion.and_then(|found| contact(found, side));
         let angle = lost_motion.and_then(LostMotion::angle);
@@ -88,7 +178,7 @@ impl<'a> Scene<'a> {
 
     /// The free gear at a rotation.
     fn held(
-        assembly: &'a GearPair,
+        assembly: &'a AssembledPair,
         pose: &Pose,
         lost_motion: Option<&'a LostMotion>,
         (drawn, rotation): (FreePlacement, f64),
@@ -99,11 +189,14 @@ impl<'a> Scene<'a> {
                 true => pose.locked_rotation(),
                 false => rotation,
             };
-            Placed::new(
-                assembly.gear(member),
-                assembly.axis(member),
-                assembly.mate_direction(member) + turned,
-            )
+            match assembly {
+                AssembledPair::Data(pair) => PlacedGear::Data(Placed::new(
+                    pair.gear(member),
+                    pair.axis(member),
+                    pair.mate_direction(member) + turned,
+                )),
+                AssembledPair::Drawn(pair) => PlacedGear::Drawn(pair, member, turned),
+            }
         };
         Scene {
             assembly,
@@ -119,15 +212,26 @@ impl<'a> Scene<'a> {
     }
 
     /// The pair.
-    pub fn assembly(&self) -> &'a GearPair {
+    pub fn assembly(&self) -> &'a AssembledPair {
         self.assembly
     }
 
     /// One of the gears as it stands.
-    pub fn placed(&self, member: Member) -> &Placed<'a> {
+    pub fn placed(&self, member: Member) -> &PlacedGear<'a> {
         match member {
             Member::Wheel => &self.wheel,
             Member::Pinion => &self.pinion,
+        }
+    }
+
+    /// Module of the gears, mm; of a drawn pair that of its operating pitch circles.
+    pub fn module(&self) -> f64 {
+        match self.assembly {
+            AssembledPair::Data(pair) => pair.gear(Member::Wheel).gear().basic_data().module(),
+            AssembledPair::Drawn(pair) => {
+                let pitch = pair.gear(Member::Wheel).pitch();
+                2.0 * pair.operating_pitch_radius(Member::Wheel) * pitch / TAU
+            }
         }
     }
 
@@ -142,25 +246,29 @@ impl<'a> Scene<'a> {
     }
 
     /// The room between the two flanks of `contact`, a closed polygon in mm with chords within
-    /// `chordal_error` mm; empty where they overlap.
+    /// `chordal_error` mm; empty where they overlap, and of a drawn pair.
     ///
     /// Of each flank it takes what lies inside the mate's tip circle once they are in contact.
     pub fn room_between(&self, contact: &DrawnContact, chordal_error: f64) -> Vec<Point2<f64>> {
         if contact.gap <= 0.0 {
             return Vec::new();
         }
-        let at_contact = |member| match member == self.assembly.free() {
-            true => self.placed(member).turned(contact.turn),
-            false => *self.placed(member),
+        let at_contact = |member| {
+            let placed = self.placed(member).data()?;
+            Some(match member == self.assembly.free() {
+                true => placed.turned(contact.turn),
+                false => *placed,
+            })
         };
         let flank = |member: Member, tooth| {
-            let (placed, mate) = (at_contact(member), at_contact(member.mate()));
+            let both = at_contact(member).zip(at_contact(member.mate()));
+            let (Some((placed, mate)), Some(drawn)) = (both, self.placed(member).data()) else {
+                return Vec::new();
+            };
             let tip = mate.as_built().gear().tip_radius();
             let is_inside = |point: &Point2<f64>| (point - mate.centre()).norm() <= tip;
             let touching = placed.flank(contact.side, tooth, chordal_error);
-            let drawn = self
-                .placed(member)
-                .flank(contact.side, tooth, chordal_error);
+            let drawn = drawn.flank(contact.side, tooth, chordal_error);
             let pairs = drawn.into_iter().zip(touching);
             pairs
                 .filter(|(_, touching)| is_inside(touching))
@@ -181,10 +289,11 @@ impl<'a> Scene<'a> {
         if contact.gap >= 0.0 {
             return None;
         }
-        let module = self.wheel.as_built().gear().basic_data().module();
+        let module = self.module();
         let chordal_error = (-contact.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
         let place = center(&contact.on_locked, &contact.on_free);
-        let outline = |placed: &Placed| placed.outline_near(place, REACH * module, chordal_error);
+        let outline =
+            |placed: &PlacedGear| placed.outline_near(place, REACH * module, chordal_error);
         let pieces = overlaps(&outline(&self.wheel), &outline(&self.pinion));
         // Where flanks only touch, their chords may cross by both chordal errors.
         let real = pieces
@@ -219,7 +328,8 @@ impl<'a> Scene<'a> {
     /// the angle `acos((r_b1 + r_b2)/D)` from the centres' line: towards +y on the wheel for
     /// right flanks, whose normal out of the wheel points clockwise. A tip circle cuts it `√(r_a² − r_b²)` from its own end.
     pub fn line_of_action(&self, side: Side) -> Option<LineOfAction> {
-        let gears = [&self.wheel, &self.pinion].map(|placed| placed.as_built().gear());
+        let wheel = self.wheel.data()?.as_built().gear();
+        let gears = [wheel, self.pinion.data()?.as_built().gear()];
         // Profile deviations are too small to bend it.
         if !gears.into_iter().all(Gear::is_generated) {
             return None;

@@ -15,7 +15,7 @@ use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Mating, Member};
-use gearlash_render::{Snapshot, pose_picture};
+use gearlash_render::Snapshot;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -121,14 +121,12 @@ fn check(args: &Args, study: &Study) -> Result<(), Error> {
 /// The picture, and how many poses of it beside the subject's are not proven.
 fn picture(args: &Args, title: &str, subject: &Subject) -> Result<(String, usize), Error> {
     let pose = &subject.pose;
-    let assembly = match &subject.assembly {
-        AssembledPair::Data(pair) => pair,
-        drawn @ AssembledPair::Drawn(_) => {
-            let picture = pose_picture(title, drawn, subject.material, pose)?;
-            return Ok((picture, 0));
-        }
+    let assembly = &subject.assembly;
+    let pair = assembly.data();
+    let section = match pair {
+        Some(pair) => section(args, pair, pose)?,
+        None => None,
     };
-    let section = section(args, assembly, pose)?;
     let view = Snapshot {
         title,
         assembly,
@@ -137,20 +135,20 @@ fn picture(args: &Args, title: &str, subject: &Subject) -> Result<(String, usize
         found: pose.found.as_ref(),
         section: section.as_ref(),
     };
-    Ok(match args.exaggerate {
-        None if args.animate => {
-            let steps = pitch(assembly, &pose.pose)?;
+    Ok(match (pair, args.exaggerate) {
+        (Some(pair), None) if args.animate => {
+            let steps = pitch(pair, &pose.pose)?;
             let unproven = steps.iter().filter(|step| step.is_unproven()).count();
-            let sections = sections(assembly, &steps, section.as_ref())?;
+            let sections = sections(pair, &steps, section.as_ref())?;
             let picture = gearlash_render::animation(&view, &steps, &sections);
             (picture, unproven)
         }
-        None => (gearlash_render::snapshot(&view), 0),
-        Some(factor) => {
-            let drawn = section.as_ref().map(MeshSection::pair);
-            let gears = exaggeration(drawn.unwrap_or(assembly), factor)?;
+        (Some(pair), Some(factor)) => {
+            let drawn = section.as_ref().and_then(|section| section.pair().data());
+            let gears = exaggeration(drawn.unwrap_or(pair), factor)?;
             (gearlash_render::exaggerated(&view, &gears), 0)
         }
+        _ => (gearlash_render::snapshot(&view), 0),
     })
 }
 

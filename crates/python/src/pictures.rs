@@ -40,6 +40,7 @@ pub fn snapshot(
     let drawn = py.detach(|| {
         let found = assembly.lost_motion(mating)?;
         let section = MeshSection::binding(&assembly, &found)?;
+        let assembly = assembly.into();
         let view = Snapshot {
             title: &pair.study().title,
             assembly: &assembly,

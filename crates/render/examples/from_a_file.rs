@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "{}",
         snapshot(&Snapshot {
             title: &study.title,
-            assembly: run.assembly.data().unwrap(),
+            assembly: &run.assembly,
             pose: &worst.pose.simulated.pose,
             material: run.material,
             found: worst.pose.simulated.found.as_ref(),

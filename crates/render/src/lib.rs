@@ -13,7 +13,7 @@
 //! let found = pair.lost_motion(mating)?;
 //! let svg = snapshot(&Snapshot {
 //!     title: "30/30",
-//!     assembly: &pair,
+//!     assembly: &pair.clone().into(),
 //!     pose: &found.pose,
 //!     material: Material::AsMeasured,
 //!     found: found.found.as_ref(),

@@ -19,7 +19,7 @@ fn snapshots_of_outlines() {
     ];
     let (code, picture, _) = run(folder.path(), &pose);
     assert_eq!(code, Some(0));
-    assert!(picture.contains("<svg") && picture.contains("wheel tooth 3 and pinion tooth 19"));
+    assert!(picture.contains("<svg") && picture.contains("wheel 3 with pinion 19"));
     let (code, picture, said) = run(
         folder.path(),
         &["snapshot", "drawn_20x20.toml", "--worst", "-o", "-"],
@@ -41,7 +41,7 @@ fn snapshots_of_outlines() {
         ">wheel<",
         ">pinion<",
         ">overlap<",
-        ">contact, normal out of the wheel<",
+        ">contact, normal out of the locked gear<",
     ] {
         assert!(picture.contains(words), "{words}");
     }

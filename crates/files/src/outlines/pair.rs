@@ -10,15 +10,14 @@ use crate::problems::Problems;
 use crate::require;
 use crate::sources::Sources;
 use crate::spec::{
-    AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, DEFAULT_STEPS, EitherGearSpec,
-    OutlinePairSpec, RequireSpec, Revolutions,
+    AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec,
+    RequireSpec,
 };
 use crate::sweep::Sweep;
 use crate::table::Table;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::Error;
 use gearlash::outline::{OutlineGear, OutlinePair};
-use gearlash::pair::SweepPlan;
 use std::path::Path;
 
 /// Keys of a pair file with an outline.
@@ -35,9 +34,6 @@ pub(super) const KEYS: &[&str] = &[
     "uncertainty",
     "tolerance",
 ];
-
-/// Poses of a cycle at most (tuned: some seconds).
-const MOST_POSES: u64 = 100_000;
 
 /// Tables that an outline has no use for, and why.
 const LEFT_OUT: [(&str, &str); 5] = [
@@ -134,37 +130,10 @@ pub(crate) fn read(
     let assembly = table.table("assembly", assembly::KEYS, problems);
     let assembly = assembly.map(|table| AssemblyPart::read(&table, true, problems));
     let sweep = Sweep::read(&table, (teeth[0], teeth[1]), problems);
-    let sweep = sweep.and_then(|sweep| {
-        let key = [
-            ("mating", sweep.spec.mating.is_some()),
-            ("phases", sweep.spec.phases.is_some()),
-            (
-                "revolutions",
-                sweep.spec.revolutions == Some(Revolutions::Wheel) && table.has("sweep"),
-            ),
-        ];
-        let Some((key, _)) = key.into_iter().find(|(_, given)| *given) else {
-            return Some(sweep.spec);
-        };
-        problems.add(table.problem(
-            &format!("sweep.{key}"),
-            "a pair with an outline is run through its whole mesh cycle",
-            "write revolutions = \"hunting\" in its place; start = [1, 1] says which teeth mate first",
-        ));
-        None
-    });
     let require = required(&table, problems);
     let (assembly, sweep, require) = (assembly?, sweep?, require?);
     let (stated, locked) = (assembly.distances??, assembly.locked?);
     let bearings: BearingClearanceSpec = assembly.bearings?;
-    if bearings.sum_mm() != 0.0 {
-        problems.add(table.problem(
-            "assembly.bearing_clearance_mm",
-            "a pair with an outline has no values beside its centre distances",
-            "list the centre distances that the bearings allow",
-        ));
-        return None;
-    }
     if assembly.face_offset_mm?.is_some() {
         problems.add(table.problem(
             "assembly.face_offset_mm",
@@ -188,7 +157,7 @@ pub(crate) fn read(
         let pair = OutlinePair::new(
             wheel.gears[0].1.clone(),
             pinion.gears[0].1.clone(),
-            distance,
+            distance - bearings.sum_mm(),
             locked,
         );
         if let Err(error) = pair {
@@ -200,22 +169,8 @@ pub(crate) fn read(
             return None;
         }
     }
-    let (first, second) = sweep
-        .start
-        .map_or((1, 1), |[wheel, pinion]| (wheel, pinion));
-    let [wheel_teeth, pinion_teeth] = [&wheel, &pinion].map(|part| part.gears[0].1.teeth());
-    let pitches = SweepPlan::hunting_pitches(wheel_teeth, pinion_teeth);
-    // Longer cycles are run more thinly.
-    let most = u32::try_from(MOST_POSES / pitches)
-        .unwrap_or(u32::MAX)
-        .max(1);
-    let sweep_plan = SweepPlan::Revolution {
-        pitches,
-        steps_per_pitch: sweep.steps_per_pitch.unwrap_or(DEFAULT_STEPS).min(most),
-        start: (first, second),
-    };
     let gears = materials(&wheel, &pinion);
-    let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep_plan);
+    let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep.plan);
     study.bearing_clearance = bearings.sum_mm();
     study.requirements = require.map_or_else(Vec::new, |require| require.requirements());
     Some(OutlinePairFile {
@@ -233,7 +188,7 @@ pub(crate) fn read(
                 temperature_c: None,
                 housing_expansion_per_k: None,
             },
-            sweep,
+            sweep: sweep.spec,
             require,
         },
         study,

@@ -30,7 +30,9 @@ fn simulated(page: &Page) -> String {
     match report.pair.study.sweeps() {
         true => {
             parts.push(format!("the {asked} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
-            parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - asked));
+            if turned > asked {
+                parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - asked));
+            }
         }
         false => {
             parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the right flank and with the left flank at the pitch point"));
@@ -107,7 +109,7 @@ fn phases(page: &Page) -> Markup {
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.simulated.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
-    let matters = ways > 1 && run.run.assembly.data().is_none_or(both_deviate);
+    let matters = ways > 1 && run.run.assembly.data().is_some_and(both_deviate);
     let way = phase(&run.run.assembly, mating);
     let asked = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();

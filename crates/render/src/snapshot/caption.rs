@@ -5,6 +5,7 @@ use crate::kit::TextStyle;
 use crate::pose_name::pose_name;
 use gearlash::contact::{FreePlacement, PoseResult, Scene, Status};
 use gearlash::gear::Side;
+use gearlash::pair::GearPair;
 use gearlash_files::numbers::{bound_um, trimmed, um};
 use svg::node::element::Group;
 
@@ -103,7 +104,8 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
 /// Over which face the result of a section holds; nothing of spur gears.
 fn over_face(view: &Snapshot) -> String {
     view.section.map_or(String::new(), |_| {
-        let [from, to] = view.assembly.face().map(|end| trimmed(end, 0, 3));
+        let face = view.assembly.data().map_or([0.0; 2], GearPair::face);
+        let [from, to] = face.map(|end| trimmed(end, 0, 3));
         format!(" over the face {from} … {to} mm")
     })
 }

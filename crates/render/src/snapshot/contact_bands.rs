@@ -32,11 +32,10 @@ pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width
     let mut group = Group::new();
     for member in Member::BOTH {
         let touch = contact.touch(member);
-        let Some(part) = touch.curve.part() else {
+        let (Some(part), Some(placed)) = (touch.curve.part(), scene.placed(member).data()) else {
             continue;
         };
         let (colour, dashes) = style(part);
-        let placed = scene.placed(member);
         let points = placed.curve(contact.side, touch.tooth, part, view.chord());
         let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
         for run in clip::parts(&spots, &wide) {
@@ -69,7 +68,9 @@ pub fn limits(
     let wide = view.frame().grown(MARGIN);
     let mut group = Group::new();
     for member in below_form(contact) {
-        let placed = scene.placed(member);
+        let Some(placed) = scene.placed(member).data() else {
+            continue;
+        };
         let radius = placed.as_built().gear().form_radius();
         for run in clip::runs(&view.arc(placed.centre(), radius), &wide) {
             occupied.line(&run);

@@ -129,11 +129,10 @@ pub fn lines_over(
     for member in Member::BOTH {
         let placed = scene.placed(member);
         let pitch = scene.assembly().operating_pitch_radius(member);
-        let base = placed.as_built().gear().base_radius();
-        for (centre, radius, dash) in [
-            (placed.axis(), pitch, PITCH_DASH),
-            (placed.centre(), base, BASE_DASH),
-        ] {
+        let base = placed.base_radius();
+        let pitch = (placed.axis(), pitch, PITCH_DASH);
+        let base = base.map(|base| (placed.centre(), base, BASE_DASH));
+        for (centre, radius, dash) in [Some(pitch), base].into_iter().flatten() {
             for run in clip::runs(&view.arc(centre, radius), &wide) {
                 occupied.line(&run);
                 group = group.add(line(&run, GREY, 1.1).set("stroke-dasharray", dash));

@@ -12,6 +12,7 @@ use gearlash::contact::{
     Contact, ContactClass, ContactKind, DrawnContact, FreePlacement, Scene, Status, Touch,
 };
 use gearlash::gear::{ProfilePart, Side};
+use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
@@ -112,24 +113,26 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
             let gap = contact.gap;
             let length = um(gap, 2);
             // In a transverse section the line of action lies in it, and another section may be tighter.
-            let (symbol, here) = match scene.assembly().is_helical() {
-                true => ("j_bt", " in this section"),
-                false => ("j_bn", ""),
+            let (symbol, here) = match scene.assembly() {
+                AssembledPair::Drawn(_) => ("", " along the normal"),
+                pair if pair.is_helical() => ("j_bt = ", " in this section"),
+                _ => ("j_bn = ", ""),
             };
             let first = match scene.drawn() {
                 _ if contact.turn == 0.0 => format!("{name} flanks touch"),
                 FreePlacement::AtContact(_) if gap > 0.0 => {
-                    format!("{name} flanks: gap {symbol} = {length} µm{here}")
+                    format!("{name} flanks: gap {symbol}{length} µm{here}")
                 }
                 FreePlacement::AtContact(_) => {
-                    format!("{name} flanks: overlap, {symbol} = {length} µm{here}")
+                    format!("{name} flanks: overlap, {symbol}{length} µm{here}")
                 }
                 FreePlacement::Nominal if gap >= 0.0 => {
                     format!("{name} flanks, short of their contact")
                 }
                 FreePlacement::Nominal => format!("{name} flanks, past their contact"),
             };
-            let edge = edge(scene.assembly(), side, &contact.contact);
+            let pair = scene.assembly().data();
+            let edge = pair.and_then(|pair| edge(pair, side, &contact.contact));
             let touch = |member: Member, touch: &Touch| {
                 let curve = match edge == Some(member) {
                     true => "undercut edge",

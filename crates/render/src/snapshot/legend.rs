@@ -39,7 +39,7 @@ pub struct Shown {
     pub form: bool,
     /// A base tangent point.
     pub tangent: bool,
-    /// Gears by their outlines: no base circle, no line of action, each contact drawn where it touches.
+    /// A drawn pair: no base circle, no line of action.
     pub outlines: bool,
 }
 
@@ -67,13 +67,9 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
         })
     };
     type Swatch<'a> = Box<dyn Fn(f64, f64) -> Group + 'a>;
-    let contact = match shown.outlines {
-        true => "contact, normal out of the wheel",
-        false => "contact, normal out of the locked gear",
-    };
     let mut samples: Vec<(&str, Swatch)> = vec![
         (
-            contact,
+            "contact, normal out of the locked gear",
             Box::new(|x, y| {
                 Group::new()
                     .add(arrow([x + 5.0, y], [x + SAMPLE, y], 1.8))
@@ -124,7 +120,7 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
         "base tangent point" => shown.tangent,
         // Of gears by their data what is drawn over the metal says which is which.
         WHEEL_NAME | PINION_NAME => shown.outlines,
-        MEETING | OF_ACTION | "base circle" => !shown.outlines,
+        OF_ACTION | "base circle" => !shown.outlines,
         _ => true,
     });
     for curve in ProfilePart::ALL {

@@ -7,6 +7,7 @@ use gearlash::contact::Scene;
 use gearlash::gear::Side;
 use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
+use std::f64::consts::TAU;
 use svg::node::element::Group;
 
 /// Pitches shown above and below the line of centres: with one and a half each gear shows three
@@ -20,20 +21,16 @@ const NEAR: f64 = 6.3;
 /// The view of the mesh zone in `frame`: about the middle between the tip circles, with both root
 /// circles, the paths of contact and the contacts in it.
 pub fn view(scene: &Scene, frame: Frame) -> View {
-    let gear = |member| scene.assembly().gear(member).gear();
-    let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
-    let module = wheel.basic_data().module();
+    let [wheel, pinion] = Member::BOTH.map(|member| scene.placed(member).radii());
+    let module = scene.module();
     let distance = scene.assembly().center_distance();
-    let middle = Point2::new(
-        0.5 * (wheel.tip_radius() + distance - pinion.tip_radius()),
-        0.0,
-    );
+    let middle = Point2::new(0.5 * (wheel[0] + distance - pinion[0]), 0.0);
     let mut half = Vector2::new(0.0, PITCHES * std::f64::consts::PI * module);
     let mut include = |point: Point2<f64>| {
         half = half.sup(&((point - middle).abs().add_scalar(BORDER * module)));
     };
-    include(Point2::new(wheel.root_radius(), 0.0));
-    include(Point2::new(distance - pinion.root_radius(), 0.0));
+    include(Point2::new(wheel[1], 0.0));
+    include(Point2::new(distance - pinion[1], 0.0));
     for contact in scene.contacts() {
         include(contact.on_locked);
         include(contact.on_free);
@@ -70,17 +67,14 @@ pub fn tooth_numbers(
 ) -> ([Group; 2], Vec<Frame>) {
     let numbered = |member, mating| {
         let placed = scene.placed(member);
-        let gear = placed.as_built().gear();
-        let teeth = placed.teeth_near(view.middle(), view.reach()).into_iter();
+        let [tip, root] = placed.radii();
         Numbered {
             centre: placed.centre(),
-            tip: gear.tip_radius(),
-            root: gear.root_radius(),
-            foot: gear.root_radius().min(gear.base_radius()),
-            pitch: gear.basic_data().angular_pitch(),
-            teeth: teeth
-                .map(|tooth| (tooth, placed.direction(tooth)))
-                .collect(),
+            tip,
+            root,
+            foot: placed.base_radius().map_or(root, |base| root.min(base)),
+            pitch: TAU / f64::from(scene.assembly().teeth(member)),
+            teeth: placed.teeth_near(view.middle(), view.reach()),
             mating,
         }
     };

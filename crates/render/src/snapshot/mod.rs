@@ -10,7 +10,6 @@ mod gears;
 mod inset;
 mod legend;
 mod main_view;
-mod outlines;
 mod overlap_label;
 mod picture;
 mod pitch_chart;

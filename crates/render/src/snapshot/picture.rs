@@ -140,13 +140,17 @@ fn shown(scene: &Scene, main: &View) -> Shown {
         on_paper: true,
         gap: contacts.iter().any(|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
-        touching: touches.filter_map(|touch| touch.curve.part()).collect(),
+        touching: match scene.assembly().data() {
+            Some(_) => touches.filter_map(|touch| touch.curve.part()).collect(),
+            None => Vec::new(),
+        },
         form: contacts
             .iter()
-            .any(|m| !contact_bands::below_form(m).is_empty()),
+            .any(|m| !contact_bands::below_form(m).is_empty())
+            && scene.assembly().data().is_some(),
         tangent: contacts
             .iter()
             .any(|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
-        outlines: false,
+        outlines: scene.assembly().data().is_none(),
     }
 }

@@ -1,12 +1,19 @@
-//! A pose as a picture, be its gears known by data or by drawings; of helical gears in the section where the flank of the pose touches.
+//! A pose as a picture; of helical gears in the section where the flank of the pose touches.
 
-use super::outlines::{outline_snapshot, outline_snapshot_in_page};
 use super::picture::{snapshot, snapshot_in_page};
 use super::subject::Snapshot;
 use gearlash::analysis::study::Material;
 use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::error::Error;
 use gearlash::outline::AssembledPair;
+
+/// The section that is drawn of helical gears.
+fn section(assembly: &AssembledPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
+    match assembly {
+        AssembledPair::Data(pair) => MeshSection::binding(pair, pose),
+        AssembledPair::Drawn(_) => Ok(None),
+    }
+}
 
 /// `pose` of `assembly` as the SVG text of a sheet.
 ///
@@ -18,14 +25,10 @@ pub fn pose_picture(
     material: Material,
     pose: &PoseResult,
 ) -> Result<String, Error> {
-    let pair = match assembly {
-        AssembledPair::Data(pair) => pair,
-        AssembledPair::Drawn(pair) => return Ok(outline_snapshot(title, pair, material, pose)),
-    };
-    let section = MeshSection::binding(pair, pose)?;
+    let section = section(assembly, pose)?;
     Ok(snapshot(&Snapshot {
         title,
-        assembly: pair,
+        assembly,
         pose: &pose.pose,
         material,
         found: pose.found.as_ref(),
@@ -41,20 +44,11 @@ pub(crate) fn pose_picture_in_page(
     pose: &PoseResult,
     (id, words): (&str, impl Fn(Option<f64>) -> String),
 ) -> Result<[String; 2], Error> {
-    let pair = match assembly {
-        AssembledPair::Data(pair) => pair,
-        AssembledPair::Drawn(pair) => {
-            let words = words(None);
-            let names = [id, words.as_str()];
-            let picture = outline_snapshot_in_page(title, pair, material, pose, names);
-            return Ok([picture, words]);
-        }
-    };
-    let section = MeshSection::binding(pair, pose)?;
+    let section = section(assembly, pose)?;
     let words = words(section.as_ref().map(MeshSection::at));
     let view = Snapshot {
         title,
-        assembly: pair,
+        assembly,
         pose: &pose.pose,
         material,
         found: pose.found.as_ref(),

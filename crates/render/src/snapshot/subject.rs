@@ -3,7 +3,8 @@
 use crate::kit::{Frame, Spot, TextStyle};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{LostMotion, MeshSection, Scene, Unproven};
-use gearlash::pair::{GearPair, Member, Pose};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Member, Pose};
 use svg::node::element::Group;
 
 /// What a snapshot shows.
@@ -12,7 +13,7 @@ pub struct Snapshot<'a> {
     /// The pair's title.
     pub title: &'a str,
     /// The pair.
-    pub assembly: &'a GearPair,
+    pub assembly: &'a AssembledPair,
     /// The pose.
     pub pose: &'a Pose,
     /// Which thickness.

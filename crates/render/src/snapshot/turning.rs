@@ -88,7 +88,13 @@ fn overlap(scenes: &[Scene], times: &[f64], view: &View) -> Group {
 pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     let mut turns: Vec<f64> = Vec::new();
     for scene in scenes {
-        let turn = scene.placed(member).direction(1) - scenes[0].placed(member).direction(1);
+        let direction = |scene: &Scene| {
+            scene
+                .placed(member)
+                .data()
+                .map_or(0.0, |gear| gear.direction(1))
+        };
+        let turn = direction(scene) - direction(&scenes[0]);
         let last = turns.last().copied().unwrap_or(0.0);
         turns.push(turn - TAU * ((turn - last) / TAU).round());
     }

@@ -28,7 +28,7 @@ fn steps(solved: &Solved) -> Vec<PoseResult> {
 fn draw(solved: &Solved) -> String {
     let view = Snapshot {
         title: solved.name,
-        assembly: &solved.assembly,
+        assembly: &solved.assembled(),
         pose: &solved.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: Ok(&solved.lost_motion),

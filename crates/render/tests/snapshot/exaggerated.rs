@@ -13,7 +13,7 @@ fn draw(solved: &Solved, factor: f64) -> String {
     let gears = Exaggeration::new(&solved.assembly, factor).unwrap();
     let view = Snapshot {
         title: solved.name,
-        assembly: &solved.assembly,
+        assembly: &solved.assembled(),
         pose: &solved.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: Ok(&solved.lost_motion),

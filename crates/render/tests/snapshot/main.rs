@@ -22,7 +22,7 @@ use std::sync::LazyLock;
 fn draw(assembly: &GearPair, pose: &Pose, lost_motion: &LostMotion) -> String {
     snapshot(&Snapshot {
         title: "Closed form",
-        assembly,
+        assembly: &assembly.clone().into(),
         pose,
         material: gearlash::analysis::study::Material::Most,
         found: Ok(lost_motion),
@@ -294,7 +294,7 @@ fn any_title_fits_and_stays_xml() {
     ] {
         let svg = snapshot(&Snapshot {
             title,
-            assembly: &assembly,
+            assembly: &assembly.clone().into(),
             pose: &at,
             material: gearlash::analysis::study::Material::Most,
             found: Ok(&lost),

@@ -31,7 +31,8 @@ fn the_points_of_a_contact_lie_on_both_outlines() {
             let assembly = pair([25, 38], 2.0, 63.07, locked);
             let at = pose(&assembly, [7, 30], flank, fraction);
             let lost = lost_motion(&assembly, &at);
-            let scene = Scene::new(&assembly, &at, &lost);
+            let assembled = assembly.clone().into();
+            let scene = Scene::new(&assembled, &at, &lost);
             assert_eq!(scene.drawn(), FreePlacement::AtContact(flank));
             for meeting in scene.contacts() {
                 let outline = |member| {
@@ -63,7 +64,8 @@ fn contacts_lie_on_their_line_of_action_between_the_tip_circles() {
     let assembly = pair([25, 38], 2.0, 63.07, Member::Wheel);
     let at = pose(&assembly, [7, 30], Side::Right, 0.2);
     let lost = lost_motion(&assembly, &at);
-    let scene = Scene::new(&assembly, &at, &lost);
+    let assembled = assembly.clone().into();
+    let scene = Scene::new(&assembled, &at, &lost);
     for (side, contact) in [(Side::Right, lost.right), (Side::Left, lost.left)] {
         let action = scene.line_of_action(side).unwrap();
         let [from, to] = action.path.unwrap();
@@ -86,7 +88,8 @@ fn circumferential_backlash_is_that_of_the_operating_circle() {
     let assembly = pair([25, 38], 2.0, 63.07, Member::Pinion);
     let at = pose(&assembly, [7, 30], Side::Left, 0.0);
     let lost = lost_motion(&assembly, &at);
-    let (j_wt, _) = Scene::new(&assembly, &at, &lost)
+    let assembled = assembly.clone().into();
+    let (j_wt, _) = Scene::new(&assembled, &at, &lost)
         .circumferential_backlash()
         .unwrap();
     let expected = j_bn(&assembly) / assembly.operating_pressure_angle().cos();

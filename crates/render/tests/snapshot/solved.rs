@@ -6,6 +6,7 @@ use gearlash::contact::{ExactKernel, LostMotion, Scene, Status};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
 };
+use gearlash::outline::AssembledPair;
 use gearlash::pair::{GearPair, Member, Pose};
 use gearlash_render::{Snapshot, snapshot};
 use nalgebra::Point2;
@@ -32,7 +33,7 @@ impl Solved {
     pub fn draw(&self) -> String {
         snapshot(&Snapshot {
             title: self.name,
-            assembly: &self.assembly,
+            assembly: &self.assembled(),
             pose: &self.pose,
             material: gearlash::analysis::study::Material::AsMeasured,
             found: Ok(&self.lost_motion),
@@ -40,8 +41,9 @@ impl Solved {
         })
     }
 
-    fn scene(&self) -> Scene<'_> {
-        Scene::new(&self.assembly, &self.pose, &self.lost_motion)
+    /// The pair as pictures take it.
+    pub fn assembled(&self) -> AssembledPair {
+        self.assembly.clone().into()
     }
 }
 
@@ -163,7 +165,8 @@ fn holds(polygon: &[Point2<f64>], at: Point2<f64>) -> bool {
 fn an_overlap_has_the_area_that_counting_finds() {
     for name in ["solved 44/44 tight", "tip on fillet", "deviated tight"] {
         let solved = find(name);
-        let scene = solved.scene();
+        let assembled = solved.assembled();
+        let scene = Scene::new(&assembled, &solved.pose, &solved.lost_motion);
         let meeting = scene
             .contacts()
             .iter()
@@ -205,7 +208,8 @@ fn overlaps_of_a_tenth_of_a_micrometre_and_of_a_tenth_of_a_millimetre_have_their
         let assembly = pair([44, 44], module, 44.0 * module - below, Member::Wheel);
         let pose = pose(&assembly, [1, 1], Side::Right, 0.1);
         let solved = Solved::new("thin", assembly, pose);
-        let scene = solved.scene();
+        let assembled = solved.assembled();
+        let scene = Scene::new(&assembled, &solved.pose, &solved.lost_motion);
         let mut seen = 0;
         for meeting in scene.contacts().iter().filter(|one| one.gap < 0.0) {
             let depth = -meeting.gap;

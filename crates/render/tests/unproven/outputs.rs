@@ -280,7 +280,7 @@ fn a_picture_draws_no_contact_and_says_why() {
     let pose = run.unproven().next().unwrap();
     let svg = snapshot(&Snapshot {
         title: "t",
-        assembly: run.run.assembly.data().unwrap(),
+        assembly: &run.run.assembly,
         pose: &pose.simulated.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: pose.simulated.found.as_ref(),

@@ -41,6 +41,11 @@ impl Problems {
         }
     }
 
+    /// Adds each.
+    pub fn extend(&mut self, problems: impl IntoIterator<Item = Problem>) {
+        problems.into_iter().for_each(|problem| self.add(problem));
+    }
+
     /// Whether one more will only be counted.
     pub fn is_full(&self) -> bool {
         self.listed.len() >= self.most

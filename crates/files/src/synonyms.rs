@@ -52,13 +52,14 @@ const CALLED: [(&str, &[&str]); 14] = [
 ];
 
 /// The key of `known` that is also called `name`.
-pub fn synonym(name: &str, known: &[&'static str]) -> Option<&'static str> {
+pub fn synonym<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     const LONGEST: usize = 64;
     let name = (name.len() <= LONGEST).then(|| name.to_lowercase().replace(['_', '-', '*'], ""))?;
-    let (key, _) = CALLED
-        .iter()
-        .find(|(key, names)| known.contains(key) && names.contains(&name.as_str()))?;
-    Some(key)
+    let called = |key: &str| {
+        let mut all = CALLED.iter();
+        all.any(|(known, names)| *known == key && names.contains(&name.as_str()))
+    };
+    known.iter().copied().find(|key| called(key))
 }
 
 #[cfg(test)]

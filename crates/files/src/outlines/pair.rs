@@ -1,40 +1,24 @@
 //! A pair file with an outline: two gears, where they stand, and the study they make.
 
 use super::gear::{self, DrawingRead, OutlinePart};
-use crate::assembly::{self, AssemblyPart};
+use crate::assembly;
+use crate::check::Checked;
 use crate::gear::GearPart;
 use crate::node::Node;
 use crate::pair_file::names;
 use crate::place::Place;
 use crate::problems::Problems;
-use crate::require;
 use crate::sources::Sources;
 use crate::spec::{
-    AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, DEFAULT_STEPS, EitherGearSpec,
-    OutlinePairSpec, RequireSpec, Revolutions,
+    AssemblySpec, CenterDistanceSpec, DEFAULT_STEPS, EitherGearSpec, OutlinePairSpec, PAIR,
+    RequireSpec, Revolutions,
 };
 use crate::sweep::Sweep;
-use crate::table::Table;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::Error;
 use gearlash::outline::{OutlineGear, OutlinePair};
 use gearlash::pair::SweepPlan;
 use std::path::Path;
-
-/// Keys of a pair file with an outline.
-pub(super) const KEYS: &[&str] = &[
-    "title",
-    "wheel",
-    "pinion",
-    "assembly",
-    "sweep",
-    "accuracy",
-    "compare",
-    "measured",
-    "require",
-    "uncertainty",
-    "tolerance",
-];
 
 /// Poses of a cycle at most (tuned: some seconds).
 const MOST_POSES: u64 = 100_000;
@@ -116,8 +100,9 @@ pub(crate) fn read(
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) -> Option<OutlinePairFile> {
-    let table = Table::new("", place, entries, KEYS, problems);
-    let (stem, title) = names(&table, path, problems);
+    let file = Checked::new(&PAIR, place, entries, problems);
+    let table = file.table();
+    let (stem, title) = names(&file, path, problems);
     let mut left_out = Some(());
     for (name, why) in LEFT_OUT {
         if table.has(name) {
@@ -129,11 +114,10 @@ pub(crate) fn read(
             left_out = None;
         }
     }
-    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&table, name, problems));
+    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&file, name, problems));
     let teeth = [&wheel, &pinion].map(|part| part.as_ref().map(|part| part.gears[0].1.teeth()));
-    let assembly = table.table("assembly", assembly::KEYS, problems);
-    let assembly = assembly.map(|table| AssemblyPart::read(&table, true, problems));
-    let sweep = Sweep::read(&table, (teeth[0], teeth[1]), problems);
+    let assembly = assembly::read(&file, true, problems);
+    let sweep = Sweep::read(&file, (teeth[0], teeth[1]), problems);
     let sweep = sweep.and_then(|sweep| {
         let key = [
             ("mating", sweep.spec.mating.is_some()),
@@ -153,11 +137,10 @@ pub(crate) fn read(
         ));
         None
     });
-    let require = required(&table, problems);
+    let require = required(&file, problems);
     let (assembly, sweep, require) = (assembly?, sweep?, require?);
-    let (stated, locked) = (assembly.distances??, assembly.locked?);
-    let bearings: BearingClearanceSpec = assembly.bearings?;
-    if bearings.sum_mm() != 0.0 {
+    let locked = assembly.locked.member();
+    if assembly.bearing_clearance_mm.sum_mm() != 0.0 {
         problems.add(table.problem(
             "assembly.bearing_clearance_mm",
             "a pair with an outline has no values beside its centre distances",
@@ -165,7 +148,7 @@ pub(crate) fn read(
         ));
         return None;
     }
-    if assembly.face_offset_mm?.is_some() {
+    if assembly.face_offset_mm.is_some() {
         problems.add(table.problem(
             "assembly.face_offset_mm",
             "an outline is of a spur gear: its face makes no difference",
@@ -173,7 +156,7 @@ pub(crate) fn read(
         ));
         return None;
     }
-    if assembly.temperature_c?.is_some() {
+    if assembly.temperature_c.is_some() {
         problems.add(table.problem(
             "assembly.temperature_c",
             "an outline is taken as it was drawn, at one temperature",
@@ -182,7 +165,7 @@ pub(crate) fn read(
         return None;
     }
     let (wheel, pinion, ()) = (wheel?, pinion?, left_out?);
-    let mut distances = stated.distances_mm();
+    let mut distances = assembly.center_distance_mm.distances_mm();
     distances.sort_by(f64::total_cmp);
     for &distance in &distances {
         let pair = OutlinePair::new(
@@ -216,7 +199,7 @@ pub(crate) fn read(
     };
     let gears = materials(&wheel, &pinion);
     let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep_plan);
-    study.bearing_clearance = bearings.sum_mm();
+    study.bearing_clearance = assembly.bearing_clearance_mm.sum_mm();
     study.requirements = require.map_or_else(Vec::new, |require| require.requirements());
     Some(OutlinePairFile {
         stem,
@@ -226,12 +209,8 @@ pub(crate) fn read(
             wheel: wheel.spec,
             pinion: pinion.spec,
             assembly: AssemblySpec {
-                center_distance_mm: stated,
-                locked: locked.into(),
-                bearing_clearance_mm: bearings,
-                face_offset_mm: None,
-                temperature_c: None,
                 housing_expansion_per_k: None,
+                ..assembly
             },
             sweep,
             require,
@@ -244,8 +223,9 @@ pub(crate) fn read(
 }
 
 /// `[require]`, of what an outline has.
-fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>> {
-    let require = require::require(file, problems)?;
+fn required(file: &Checked, problems: &mut Problems) -> Option<Option<RequireSpec>> {
+    let require = file.read("require", problems)?;
+    let file = file.table();
     let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
     let given = given.iter().filter(|(key, _)| file.has(key));
     let refused = given.map(|(key, why)| {
@@ -258,8 +238,8 @@ fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>
     }
 }
 
-fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
-    if file.has(&format!("{name}.outline")) {
+fn part(file: &Checked, name: &str, problems: &mut Problems) -> Option<Part> {
+    if file.table().has(&format!("{name}.outline")) {
         let OutlinePart {
             gear,
             read,

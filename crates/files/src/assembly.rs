@@ -84,7 +84,7 @@ pub fn check_shared(
     shared
 }
 
-/// What is wrong with the centre distance `a`, mm, between gears of these base radii' sum, if anything.
+/// The fault of the centre distance `a`, mm, between gears of these base radii' sum, if there is one.
 pub fn overlap(a: f64, base_radii: f64) -> Option<String> {
     let overlap = GearError::BaseCirclesOverlap {
         center_distance_mm: a,

@@ -16,7 +16,7 @@ use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 
-/// What is good of one gear.
+/// The parts of one gear that are right.
 #[derive(Debug, Default)]
 pub struct GearPart {
     /// `z`.
@@ -37,11 +37,11 @@ pub struct GearPart {
     pub expansion_per_k: Option<Option<f64>>,
     /// Whether the file states its reference face.
     pub states_face: bool,
-    /// What its statements say of each other.
+    /// Notes on statements that concern each other.
     pub notes: GearNotes,
     /// Warnings.
     pub warnings: Vec<String>,
-    /// What was found to be in order.
+    /// Remarks on what is in order.
     pub remarks: Vec<String>,
 }
 
@@ -142,7 +142,7 @@ impl GearPart {
         };
         let measurements = statements.measurements(face.unwrap_or(Face::Front));
         if pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
-            // Whatever else is wrong is reported, too.
+            // Other faults are reported, too.
             let errors = measurements.check_thickness_and_runout();
             faults::add_all(&statements, errors, problems);
             return None;
@@ -182,7 +182,7 @@ impl GearPart {
         }))
     }
 
-    /// What cannot stand beside a helix angle, and a face too short for the span.
+    /// Refuses keys that cannot stand beside a helix angle, and warns of a face too short for the span.
     fn beside_helix(
         &mut self,
         of: &Statements,
@@ -244,7 +244,7 @@ fn basic_data(
     }))
 }
 
-/// What `of` makes of the gear in each material.
+/// The result of `of` for the gear in each material.
 pub fn materials<T>(built: &Toleranced<AsBuilt>, of: impl Fn(&AsBuilt) -> T) -> Vec<(Material, T)> {
     match built {
         Toleranced::Single(gear) => vec![(Material::AsMeasured, of(gear))],

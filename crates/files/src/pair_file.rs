@@ -23,7 +23,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
-/// What is good of each table: `None` where something was wrong, `Some(None)` where nothing was asked for.
+/// The tables that are right: `None` where something was wrong, `Some(None)` where nothing was asked for.
 pub struct PairTables<'a> {
     file: Checked<'a>,
     path: &'a Path,

@@ -13,7 +13,7 @@ use gearlash::metrology::{EccentricitySource, PitchKind, PitchSense, PitchStatem
 pub struct PitchSheet {
     /// As in the pair file, the values as lists.
     pub spec: PitchSpec,
-    /// What the file they come from says of the gear; `None`: they are lists.
+    /// Statements on the gear in the file of the values; `None`: they are lists.
     pub header: Option<Header>,
 }
 
@@ -104,7 +104,7 @@ impl PitchSheet {
         }
     }
 
-    /// What was measured.
+    /// The measurement as the metrology takes it.
     pub fn measured(&self) -> PitchStatement {
         let PitchSpec {
             right_um, left_um, ..

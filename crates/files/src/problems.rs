@@ -74,7 +74,7 @@ impl Problems {
         }
     }
 
-    /// What `read` makes of the list at `key`; nothing where it has a problem, of which only the first dozen are reported.
+    /// The result of `read` for the list at `key`; `None` where it has a problem. Only the first dozen are reported.
     pub fn of_list_at<T>(
         &mut self,
         key: &str,

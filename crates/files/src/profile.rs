@@ -1,4 +1,4 @@
-//! `[profile]`: how the flanks deviate from the involute, both alike or each.
+//! `[profile]`: deviations of the flanks from the involute, of both or of each.
 
 mod trace;
 
@@ -77,12 +77,12 @@ impl Profiles {
         })
     }
 
-    /// What the files of traces say of the gear.
+    /// Statements on the gear in the files of traces.
     pub fn headers(&self) -> &[Header] {
         &self.headers
     }
 
-    /// What was said, on a gear of `basic_data`.
+    /// The modifications on a gear of `basic_data`.
     pub fn measured(&self, basic_data: &BasicGearData) -> [Modification; 2] {
         let base = basic_data.base_radius();
         self.flanks.each_ref().map(|flank| Modification {
@@ -141,11 +141,11 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
 struct Measured<'a> {
     teeth: Option<u32>,
     basic_data: Option<&'a BasicGearData>,
-    /// What the files that were read say of it.
+    /// Statements on it in the files that were read.
     headers: RefCell<Vec<Header>>,
 }
 
-/// No key stands in the table of one flank and in that of both.
+/// Reports keys that stand in the table of one flank and in the table of both.
 pub fn check_once(gear: &Table, problems: &mut Problems) -> Option<()> {
     let both = gear.below("profile");
     let mut good = Some(());

@@ -13,7 +13,7 @@ pub struct Runout {
     pub spec: RunoutSpec,
     /// The readings that it comes from.
     readings: Option<ProbeReadings>,
-    /// What the file of the readings says of the gear.
+    /// Statements on the gear in the file of the readings.
     pub header: Option<Header>,
 }
 
@@ -81,7 +81,7 @@ impl Runout {
         })
     }
 
-    /// What was measured.
+    /// The measurement as the metrology takes it.
     pub fn measured(&self) -> RunoutStatement {
         let RunoutSpec {
             total_um,

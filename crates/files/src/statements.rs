@@ -1,4 +1,4 @@
-//! What the tables of one gear state, and the keys under which they do.
+//! The tables of one gear and the keys under which they stand.
 
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
@@ -22,7 +22,7 @@ pub struct Statements<'a> {
 }
 
 impl Statements<'_> {
-    /// What was measured.
+    /// The measurements.
     pub fn measurements(&self, face: Face) -> Measurements {
         Measurements {
             design: self.design,

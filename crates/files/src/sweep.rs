@@ -42,7 +42,7 @@ impl Sweep {
         Sweep::of(spec, (teeth.0?, teeth.1?))
     }
 
-    /// `spec` on gears of so many teeth, its defaults filled in.
+    /// `spec` on gears with `teeth` teeth, defaults filled in.
     fn of(mut spec: SweepSpec, teeth: (u32, u32)) -> Option<Sweep> {
         if let Some(matings) = &spec.mating {
             let matings = matings

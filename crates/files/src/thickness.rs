@@ -14,7 +14,7 @@ use std::collections::HashSet;
 /// Where the second statement stands, below the gear's table.
 pub const CROSS_CHECK: &str = "thickness.cross_check";
 
-/// Reads the tables that `spec` names and checks its lists on a gear of so many `teeth`; fills in what is left open.
+/// Reads the tables that `spec` names and checks its lists on a gear with `teeth` teeth; fills in defaults.
 ///
 /// `gear` is the gear's table. `None` where a statement is wrong; `per_tooth_um` is `None` where its values are.
 pub fn complete(
@@ -231,7 +231,7 @@ impl StatementSpec {
             .map(|(key, _)| key)
     }
 
-    /// What was measured.
+    /// The measurement as the metrology takes it.
     pub(crate) fn measured(&self) -> ThicknessStatement {
         if let Some(span) = &self.span {
             let teeth = span.teeth;
@@ -281,7 +281,7 @@ impl StatementSpec {
 }
 
 impl CrossCheckSpec {
-    /// What was measured.
+    /// The measurement as the metrology takes it.
     pub(crate) fn measured(&self) -> metrology::CrossCheck {
         metrology::CrossCheck {
             statement: self.statement.measured(),
@@ -325,7 +325,7 @@ impl Either<f64, BandSpec> {
     }
 }
 
-/// What was measured over: a ball where nothing is said.
+/// The measuring body: a ball where none is stated.
 pub fn body(name: Option<BodyName>) -> MeasuringBody {
     match name {
         Some(BodyName::Pin) => MeasuringBody::Pin,

@@ -15,18 +15,6 @@ const SCATTERS: [&str; 8] = [
     "pinion.runout",
     "pinion.per_tooth",
 ];
-const KEYS: [&str; 9] = [
-    "lower_um",
-    "upper_um",
-    "mean_um",
-    "sigma_um",
-    "cpk",
-    "mode_um",
-    "scale_um",
-    "value_um",
-    "values_um",
-];
-
 /// Reads `[tolerance]`; `Some(None)` where the file has none.
 pub fn tolerance(file: &Checked, problems: &mut Problems) -> Option<Option<ToleranceSpec>> {
     let mut good = Some(());
@@ -42,13 +30,14 @@ pub fn tolerance(file: &Checked, problems: &mut Problems) -> Option<Option<Toler
     file.read("tolerance", problems)
 }
 
-/// What is wrong with the keys of the distribution at `path`: where, why, and what to do.
+/// The fault of the keys of the distribution at `path`: where, why, and what to do.
 fn fault(
     file: &Checked,
     path: &str,
     scatter: ScatterName,
 ) -> Option<(String, String, &'static str)> {
-    let has = |key: &str| file.table().has(&format!("{path}.{key}"));
+    let table = file.table().below(path);
+    let has = |key: &str| table.has(key);
     let known: &[&str] = match scatter {
         ScatterName::Fixed => &["value_um"],
         ScatterName::Uniform => &["lower_um", "upper_um"],
@@ -57,7 +46,8 @@ fn fault(
         ScatterName::Rayleigh => &["scale_um", "upper_um"],
         ScatterName::Table => &["values_um"],
     };
-    if let Some(key) = KEYS.iter().find(|key| has(key) && !known.contains(key)) {
+    let mut keys = table.entries().iter().map(|(key, _)| key.as_str());
+    if let Some(key) = keys.find(|key| *key != "scatter" && !known.contains(key)) {
         return Some((
             format!("{path}.{key}"),
             format!("no key of this distribution, expected {}", known.join(", ")),

@@ -140,29 +140,29 @@ pub(crate) fn read(
     let require = required(&file, problems);
     let (assembly, sweep, require) = (assembly?, sweep?, require?);
     let locked = assembly.locked.member();
-    if assembly.bearing_clearance_mm.sum_mm() != 0.0 {
-        problems.add(table.problem(
-            "assembly.bearing_clearance_mm",
+    let refused = [
+        (
+            "bearing_clearance_mm",
+            assembly.bearing_clearance_mm.sum_mm() != 0.0,
             "a pair with an outline has no values beside its centre distances",
             "list the centre distances that the bearings allow",
-        ));
-        return None;
-    }
-    if assembly.face_offset_mm.is_some() {
-        problems.add(table.problem(
-            "assembly.face_offset_mm",
+        ),
+        (
+            "face_offset_mm",
+            assembly.face_offset_mm.is_some(),
             "an outline is of a spur gear: its face makes no difference",
             "leave it out",
-        ));
-        return None;
-    }
-    if assembly.temperature_c.is_some() {
-        problems.add(table.problem(
-            "assembly.temperature_c",
+        ),
+        (
+            "temperature_c",
+            assembly.temperature_c.is_some(),
             "an outline is taken as it was drawn, at one temperature",
             "scale drawings and centre distance by 1 + expansion × (temperature − 20)",
-        ));
-        return None;
+        ),
+    ];
+    for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
+        problems.add(table.problem(&format!("assembly.{key}"), *reason, *help));
+        left_out = None;
     }
     let (wheel, pinion, ()) = (wheel?, pinion?, left_out?);
     let mut distances = assembly.center_distance_mm.distances_mm();

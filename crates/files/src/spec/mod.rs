@@ -1,4 +1,4 @@
-//! What a pair file and a gear file say, as plain structs: units in names, keys as in the files.
+//! Pair files and gear files as plain structs: units in names, keys as in the files.
 //!
 //! The schema follows from them ([`crate::pair_schema`]), their comments are its descriptions. It checks a file ([`crate::check`]);
 //! then serde reads these structs. Written as JSON or TOML they are such files: the echo in results. A key that is an `Option`
@@ -52,7 +52,7 @@ use gearlash::error::GearError;
 use gearlash::gear::ThicknessField;
 use serde_json::Value;
 
-/// What is wrong with a designation, which `schema` describes by its pattern.
+/// The fault of a designation, which `schema` describes by its pattern.
 pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
     let fault: GearError = match schema["pattern"].as_str()? {
         assembly::DISTANCE_FIELD => {

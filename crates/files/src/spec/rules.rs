@@ -1,6 +1,6 @@
-//! What a schema says of numbers, of lists, and of keys that go together: more than a type can.
+//! Rules of a schema for numbers, lists and keys that go together: more than a type can say.
 //!
-//! What is said of values, each spec names in its `schemars` attributes; what is said of its keys, a function of it.
+//! Rules for values are attributes of the fields; rules for keys are functions.
 
 use schemars::Schema;
 use schemars::transform::{RecursiveTransform, Transform};
@@ -42,7 +42,7 @@ pub fn whole(least: u32, most: u32) -> impl Fn(&mut Schema) {
     bounds("integer", json!({ "minimum": least, "maximum": most }))
 }
 
-/// A list has at least, and at most, so many elements.
+/// A list has at least `least` and at most `most` elements.
 pub fn list_length(least: usize, most: Option<usize>) -> impl Fn(&mut Schema) {
     bounds(
         "array",
@@ -53,13 +53,13 @@ pub fn list_length(least: usize, most: Option<usize>) -> impl Fn(&mut Schema) {
     )
 }
 
-/// Of the groups of keys, one stands there.
+/// Exactly one of the groups of keys is given.
 pub fn exactly_one(schema: &mut Schema, groups: &[&[&str]]) {
     let groups: Vec<Value> = groups.iter().map(|keys| required(keys)).collect();
     schema.insert("oneOf".to_owned(), json!(groups));
 }
 
-/// Of the groups of keys, no two stand there.
+/// At most one of the groups of keys is given.
 pub fn at_most_one(schema: &mut Schema, groups: &[&[&str]]) {
     let mut pairs = Vec::new();
     for (index, one) in groups.iter().enumerate() {
@@ -91,7 +91,7 @@ pub fn not_beside(schema: &mut Schema, key: &str, others: &[&str]) {
     depend(schema, key, json!({ "not": others }));
 }
 
-/// `key` does not stand at all.
+/// `key` is not allowed.
 pub fn without(schema: &mut Schema, key: &str) {
     for place in ["properties", "dependencies"] {
         if let Some(Value::Object(keys)) = schema.get_mut(place) {

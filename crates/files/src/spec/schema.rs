@@ -10,13 +10,13 @@ use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
-/// That of pair files.
+/// The schema of pair files.
 pub(crate) static PAIR: LazyLock<Value> = LazyLock::new(ordered::<PairSpec>);
-/// That of two drawings of one gear.
+/// The schema of two drawings of one gear.
 pub(crate) static DRAWINGS: LazyLock<Value> = LazyLock::new(ordered::<TwoDrawingsSpec>);
-/// That of a table by itself.
+/// The schema of a table by itself.
 pub(crate) static TABLE: LazyLock<Value> = LazyLock::new(ordered::<AnyTableSpec>);
-/// That of gear files.
+/// The schema of gear files.
 pub(crate) static GEAR: LazyLock<Value> = LazyLock::new(ordered::<GearFileSpec>);
 
 /// The JSON Schema (draft 07) of pair files, as text: every key, its type and range, and which go together.
@@ -26,7 +26,7 @@ pub fn pair_schema() -> String {
     format!("{:#}\n", *PAIR)
 }
 
-/// The same of gear files, `title` and one `[gear]`.
+/// The JSON Schema of gear files, `title` and one `[gear]`.
 pub fn gear_schema() -> String {
     format!("{:#}\n", *GEAR)
 }
@@ -40,7 +40,7 @@ fn ordered<T: JsonSchema>() -> Value {
         settings.transforms.insert(place, everywhere);
     }
     let mut schema = settings.into_generator().into_root_schema_for::<T>();
-    // What it is comes first for a reader.
+    // The description comes first for a reader.
     let mut ordered = Map::new();
     for key in ["$schema", "title", "description"] {
         ordered.extend(schema.ensure_object().shift_remove_entry(key));

@@ -1,16 +1,8 @@
 //! The face that two helical gears have in common.
 
 use super::gear::GearPart;
-use super::limits::FACE_OFFSET;
 use super::problems::Problems;
 use super::table::Table;
-
-/// Limits of `assembly.face_offset_mm`, read beside the other keys of the assembly.
-pub fn face_offset(table: &Table, problems: &mut Problems) -> Option<Option<f64>> {
-    table.optional_as("face_offset_mm", problems, |entry| {
-        entry.number(&FACE_OFFSET)
-    })
-}
 
 /// The common face of both gears, mm from the wheel's measuring plane, and how far off the pinion's lies; no length of spur gears.
 ///

@@ -1,7 +1,6 @@
 //! A data file that a pair file names under `file`.
 
 use super::node::{LONGEST, Node};
-use super::problems::Problems;
 use super::source;
 use super::table::Table;
 use crate::characters::cut;
@@ -29,9 +28,10 @@ const LONGEST_PATH: usize = 4096;
 
 impl DataFile {
     /// The file that `table` names under `file`; a relative path starts at the pair file's folder.
-    pub fn of(table: &Table, needed: &str, problems: &mut Problems) -> Option<DataFile> {
-        let entry = table.need("file", needed, problems)?;
-        let name = problems.keep(entry.text(&format!("give {needed}")))?;
+    pub fn of(table: &Table) -> Option<DataFile> {
+        let Some(Node::Text(name)) = table.get("file") else {
+            return None;
+        };
         let path = table.place().file(name);
         Some(DataFile {
             key: table.path_of("file"),

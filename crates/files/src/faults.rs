@@ -6,9 +6,10 @@ use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::profile;
 use super::runout::Runout;
+use super::spec::StatementSpec;
 use super::statements::Statements;
 use super::table::Table;
-use super::thickness::Statement;
+use super::thickness::body;
 use crate::error::Problem;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, GearDesign, MeasuringBody, thickness};
@@ -258,18 +259,16 @@ impl Fault<'_> {
 
     fn pins_inside_base(&self, reason: String) -> Problem {
         let (statement, under) = self.of.of_thickness(self.role);
-        let key = match statement {
-            Statement::Field(_) => {
-                return self.of.table.problem(
-                    &format!("{under}.designation"),
-                    reason,
-                    "give allowance_um = { upper = …, lower = … }",
-                );
-            }
-            Statement::OverPins { mm, .. } if mm.is_band() => "over_pins.min_mm".to_owned(),
-            Statement::Pins { readings, .. } => format!("over_pins.{}", readings.key()),
-            _ => "over_pins.mm".to_owned(),
-        };
+        if statement.designation.is_some() {
+            return self.of.table.problem(
+                &format!("{under}.designation"),
+                reason,
+                "give allowance_um = { upper = …, lower = … }",
+            );
+        }
+        let keys = ["min_mm", "file"].into_iter();
+        let mut given = keys.filter(|key| self.of.table.has(&format!("{under}.over_pins.{key}")));
+        let key = format!("over_pins.{}", given.next().unwrap_or("mm"));
         let base = 2.0 * self.of.design.basic_data.base_radius();
         let nominal = nominal(statement, &self.of.design);
         self.of.table.problem(
@@ -317,28 +316,31 @@ impl Fault<'_> {
 }
 
 /// What the nominal tooth would measure: "nominal is 50.6 mm".
-fn nominal(statement: &Statement, design: &GearDesign) -> String {
+fn nominal(statement: &StatementSpec, design: &GearDesign) -> String {
     let basic_data = &design.basic_data;
     let base = design.nominal_base_thickness();
-    match *statement {
-        Statement::Nominal | Statement::Base(_) => format!("nominal is {} mm", ascii(base, 4)),
-        Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
-            let span = thickness::span_from_base(basic_data, teeth, base);
-            format!("nominal over {teeth} teeth is {} mm", ascii(span, 4))
-        }
-        Statement::OverPins { body, pin_mm, .. } | Statement::Pins { body, pin_mm, .. } => {
-            let body = body.unwrap_or_default();
-            let over = thickness::over_from_base(basic_data, body, pin_mm, base);
-            let name = match (body, basic_data.hand()) {
-                (MeasuringBody::Ball, Some(_)) => "balls",
-                _ => "pins",
-            };
-            format!(
-                "nominal over {name} of {pin_mm} mm is {} mm",
-                ascii(over, 4)
-            )
-        }
-        Statement::FlankOffset(_) => "nominal is 0 mm".to_owned(),
-        Statement::Allowance(_) | Statement::Field(_) => "nominal is 0 µm".to_owned(),
+    if let Some(span) = &statement.span {
+        let (k, mm) = (
+            span.teeth,
+            thickness::span_from_base(basic_data, span.teeth, base),
+        );
+        return format!("nominal over {k} teeth is {} mm", ascii(mm, 4));
+    }
+    if let Some(pins) = &statement.over_pins {
+        let (body, pin_mm) = (body(pins.kind), pins.pin_mm);
+        let over = thickness::over_from_base(basic_data, body, pin_mm, base);
+        let name = match (body, basic_data.hand()) {
+            (MeasuringBody::Ball, Some(_)) => "balls",
+            _ => "pins",
+        };
+        return format!(
+            "nominal over {name} of {pin_mm} mm is {} mm",
+            ascii(over, 4)
+        );
+    }
+    match statement.key() {
+        Some("flank_offset_mm") => "nominal is 0 mm".to_owned(),
+        Some("allowance_um" | "designation") => "nominal is 0 µm".to_owned(),
+        _ => format!("nominal is {} mm", ascii(base, 4)),
     }
 }

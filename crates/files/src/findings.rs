@@ -5,10 +5,10 @@ mod outlier;
 mod runout;
 mod thickness;
 
-use super::cross_check::CrossCheck;
 use super::numbers::{ascii, rounded, shortest};
 use super::profile;
 use super::statements::Statements;
+use super::thickness::CROSS_CHECK;
 use gearlash::gear::DIN_3967_SOURCE;
 use gearlash::metrology::{Finding, ProfileKey, Quantity, SameKind};
 
@@ -108,7 +108,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             mean_um,
             scatter_um,
         } => {
-            let stated = of.thickness.key().unwrap_or_default();
+            let stated = of.thickness.statement.key().unwrap_or_default();
             format!(
                 "{}: its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
                  from the nominal thickness, and {stated} states the same, subtract their mean from the list",
@@ -215,6 +215,6 @@ fn same_kind(of: &Statements, kind: SameKind) -> String {
     format!(
         "{}: is {words}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
          another number of teeth or pin)",
-        of.table.path_of(CrossCheck::UNDER)
+        of.table.path_of(CROSS_CHECK)
     )
 }

@@ -1,48 +1,22 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built.
 
-use super::cross_check::CrossCheck;
-use super::helix::{self, Helix};
-use super::limits::{
-    EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
-};
+use super::check::Checked;
+use super::helix::Helix;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
-use super::profile::Profiles;
+use super::profile::{self, Profiles};
 use super::runout::Runout;
 use super::sheet::StatedGear;
-use super::spec::{GearSpec, RackSpec, ThicknessSpec};
+use super::spec::{Either, FaceName, GearSpec, RackSpec};
 use super::statements::Statements;
 use super::table::Table;
-use super::thickness::{self, Statement};
-use super::{faults, findings, per_tooth};
+use super::{faults, findings, helix, thickness};
 use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GRADES, GearDesign};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 
-const KEYS: &[&str] = &[
-    "teeth",
-    "module_mm",
-    "pressure_angle_deg",
-    "helix_angle_deg",
-    "hand",
-    "face_mm",
-    "face_width_mm",
-    "profile_shift",
-    "grade",
-    "reference_face",
-    "tip_diameter_mm",
-    "expansion_per_k",
-    "rack",
-    "thickness",
-    "runout",
-    "pitch",
-    "profile",
-];
-const RACK_KEYS: &[&str] = &["addendum", "dedendum", "root_radius"];
-const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
-
-/// What is good of one gear.
+/// The parts of one gear that are right.
 #[derive(Debug, Default)]
 pub struct GearPart {
     /// `z`.
@@ -63,30 +37,22 @@ pub struct GearPart {
     pub expansion_per_k: Option<Option<f64>>,
     /// Whether the file states its reference face.
     pub states_face: bool,
-    /// What its statements say of each other.
+    /// Notes on statements that concern each other.
     pub notes: GearNotes,
     /// Warnings.
     pub warnings: Vec<String>,
-    /// What was found to be in order.
+    /// Remarks on what is in order.
     pub remarks: Vec<String>,
 }
 
 impl GearPart {
     /// Reads the table `name` of one gear.
-    pub fn read(file: &Table, name: &str, problems: &mut Problems) -> GearPart {
-        let there = file.need(name, "the table of a gear", problems);
-        let Some(table) = there.and_then(|_| file.table(name, KEYS, problems)) else {
-            return GearPart::default();
-        };
-        let teeth = table.whole(
-            "teeth",
-            TEETH,
-            "give the number of teeth all round",
-            problems,
-        );
-        let module_mm = table.number("module_mm", &MODULE, problems);
-        let pressure_angle_deg = table.number("pressure_angle_deg", &PRESSURE_ANGLE, problems);
-        let helix = Helix::read(&table, problems);
+    pub fn read(file: &Checked, name: &str, problems: &mut Problems) -> GearPart {
+        let table = file.table().below(name);
+        let mut number = |key: &str| file.read(&table.path_of(key), problems).flatten();
+        let (module_mm, pressure_angle_deg) = (number("module_mm"), number("pressure_angle_deg"));
+        let teeth = file.read(&table.path_of("teeth"), problems).flatten();
+        let helix = Helix::read(file, name, problems);
         let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg, problems);
         let wound = basic_data.zip(helix);
         let mut part = GearPart {
@@ -95,45 +61,45 @@ impl GearPart {
             pressure_angle_deg,
             helix,
             basic_data: wound.and_then(|(data, helix)| helix.of(data, &table, problems)),
+            expansion_per_k: file.read(&table.path_of("expansion_per_k"), problems),
             states_face: table.has("reference_face"),
             ..GearPart::default()
         };
-        part.complete(&table, problems);
+        part.complete((file, name), &table, problems);
         part.remarks.extend(table.place().take_remarks());
         part
     }
 
-    fn complete(&mut self, table: &Table, problems: &mut Problems) -> Option<()> {
+    fn complete(
+        &mut self,
+        (file, name): (&Checked, &str),
+        table: &Table,
+        problems: &mut Problems,
+    ) -> Option<()> {
         let teeth = self.teeth;
-        let profile_shift = table.number_or("profile_shift", 0.0, &PROFILE_SHIFT, problems);
-        let grade = match table.optional("grade") {
-            Some(Some(entry)) => problems
-                .keep(entry.whole(GRADES, "required accuracy grade, ISO 1328-1"))
-                .map(Some),
+        let profile_shift = file.read::<f64>(&table.path_of("profile_shift"), problems);
+        let face = file.read::<FaceName>(&table.path_of("reference_face"), problems);
+        let tip_diameter = file.read::<f64>(&table.path_of("tip_diameter_mm"), problems);
+        let rack = file.read::<RackSpec>(&table.path_of("rack"), problems);
+        let rack = rack.and_then(|rack| GearPart::rack(rack.unwrap_or_default(), table, problems));
+        let thickness = file.read(&table.path_of("thickness"), problems);
+        let thickness = thickness
+            .and_then(|spec| thickness::complete(table, spec.unwrap_or_default(), teeth, problems));
+        let runout = file.read(&table.path_of("runout"), problems);
+        let runout =
+            runout.and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth, problems));
+        let sheet = match file.read(&table.path_of("pitch"), problems) {
+            Some(Some(spec)) => PitchSheet::read(table, spec, teeth, problems),
             absent => absent.map(|_| None),
         };
-        let face = table.choice_or_first("reference_face", &FACES, problems);
-        let tip_diameter = match table.optional("tip_diameter_mm") {
-            Some(Some(entry)) => problems.keep(entry.number(&TIP_DIAMETER)).map(Some),
-            absent => absent.map(|_| None),
-        };
-        self.expansion_per_k = table.optional_as("expansion_per_k", problems, |entry| {
-            entry.number(&EXPANSION)
-        });
-        let rack = rack(table, problems);
-        let thickness = table.table("thickness", thickness::KEYS, problems);
-        let statement = thickness
-            .as_ref()
-            .and_then(|table| Statement::read(table, teeth, problems));
-        let per_tooth = thickness
-            .as_ref()
-            .and_then(|thick| per_tooth::thickness(thick, teeth, problems));
-        let cross_check = thickness
-            .as_ref()
-            .and_then(|table| CrossCheck::read(table, statement.as_ref(), teeth, problems));
-        let runout = Runout::read(table, teeth, problems);
-        let sheet = PitchSheet::read(table, teeth, problems);
-        let profiles = Profiles::read(table, teeth, self.basic_data.as_ref(), problems);
+        let once = profile::check_once(table, problems);
+        let profiles = file
+            .read(&table.path_of("profile"), problems)
+            .filter(|_| once.is_some())
+            .and_then(|spec| {
+                let spec = spec.unwrap_or_default();
+                Profiles::read(table, spec, teeth, self.basic_data.as_ref(), problems)
+            });
 
         let pitch = match (&sheet, &self.basic_data, &runout) {
             (Some(None), ..) => Some(()),
@@ -144,7 +110,7 @@ impl GearPart {
         };
         let mut design = GearDesign {
             basic_data: self.basic_data?,
-            profile_shift: profile_shift?,
+            profile_shift: profile_shift?.unwrap_or(0.0),
             rack: rack?,
             tip_diameter: tip_diameter?,
         };
@@ -154,75 +120,69 @@ impl GearPart {
             pressure_angle_deg: self.pressure_angle_deg?,
             helix_angle_deg: self.helix?.angle_deg,
         };
-        let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
+        let pitch_header = sheet
+            .iter()
+            .flatten()
+            .filter_map(|sheet| sheet.header.as_ref());
         let mut header_warnings = Vec::new();
-        let runout_header = runout.iter().filter_map(Runout::header);
+        let runout_header = runout.iter().filter_map(|runout| runout.header.as_ref());
         let trace_headers = profiles.iter().flat_map(Profiles::headers);
-        let headers = pitch_header.chain(runout_header);
-        for header in headers.chain(trace_headers) {
+        for header in pitch_header.chain(runout_header).chain(trace_headers) {
             header.check(&drawn, problems);
             header_warnings.extend_from_slice(header.warnings());
         }
-        let understood = per_tooth.is_some() && pitch.is_some();
+        let face = face.map(|face| Face::from(face.unwrap_or_default()));
         let statements = Statements {
             table,
             design,
-            thickness: statement?,
-            per_tooth_um: per_tooth.unwrap_or_default(),
-            cross_check: cross_check.clone().flatten(),
+            thickness: thickness?,
             pitch: sheet.flatten(),
             runout: runout?,
             profiles: profiles?,
         };
         let measurements = statements.measurements(face.unwrap_or(Face::Front));
-        if !understood {
-            // Whatever else is wrong is reported, too.
+        if pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
+            // Other faults are reported, too.
             let errors = measurements.check_thickness_and_runout();
             faults::add_all(&statements, errors, problems);
             return None;
         }
         let errors = |errors| faults::add_all(&statements, errors, problems);
         let gear = measurements.measure().map_err(errors).ok()?;
-        let face = face?;
-        cross_check?;
+        let mut spec = file.read::<GearSpec>(name, problems)??;
         self.describe(&statements, &gear.findings, header_warnings);
         self.notes = gear.notes;
         self.beside_helix(&statements, gear.as_built.most(), problems)?;
         self.as_built = Some(gear.as_built);
 
-        let design = &statements.design;
-        let cross_check = statements.cross_check.as_ref();
-        let runout = statements.runout.settled(gear.runout);
-        let expansion_per_k = self.expansion_per_k?;
-        let mut spec = GearSpec {
-            teeth: self.teeth?,
-            module_mm: self.module_mm?,
-            pressure_angle_deg: self.pressure_angle_deg?,
-            helix_angle_deg: None,
-            hand: None,
-            face_mm: None,
-            face_width_mm: None,
-            profile_shift: design.profile_shift,
-            grade: grade?,
-            reference_face: face.into(),
-            tip_diameter_mm: design.tip_diameter?,
-            expansion_per_k,
-            rack: RackSpec::from(&design.rack),
-            thickness: ThicknessSpec {
-                statement: statements.thickness.spec(),
-                cross_check: cross_check.map(CrossCheck::spec),
-                per_tooth_um: Some(statements.per_tooth_um),
-            },
-            runout: runout.spec(),
-            pitch: statements.pitch.as_ref().map(PitchSheet::spec),
-            profile: statements.profiles.spec(),
-        };
+        spec.face_width_mm = None;
+        spec.tip_diameter_mm = statements.design.tip_diameter?;
+        spec.runout = statements.runout.settled(gear.runout);
+        spec.profile = statements.profiles.spec();
+        spec.pitch = statements.pitch.map(|sheet| sheet.spec);
+        spec.thickness = statements.thickness;
+        if spec.thickness.statement.key().is_none() {
+            spec.thickness.statement.allowance_um = Some(Either::One(0.0));
+        }
         self.helix?.echo(&mut spec);
         self.spec = Some(spec);
         Some(())
     }
 
-    /// What cannot stand beside a helix angle, and a face too short for the span.
+    /// The rack of the gear's table `gear`.
+    fn rack(spec: RackSpec, gear: &Table, problems: &mut Problems) -> Option<BasicRack> {
+        let rack = BasicRack::new(spec.addendum, spec.dedendum, spec.root_radius);
+        problems.keep(rack.map_err(|error| match error {
+            GearError::OutOfRange { value, allowed, .. } => gear.problem(
+                "rack.root_radius",
+                format!("{value} is out of range, allowed is {allowed}"),
+                "reduce it, or give a greater dedendum",
+            ),
+            other => gear.problem("rack.root_radius", other.to_string(), "correct the rack"),
+        }))
+    }
+
+    /// Refuses keys that cannot stand beside a helix angle, and warns of a face too short for the span.
     fn beside_helix(
         &mut self,
         of: &Statements,
@@ -233,16 +193,15 @@ impl GearPart {
         if helix.angle_deg == 0.0 {
             return Some(());
         }
-        helix::refuse(
-            of.table,
-            &[(
+        if gear.is_modified() {
+            problems.add(of.table.problem(
                 "profile",
-                gear.is_modified(),
-                "between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
-            )],
-            problems,
-        )?;
-        let span = of.thickness.spec().span.map(|span| span.teeth);
+                "given beside a helix angle: between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
+                "leave it out, or give a spur pair",
+            ));
+            return None;
+        }
+        let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);
         let name = of.table.path_of("face_mm");
         let name = name.trim_end_matches(".face_mm").to_owned();
         self.warnings
@@ -285,30 +244,7 @@ fn basic_data(
     }))
 }
 
-/// The rack of a gear's table, ISO 53 A where it says nothing.
-fn rack(gear: &Table, problems: &mut Problems) -> Option<BasicRack> {
-    let table = gear.table("rack", RACK_KEYS, problems)?;
-    let standard = BasicRack::ISO_53_A;
-    let addendum = table.number_or("addendum", standard.addendum(), &RACK_DEPTH, problems);
-    let dedendum = table.number_or("dedendum", standard.dedendum(), &RACK_DEPTH, problems);
-    let root_radius = table.number_or(
-        "root_radius",
-        standard.root_radius(),
-        &ROOT_RADIUS,
-        problems,
-    );
-    let rack = BasicRack::new(addendum?, dedendum?, root_radius?);
-    problems.keep(rack.map_err(|error| match error {
-        GearError::OutOfRange { value, allowed, .. } => table.problem(
-            "root_radius",
-            format!("{value} is out of range, allowed is {allowed}"),
-            "reduce it, or give a greater dedendum",
-        ),
-        other => table.problem("root_radius", other.to_string(), "correct the rack"),
-    }))
-}
-
-/// What `of` makes of the gear in each material.
+/// The result of `of` for the gear in each material.
 pub fn materials<T>(built: &Toleranced<AsBuilt>, of: impl Fn(&AsBuilt) -> T) -> Vec<(Material, T)> {
     match built {
         Toleranced::Single(gear) => vec![(Material::AsMeasured, of(gear))],

@@ -1,16 +1,15 @@
 //! A gear file: one gear without a mate.
 
+use super::check::Checked;
 use super::gear::{GearPart, materials};
 use super::node::Node;
 use super::pair_file::names;
 use super::place::Place;
 use super::problems::Problems;
 use super::read::{GearEntry, GearsFile};
-use super::table::Table;
+use super::spec::GEAR;
 use gearlash::gear::AsBuilt;
 use std::path::Path;
-
-const KEYS: &[&str] = &["title", "gear"];
 
 /// Whether these are the entries of a gear file: it has `[gear]`.
 pub fn is_one(entries: &[(String, Node)]) -> bool {
@@ -24,7 +23,7 @@ pub fn read(
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) -> Option<GearsFile> {
-    let table = Table::new("", place, entries, KEYS, problems);
+    let table = Checked::new(&GEAR, place, entries, problems);
     let (stem, title) = names(&table, path, problems);
     let part = GearPart::read(&table, "gear", problems);
     let gear = part.as_built?;

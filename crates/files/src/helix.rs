@@ -1,13 +1,11 @@
 //! Helix angle, hand and face of a gear.
 
-use super::limits::{FACE_PLACE, FACE_WIDTH, HELIX_ANGLE};
+use super::check::Checked;
 use super::numbers::ascii;
 use super::problems::Problems;
 use super::spec::{GearSpec, HandName};
 use super::table::Table;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
-
-const HANDS: [(&str, Hand); 2] = [("left", Hand::Left), ("right", Hand::Right)];
 
 /// How a gear's teeth wind, and over what length.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,12 +19,25 @@ pub struct Helix {
 }
 
 impl Helix {
-    /// Reads the keys of a gear.
-    pub fn read(table: &Table, problems: &mut Problems) -> Option<Helix> {
-        let angle_deg = table.number_or("helix_angle_deg", 0.0, &HELIX_ANGLE, problems);
-        let hand = table.optional_as("hand", problems, |entry| entry.choice(&HANDS));
-        let face_mm = face(table, problems);
-        let (angle_deg, hand, face_mm) = (angle_deg?, hand?, face_mm?);
+    /// Reads the keys of the gear `name`.
+    pub fn read(file: &Checked, name: &str, problems: &mut Problems) -> Option<Helix> {
+        let table = file.table().below(name);
+        let angle_deg = file.read(&table.path_of("helix_angle_deg"), problems);
+        let hand = file.read::<HandName>(&table.path_of("hand"), problems);
+        let width = file.read::<f64>(&table.path_of("face_width_mm"), problems);
+        let ends = file.read::<[f64; 2]>(&table.path_of("face_mm"), problems);
+        let (angle_deg, hand) = (angle_deg?.unwrap_or(0.0), hand?.map(Hand::from));
+        if let Some([from, to]) = ends?
+            && from >= to
+        {
+            problems.add(table.problem(
+                "face_mm",
+                format!("{:?}, allowed is [from, to] with from below to", [from, to]),
+                "give both ends of the teeth, mm along the axis from the measuring plane, growing away from the viewer",
+            ));
+            return None;
+        }
+        let face_mm = ends?.or(width?.map(|width| [-0.5 * width, 0.5 * width]));
         if angle_deg > 0.0 {
             let mut needed = |key: &str, expected: &str, help: &str| {
                 problems.add(table.problem(key, format!("missing, expected {expected}"), help));
@@ -87,47 +98,6 @@ impl Helix {
             }
         }
     }
-}
-
-/// `face_mm` or `face_width_mm`, which is centred on the measuring plane.
-fn face(table: &Table, problems: &mut Problems) -> Option<Option<[f64; 2]>> {
-    let width = table.optional_as("face_width_mm", problems, |entry| entry.number(&FACE_WIDTH))?;
-    let ends = match table.has("face_mm") {
-        true => Some(table.numbers("face_mm", &FACE_PLACE, problems)?),
-        false => None,
-    };
-    let mut wrong = |what: String, help: &str| {
-        problems.add(table.problem("face_mm", what, help));
-        None
-    };
-    match (ends.as_deref(), width) {
-        (Some(_), Some(_)) => wrong(
-            "given together with face_width_mm, the same in another way".to_owned(),
-            "remove one or the other",
-        ),
-        (Some(&[from, to]), None) if from < to => Some(Some([from, to])),
-        (Some(list), None) => wrong(
-            format!("{list:?}, allowed is [from, to] with from below to"),
-            "give both ends of the teeth, mm along the axis from the measuring plane, growing away from the viewer",
-        ),
-        (None, width) => Some(width.map(|width| [-0.5 * width, 0.5 * width])),
-    }
-}
-
-/// Reports what is stated beside helical gears `of` a pair or of a gear file and not built for them.
-pub fn refuse(file: &Table, keys: &[(&str, bool, &str)], problems: &mut Problems) -> Option<()> {
-    let mut good = Some(());
-    for (key, stated, why) in keys {
-        if *stated {
-            problems.add(file.problem(
-                key,
-                format!("given beside a helix angle: {why}"),
-                "leave it out, or give a spur pair",
-            ));
-            good = None;
-        }
-    }
-    good
 }
 
 /// A warning where the face of a helical gear is too short for its span: `b ≥ W_k sin β_b + b_M cos β_b` with the

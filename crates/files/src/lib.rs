@@ -1,9 +1,8 @@
 //! From a pair file to a [`Study`](gearlash::analysis::study::Study): every key of the interface, every problem at once.
 //!
-//! A file becomes a tree of values (`source`, `node`); each table is read by
-//! type and range (`table`, `entry`); what is good goes on to the metrology and
-//! the geometry, whose refusals are traced back to the keys they come from (`faults`)
-//! and whose findings are put into words (`findings`). Nothing here computes what a gear is.
+//! A file becomes a tree of values (`source`, `node`). The schema of the spec checks it (`check`), then serde reads the spec.
+//! The tables it names are read (`sheet`). The metrology and the geometry take the result: `faults` traces their errors back to keys,
+//! `findings` puts their findings into words. Nothing here computes what a gear is.
 //!
 //! ```no_run
 //! use std::path::Path;
@@ -18,11 +17,10 @@
 
 mod assembly;
 pub mod characters;
+mod check;
 mod common_face;
-mod cross_check;
 mod data_file;
 pub mod drawing;
-mod entry;
 mod error;
 mod faults;
 mod findings;
@@ -39,18 +37,15 @@ mod measured;
 mod nearest;
 mod node;
 pub mod numbers;
-mod options;
 mod outline_file;
 pub mod outlines;
 mod pair_file;
 mod pair_slips;
-mod per_tooth;
 mod pitch;
 mod place;
 mod problems;
 mod profile;
 mod read;
-mod readings;
 mod require;
 pub mod rexs;
 mod runout;
@@ -59,7 +54,6 @@ mod sheet;
 mod source;
 mod sources;
 pub mod spec;
-mod stated;
 mod statements;
 mod sweep;
 mod synonyms;

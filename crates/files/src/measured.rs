@@ -1,5 +1,6 @@
 //! `[measured]`: results of a rig, in a table beside the pair file.
 
+use super::check::Checked;
 use super::data_file::DataFile;
 use super::problems::Problems;
 use super::sheet::{Choice, Column, Content, Coverage, Found, Request, Wanted};
@@ -8,8 +9,6 @@ use super::table::Table;
 use crate::error::Problem;
 use gearlash::analysis::study::MeasuredRow;
 use std::collections::{HashMap, HashSet};
-
-pub const KEYS: &[&str] = &["file"];
 
 /// Cells of a CSV file: those of 250 000 rows.
 const MOST_CELLS: usize = 2_000_000;
@@ -35,11 +34,13 @@ pub struct Measured {
 impl Measured {
     /// Reads the file named in `[measured]`.
     pub fn read(
-        table: &Table,
+        checked: &Checked,
         teeth: (Option<u32>, Option<u32>),
         problems: &mut Problems,
     ) -> Option<Measured> {
-        let file = DataFile::of(table, "the name of a table", problems)?;
+        checked.is_good("measured").then_some(())?;
+        let table = &checked.table().below("measured");
+        let file = DataFile::of(table)?;
         let rows = problems.of_list_at(file.key(), |bad| {
             let bytes = bad.keep(file.bytes())?;
             let choice = Choice::default();

@@ -3,7 +3,7 @@
 /// The word of `known` with the least edit distance from `word`, and that distance.
 ///
 /// On a tie the first. Of a very long word none: no known word is half as long.
-pub fn nearest(word: &str, known: &[&'static str]) -> Option<(&'static str, usize)> {
+pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<(&'k str, usize)> {
     const LONGEST: usize = 64;
     let word: Vec<char> = word.chars().take(LONGEST + 1).collect();
     if word.len() > LONGEST {

@@ -1,7 +1,11 @@
 //! A pair file as a tree of values, the same for TOML and JSON.
 
 use crate::characters::cut;
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::value::{self, MapDeserializer, SeqDeserializer};
+use serde::de::{
+    Deserialize, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Visitor,
+};
+use serde::forward_to_deserialize_any;
 use std::collections::HashSet;
 use std::fmt;
 
@@ -43,6 +47,14 @@ impl Node {
             Node::Table(_) => "a table",
             Node::Null => "null",
             Node::Date(_) => "a date or time",
+        }
+    }
+
+    /// The keys and values of a table; none of anything else.
+    pub fn entries(&self) -> &[(String, Node)] {
+        match self {
+            Node::Table(entries) => entries,
+            _ => &[],
         }
     }
 
@@ -177,5 +189,70 @@ impl<'de> Visitor<'de> for NodeVisitor {
             }
         }
         Ok(Node::Table(entries))
+    }
+}
+
+/// Hands the tree to the spec that its schema allows.
+impl<'de> Deserializer<'de> for &'de Node {
+    type Error = value::Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, value::Error> {
+        match self {
+            Node::Flag(flag) => visitor.visit_bool(*flag),
+            Node::Whole(whole) => visitor.visit_i64(*whole),
+            // JSON writers like to print whole numbers with a point; −0.0 keeps its sign.
+            Node::Number(number)
+                if number.fract() == 0.0
+                    && number.abs() < 9e15
+                    && (*number != 0.0 || number.is_sign_positive()) =>
+            {
+                visitor.visit_i64(*number as i64)
+            }
+            Node::Number(number) => visitor.visit_f64(*number),
+            Node::Text(text) | Node::Date(text) => visitor.visit_borrowed_str(text),
+            Node::List(list) => visitor.visit_seq(SeqDeserializer::new(list.iter())),
+            Node::Table(entries) => {
+                let entries = entries.iter().map(|(key, node)| (key.as_str(), node));
+                visitor.visit_map(MapDeserializer::new(entries))
+            }
+            Node::Null => visitor.visit_unit(),
+        }
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, value::Error> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, value::Error> {
+        visitor.visit_newtype_struct(self)
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, value::Error> {
+        match self {
+            Node::Text(text) => visitor.visit_enum(text.as_str().into_deserializer()),
+            other => Err(value::Error::custom(other.kind())),
+        }
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
+        unit unit_struct seq tuple tuple_struct map struct identifier ignored_any
+    }
+}
+
+impl<'de> IntoDeserializer<'de, value::Error> for &'de Node {
+    type Deserializer = Self;
+
+    fn into_deserializer(self) -> Self {
+        self
     }
 }

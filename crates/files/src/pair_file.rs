@@ -1,105 +1,70 @@
 //! The tables of a pair file put together: what both gears must share, and the study they make.
 
-use super::assembly::{self, AssemblyPart};
+use super::assembly;
+use super::check::Checked;
 use super::common_face;
 use super::gear::GearPart;
-use super::limits::{MOST_DISTANCES, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
-use super::measured::{self, Measured};
+use super::limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+use super::measured::Measured;
 use super::node::Node;
 use super::numbers;
-use super::options;
 use super::pair_slips;
 use super::place::Place;
 use super::problems::Problems;
 use super::read::PairFile;
-use super::require;
 use super::spec::{
-    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, PairSpec, RequireSpec,
-    ToleranceSpec, UncertaintySpec,
+    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, MOST_DISTANCES, PAIR, PairSpec,
+    RequireSpec, ToleranceSpec, UncertaintySpec,
 };
 use super::sweep::Sweep;
-use super::table::Table;
 use super::temperature::Temperature;
 use super::tolerance_table;
-use super::uncertainty;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
-pub const KEYS: &[&str] = &[
-    "title",
-    "wheel",
-    "pinion",
-    "assembly",
-    "measured",
-    "sweep",
-    "accuracy",
-    "compare",
-    "require",
-    "uncertainty",
-    "tolerance",
-];
-
-/// What is good of each table: `None` where something was wrong, `Some(None)` where nothing was asked for.
+/// The tables that are right: `None` where something was wrong, `Some(None)` where nothing was asked for.
 pub struct PairTables<'a> {
-    table: Table<'a>,
-    title: Option<String>,
-    stem: String,
+    file: Checked<'a>,
+    path: &'a Path,
     wheel: GearPart,
     pinion: GearPart,
-    assembly: Option<AssemblyPart>,
+    assembly: Option<AssemblySpec>,
     measured: Option<Option<Measured>>,
     /// `Some(None)`: exactly the measured rows are run.
     sweep: Option<Option<Sweep>>,
-    accuracy: Option<AccuracySpec>,
-    compare: Option<CompareSpec>,
-    /// `Some(None)`: nothing is required.
-    require: Option<Option<RequireSpec>>,
-    uncertainty: Option<Option<UncertaintySpec>>,
     tolerance: Option<Option<ToleranceSpec>>,
 }
 
 impl<'a> PairTables<'a> {
     /// Reads every table of the file at `path`.
     pub fn read(
-        path: &Path,
+        path: &'a Path,
         place: &'a Place,
         entries: &'a [(String, Node)],
         problems: &mut Problems,
     ) -> PairTables<'a> {
-        let table = Table::new("", place, entries, KEYS, problems);
-        let (stem, title) = names(&table, path, problems);
-        let wheel = GearPart::read(&table, "wheel", problems);
-        let pinion = GearPart::read(&table, "pinion", problems);
+        let file = Checked::new(&PAIR, place, entries, problems);
+        let wheel = GearPart::read(&file, "wheel", problems);
+        let pinion = GearPart::read(&file, "pinion", problems);
         let teeth = (wheel.teeth, pinion.teeth);
-        let there = |name| table.has(name) || table.is_mistyped(name);
-        let with_measured = there("measured");
-        let rows_only = with_measured && !there("sweep");
+        let with_measured = file.means("measured");
+        let rows_only = with_measured && !file.means("sweep");
         PairTables {
-            assembly: table
-                .table("assembly", assembly::KEYS, problems)
-                .map(|table| AssemblyPart::read(&table, !rows_only, problems)),
+            assembly: assembly::read(&file, !rows_only, problems),
             measured: if with_measured {
-                table
-                    .table("measured", measured::KEYS, problems)
-                    .and_then(|table| Measured::read(&table, teeth, problems))
-                    .map(Some)
+                Measured::read(&file, teeth, problems).map(Some)
             } else {
                 Some(None)
             },
             sweep: if rows_only {
                 Some(None)
             } else {
-                Sweep::read(&table, teeth, problems).map(Some)
+                Sweep::read(&file, teeth, problems).map(Some)
             },
-            accuracy: options::accuracy(&table, problems),
-            compare: options::compare(&table, problems),
-            require: require::require(&table, problems),
-            uncertainty: uncertainty::uncertainty(&table, problems),
-            tolerance: tolerance_table::tolerance(&table, problems),
-            table,
-            title,
-            stem,
+            tolerance: tolerance_table::tolerance(&file, problems),
+            file,
+            path,
             wheel,
             pinion,
         }
@@ -117,9 +82,9 @@ impl<'a> PairTables<'a> {
         let mut materials = materials(&self.wheel, &self.pinion)?;
         let gears = [&self.wheel, &self.pinion];
         let temperature = self.temperature(gears, problems)?;
-        remarks.extend(self.table.place().take_remarks());
+        remarks.extend(self.file.table().place().take_remarks());
         if let Some(temperature) = temperature {
-            materials = temperature.gears(&self.table, materials, problems)?;
+            materials = temperature.gears(self.file.table(), materials, problems)?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = temperature.distance(*mm);
             }
@@ -130,7 +95,7 @@ impl<'a> PairTables<'a> {
                 .iter()
                 .find_map(|&a| assembly::overlap(a, base_radii))
             {
-                problems.add(self.table.problem(
+                problems.add(self.file.table().problem(
                     "assembly.temperature_c",
                     reason,
                     "check the temperature and the coefficients of expansion",
@@ -145,15 +110,16 @@ impl<'a> PairTables<'a> {
             remarks.push(format!("assembly.center_distance_mm: {meaning}"));
         }
         let assembly = self.assembly?;
-        let face_offset_mm = assembly.face_offset_mm?;
+        let face_offset_mm = assembly.face_offset_mm;
         let gears = [&self.wheel, &self.pinion];
-        let mut face = common_face::common_face(&self.table, gears, face_offset_mm, problems)?;
+        let mut face =
+            common_face::common_face(self.file.table(), gears, face_offset_mm, problems)?;
         let helical = face[0] < face[1];
         if helical {
             let factors = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
             let (warm, offset) = common_face::warm_face(face, gears, face_offset_mm, factors);
             if warm[0] >= warm[1] {
-                problems.add(self.table.problem(
+                problems.add(self.file.table().problem(
                     "assembly.temperature_c",
                     "leaves the gears no common face",
                     "check face_mm, face_offset_mm and the coefficients of expansion",
@@ -168,11 +134,14 @@ impl<'a> PairTables<'a> {
                 }
             }
         }
-        let (locked, bearings) = (assembly.locked?, assembly.bearings?);
-        let (measured, sweep, require) = (self.measured?, self.sweep?, self.require?);
-        let uncertainty = self.uncertainty?;
-        let scatter = self.tolerance?;
-        let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
+        let (locked, bearings) = (assembly.locked.member(), assembly.bearing_clearance_mm);
+        let (measured, sweep, tolerance) = (self.measured?, self.sweep?, self.tolerance?);
+        let accuracy: AccuracySpec = self.file.read("accuracy", problems)?.unwrap_or_default();
+        let compare: CompareSpec = self.file.read("compare", problems)?.unwrap_or_default();
+        let require: Option<RequireSpec> = self.file.read("require", problems)?;
+        let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty", problems)?;
+        let (stem, title) = names(&self.file, self.path, problems);
+        let title = title?;
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_faces([&self.wheel, &self.pinion]));
         warnings.extend(pair_slips::in_distances(
@@ -180,8 +149,8 @@ impl<'a> PairTables<'a> {
             &self.pinion,
             &center_distances,
         ));
-        let tolerance = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
-        warnings.extend(tolerance);
+        let compared = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
+        warnings.extend(compared);
         warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
 
         let spec = PairSpec {
@@ -190,11 +159,7 @@ impl<'a> PairTables<'a> {
             pinion: self.pinion.spec?,
             assembly: AssemblySpec {
                 center_distance_mm: stated,
-                locked: locked.into(),
-                bearing_clearance_mm: bearings,
-                face_offset_mm,
-                temperature_c: assembly.temperature_c?,
-                housing_expansion_per_k: assembly.housing_expansion_per_k?,
+                ..assembly
             },
             measured: measured.as_ref().map(Measured::spec),
             sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
@@ -202,7 +167,7 @@ impl<'a> PairTables<'a> {
             compare,
             require,
             uncertainty,
-            tolerance: scatter,
+            tolerance,
         };
         let gears = materials.first();
         let uncertainty = uncertainty.zip(gears).map(|(stated, (_, wheel, pinion))| {
@@ -228,11 +193,11 @@ impl<'a> PairTables<'a> {
         };
         Some(PairFile {
             study,
-            stem: self.stem,
+            stem,
             spec,
             warnings,
             remarks,
-            sources: self.table.place().sources(),
+            sources: self.file.table().place().sources(),
         })
     }
 
@@ -243,9 +208,9 @@ impl<'a> PairTables<'a> {
         problems: &mut Problems,
     ) -> Option<Option<Temperature>> {
         let assembly = self.assembly.as_ref()?;
-        let temperature = Temperature::read(&self.table, assembly, gears, problems)?;
+        let temperature = Temperature::read(self.file.table(), assembly, gears, problems)?;
         if temperature.is_some() && self.measured.as_ref()?.is_some() {
-            problems.add(self.table.problem(
+            problems.add(self.file.table().problem(
                 "assembly.temperature_c",
                 "given together with measured, whose rows state their own centre distances",
                 "remove one or the other",
@@ -261,7 +226,7 @@ impl<'a> PairTables<'a> {
         problems: &mut Problems,
         warnings: &mut Vec<String>,
     ) -> Option<CenterDistanceSpec> {
-        let file = &self.table;
+        let file = self.file.table();
         let shared = assembly::check_shared(file, &self.wheel, &self.pinion, problems);
         let base_radii = match (shared, &self.wheel.basic_data, &self.pinion.basic_data) {
             (Some(()), Some(wheel), Some(pinion)) => {
@@ -269,11 +234,13 @@ impl<'a> PairTables<'a> {
             }
             _ => None,
         };
-        let given = self.assembly.as_ref()?.distances.as_ref()?;
+        let assembly = self.assembly.as_ref()?;
+        let given = &assembly.center_distance_mm;
         let mut stated = match (&self.sweep, self.measured.as_ref()?) {
             (Some(None), Some(measured)) => {
                 let list = self.measured_distances(measured, base_radii, problems);
-                if let Some(given) = given.as_ref().map(CenterDistanceSpec::distances_mm)
+                let given = given.distances_mm();
+                if !given.is_empty()
                     && (given.len() != list.len() || list.iter().any(|mm| !given.contains(mm)))
                 {
                     warnings.push(
@@ -283,7 +250,7 @@ impl<'a> PairTables<'a> {
                 CenterDistanceSpec::Distances(list)
             }
             _ => {
-                let stated = given.clone()?;
+                let stated = given.clone();
                 if let Some(base_radii) = base_radii {
                     let list = stated.distances_mm();
                     assembly::check_distances(file, &list, base_radii, problems);
@@ -291,10 +258,12 @@ impl<'a> PairTables<'a> {
                 stated
             }
         };
-        let bearings = self.assembly.as_ref()?.bearings.as_ref();
-        if let (Some(base_radii), Some(bearings)) = (base_radii, bearings) {
-            let list = stated.distances_mm();
-            assembly::check_clearance(file, &list, base_radii, bearings.sum_mm(), problems);
+        if let Some(base_radii) = base_radii {
+            let (list, play) = (
+                stated.distances_mm(),
+                assembly.bearing_clearance_mm.sum_mm(),
+            );
+            assembly::check_clearance(file, &list, base_radii, play, problems);
         }
         if let CenterDistanceSpec::Distances(list) = &mut stated {
             list.sort_by(f64::total_cmp);
@@ -343,7 +312,7 @@ impl<'a> PairTables<'a> {
         if poses <= MOST_POSES {
             return Some(());
         }
-        problems.add(self.table.problem(
+        problems.add(self.file.table().problem(
             key,
             format!(
                 "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
@@ -357,15 +326,15 @@ impl<'a> PairTables<'a> {
 }
 
 /// The stem of the file at `path`, and its title, the stem where it has none.
-pub fn names(table: &Table, path: &Path, problems: &mut Problems) -> (String, Option<String>) {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let title = match table.optional("title") {
-        Some(Some(entry)) => problems
-            .keep(entry.text("write the title in quotes"))
-            .map(str::to_owned),
-        absent => absent.map(|_| stem.to_string()),
-    };
-    (stem.into_owned(), title)
+pub fn names(file: &Checked, path: &Path, problems: &mut Problems) -> (String, Option<String>) {
+    let stem = path
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    let title = file.read::<String>("title", problems);
+    let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
+    (stem, title)
 }
 
 fn materials(wheel: &GearPart, pinion: &GearPart) -> Option<Vec<(Material, AsBuilt, AsBuilt)>> {

@@ -1,159 +1,98 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
-use super::limits::PITCH;
-use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
-use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
+use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use super::spec::{self, PitchSpec};
 use super::table::Table;
-use gearlash::gear::Flank;
-use gearlash::gear::PitchAxis;
+use super::thickness::one_a_tooth;
+use gearlash::gear::{Flank, PitchAxis};
 use gearlash::metrology::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
-
-pub const KEYS: &[&str] = &[
-    "kind",
-    "axis",
-    "sense",
-    "eccentricity",
-    "right_um",
-    "left_um",
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "left",
-    "right",
-    "decimal",
-];
-
-const KINDS: [(&str, PitchKind); 2] = [
-    ("cumulative", PitchKind::Cumulative),
-    ("single", PitchKind::Single),
-];
-const AXES: [(&str, PitchAxis); 2] = [("own", PitchAxis::Own), ("datum", PitchAxis::Datum)];
-const SENSES: [(&str, PitchSense); 2] = [
-    ("numbers", PitchSense::Numbers),
-    ("material", PitchSense::Material),
-];
-const COUNTS: [(&str, EccentricitySource); 2] = [
-    ("pitch", EccentricitySource::Pitch),
-    ("runout", EccentricitySource::Runout),
-];
 
 /// The table's values, both flanks given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PitchSheet {
-    kind: PitchKind,
-    axis: PitchAxis,
-    sense: PitchSense,
-    counts: Option<EccentricitySource>,
-    right_um: Vec<f64>,
-    left_um: Vec<f64>,
-    /// What the file they come from says of the gear; `None`: they are lists.
-    header: Option<Header>,
+    /// As in the pair file, the values as lists.
+    pub spec: PitchSpec,
+    /// Statements on the gear in the file of the values; `None`: they are lists.
+    pub header: Option<Header>,
 }
 
 impl PitchSheet {
-    /// Reads `[pitch]` of a gear's table; `Some(None)` when it has no values.
+    /// Reads what `spec`, the table of the gear's table `gear`, says; `Some(None)` when it has no values.
     pub fn read(
         gear: &Table,
+        spec: PitchSpec,
         teeth: Option<u32>,
         problems: &mut Problems,
     ) -> Option<Option<PitchSheet>> {
-        let table = gear.table("pitch", KEYS, problems)?;
-        let axis = table.choice_or_first("axis", &AXES, problems);
-        let sense = table.choice_or_first("sense", &SENSES, problems);
-        let counts = match table.optional("eccentricity")? {
-            Some(entry) => problems.keep(entry.choice(&COUNTS)).map(Some),
-            None => Some(None),
-        };
-        if table.has("file") {
-            let kind = Self::read_kind(&table, problems);
-            let (flanks, header) = Self::read_file(&table, kind, teeth, problems)?;
-            let [right_um, left_um] = flanks;
+        let table = gear.below("pitch");
+        if spec.table.is_some() {
+            let kind = kind(spec.kind);
+            let wanted = Wanted {
+                columns: &[Column::Right(kind), Column::Left(kind)],
+                teeth,
+                coverage: Coverage::EveryTooth,
+            };
+            let sheet = Sheet::read(&table, &wanted, problems)?;
             return Some(Some(PitchSheet {
-                kind: kind?,
-                axis: axis?,
-                sense: sense?,
-                counts: counts?,
-                right_um,
-                left_um,
-                header: Some(header),
+                spec: PitchSpec {
+                    right_um: Some(sheet.values(0)),
+                    left_um: Some(sheet.values(1)),
+                    table: None,
+                    left: None,
+                    right: None,
+                    ..spec
+                },
+                header: Some(sheet.header),
             }));
         }
-        sheet::without_file(&table, problems)?;
-        let right = table.numbers("right_um", &PITCH, problems);
-        let left = table.numbers("left_um", &PITCH, problems);
-        let lengths = [&right, &left].map(|list| list.as_ref().map(Vec::len));
-        for (name, mate, lengths) in [
-            ("right_um", "left_um", lengths),
-            ("left_um", "right_um", [lengths[1], lengths[0]]),
+        let lists = [&spec.right_um, &spec.left_um].map(|list| list.clone().unwrap_or_default());
+        let mut wrong = |key: &str, reason: String, help: String| {
+            problems.add(table.problem(key, reason, help));
+            None
+        };
+        let names = ["right_um", "left_um"];
+        for (name, mate, own, other) in [
+            (names[0], names[1], &lists[0], &lists[1]),
+            (names[1], names[0], &lists[1], &lists[0]),
         ] {
-            if let [Some(0), Some(found @ 1..)] = lengths {
-                problems.add(table.problem(
+            if own.is_empty() && !other.is_empty() {
+                return wrong(
                     name,
-                    format!("no values, {mate} has {found}, expected are both flanks"),
+                    format!(
+                        "no values, {mate} has {}, expected are both flanks",
+                        other.len()
+                    ),
                     format!("give {name} too, or leave out both"),
-                ));
-                return None;
+                );
             }
         }
-        let kind = if lengths == [Some(0), Some(0)] && table.optional("kind")?.is_none() {
-            Some(PitchKind::Cumulative)
-        } else {
-            Self::read_kind(&table, problems)
-        };
-        let right = right.and_then(|um| one_a_tooth(&table, "right_um", um, teeth, problems));
-        let left = left.and_then(|um| one_a_tooth(&table, "left_um", um, teeth, problems));
-        let sheet = PitchSheet {
-            kind: kind?,
-            axis: axis?,
-            sense: sense?,
-            counts: counts?,
-            right_um: right?,
-            left_um: left?,
-            header: None,
-        };
-        if let (true, Some(_)) = (sheet.right_um.is_empty(), counts?) {
-            problems.add(table.problem(
-                "eccentricity",
-                "there are no pitch values that could contain one",
-                "remove it, or give right_um and left_um",
-            ));
-            return None;
+        if lists[0].is_empty() {
+            if spec.eccentricity.is_some() {
+                return wrong(
+                    "eccentricity",
+                    "there are no pitch values that could contain one".to_owned(),
+                    "remove it, or give right_um and left_um".to_owned(),
+                );
+            }
+            return Some(None);
         }
-        Some((!sheet.right_um.is_empty()).then_some(sheet))
-    }
-
-    fn read_kind(table: &Table, problems: &mut Problems) -> Option<PitchKind> {
-        let needed = "\"cumulative\" or \"single\"";
-        let entry = table.need("kind", needed, problems)?;
-        problems.keep(entry.choice(&KINDS))
-    }
-
-    /// Both flanks' values from the file that `table` names, right first.
-    fn read_file(
-        table: &Table,
-        kind: Option<PitchKind>,
-        teeth: Option<u32>,
-        problems: &mut Problems,
-    ) -> Option<([Vec<f64>; 2], Header)> {
-        let lists = ["right_um", "left_um"];
-        table.alone("file", &lists, "one of file and the lists", problems)?;
-        // A kind that is wrong is reported already; the file is read for its own problems.
-        let kind = kind.unwrap_or(PitchKind::Cumulative);
-        let wanted = Wanted {
-            columns: &[Column::Right(kind), Column::Left(kind)],
-            teeth,
-            coverage: Coverage::EveryTooth,
+        if !table.has("kind") {
+            wrong(
+                "kind",
+                "missing, expected \"cumulative\" or \"single\"".to_owned(),
+                format!("add `kind` to [{}]", gear.path_of("pitch")),
+            )?;
+        }
+        let [right, left] = lists;
+        let right = one_a_tooth(&table, "right_um", right, teeth, problems);
+        let left = one_a_tooth(&table, "left_um", left, teeth, problems);
+        let spec = PitchSpec {
+            right_um: Some(right?),
+            left_um: Some(left?),
+            ..spec
         };
-        let sheet = Sheet::read(table, &wanted, problems)?;
-        Some(([sheet.values(0), sheet.values(1)], sheet.header))
-    }
-
-    /// What the file they come from says of the gear.
-    pub fn header(&self) -> Option<&Header> {
-        self.header.as_ref()
+        Some(Some(PitchSheet { spec, header: None }))
     }
 
     /// The key, below the gear's table, that gives the values of a flank.
@@ -165,57 +104,42 @@ impl PitchSheet {
         }
     }
 
-    /// What was measured.
+    /// The measurement as the metrology takes it.
     pub fn measured(&self) -> PitchStatement {
+        let PitchSpec {
+            right_um, left_um, ..
+        } = &self.spec;
         PitchStatement {
-            kind: self.kind,
-            axis: self.axis,
-            sense: self.sense,
-            eccentricity: self.counts,
-            right_um: self.right_um.clone(),
-            left_um: self.left_um.clone(),
+            kind: kind(self.spec.kind),
+            axis: match self.spec.axis {
+                spec::PitchAxis::Own => PitchAxis::Own,
+                spec::PitchAxis::Datum => PitchAxis::Datum,
+            },
+            sense: match self.spec.sense {
+                spec::PitchSense::Numbers => PitchSense::Numbers,
+                spec::PitchSense::Material => PitchSense::Material,
+            },
+            eccentricity: self.spec.eccentricity.map(|source| match source {
+                spec::EccentricitySource::Pitch => EccentricitySource::Pitch,
+                spec::EccentricitySource::Runout => EccentricitySource::Runout,
+            }),
+            right_um: right_um.clone().unwrap_or_default(),
+            left_um: left_um.clone().unwrap_or_default(),
         }
     }
 
     /// The `sense` that reads the left flank the other way round.
     pub fn other_sense(&self) -> &'static str {
-        match self.sense {
-            PitchSense::Numbers => name_of(PitchSense::Material, &SENSES),
-            PitchSense::Material => name_of(PitchSense::Numbers, &SENSES),
-        }
-    }
-
-    /// As in the pair file.
-    pub fn spec(&self) -> PitchSpec {
-        PitchSpec {
-            kind: match self.kind {
-                PitchKind::Cumulative => spec::PitchKind::Cumulative,
-                PitchKind::Single => spec::PitchKind::Single,
-            },
-            axis: match self.axis {
-                PitchAxis::Own => spec::PitchAxis::Own,
-                PitchAxis::Datum => spec::PitchAxis::Datum,
-            },
-            sense: match self.sense {
-                PitchSense::Numbers => spec::PitchSense::Numbers,
-                PitchSense::Material => spec::PitchSense::Material,
-            },
-            right_um: Some(self.right_um.clone()),
-            left_um: Some(self.left_um.clone()),
-            eccentricity: self.counts.map(|counts| match counts {
-                EccentricitySource::Pitch => spec::EccentricitySource::Pitch,
-                EccentricitySource::Runout => spec::EccentricitySource::Runout,
-            }),
-            table: None,
-            left: None,
-            right: None,
+        match self.spec.sense {
+            spec::PitchSense::Numbers => "material",
+            spec::PitchSense::Material => "numbers",
         }
     }
 }
 
-fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
-    names
-        .iter()
-        .find(|(_, choice)| *choice == value)
-        .map_or("", |&(name, _)| name)
+fn kind(stated: spec::PitchKind) -> PitchKind {
+    match stated {
+        spec::PitchKind::Cumulative => PitchKind::Cumulative,
+        spec::PitchKind::Single => PitchKind::Single,
+    }
 }

@@ -41,6 +41,11 @@ impl Problems {
         }
     }
 
+    /// Adds each.
+    pub fn extend(&mut self, problems: impl IntoIterator<Item = Problem>) {
+        problems.into_iter().for_each(|problem| self.add(problem));
+    }
+
     /// Whether one more will only be counted.
     pub fn is_full(&self) -> bool {
         self.listed.len() >= self.most
@@ -69,7 +74,7 @@ impl Problems {
         }
     }
 
-    /// What `read` makes of the list at `key`; nothing where it has a problem, of which only the first dozen are reported.
+    /// The result of `read` for the list at `key`; `None` where it has a problem. Only the first dozen are reported.
     pub fn of_list_at<T>(
         &mut self,
         key: &str,

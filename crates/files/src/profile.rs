@@ -1,9 +1,7 @@
-//! `[profile]`: how the flanks deviate from the involute, both alike or each.
+//! `[profile]`: deviations of the flanks from the involute, of both or of each.
 
 mod trace;
 
-use super::entry::Limits;
-use super::limits::{FLANK_DIAMETER, PROFILE, RELIEF};
 use super::problems::Problems;
 use super::sheet::Header;
 use super::spec::{Either, FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
@@ -13,22 +11,14 @@ use gearlash::metrology::ProfileKey;
 use std::cell::RefCell;
 use trace::FlankTraces;
 
-const KEYS: &[&str] = &[
+/// The keys of one flank.
+const FLANK_KEYS: [&str; 6] = [
     "slope_um",
     "crowning_um",
     "tip_relief",
     "root_relief",
     "range_mm",
     "trace",
-    "right",
-    "left",
-];
-/// Those of one flank.
-const FLANK_KEYS: &[&str] = KEYS.split_at(6).0;
-const RELIEF_KEYS: &[&str] = &["um", "from_diameter_mm", "shape"];
-const SHAPES: [(&str, ReliefShape); 2] = [
-    ("linear", ReliefShape::Linear),
-    ("parabolic", ReliefShape::Parabolic),
 ];
 
 /// What is said of the profiles of one gear: of its own right flanks, and of its left ones; each as in the pair file, traces as lists of
@@ -40,27 +30,26 @@ pub struct Profiles {
 }
 
 impl Profiles {
-    /// Reads `[profile]` of a gear's table, none when it is not there.
+    /// Reads what `spec`, the table of the gear's table `gear`, says.
     pub fn read(
         gear: &Table,
+        spec: ProfileSpec,
         teeth: Option<u32>,
         basic_data: Option<&BasicGearData>,
         problems: &mut Problems,
     ) -> Option<Profiles> {
-        let table = gear.table("profile", KEYS, problems)?;
+        let table = gear.below("profile");
         let gear = Measured {
             teeth,
             basic_data,
             headers: RefCell::default(),
         };
-        let both = flank(&table, None, &gear, problems);
+        let both = flank(&table, spec.both, None, &gear, problems);
         let mut own = Vec::new();
-        for side in Flank::BOTH {
-            let below = table.table(side.name(), FLANK_KEYS, problems);
-            if let Some(below) = &below {
-                check_once(&table, below, side, problems);
-            }
-            own.push(below.and_then(|below| flank(&below, Some(side), &gear, problems)));
+        for (side, spec) in Flank::BOTH.into_iter().zip([spec.right, spec.left]) {
+            let below = table.below(side.name());
+            let spec = spec.unwrap_or_default();
+            own.push(flank(&below, spec, Some(side), &gear, problems));
         }
         let own: Vec<(FlankProfileSpec, FlankTraces)> = own.into_iter().collect::<Option<_>>()?;
         let (both, traces) = both?;
@@ -88,12 +77,12 @@ impl Profiles {
         })
     }
 
-    /// What the files of traces say of the gear.
+    /// Statements on the gear in the files of traces.
     pub fn headers(&self) -> &[Header] {
         &self.headers
     }
 
-    /// What was said, on a gear of `basic_data`.
+    /// The modifications on a gear of `basic_data`.
     pub fn measured(&self, basic_data: &BasicGearData) -> [Modification; 2] {
         let base = basic_data.base_radius();
         self.flanks.each_ref().map(|flank| Modification {
@@ -152,90 +141,54 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
 struct Measured<'a> {
     teeth: Option<u32>,
     basic_data: Option<&'a BasicGearData>,
-    /// What the files that were read say of it.
+    /// Statements on it in the files that were read.
     headers: RefCell<Vec<Header>>,
 }
 
-/// No key stands in the table of one flank and in that of both.
-fn check_once(both: &Table, own: &Table, side: Flank, problems: &mut Problems) {
-    for key in FLANK_KEYS
-        .iter()
-        .filter(|key| both.has(key) && own.has(key))
-    {
-        problems.add(own.problem(
-            key,
-            format!(
-                "given together with {}, allowed is one of them",
-                both.path_of(key)
-            ),
-            format!(
+/// Reports keys that stand in the table of one flank and in the table of both.
+pub fn check_once(gear: &Table, problems: &mut Problems) -> Option<()> {
+    let both = gear.below("profile");
+    let mut good = Some(());
+    for side in Flank::BOTH {
+        let own = both.below(side.name());
+        let twice = |key: &&str| both.has(key) && own.has(key);
+        for key in FLANK_KEYS.into_iter().filter(twice) {
+            let [of_both, of_own] = [&both, &own].map(|table| table.path_of(""));
+            let reason = format!("given together with {of_both}{key}, allowed is one of them");
+            let help = format!(
                 "remove one: what stands in [{}] is of both flanks, what stands in [{}] of the {} flanks alone",
-                both.path_of("").trim_end_matches('.'),
-                own.path_of("").trim_end_matches('.'),
+                of_both.trim_end_matches('.'),
+                of_own.trim_end_matches('.'),
                 side.name()
-            ),
-        ));
+            );
+            problems.add(own.problem(key, reason, help));
+            good = None;
+        }
     }
+    good
 }
 
-/// The keys of a flank, or of both; the traces of each.
+/// The keys of a flank, or of both, without its traces; the traces of each.
 fn flank(
     table: &Table,
+    mut spec: FlankProfileSpec,
     own: Option<Flank>,
     gear: &Measured,
     problems: &mut Problems,
 ) -> Option<(FlankProfileSpec, FlankTraces)> {
-    let mut number = |name: &str, limits: &Limits| match table.optional(name)? {
-        Some(entry) => problems.keep(entry.number(limits)).map(Some),
-        None => Some(None),
-    };
-    let slope_um = number("slope_um", &PROFILE);
-    let crowning_um = number("crowning_um", &PROFILE);
-    let tip_relief = read_relief(table, "tip_relief", problems);
-    let root_relief = read_relief(table, "root_relief", problems);
-    let range_mm = read_range(table, problems);
-    let traces = trace::read(table, own, gear, problems);
-    let spec = FlankProfileSpec {
-        slope_um: slope_um?,
-        crowning_um: crowning_um?,
-        tip_relief: tip_relief?,
-        root_relief: root_relief?,
-        range_mm: range_mm?,
-        trace: None,
-    };
+    let stated = spec.trace.take();
+    let traces = trace::read(table, stated, own, gear, problems);
+    if let Some([start, end]) = spec.range_mm.as_deref()
+        && start >= end
+    {
+        problems.add(table.problem(
+            "range_mm",
+            "no evaluation range, allowed are two diameters in mm, the lesser first",
+            "write range_mm = [start, end]",
+        ));
+        return None;
+    }
     Some((spec, traces?))
-}
-
-fn read_relief(table: &Table, name: &str, problems: &mut Problems) -> Option<Option<ReliefSpec>> {
-    let relief = table.table(name, RELIEF_KEYS, problems)?;
-    if !table.has(name) {
-        return Some(None);
-    }
-    let um = relief.number("um", &RELIEF, problems);
-    let from = relief.number("from_diameter_mm", &FLANK_DIAMETER, problems);
-    let shape = relief.choice_or_first("shape", &SHAPES, problems);
-    Some(Some(ReliefSpec {
-        um: um?,
-        from_diameter_mm: from?,
-        shape: shape?,
-    }))
-}
-
-fn read_range(table: &Table, problems: &mut Problems) -> Option<Option<Vec<f64>>> {
-    let Some(entry) = table.optional("range_mm")? else {
-        return Some(None);
-    };
-    let range = entry.numbers(&FLANK_DIAMETER, problems)?;
-    match range[..] {
-        [start, end] if start < end => Some(Some(range)),
-        _ => {
-            problems.add(entry.problem(
-                "no evaluation range, allowed are two diameters in mm, the lesser first",
-                "write range_mm = [start, end]",
-            ));
-            None
-        }
-    }
 }
 
 fn relief(spec: ReliefSpec) -> Relief {

@@ -1,128 +1,118 @@
 //! `[runout]`: how far the teeth stand from the rotation axis.
 
-mod readings;
-
-use super::limits::{HIGH_TOOTH, RUNOUT};
 use super::problems::Problems;
-use super::sheet::{self, Header};
-use super::spec::RunoutSpec;
+use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
+use super::spec::{ReadingPlace, RunoutSpec};
 use super::table::Table;
-use gearlash::metrology::{self, RunoutStatement};
+use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutStatement};
 
-pub use readings::RunoutSheet;
-
-pub const KEYS: &[&str] = &sheet::keys_beside::<4, 10>(["total_um", "high_tooth", "at", "ball_mm"]);
-
-/// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
+/// Runout `F_r` and the tooth towards which the teeth are displaced.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Runout {
-    /// Of readings 0 until they are fitted.
-    pub total_um: f64,
-    /// `None`: it may be any.
-    pub high_tooth: Option<f64>,
-    /// The readings it comes from.
-    pub sheet: Option<RunoutSheet>,
+    /// As in the pair file; of readings 0 until they are fitted.
+    pub spec: RunoutSpec,
+    /// The readings that it comes from.
+    readings: Option<ProbeReadings>,
+    /// Statements on the gear in the file of the readings.
+    pub header: Option<Header>,
 }
 
 impl Runout {
-    /// Reads `[runout]` of a gear's table, none when it is not there.
-    pub fn read(gear: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Runout> {
-        let table = gear.table("runout", KEYS, problems)?;
-        if !gear.has("runout") {
-            return Some(Runout::default());
-        }
-        if table.has("file") {
-            let sheet = RunoutSheet::read(&table, teeth, problems)?;
-            return Some(Runout {
-                sheet: Some(sheet),
-                ..Runout::default()
-            });
-        }
-        sheet::without_file(&table, problems)?;
-        if let Some(name) = ["at", "ball_mm"].into_iter().find(|name| table.has(name)) {
+    /// Reads what `spec`, the table of the gear's table `gear`, says.
+    pub fn read(
+        gear: &Table,
+        spec: RunoutSpec,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<Runout> {
+        let table = gear.below("runout");
+        let beyond = |tooth: &f64| teeth.is_some_and(|teeth| *tooth >= f64::from(teeth) + 1.0);
+        if let (Some(_), Some(teeth)) = (spec.high_tooth.filter(beyond), teeth) {
             problems.add(table.problem(
-                name,
-                format!("given without file, {name} is allowed only with file"),
-                format!("add `file`, or remove {name}"),
+                "high_tooth",
+                format!(
+                    "out of range, allowed is 1 up to, but not including, {}",
+                    teeth + 1
+                ),
+                "give the number of the tooth at the highest reading",
             ));
             return None;
         }
-        let total_um = table.number("total_um", &RUNOUT, problems);
-        let high_tooth = Runout::read_high_tooth(&table, teeth, problems);
-        let (total_um, high_tooth) = (total_um?, high_tooth?);
+        let Some(at) = spec.at else {
+            return Some(Runout {
+                spec,
+                ..Runout::default()
+            });
+        };
+        if at == ReadingPlace::Tooth && spec.ball_mm.is_some() {
+            problems.add(table.problem(
+                "ball_mm",
+                "goes with at = \"space\": no ball stands at a tooth's centre line",
+                "remove it, or write at = \"space\"",
+            ));
+            return None;
+        }
+        let wanted = Wanted {
+            columns: &[Column::Runout],
+            teeth,
+            coverage: Coverage::EveryTooth,
+        };
+        let sheet = Sheet::read(&table, &wanted, problems)?;
+        if at == ReadingPlace::Tooth && sheet.origin.as_ref().is_some_and(|origin| origin.by_space)
+        {
+            problems.add(table.problem(
+                "at",
+                "the readings of the file are numbered by spaces",
+                "write at = \"space\"",
+            ));
+            return None;
+        }
         Some(Runout {
-            total_um,
-            high_tooth,
-            ..Runout::default()
+            readings: Some(ProbeReadings {
+                um: sheet.values(0),
+                with: match (at, spec.ball_mm) {
+                    (ReadingPlace::Tooth, _) => ReadWith::Fork,
+                    (ReadingPlace::Space, Some(diameter)) => ReadWith::Ball(diameter),
+                    (ReadingPlace::Space, None) => ReadWith::AnyBall,
+                },
+            }),
+            header: Some(sheet.header),
+            spec: RunoutSpec::default(),
         })
     }
 
-    /// What the file it comes from says of the gear.
-    pub fn header(&self) -> Option<&Header> {
-        self.sheet.as_ref().map(RunoutSheet::header)
-    }
-
-    /// What was measured.
+    /// The measurement as the metrology takes it.
     pub fn measured(&self) -> RunoutStatement {
-        match (&self.sheet, self.high_tooth) {
-            (Some(sheet), _) => RunoutStatement::Readings(sheet.measured()),
-            (None, None) if self.total_um == 0.0 => RunoutStatement::None,
-            (None, high_tooth) => RunoutStatement::Total {
-                total_um: self.total_um,
+        let RunoutSpec {
+            total_um,
+            high_tooth,
+            ..
+        } = self.spec;
+        match &self.readings {
+            Some(readings) => RunoutStatement::Readings(readings.clone()),
+            None if total_um == 0.0 && high_tooth.is_none() => RunoutStatement::None,
+            None => RunoutStatement::Total {
+                total_um,
                 high_tooth,
             },
         }
     }
 
-    /// The runout of the gear as measured.
-    pub fn settled(&self, runout: metrology::Runout) -> Runout {
-        Runout {
+    /// The runout of the gear as measured, as in the pair file.
+    pub fn settled(&self, runout: metrology::Runout) -> RunoutSpec {
+        RunoutSpec {
             total_um: runout.total_um,
             high_tooth: runout.high_tooth,
-            sheet: self.sheet.clone(),
+            ..RunoutSpec::default()
         }
     }
 
     /// The key, below the gear's table, that gives it.
     pub fn key(&self) -> &'static str {
-        match &self.sheet {
-            Some(_) => "runout.file",
-            None => "runout.total_um",
+        if self.readings.is_some() {
+            "runout.file"
+        } else {
+            "runout.total_um"
         }
-    }
-
-    fn read_high_tooth(
-        table: &Table,
-        teeth: Option<u32>,
-        problems: &mut Problems,
-    ) -> Option<Option<f64>> {
-        let Some(entry) = table.optional("high_tooth")? else {
-            return Some(None);
-        };
-        let tooth = problems.keep(entry.number(&HIGH_TOOTH))?;
-        if teeth.is_some_and(|teeth| tooth >= f64::from(teeth) + 1.0) {
-            problems.add(entry.problem(
-                format!("out of range, allowed is {}", allowed(teeth)),
-                HIGH_TOOTH.help,
-            ));
-            return None;
-        }
-        Some(Some(tooth))
-    }
-
-    /// As in the pair file.
-    pub fn spec(&self) -> RunoutSpec {
-        RunoutSpec {
-            total_um: self.total_um,
-            high_tooth: self.high_tooth,
-            ..RunoutSpec::default()
-        }
-    }
-}
-
-fn allowed(teeth: Option<u32>) -> String {
-    match teeth {
-        Some(teeth) => format!("1 up to, but not including, {}", teeth + 1),
-        None => "1 up to, but not including, the number of teeth + 1".to_owned(),
     }
 }

@@ -1,11 +1,11 @@
-//! What the tables of one gear state, and the keys under which they do.
+//! The tables of one gear and the keys under which they stand.
 
-use super::cross_check::CrossCheck;
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
 use super::runout::Runout;
+use super::spec::{CrossCheckSpec, StatementSpec, ThicknessSpec};
 use super::table::Table;
-use super::thickness::Statement;
+use super::thickness;
 use gearlash::gear::{Face, Flank, GearDesign};
 use gearlash::metrology::{Measurements, StatementRole};
 
@@ -15,23 +15,25 @@ pub struct Statements<'a> {
     pub table: &'a Table<'a>,
     /// The design, the tip diameter filled in.
     pub design: GearDesign,
-    pub thickness: Statement,
-    pub per_tooth_um: Vec<f64>,
-    pub cross_check: Option<CrossCheck>,
+    pub thickness: ThicknessSpec,
     pub pitch: Option<PitchSheet>,
     pub runout: Runout,
     pub profiles: Profiles,
 }
 
 impl Statements<'_> {
-    /// What was measured.
+    /// The measurements.
     pub fn measurements(&self, face: Face) -> Measurements {
         Measurements {
             design: self.design,
             face,
-            thickness: self.thickness.measured(),
-            per_tooth_um: self.per_tooth_um.clone(),
-            cross_check: self.cross_check.as_ref().map(CrossCheck::measured),
+            thickness: self.thickness.statement.measured(),
+            per_tooth_um: self.thickness.per_tooth_um.clone().unwrap_or_default(),
+            cross_check: self
+                .thickness
+                .cross_check
+                .as_ref()
+                .map(CrossCheckSpec::measured),
             pitch: self.pitch.as_ref().map(PitchSheet::measured),
             runout: self.runout.measured(),
             profiles: self.profiles.measured(&self.design.basic_data),
@@ -39,10 +41,10 @@ impl Statements<'_> {
     }
 
     /// A statement of the thickness and the table it stands in, below the gear's.
-    pub fn of_thickness(&self, role: StatementRole) -> (&Statement, &'static str) {
-        match (role, &self.cross_check) {
-            (StatementRole::CrossCheck, Some(check)) => (check.statement(), CrossCheck::UNDER),
-            _ => (&self.thickness, "thickness"),
+    pub fn of_thickness(&self, role: StatementRole) -> (&StatementSpec, &'static str) {
+        match (role, &self.thickness.cross_check) {
+            (StatementRole::CrossCheck, Some(check)) => (&check.statement, thickness::CROSS_CHECK),
+            _ => (&self.thickness.statement, "thickness"),
         }
     }
 

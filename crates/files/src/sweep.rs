@@ -1,29 +1,10 @@
 //! `[sweep]`: which poses are run.
 
-use super::entry::{Entry, whole_in};
-use super::limits::{FRACTION, STEPS_PER_PITCH};
-use super::node::Node;
+use super::check::Checked;
 use super::problems::Problems;
-use super::spec::{DEFAULT_STEPS, Phases, Revolutions, SweepSpec};
-use super::table::Table;
+use super::spec::{DEFAULT_STEPS, Revolutions, SweepSpec};
 use crate::error::Problem;
 use gearlash::pair::SweepPlan;
-
-pub const KEYS: &[&str] = &[
-    "mating",
-    "fraction",
-    "revolutions",
-    "steps_per_pitch",
-    "start",
-    "phases",
-];
-
-const REVOLUTIONS: [(&str, Revolutions); 2] = [
-    ("wheel", Revolutions::Wheel),
-    ("hunting", Revolutions::Hunting),
-];
-
-const PHASES: [(&str, Phases); 1] = [("all", Phases::All)];
 
 /// The poses of every run, and how the pair file says it.
 #[derive(Debug)]
@@ -35,195 +16,85 @@ pub struct Sweep {
 impl Sweep {
     /// Reads `[sweep]`; when it is not there, one wheel revolution.
     pub fn read(
-        file: &Table,
+        file: &Checked,
         teeth: (Option<u32>, Option<u32>),
         problems: &mut Problems,
     ) -> Option<Sweep> {
-        let table = file.table("sweep", KEYS, problems)?;
-        let there = |name| table.has(name) || table.is_mistyped(name);
-        let kinds = ["mating", "revolutions", "phases"];
-        let given: Vec<&str> = kinds.into_iter().filter(|name| there(name)).collect();
-        if let [first, others @ ..] = &given[..]
-            && let Some(second) = others.first()
+        let matings = file.read::<Vec<[u32; 2]>>("sweep.mating", problems);
+        problems.of_list_at("sweep.mating", |bad| {
+            for (place, mating) in (1..).zip(matings.flatten().into_iter().flatten()) {
+                let place = format!("value {place} of the list: ");
+                bad.extend(beyond_gear("sweep.mating", mating, teeth, &place));
+            }
+            Some(())
+        })?;
+        let start = file.read("sweep.start", problems).flatten();
+        if let Some(problem) = start.and_then(|start| beyond_gear("sweep.start", start, teeth, ""))
         {
-            problems.add(table.problem(
-                second,
-                format!(
-                    "given together with {first}, allowed is one of mating, revolutions and phases"
-                ),
-                "remove one or the other",
-            ));
+            problems.add(problem);
             return None;
         }
-        let [with_mating, with_revolutions, with_phases] = kinds.map(there);
-        let mut alone = Some(());
-        let revolutions = ("revolutions", with_revolutions, "revolutions = \"wheel\"");
-        for (name, (mate, there, example)) in [
-            ("fraction", ("mating", with_mating, "mating = [[1, 1]]")),
-            (
-                "steps_per_pitch",
-                (
-                    "revolutions or phases",
-                    with_revolutions || with_phases,
-                    revolutions.2,
-                ),
-            ),
-            ("start", revolutions),
-        ] {
-            if table.has(name) && !there {
-                problems.add(table.problem(
-                    name,
-                    format!("given without {mate}, {name} is allowed only with {mate}"),
-                    format!("add `{example}`, or remove {name}"),
-                ));
-                alone = None;
-            }
-        }
-        if with_mating {
-            let matings = matings(&table, teeth, problems);
-            let fractions = fractions(&table, problems);
-            alone?;
-            Some(Sweep::of_matings(matings?, fractions?))
-        } else if with_revolutions || !file.has("sweep") {
-            let revolution = table.choice_or_first("revolutions", &REVOLUTIONS, problems);
-            let steps = steps_per_pitch(&table, problems);
-            let start = match table.optional("start") {
-                Some(Some(entry)) => problems.keep(pair_of_teeth(&entry, teeth)),
-                absent => absent.map(|_| (1, 1)),
-            };
-            alone?;
-            let teeth = (teeth.0?, teeth.1?);
-            Some(Sweep::of_revolution(revolution?, steps?, start?, teeth))
-        } else if with_phases {
-            let all = table.choice_or_first("phases", &PHASES, problems);
-            let steps = steps_per_pitch(&table, problems);
-            alone?;
-            let (all, steps_per_pitch) = (all?, steps?);
-            Some(Sweep {
-                spec: SweepSpec {
-                    phases: Some(all),
-                    steps_per_pitch: Some(steps_per_pitch),
-                    ..SweepSpec::default()
-                },
-                plan: SweepPlan::Phases {
-                    steps_per_pitch,
-                    teeth: (teeth.0?, teeth.1?),
-                },
-            })
-        } else {
-            alone?;
-            table.need(
-                "mating",
-                "one of `mating`, `revolutions` and `phases`",
-                problems,
-            );
-            None
-        }
+        let stated = file.read::<SweepSpec>("sweep", problems)?;
+        let spec = stated.unwrap_or_else(|| SweepSpec {
+            revolutions: Some(Revolutions::Wheel),
+            ..SweepSpec::default()
+        });
+        Sweep::of(spec, (teeth.0?, teeth.1?))
     }
 
-    fn of_matings(matings: Vec<(u32, u32)>, fractions: Vec<f64>) -> Sweep {
-        Sweep {
-            spec: SweepSpec {
-                mating: Some(matings.iter().map(|&(w, p)| [w, p]).collect()),
-                fraction: Some(fractions.clone()),
-                ..SweepSpec::default()
-            },
-            plan: SweepPlan::Matings { matings, fractions },
+    /// `spec` on gears with `teeth` teeth, defaults filled in.
+    fn of(mut spec: SweepSpec, teeth: (u32, u32)) -> Option<Sweep> {
+        if let Some(matings) = &spec.mating {
+            let matings = matings
+                .iter()
+                .map(|&[wheel, pinion]| (wheel, pinion))
+                .collect();
+            let fractions = spec.fraction.get_or_insert_with(|| vec![0.0]).clone();
+            let plan = SweepPlan::Matings { matings, fractions };
+            return Some(Sweep { plan, spec });
         }
-    }
-
-    fn of_revolution(
-        revolution: Revolutions,
-        steps_per_pitch: u32,
-        start: (u32, u32),
-        (wheel, pinion): (u32, u32),
-    ) -> Sweep {
-        let pitches = match revolution {
-            Revolutions::Wheel => u64::from(wheel),
-            Revolutions::Hunting => SweepPlan::hunting_pitches(wheel, pinion),
-        };
-        Sweep {
-            spec: SweepSpec {
-                revolutions: Some(revolution),
-                steps_per_pitch: Some(steps_per_pitch),
-                start: Some([start.0, start.1]),
-                ..SweepSpec::default()
-            },
-            plan: SweepPlan::Revolution {
-                pitches,
+        let steps_per_pitch = *spec.steps_per_pitch.get_or_insert(DEFAULT_STEPS);
+        let Some(revolutions) = spec.revolutions else {
+            let plan = SweepPlan::Phases {
                 steps_per_pitch,
-                start,
+                teeth,
+            };
+            return Some(Sweep { plan, spec });
+        };
+        let [wheel, pinion] = *spec.start.get_or_insert([1, 1]);
+        let plan = SweepPlan::Revolution {
+            pitches: match revolutions {
+                Revolutions::Wheel => u64::from(teeth.0),
+                Revolutions::Hunting => SweepPlan::hunting_pitches(teeth.0, teeth.1),
             },
-        }
+            steps_per_pitch,
+            start: (wheel, pinion),
+        };
+        Some(Sweep { plan, spec })
     }
 }
 
-fn steps_per_pitch(table: &Table, problems: &mut Problems) -> Option<u32> {
-    match table.optional("steps_per_pitch") {
-        Some(Some(entry)) => {
-            let help = "give how many poses a pitch gets, 16 by default";
-            problems.keep(entry.whole(STEPS_PER_PITCH, help))
-        }
-        absent => absent.map(|_| DEFAULT_STEPS),
-    }
-}
-
-fn matings(
-    table: &Table,
+/// The problem of a mating whose teeth are not there, at `key` and a `place` in it.
+fn beyond_gear(
+    key: &str,
+    mating: [u32; 2],
     teeth: (Option<u32>, Option<u32>),
-    problems: &mut Problems,
-) -> Option<Vec<(u32, u32)>> {
-    const WAY_OUT: &str = "write [[1, 1]]: wheel tooth, pinion tooth";
-    let entry = table.get("mating")?;
-    let list = problems.keep(entry.list("a list of matings", WAY_OUT))?;
-    if list.is_empty() {
-        problems.add(entry.problem("an empty list, expected at least one mating", WAY_OUT));
-        return None;
-    }
-    entry.each(&list, problems, |mating, _| pair_of_teeth(mating, teeth))
-}
-
-fn fractions(table: &Table, problems: &mut Problems) -> Option<Vec<f64>> {
-    let Some(entry) = table.optional("fraction")? else {
-        return Some(vec![0.0]);
-    };
-    let fractions = entry.numbers(&FRACTION, problems)?;
-    if fractions.is_empty() {
-        problems.add(entry.problem(
-            "an empty list, expected at least one fraction",
-            "write [0.0], or remove it",
-        ));
-        return None;
-    }
-    Some(fractions)
-}
-
-/// A mating `[wheel tooth, pinion tooth]`.
-fn pair_of_teeth(entry: &Entry, teeth: (Option<u32>, Option<u32>)) -> Result<(u32, u32), Problem> {
-    let wheel = 1..=teeth.0.unwrap_or(10_000);
-    let pinion = 1..=teeth.1.unwrap_or(10_000);
-    let help = "give wheel tooth and pinion tooth, numbered from 1";
-    let Node::List(list) = entry.node() else {
-        return Err(entry.wrong_type("[wheel tooth, pinion tooth]", help));
-    };
-    let [w, p] = list.as_slice() else {
-        let reason = format!("length {}, expected 2: wheel and pinion tooth", list.len());
-        return Err(entry.problem(reason, help));
-    };
-    let mut wrong = Vec::new();
-    let mut tooth = |name, node, range: std::ops::RangeInclusive<u32>| {
-        let allowed = whole_in(&range);
-        let tooth = Entry::new(String::new(), node).whole(range, help).ok();
-        if tooth.is_none() {
-            wrong.push(format!(
-                "{name} tooth is {}, allowed is {allowed}",
-                node.shown()
-            ));
-        }
-        tooth
-    };
-    match (tooth("wheel", w, wheel), tooth("pinion", p, pinion)) {
-        (Some(w), Some(p)) => Ok((w, p)),
-        _ => Err(entry.problem(wrong.join("; "), help)),
-    }
+    place: &str,
+) -> Option<Problem> {
+    let each = [
+        ("wheel", mating[0], teeth.0),
+        ("pinion", mating[1], teeth.1),
+    ];
+    let wrong = each.into_iter().filter_map(|(name, tooth, teeth)| {
+        let teeth = teeth.filter(|teeth| tooth > *teeth)?;
+        let allowed = format!("allowed is a whole number, 1 … {teeth}");
+        Some(format!("{name} tooth is {tooth}, {allowed}"))
+    });
+    let wrong: Vec<String> = wrong.collect();
+    (!wrong.is_empty()).then(|| Problem {
+        key: key.to_owned(),
+        value: Some(format!("{mating:?}")),
+        reason: format!("{place}{}", wrong.join("; ")),
+        help: "give wheel tooth and pinion tooth, numbered from 1".to_owned(),
+    })
 }

@@ -1,64 +1,39 @@
 //! Names that formulas, drawings and other programs have for keys.
 
-/// A key, and what it is also called, in small letters and without underscores.
-const CALLED: [(&str, &[&str]); 14] = [
-    (
-        "teeth",
-        &[
-            "z",
-            "z1",
-            "z2",
-            "n",
-            "numberofteeth",
-            "numteeth",
-            "zaehnezahl",
-        ],
-    ),
-    ("module_mm", &["m", "mn", "module", "modul", "normalmodule"]),
+/// A key and its other names, in small letters and without underscores.
+const CALLED: [(&str, &str); 14] = [
+    ("teeth", "z z1 z2 n numberofteeth numteeth zaehnezahl"),
+    ("module_mm", "m mn module modul normalmodule"),
     (
         "pressure_angle_deg",
-        &["alpha", "alphan", "alphadeg", "pressureangle", "angle"],
+        "alpha alphan alphadeg pressureangle angle",
     ),
     (
         "profile_shift",
-        &[
-            "x",
-            "x1",
-            "x2",
-            "shift",
-            "addendummodification",
-            "profileshiftcoefficient",
-        ],
+        "x x1 x2 shift addendummodification profileshiftcoefficient",
     ),
-    (
-        "helix_angle_deg",
-        &["beta", "betadeg", "helixangle", "helix"],
-    ),
-    ("face_width_mm", &["b", "width", "widthmm", "facewidth"]),
-    ("tip_diameter_mm", &["da", "tipdiameter", "outsidediameter"]),
+    ("helix_angle_deg", "beta betadeg helixangle helix"),
+    ("face_width_mm", "b width widthmm facewidth"),
+    ("tip_diameter_mm", "da tipdiameter outsidediameter"),
     (
         "center_distance_mm",
-        &["a", "centerdistance", "centredistance", "axisdistance"],
+        "a centerdistance centredistance axisdistance",
     ),
-    ("addendum", &["ha", "hap"]),
-    ("dedendum", &["hf", "hfp"]),
-    (
-        "root_radius",
-        &["rho", "rhof", "rhofp", "fillet", "filletradius"],
-    ),
-    ("total_um", &["fr", "um"]),
-    ("over_pins", &["overballs", "mdk", "mdr", "pins"]),
-    ("mm", &["w", "wk"]),
+    ("addendum", "ha hap"),
+    ("dedendum", "hf hfp"),
+    ("root_radius", "rho rhof rhofp fillet filletradius"),
+    ("total_um", "fr um"),
+    ("over_pins", "overballs mdk mdr pins"),
+    ("mm", "w wk"),
 ];
 
 /// The key of `known` that is also called `name`.
-pub fn synonym(name: &str, known: &[&'static str]) -> Option<&'static str> {
+pub fn synonym<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     const LONGEST: usize = 64;
     let name = (name.len() <= LONGEST).then(|| name.to_lowercase().replace(['_', '-', '*'], ""))?;
-    let (key, _) = CALLED
-        .iter()
-        .find(|(key, names)| known.contains(key) && names.contains(&name.as_str()))?;
-    Some(key)
+    let called = |names: &str| names.split(' ').any(|other| other == name);
+    let mut all = CALLED.iter().filter(|(_, names)| called(names));
+    all.find_map(|(key, _)| known.iter().copied().find(|known| known == key))
 }
 
 #[cfg(test)]

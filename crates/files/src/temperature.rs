@@ -1,9 +1,9 @@
 //! `assembly.temperature_c`: from lengths stated at 20 °C to those of warm or cold gears and housing.
 
-use super::assembly::AssemblyPart;
 use super::gear::GearPart;
 use super::numbers::{ascii, rounded, shortest};
 use super::problems::Problems;
+use super::spec::AssemblySpec;
 use super::table::Table;
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
@@ -26,7 +26,7 @@ impl Temperature {
     /// A coefficient that is missing is a problem.
     pub fn read(
         file: &Table,
-        assembly: &AssemblyPart,
+        assembly: &AssemblySpec,
         gears: [&GearPart; 2],
         problems: &mut Problems,
     ) -> Option<Option<Temperature>> {
@@ -36,10 +36,10 @@ impl Temperature {
             ("pinion.expansion_per_k", pinion?),
             (
                 "assembly.housing_expansion_per_k",
-                assembly.housing_expansion_per_k?,
+                assembly.housing_expansion_per_k,
             ),
         ];
-        let Some(temperature_c) = assembly.temperature_c? else {
+        let Some(temperature_c) = assembly.temperature_c else {
             let unused = stated.iter().filter(|(_, expansion)| expansion.is_some());
             let unused: Vec<&str> = unused.map(|(key, _)| *key).collect();
             let remark = (!unused.is_empty()).then(|| {

@@ -1,354 +1,334 @@
-//! `[thickness]`: one statement of the mean tooth thickness.
+//! `[thickness]`: lists and tables of its statements beside the number of teeth, and what they mean to the metrology.
 
-use super::entry::{Limits, quoted};
-use super::limits::{ALLOWANCE, FLANK_OFFSET, LENGTH};
-use super::node::Node;
 use super::problems::Problems;
-use super::readings::LengthReadings;
-use super::sheet::{self, Column};
-use super::spec::{BodyName, Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
-use super::stated::{self, Keys};
+use super::sheet::{Column, Coverage, Sheet, Wanted};
+use super::spec::{
+    BandSpec, BodyName, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, StatementSpec,
+    TableFileSpec, ThicknessSpec,
+};
 use super::table::Table;
-use gearlash::error::GearError;
-use gearlash::gear::{MeasuringBody, ThicknessField};
-use gearlash::metrology::{ThicknessStatement, Toleranced};
+use gearlash::gear::MeasuringBody;
+use gearlash::metrology::{self, ThicknessStatement, Toleranced};
+use std::collections::HashSet;
 
-pub const KEYS: &[&str] = &[
-    "span",
-    "over_pins",
-    "designation",
-    "allowance_um",
-    "flank_offset_mm",
-    "base_thickness_mm",
-    "per_tooth_um",
-    "cross_check",
-];
-const STATEMENTS: &[&str] = KEYS.split_at(6).0;
-/// The ways to write a tolerance field.
-const FIELD: &str = "21 … 30 and a, ab, b, bc, c, cd, d, e, f, g or h, such as \"25cd\"";
-const SPAN_KEYS: &[&str] = &sheet::keys_beside::<6, 12>([
-    "teeth",
-    "mm",
-    "min_mm",
-    "max_mm",
-    "first_tooth",
-    "per_tooth",
-]);
-const PIN_KEYS: &[&str] =
-    &sheet::keys_beside::<6, 12>(["pin_mm", "kind", "mm", "min_mm", "max_mm", "space"]);
-const BODIES: [(&str, MeasuringBody); 2] =
-    [("ball", MeasuringBody::Ball), ("pin", MeasuringBody::Pin)];
+/// Where the second statement stands, below the gear's table.
+pub const CROSS_CHECK: &str = "thickness.cross_check";
 
-const MEASURED: Keys = Keys {
-    single: Some("mm"),
-    min: "min_mm",
-    max: "max_mm",
-};
-const BARE: Keys = Keys {
-    single: None,
-    min: "min",
-    max: "max",
-};
-/// As a drawing writes them.
-const LIMITS: Keys = Keys {
-    single: None,
-    min: "lower",
-    max: "upper",
-};
-
-/// How the pair file states the mean thickness.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Statement {
-    /// Not at all: nominal.
-    Nominal,
-    /// `W_k` in mm over `k` teeth.
-    Span { teeth: u32, mm: Toleranced<f64> },
-    /// `M_dK` in mm over pins of diameter `D_M`, mm; over which, where that is stated.
-    OverPins {
-        body: Option<MeasuringBody>,
-        pin_mm: f64,
-        mm: Toleranced<f64>,
-    },
-    /// `W_k` all round, at first teeth; `per_tooth`: they give each tooth's thickness, too.
-    Spans {
-        teeth: u32,
-        readings: LengthReadings,
-        per_tooth: bool,
-    },
-    /// `M_dK` all round, at spaces.
-    Pins {
-        body: Option<MeasuringBody>,
-        pin_mm: f64,
-        readings: LengthReadings,
-    },
-    /// `A_s` in µm, transverse at the reference circle.
-    Allowance(Toleranced<f64>),
-    /// A tolerance field such as 25cd.
-    Field(ThicknessField),
-    /// What both flanks stand out along their normals, mm.
-    FlankOffset(Toleranced<f64>),
-    /// `s_b` in mm.
-    Base(Toleranced<f64>),
+/// Reads the tables that `spec` names and checks its lists on a gear with `teeth` teeth; fills in defaults.
+///
+/// `gear` is the gear's table. `None` where a statement is wrong; `per_tooth_um` is `None` where its values are.
+pub fn complete(
+    gear: &Table,
+    mut spec: ThicknessSpec,
+    teeth: Option<u32>,
+    problems: &mut Problems,
+) -> Option<ThicknessSpec> {
+    let table = gear.below("thickness");
+    let statement = complete_statement(&table, &mut spec.statement, teeth, problems);
+    let per_tooth = per_tooth(&table, spec.per_tooth_um.take(), teeth, problems);
+    let mut second = Some(());
+    if let Some(check) = &mut spec.cross_check {
+        let table = gear.below(CROSS_CHECK);
+        second = complete_statement(&table, &mut check.statement, teeth, problems);
+        check.tolerance_um.get_or_insert(CROSS_CHECK_UM);
+        if let Some(span) = &mut check.statement.span {
+            span.per_tooth = None;
+        }
+        if table.has("span.per_tooth") {
+            problems.add(table.problem(
+                "span.per_tooth",
+                "needless: a cross-check never changes a tooth",
+                "remove it",
+            ));
+            second = None;
+        }
+    }
+    spec.per_tooth_um = per_tooth;
+    statement?;
+    second?;
+    Some(spec)
 }
 
-impl Statement {
-    /// Reads the one statement of `table`.
-    pub fn read(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
-        let given: Vec<&str> = STATEMENTS
-            .iter()
-            .copied()
-            .filter(|name| table.has(name))
-            .collect();
-        if given.len() > 1 {
+fn complete_statement(
+    table: &Table,
+    spec: &mut StatementSpec,
+    teeth: Option<u32>,
+    problems: &mut Problems,
+) -> Option<()> {
+    if let Some(field) = &mut spec.designation {
+        // As a drawing writes it.
+        *field = field
+            .parse()
+            .ok()
+            .map(|field: gearlash::gear::ThicknessField| field.to_string())?;
+    }
+    if let Some(span) = &mut spec.span {
+        if let Some(teeth) = teeth.filter(|teeth| span.teeth > *teeth) {
             problems.add(table.problem(
-                given[0],
-                format!(
-                    "given together with {}: {} thickness statements, allowed is one of {}",
-                    given[1..].join(", "),
-                    given.len(),
-                    quoted(STATEMENTS, "`")
-                ),
-                "keep the one you trust most; the others can be compared with it",
+                "span.teeth",
+                format!("out of range, allowed is a whole number, 1 … {teeth}"),
+                "count the teeth spanned",
             ));
             return None;
         }
-        match given.first().copied() {
-            Some("span") => Statement::read_span(table, teeth, problems),
-            Some("over_pins") => Statement::read_pins(table, teeth, problems),
-            Some("allowance_um") => {
-                bare(table, "allowance_um", &ALLOWANCE, problems).map(Statement::Allowance)
-            }
-            Some("flank_offset_mm") => {
-                bare(table, "flank_offset_mm", &FLANK_OFFSET, problems).map(Statement::FlankOffset)
-            }
-            Some("designation") => field(table, problems).map(Statement::Field),
-            Some(_) => bare(table, "base_thickness_mm", &LENGTH, problems).map(Statement::Base),
-            None if STATEMENTS.iter().any(|name| table.is_mistyped(name)) => None,
-            None => Some(Statement::Nominal),
-        }
-    }
-
-    fn read_span(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
-        let span = table.table("span", SPAN_KEYS, problems)?;
-        let most = teeth.unwrap_or(10_000);
-        let k = span.whole("teeth", 1..=most, "count the teeth spanned", problems);
-        let per_tooth = match span.optional("per_tooth")? {
-            Some(entry) => problems.keep(entry.flag()),
-            None => Some(true),
+        let table = table.below("span");
+        let (places, file) = (&mut span.first_tooth, &mut span.table);
+        let places = Places {
+            key: "first_tooth",
+            places,
+            file,
         };
-        Some(
-            match LengthReadings::read(&span, "first_tooth", Column::Span, teeth, problems)? {
-                Some(readings) => Statement::Spans {
-                    teeth: k?,
-                    readings,
-                    per_tooth: per_tooth?,
-                },
-                None => {
-                    let mm = stated::read(&span, &MEASURED, &LENGTH, problems);
-                    Statement::Span { teeth: k?, mm: mm? }
-                }
-            },
-        )
+        places.complete(&table, Column::Span, &mut span.length, teeth, problems)?;
+        if span.first_tooth.is_some() {
+            span.per_tooth.get_or_insert(true);
+        }
     }
-
-    fn read_pins(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
-        let pins = table.table("over_pins", PIN_KEYS, problems)?;
-        let pin_mm = pins.number("pin_mm", &LENGTH, problems);
-        let body = pins.optional_as("kind", problems, |entry| entry.choice(&BODIES));
-        Some(
-            match LengthReadings::read(&pins, "space", Column::OverPins, teeth, problems)? {
-                Some(readings) => Statement::Pins {
-                    body: body?,
-                    pin_mm: pin_mm?,
-                    readings,
-                },
-                None => {
-                    let mm = stated::read(&pins, &MEASURED, &LENGTH, problems);
-                    Statement::OverPins {
-                        body: body?,
-                        pin_mm: pin_mm?,
-                        mm: mm?,
-                    }
-                }
-            },
-        )
+    if let Some(pins) = &mut spec.over_pins {
+        let table = table.below("over_pins");
+        let (places, file) = (&mut pins.space, &mut pins.table);
+        let places = Places {
+            key: "space",
+            places,
+            file,
+        };
+        places.complete(&table, Column::OverPins, &mut pins.length, teeth, problems)?;
     }
+    Some(())
+}
 
-    /// What was measured.
-    pub fn measured(&self) -> ThicknessStatement {
-        match self {
-            Statement::Nominal => ThicknessStatement::Nominal,
-            Statement::Span { teeth, mm } => ThicknessStatement::Span {
-                teeth: *teeth,
-                mm: *mm,
-            },
-            Statement::OverPins { body, pin_mm, mm } => ThicknessStatement::OverPins {
-                body: body.unwrap_or_default(),
-                pin_mm: *pin_mm,
-                mm: *mm,
-            },
-            Statement::Spans {
+/// Where the readings all round a gear were taken.
+struct Places<'s> {
+    key: &'static str,
+    places: &'s mut Option<Vec<u32>>,
+    file: &'s mut Option<TableFileSpec>,
+}
+
+impl Places<'_> {
+    /// Fills in readings and places: from the table's file, or tooth by tooth where every tooth has its reading.
+    fn complete(
+        self,
+        table: &Table,
+        column: Column,
+        length: &mut LengthSpec,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<()> {
+        if self.file.take().is_some() {
+            let wanted = Wanted {
+                columns: &[column],
                 teeth,
-                readings,
-                per_tooth,
-            } => ThicknessStatement::SpanReadings {
-                teeth: *teeth,
-                readings: readings.measured(),
-                per_tooth: *per_tooth,
-            },
-            Statement::Pins {
-                body,
-                pin_mm,
-                readings,
-            } => ThicknessStatement::PinReadings {
-                body: body.unwrap_or_default(),
-                pin_mm: *pin_mm,
-                readings: readings.measured(),
-            },
-            Statement::Allowance(um) => ThicknessStatement::AllowanceUm(*um),
-            Statement::Field(field) => ThicknessStatement::Field(*field),
-            Statement::FlankOffset(mm) => ThicknessStatement::FlankOffset(*mm),
-            Statement::Base(mm) => ThicknessStatement::BaseThickness(*mm),
+                coverage: Coverage::SomeTeeth,
+            };
+            let sheet = Sheet::read(table, &wanted, problems)?;
+            *self.places = Some(sheet.teeth());
+            length.mm = Some(Either::Other(sheet.values(0)));
+            return Some(());
         }
-    }
-
-    /// The key it stands under, below that of the thickness; `None` when nothing is stated.
-    pub fn key(&self) -> Option<&'static str> {
-        match self {
-            Statement::Nominal => None,
-            Statement::Span { .. } | Statement::Spans { .. } => Some("span"),
-            Statement::OverPins { .. } | Statement::Pins { .. } => Some("over_pins"),
-            Statement::Allowance(_) => Some("allowance_um"),
-            Statement::Field(_) => Some("designation"),
-            Statement::FlankOffset(_) => Some("flank_offset_mm"),
-            Statement::Base(_) => Some("base_thickness_mm"),
+        let Some(Either::Other(mm)) = &length.mm else {
+            return Some(());
+        };
+        let (key, teeth, readings) = (self.key, teeth?, mm.len());
+        let help = "give the number of each reading, in the order of mm";
+        let mut wrong = |reason: String, help: String| {
+            problems.add(table.problem(key, reason, help));
+            None
+        };
+        let Some(places) = self.places else {
+            if readings == teeth as usize {
+                *self.places = Some((1..=teeth).collect());
+                return Some(());
+            }
+            return wrong(
+                format!(
+                    "missing, expected one number a reading: there are {readings} for {teeth} teeth"
+                ),
+                format!("add `{key}`: {help}"),
+            );
+        };
+        if places.len() != readings {
+            let length = places.len();
+            return wrong(
+                format!("length {length}, expected {readings}: one number a reading"),
+                help.to_owned(),
+            );
         }
-    }
-
-    /// As in the pair file; nominal is an allowance of 0.
-    pub fn spec(&self) -> StatementSpec {
-        let mut spec = StatementSpec::default();
-        match self {
-            Statement::Nominal => spec.allowance_um = Some(Either::One(0.0)),
-            Statement::Span { teeth, mm } => {
-                spec.span = Some(SpanSpec {
-                    teeth: *teeth,
-                    length: measured(mm),
-                    ..SpanSpec::default()
-                });
-            }
-            Statement::OverPins { body, pin_mm, mm } => {
-                spec.over_pins = Some(OverPinsSpec {
-                    kind: body.map(BodyName::from),
-                    pin_mm: *pin_mm,
-                    length: measured(mm),
-                    ..OverPinsSpec::default()
-                });
-            }
-            Statement::Spans {
-                teeth,
-                readings,
-                per_tooth,
-            } => {
-                spec.span = Some(SpanSpec {
-                    teeth: *teeth,
-                    length: all_round(readings),
-                    first_tooth: Some(readings.places().to_vec()),
-                    per_tooth: Some(*per_tooth),
-                    ..SpanSpec::default()
-                });
-            }
-            Statement::Pins {
-                body,
-                pin_mm,
-                readings,
-            } => {
-                spec.over_pins = Some(OverPinsSpec {
-                    kind: body.map(BodyName::from),
-                    pin_mm: *pin_mm,
-                    length: all_round(readings),
-                    space: Some(readings.places().to_vec()),
-                    ..OverPinsSpec::default()
-                });
-            }
-            Statement::Allowance(um) => spec.allowance_um = Some(stated::spec(um)),
-            Statement::Field(field) => spec.designation = Some(field.to_string()),
-            Statement::FlankOffset(mm) => spec.flank_offset_mm = Some(stated::spec(mm)),
-            Statement::Base(mm) => spec.base_thickness_mm = Some(stated::spec(mm)),
+        if let Some((index, place)) = places.iter().enumerate().find(|(_, place)| **place > teeth) {
+            return wrong(
+                format!(
+                    "value {} of the list: {place} is out of range, allowed is a whole number, 1 … {teeth}",
+                    index + 1
+                ),
+                "give a number of the gear's teeth".to_owned(),
+            );
         }
-        spec
+        let mut seen = HashSet::new();
+        match places.iter().find(|place| !seen.insert(**place)) {
+            Some(twice) => wrong(
+                format!("{twice} is listed twice, allowed is once"),
+                "keep one reading of it, or their mean".to_owned(),
+            ),
+            None => Some(()),
+        }
     }
 }
 
-/// A measured length as a pair file writes it: `mm`, or `min_mm` and `max_mm`.
-fn measured(mm: &Toleranced<f64>) -> LengthSpec {
-    let mut length = LengthSpec::default();
-    match *mm {
-        Toleranced::Single(mm) => length.mm = Some(Either::One(mm)),
-        Toleranced::Band { least, most } => {
-            (length.min_mm, length.max_mm) = (Some(least), Some(most))
-        }
+/// `per_tooth_um`, listed or in a file: empty or one value a tooth, µm.
+fn per_tooth(
+    table: &Table,
+    listed: Option<Vec<f64>>,
+    teeth: Option<u32>,
+    problems: &mut Problems,
+) -> Option<Vec<f64>> {
+    if let Some(list) = listed {
+        return one_a_tooth(table, "per_tooth_um", list, teeth, problems);
     }
-    length
-}
-
-fn all_round(readings: &LengthReadings) -> LengthSpec {
-    LengthSpec {
-        mm: Some(Either::Other(readings.mm().to_vec())),
-        ..LengthSpec::default()
+    if !table.has("per_tooth_um") {
+        return Some(Vec::new());
     }
-}
-
-fn field(table: &Table, problems: &mut Problems) -> Option<ThicknessField> {
-    let entry = table.get("designation")?;
-    let text = problems.keep(entry.text("write it in quotes"))?;
-    let refused = |error: GearError| {
-        entry.problem(
-            format!("{error}, allowed is {FIELD}"),
-            "copy it from the drawing; or give allowance_um = { upper = …, lower = … }",
-        )
+    let wanted = Wanted {
+        columns: &[Column::Thickness],
+        teeth,
+        coverage: Coverage::EveryTooth,
     };
-    problems.keep(text.parse().map_err(refused))
+    let sheet = Sheet::read(&table.below("per_tooth_um"), &wanted, problems)?;
+    Some(sheet.values(0))
 }
 
-/// A number, or a table of `min` and `max`, of an allowance also of `upper` and `lower`.
-fn bare(
+/// `list`, if it is empty or has one value a tooth.
+pub fn one_a_tooth(
     table: &Table,
     name: &str,
-    limits: &Limits,
+    list: Vec<f64>,
+    teeth: Option<u32>,
     problems: &mut Problems,
-) -> Option<Toleranced<f64>> {
-    let entry = table.get(name)?;
-    match entry.node() {
-        Node::Table(_) => {
-            if name != "allowance_um" {
-                let band = table.table(name, &["min", "max"], problems)?;
-                return stated::read(&band, &BARE, limits, problems);
-            }
-            let band = table.table(name, &["min", "max", "lower", "upper"], problems)?;
-            let first = |names: [&'static str; 2]| names.into_iter().find(|name| band.has(name));
-            match (first(["min", "max"]), first(["lower", "upper"])) {
-                (Some(one), Some(other)) => {
-                    problems.add(band.problem(
-                        other,
-                        format!(
-                            "given together with {one}, allowed is min and max, or lower and upper"
-                        ),
-                        "remove two of them",
-                    ));
-                    None
-                }
-                (None, Some(_)) => stated::read(&band, &LIMITS, limits, problems),
-                _ => stated::read(&band, &BARE, limits, problems),
-            }
-        }
-        Node::Whole(_) | Node::Number(_) => {
-            problems.keep(entry.number(limits)).map(Toleranced::Single)
-        }
-        _ => {
-            let allowed = format!("{}, or {{ min = …, max = … }}", limits.allowed);
-            problems.add(entry.wrong_type(&allowed, limits.help));
+) -> Option<Vec<f64>> {
+    match teeth {
+        Some(teeth) if !list.is_empty() && list.len() != teeth as usize => {
+            problems.add(table.problem(
+                name,
+                format!("length {}, expected {teeth}: one value a tooth", list.len()),
+                "give them in ascending tooth number, tooth 1 first",
+            ));
             None
         }
+        _ => Some(list),
+    }
+}
+
+impl StatementSpec {
+    /// The key that states the thickness; `None` where nothing is stated: nominal.
+    pub(crate) fn key(&self) -> Option<&'static str> {
+        let each = [
+            ("span", self.span.is_some()),
+            ("over_pins", self.over_pins.is_some()),
+            ("designation", self.designation.is_some()),
+            ("allowance_um", self.allowance_um.is_some()),
+            ("flank_offset_mm", self.flank_offset_mm.is_some()),
+            ("base_thickness_mm", self.base_thickness_mm.is_some()),
+        ];
+        each.into_iter()
+            .find(|(_, given)| *given)
+            .map(|(key, _)| key)
+    }
+
+    /// The measurement as the metrology takes it.
+    pub(crate) fn measured(&self) -> ThicknessStatement {
+        if let Some(span) = &self.span {
+            let teeth = span.teeth;
+            return match span.length.readings(&span.first_tooth) {
+                Some(readings) => ThicknessStatement::SpanReadings {
+                    teeth,
+                    readings,
+                    per_tooth: span.per_tooth.unwrap_or(true),
+                },
+                None => ThicknessStatement::Span {
+                    teeth,
+                    mm: span.length.toleranced(),
+                },
+            };
+        }
+        if let Some(pins) = &self.over_pins {
+            let (body, pin_mm) = (body(pins.kind), pins.pin_mm);
+            return match pins.length.readings(&pins.space) {
+                Some(readings) => ThicknessStatement::PinReadings {
+                    body,
+                    pin_mm,
+                    readings,
+                },
+                None => ThicknessStatement::OverPins {
+                    body,
+                    pin_mm,
+                    mm: pins.length.toleranced(),
+                },
+            };
+        }
+        let field = self
+            .designation
+            .as_ref()
+            .and_then(|field| field.parse().ok());
+        let others = [
+            field.map(ThicknessStatement::Field),
+            self.allowance_um
+                .map(|um| ThicknessStatement::AllowanceUm(um.toleranced())),
+            self.flank_offset_mm
+                .map(|mm| ThicknessStatement::FlankOffset(mm.toleranced())),
+            self.base_thickness_mm
+                .map(|mm| ThicknessStatement::BaseThickness(mm.toleranced())),
+        ];
+        let mut others = others.into_iter().flatten();
+        others.next().unwrap_or(ThicknessStatement::Nominal)
+    }
+}
+
+impl CrossCheckSpec {
+    /// The measurement as the metrology takes it.
+    pub(crate) fn measured(&self) -> metrology::CrossCheck {
+        metrology::CrossCheck {
+            statement: self.statement.measured(),
+            tolerance_um: self.tolerance_um.unwrap_or(CROSS_CHECK_UM),
+        }
+    }
+}
+
+impl LengthSpec {
+    /// One value, or the least and the greatest.
+    fn toleranced(&self) -> Toleranced<f64> {
+        match (self.mm.as_ref(), self.min_mm, self.max_mm) {
+            (_, Some(least), Some(most)) => Toleranced::Band { least, most },
+            (Some(Either::One(mm)), ..) => Toleranced::Single(*mm),
+            // The schema allows nothing else but readings.
+            _ => Toleranced::Single(0.0),
+        }
+    }
+
+    /// Each of several readings with its place.
+    fn readings(&self, places: &Option<Vec<u32>>) -> Option<Vec<(u32, f64)>> {
+        match &self.mm {
+            Some(Either::Other(mm)) => {
+                let places = places.iter().flatten().copied();
+                Some(places.zip(mm.iter().copied()).collect())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Either<f64, BandSpec> {
+    fn toleranced(self) -> Toleranced<f64> {
+        match self {
+            Either::One(value) => Toleranced::Single(value),
+            Either::Other(BandSpec { min, max }) => Toleranced::Band {
+                least: min,
+                most: max,
+            },
+        }
+    }
+}
+
+/// The measuring body: a ball where none is stated.
+pub fn body(name: Option<BodyName>) -> MeasuringBody {
+    match name {
+        Some(BodyName::Pin) => MeasuringBody::Pin,
+        Some(BodyName::Ball) | None => MeasuringBody::Ball,
     }
 }

@@ -1,45 +1,9 @@
-//! `[uncertainty]`: what the measurements may be off.
+//! `[uncertainty]`: what the measurements may be off, as the library takes it.
 
-use super::limits::{COVERAGE, UNCERTAINTY};
-use super::problems::Problems;
-use super::spec::{BodyName, GearSpec, ThicknessSpec, UncertaintySpec};
-use super::table::Table;
+use super::spec::{GearSpec, ThicknessSpec, UncertaintySpec};
+use super::thickness::body;
 use gearlash::analysis::uncertainty::Uncertainty;
-use gearlash::gear::{AsBuilt, MeasuringBody, thickness};
-
-const KEYS: &[&str] = &[
-    "span_um",
-    "over_pins_um",
-    "allowance_um",
-    "per_tooth_um",
-    "pitch_um",
-    "runout_um",
-    "center_distance_um",
-    "coverage_factor",
-];
-
-/// Reads `[uncertainty]`; `Some(None)` where the file has none.
-pub fn uncertainty(file: &Table, problems: &mut Problems) -> Option<Option<UncertaintySpec>> {
-    if !(file.has("uncertainty") || file.is_mistyped("uncertainty")) {
-        return Some(None);
-    }
-    let table = file.table("uncertainty", KEYS, problems)?;
-    let mut of = |key| table.number_or(key, 0.0, &UNCERTAINTY, problems);
-    let (span, pins, allowance) = (of("span_um"), of("over_pins_um"), of("allowance_um"));
-    let (per_tooth, pitch) = (of("per_tooth_um"), of("pitch_um"));
-    let (runout, distance) = (of("runout_um"), of("center_distance_um"));
-    let coverage = table.number_or("coverage_factor", 2.0, &COVERAGE, problems);
-    Some(Some(UncertaintySpec {
-        span_um: span?,
-        over_pins_um: pins?,
-        allowance_um: allowance?,
-        per_tooth_um: per_tooth?,
-        pitch_um: pitch?,
-        runout_um: runout?,
-        center_distance_um: distance?,
-        coverage_factor: coverage?,
-    }))
-}
+use gearlash::gear::{AsBuilt, thickness};
 
 impl UncertaintySpec {
     /// As the library takes it, mm: the thickness of each gear as it was stated.
@@ -66,10 +30,7 @@ impl UncertaintySpec {
             let base = gear.gear().base_thickness();
             // A thousandth of a module: small against the curve, large against rounding.
             let step = 1e-3 * basic_data.module();
-            let body = match pins.kind {
-                Some(BodyName::Pin) => MeasuringBody::Pin,
-                Some(BodyName::Ball) | None => MeasuringBody::Ball,
-            };
+            let body = body(pins.kind);
             let over = |base| thickness::over_from_base(basic_data, body, pins.pin_mm, base);
             self.over_pins_um * 2.0 * step / (over(base + step) - over(base - step))
         } else if stated.base_thickness_mm.is_some() {

@@ -1,33 +1,17 @@
 //! Keys that no pair file has, or has any more: the reason, and for those that are gone what to state instead.
 
-/// Parts of a key's words, and what is taken in place of what it states.
-const TAKEN: [(&[&str], &str); 3] = [
+/// Parts of a key's words, and why there is no such key.
+const TAKEN: [(&str, &str); 3] = [
     (
-        &[
-            "lead",
-            "helix_slope",
-            "helix_form",
-            "f_h_beta",
-            "f_hb",
-            "crown",
-        ],
+        "lead helix_slope helix_form f_h_beta f_hb crown",
         "deviations and modifications of the lead are not modelled: flanks wind as their helix angle says",
     ),
     (
-        &[
-            "shaft_angle",
-            "axis_angle",
-            "axes_angle",
-            "crossed",
-            "tilt",
-            "skew",
-            "misalign",
-            "wobble",
-        ],
+        "shaft_angle axis_angle axes_angle crossed tilt skew misalign wobble",
         "the axes are parallel: crossed and tilted ones are not modelled",
     ),
     (
-        &["internal", "ring_gear"],
+        "internal ring_gear",
         "both gears are external: internal ones are not modelled",
     ),
 ];
@@ -39,25 +23,21 @@ const GONE: [(&str, &str, &str); 1] = [(
     "state the thickness by `span`, `over_pins` or another key of the table",
 )];
 
-/// The reason and the way out of a key that is gone, by its dotted `path`.
-pub fn gone(path: &str) -> Option<(&'static str, &'static str)> {
-    GONE.iter()
-        .find(|(end, ..)| path.ends_with(end))
-        .map(|(_, reason, help)| (*reason, *help))
-}
-
-/// Why there is no key `name`, if it is one of these.
-pub fn why(name: &str) -> Option<&'static str> {
+/// Why there is no key `name`, by its dotted `path`, and the way out, if it is one of these.
+pub fn why(path: &str, name: &str) -> Option<(&'static str, &'static str)> {
+    let gone = GONE.iter().find(|(end, ..)| path.ends_with(end));
+    if let Some((_, reason, help)) = gone {
+        return Some((reason, help));
+    }
     let name = name.to_lowercase();
     // At the beginning of a word alone: `misleading` is none.
     let starts = |part: &str| {
         name.match_indices(part)
             .any(|(at, _)| at == 0 || name[..at].ends_with('_'))
     };
-    TAKEN
-        .iter()
-        .find(|(parts, _)| parts.iter().any(|part| starts(part)))
-        .map(|(_, why)| *why)
+    let mut taken = TAKEN.iter();
+    let (_, why) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
+    Some((why, "remove it"))
 }
 
 #[cfg(test)]
@@ -72,16 +52,19 @@ mod tests {
             "crowning_um",
             "helix_slope_deviation",
         ] {
-            assert!(why(name).is_some_and(|why| why.contains("lead")), "{name}");
+            assert!(
+                why(name, name).is_some_and(|(why, _)| why.contains("lead")),
+                "{name}"
+            );
         }
         for name in ["shaft_angle_deg", "tilt_um", "axis_misalignment_um"] {
             assert!(
-                why(name).is_some_and(|why| why.contains("parallel")),
+                why(name, name).is_some_and(|(why, _)| why.contains("parallel")),
                 "{name}"
             );
         }
         for name in ["teeth", "misleading", "helix_angle", "module"] {
-            assert_eq!(why(name), None, "{name}");
+            assert_eq!(why(name, name), None, "{name}");
         }
     }
 }

@@ -223,7 +223,7 @@ gears = []
             "has one limit, expected lower_um and upper_um",
             "tolerance.wheel.thickness.scatter",
             "expected either scale_um or upper_um",
-            "expected either sigma_um or grade",
+            "given together with grade",
             "no key of this distribution, expected value_um",
             "tolerance.pinion.gears",
         ] {

@@ -1,8 +1,8 @@
 //! What measurements say of the tooth thickness, in words.
 
-use crate::cross_check::CrossCheck;
 use crate::numbers::ascii;
 use crate::statements::Statements;
+use crate::thickness::CROSS_CHECK;
 use gearlash::metrology::{MeanOnly, StatementRole, ThicknessBesidePitch, ThicknessStatements};
 
 /// Dimensions over pins all round.
@@ -120,7 +120,7 @@ pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
     let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
     format!(
         "{}: base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
-        of.table.path_of(CrossCheck::UNDER),
+        of.table.path_of(CROSS_CHECK),
         range(compared.counts),
         key(StatementRole::Counts),
         range(compared.cross),

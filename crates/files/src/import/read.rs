@@ -1,15 +1,14 @@
 //! Which tables a file has: each kind is looked for, and read as a pair file that names it would have it read.
 
 use super::table::{ImportedTable, Kind};
+use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::sheet::{self, Choice, Column, Content, Coverage, Origin, Request, Sheet, Wanted};
-use crate::table::Table;
+use crate::spec::TABLE;
 use gearlash::metrology::PitchKind;
-
-const KEYS: &[&str] = &sheet::keys_beside::<2, 8>(["left", "right"]);
 
 /// The tables of the file that the entries name, all or those of one kind; with `not_read` what is there but ambiguous.
 pub(super) fn tables(
@@ -18,10 +17,11 @@ pub(super) fn tables(
     only: Option<Kind>,
     [problems, not_read]: [&mut Problems; 2],
 ) -> Option<Vec<ImportedTable>> {
-    let table = Table::new("", place, entries, KEYS, problems);
-    let file = DataFile::of(&table, "the name of a table", problems)?;
-    let choice = Choice::read(&table, problems)?;
-    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), &table, &choice, problems)?;
+    let checked = Checked::new(&TABLE, place, entries, problems);
+    checked.is_good("").then_some(())?;
+    let table = checked.table();
+    let (file, choice) = (DataFile::of(table)?, Choice::of(table));
+    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), table, &choice, problems)?;
     let from = From {
         file: &file,
         content: &content,
@@ -99,7 +99,7 @@ pub(super) fn tables(
 struct From<'a> {
     file: &'a DataFile,
     content: &'a Content,
-    choice: &'a Choice<'a>,
+    choice: &'a Choice,
 }
 
 impl From<'_> {

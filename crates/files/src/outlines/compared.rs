@@ -2,11 +2,12 @@
 
 use super::gear::{self, OutlinePart};
 use super::pair::outline_table;
+use crate::check::Checked;
 use crate::node::Node;
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::sources::Sources;
-use crate::table::Table;
+use crate::spec::DRAWINGS;
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
 use nalgebra::Point2;
 use std::path::Path;
@@ -59,12 +60,13 @@ impl TwoDrawings<'_> {
         entries: &[(String, Node)],
         problems: &mut Problems,
     ) -> Option<ComparedOutlines> {
-        let table = Table::new("", place, entries, &NAMES, problems);
-        let [a, b] = NAMES.map(|name| gear::read(&table, name, problems));
+        let file = Checked::new(&DRAWINGS, place, entries, problems);
+        let [a, b] = NAMES.map(|name| gear::read(&file, name, problems));
         let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
         let difference = OutlineDifference::new(&a.gear, &b.gear, CHORD_MM);
         let difference = difference.map_err(|error| {
-            table.problem("b.outline.file", error.to_string(), gear::help(&error))
+            file.table()
+                .problem("b.outline.file", error.to_string(), gear::help(&error))
         });
         Some(ComparedOutlines {
             difference: problems.keep(difference)?,

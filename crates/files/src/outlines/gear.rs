@@ -1,52 +1,19 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
 use super::paths::{Path, coordinates, outermost, whole_circle};
+use crate::check::Checked;
 use crate::data_file::DataFile;
-use crate::drawing::{self, JOIN_MM, Options, Repeat, Unit};
-use crate::entry::Entry;
-use crate::limits::{COORDINATE, FIRST_TOOTH, JOIN, TEETH};
-use crate::node::Node;
+use crate::drawing::{self, Options, Repeat};
 use crate::numbers::{fixed, um};
 use crate::problems::Problems;
 use crate::runout::Runout;
 use crate::spec::{CentreName, CentreSpec, FaceName, OutlineGearSpec, OutlineSpec, PointsKind};
 use crate::table::Table;
-use gearlash::gear::Face;
 use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
 use nalgebra::Point2;
 
-const KEYS: &[&str] = &[
-    "file",
-    "units",
-    "center_mm",
-    "teeth",
-    "layer",
-    "id",
-    "join_mm",
-    "first_tooth_deg",
-    "kind",
-];
-/// Keys of a gear that is an outline.
-const GEAR_KEYS: &[&str] = &["outline", "reference_face", "runout"];
-/// Keys of a gear by its data, which an outline stands in place of.
-const INSTEAD: &[&str] = &[
-    "teeth",
-    "module_mm",
-    "pressure_angle_deg",
-    "profile_shift",
-    "grade",
-    "tip_diameter_mm",
-    "rack",
-    "thickness",
-    "pitch",
-];
-const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
-const KINDS: [(&str, PointsKind); 2] = [
-    ("polygon", PointsKind::Polygon),
-    ("smooth", PointsKind::Smooth),
-];
-const CENTRES: [(&str, CentreName); 2] = [("bore", CentreName::Bore), ("fit", CentreName::Fit)];
-const CENTRE: &str = "[x, y] in mm, \"bore\" or \"fit\"";
+/// Teeth of a gear at most.
+const MOST_TEETH: u32 = 10_000;
 
 /// What was read of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,34 +39,19 @@ pub(super) struct OutlinePart {
 }
 
 /// Reads the table `name` of a gear that is an outline.
-pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<OutlinePart> {
-    let both: Vec<&&str> = INSTEAD
-        .iter()
-        .filter(|key| file.get(&format!("{name}.{key}")).is_some())
-        .collect();
-    for key in &both {
-        problems.add(file.problem(
-            &format!("{name}.{key}"),
-            "given together with outline, which stands in its place",
-            match **key {
-                "teeth" => {
-                    "write `outline.teeth` to have the number of teeth checked, or remove it"
-                }
-                _ => "remove one or the other",
-            },
-        ));
-    }
-    if !both.is_empty() {
-        return None;
-    }
-    let table = file.table(name, GEAR_KEYS, problems)?;
-    let face = table.choice_or_first("reference_face", &FACES, problems);
-    let drawn = drawn(&table, problems);
+pub(super) fn read(file: &Checked, name: &str, problems: &mut Problems) -> Option<OutlinePart> {
+    let table = file.table().below(name);
+    let face = file.read::<FaceName>(&table.path_of("reference_face"), problems);
+    let spec = file.read(&table.path_of("outline"), problems).flatten();
+    let drawn = spec.and_then(|spec| drawn(&table, spec, problems));
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
-    let runout = Runout::read(&table, teeth, problems);
+    let runout = file.read(&table.path_of("runout"), problems);
+    let runout =
+        runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth, problems));
+    file.is_good(name).then_some(())?;
     let (spec, path, data) = drawn?;
-    let (face, runout) = (face?, runout?);
-    if runout.sheet.is_some() {
+    let (face, runout) = (face?.unwrap_or_default(), runout?);
+    if runout.header.is_some() {
         problems.add(table.problem(
             "runout.file",
             "readings of a runout need a gear by its data",
@@ -107,11 +59,12 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
         ));
         return None;
     }
+    let runout = runout.spec;
     let mut remarks = Vec::new();
     let centre = centre(&table, &spec, &path, &mut remarks, problems)?;
     let reading = OutlineReading {
         centre,
-        face,
+        face: face.into(),
         teeth: spec.teeth,
         first_tooth: spec.first_tooth_deg.map(f64::to_radians),
         bound: path.outline.bound_mm,
@@ -120,12 +73,11 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
     let gear = OutlineGear::new(segments, &reading);
     let gear = gear.map_err(|error| data.problem(data.found(place(&path, &error)), help(&error)));
     let gear = problems.keep(gear)?;
-    if gear.teeth() > *TEETH.end() {
+    if gear.teeth() > MOST_TEETH {
         problems.add(data.problem(
             format!(
-                "{} teeth are found, allowed are up to {}",
-                gear.teeth(),
-                TEETH.end()
+                "{} teeth are found, allowed are up to {MOST_TEETH}",
+                gear.teeth()
             ),
             "choose the gear's outline with `layer` or `id`",
         ));
@@ -189,46 +141,21 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
         },
         spec: OutlineGearSpec {
             outline: spec,
-            reference_face: FaceName::from(face),
-            runout: runout.spec(),
+            reference_face: face,
+            runout,
         },
         remarks,
     })
 }
 
-/// The keys of `[outline]`, and the drawing.
-fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, DataFile)> {
-    let table = gear.table("outline", KEYS, problems)?;
-    let data = DataFile::of(
-        &table,
-        "the name of a .dxf, .svg, .csv or .txt file",
-        problems,
-    );
-    let units = table.optional_as("units", problems, |entry| entry.choice(&Unit::NAMED));
-    let text = |entry: &Entry| entry.text("write the name in quotes").map(str::to_owned);
-    let layer = table.optional_as("layer", problems, text);
-    let id = table.optional_as("id", problems, text);
-    let teeth = table.optional_as("teeth", problems, |entry| {
-        entry.whole(TEETH, "give the number of teeth all round")
-    });
-    let first = table.optional_as("first_tooth_deg", problems, |entry| {
-        entry.number(&FIRST_TOOTH)
-    });
-    let join_mm = table.number_or("join_mm", JOIN_MM, &JOIN, problems);
-    let kind = table.choice_or_first("kind", &KINDS, problems);
-    let center_mm = stated_centre(&table, problems);
-    let (data, layer, id) = (data?, layer?, id?);
-    let spec = OutlineSpec {
-        file: data.name().to_owned(),
-        units: units?,
-        center_mm: center_mm?,
-        teeth: teeth?,
-        join_mm: join_mm?,
-        first_tooth_deg: first?,
-        kind: kind?,
-        layer,
-        id,
-    };
+/// The drawing that `spec` names, of the gear's table `gear`.
+fn drawn(
+    gear: &Table,
+    spec: OutlineSpec,
+    problems: &mut Problems,
+) -> Option<(OutlineSpec, Path, DataFile)> {
+    let table = gear.below("outline");
+    let data = DataFile::of(&table)?;
     let ending = data
         .path()
         .extension()
@@ -265,32 +192,6 @@ fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, Da
         )
     });
     Some((spec, problems.keep(path)?, data))
-}
-
-fn stated_centre(table: &Table, problems: &mut Problems) -> Option<CentreSpec> {
-    let Some(entry) = table.optional("center_mm")? else {
-        return Some(CentreSpec::At([0.0; 2]));
-    };
-    let help = "give the centre of the gear in the drawing";
-    match entry.node() {
-        Node::List(_) => {
-            let list = entry.numbers(&COORDINATE, problems)?;
-            let [x, y] = list[..] else {
-                problems.add(Entry::problem(
-                    &entry,
-                    format!("has {} numbers, expected {CENTRE}", list.len()),
-                    help,
-                ));
-                return None;
-            };
-            Some(CentreSpec::At([x, y]))
-        }
-        Node::Text(_) => problems.keep(entry.choice(&CENTRES)).map(CentreSpec::Found),
-        _ => {
-            problems.add(entry.wrong_type(CENTRE, help));
-            None
-        }
-    }
 }
 
 /// The centre in the drawing, mm.

@@ -2,19 +2,16 @@
 
 use super::gear::{self, OutlinePart};
 use super::pair::{OutlinePairFile, outline_table};
+use crate::check::Checked;
 use crate::node::Node;
 use crate::pair_file::names;
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::sources::Sources;
-use crate::spec::EitherGearSpec;
-use crate::table::Table;
+use crate::spec::{EitherGearSpec, GEAR};
 use gearlash::analysis::study::Material;
 use gearlash::outline::OutlineGear;
 use std::path::Path;
-
-/// Keys of a gear file.
-pub(super) const KEYS: &[&str] = &["title", "gear"];
 
 /// Gears by their outline, for what needs no mate. Of a pair, a gear by its data is there too, with its exact curves.
 #[derive(Debug, Clone)]
@@ -49,9 +46,9 @@ pub(crate) fn read(
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) -> Option<OutlineGearsFile> {
-    let table = Table::new("", place, entries, KEYS, problems);
-    let (_, title) = names(&table, path, problems);
-    let OutlinePart { gear, remarks, .. } = gear::read(&table, "gear", problems)?;
+    let file = Checked::new(&GEAR, place, entries, problems);
+    let (_, title) = names(&file, path, problems);
+    let OutlinePart { gear, remarks, .. } = gear::read(&file, "gear", problems)?;
     Some(OutlineGearsFile {
         title: title?,
         gears: vec![OutlineGearEntry {

@@ -1,39 +1,22 @@
 //! A pair file with an outline: two gears, where they stand, and the study they make.
 
 use super::gear::{self, DrawingRead, OutlinePart};
-use crate::assembly::{self, AssemblyPart};
+use crate::assembly;
+use crate::check::Checked;
 use crate::gear::GearPart;
 use crate::node::Node;
 use crate::pair_file::names;
 use crate::place::Place;
 use crate::problems::Problems;
-use crate::require;
 use crate::sources::Sources;
 use crate::spec::{
-    AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec,
-    RequireSpec,
+    AssemblySpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec, PAIR, RequireSpec,
 };
 use crate::sweep::Sweep;
-use crate::table::Table;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::Error;
 use gearlash::outline::{OutlineGear, OutlinePair};
 use std::path::Path;
-
-/// Keys of a pair file with an outline.
-pub(super) const KEYS: &[&str] = &[
-    "title",
-    "wheel",
-    "pinion",
-    "assembly",
-    "sweep",
-    "accuracy",
-    "compare",
-    "measured",
-    "require",
-    "uncertainty",
-    "tolerance",
-];
 
 /// Tables that an outline has no use for, and why.
 const LEFT_OUT: [(&str, &str); 5] = [
@@ -112,8 +95,9 @@ pub(crate) fn read(
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) -> Option<OutlinePairFile> {
-    let table = Table::new("", place, entries, KEYS, problems);
-    let (stem, title) = names(&table, path, problems);
+    let file = Checked::new(&PAIR, place, entries, problems);
+    let table = file.table();
+    let (stem, title) = names(&file, path, problems);
     let mut left_out = Some(());
     for (name, why) in LEFT_OUT {
         if table.has(name) {
@@ -125,39 +109,39 @@ pub(crate) fn read(
             left_out = None;
         }
     }
-    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&table, name, problems));
+    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&file, name, problems));
     let teeth = [&wheel, &pinion].map(|part| part.as_ref().map(|part| part.gears[0].1.teeth()));
-    let assembly = table.table("assembly", assembly::KEYS, problems);
-    let assembly = assembly.map(|table| AssemblyPart::read(&table, true, problems));
-    let sweep = Sweep::read(&table, (teeth[0], teeth[1]), problems);
-    let require = required(&table, problems);
+    let assembly = assembly::read(&file, true, problems);
+    let sweep = Sweep::read(&file, (teeth[0], teeth[1]), problems);
+    let require = required(&file, problems);
     let (assembly, sweep, require) = (assembly?, sweep?, require?);
-    let (stated, locked) = (assembly.distances??, assembly.locked?);
-    let bearings: BearingClearanceSpec = assembly.bearings?;
-    if assembly.face_offset_mm?.is_some() {
-        problems.add(table.problem(
-            "assembly.face_offset_mm",
+    let locked = assembly.locked.member();
+    let refused = [
+        (
+            "face_offset_mm",
+            assembly.face_offset_mm.is_some(),
             "an outline is of a spur gear: its face makes no difference",
             "leave it out",
-        ));
-        return None;
-    }
-    if assembly.temperature_c?.is_some() {
-        problems.add(table.problem(
-            "assembly.temperature_c",
+        ),
+        (
+            "temperature_c",
+            assembly.temperature_c.is_some(),
             "an outline is taken as it was drawn, at one temperature",
             "scale drawings and centre distance by 1 + expansion × (temperature − 20)",
-        ));
-        return None;
+        ),
+    ];
+    for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
+        problems.add(table.problem(&format!("assembly.{key}"), *reason, *help));
+        left_out = None;
     }
     let (wheel, pinion, ()) = (wheel?, pinion?, left_out?);
-    let mut distances = stated.distances_mm();
+    let mut distances = assembly.center_distance_mm.distances_mm();
     distances.sort_by(f64::total_cmp);
     for &distance in &distances {
         let pair = OutlinePair::new(
             wheel.gears[0].1.clone(),
             pinion.gears[0].1.clone(),
-            distance - bearings.sum_mm(),
+            distance - assembly.bearing_clearance_mm.sum_mm(),
             locked,
         );
         if let Err(error) = pair {
@@ -171,7 +155,7 @@ pub(crate) fn read(
     }
     let gears = materials(&wheel, &pinion);
     let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep.plan);
-    study.bearing_clearance = bearings.sum_mm();
+    study.bearing_clearance = assembly.bearing_clearance_mm.sum_mm();
     study.requirements = require.map_or_else(Vec::new, |require| require.requirements());
     Some(OutlinePairFile {
         stem,
@@ -181,12 +165,8 @@ pub(crate) fn read(
             wheel: wheel.spec,
             pinion: pinion.spec,
             assembly: AssemblySpec {
-                center_distance_mm: stated,
-                locked: locked.into(),
-                bearing_clearance_mm: bearings,
-                face_offset_mm: None,
-                temperature_c: None,
                 housing_expansion_per_k: None,
+                ..assembly
             },
             sweep: sweep.spec,
             require,
@@ -199,8 +179,9 @@ pub(crate) fn read(
 }
 
 /// `[require]`, of what an outline has.
-fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>> {
-    let require = require::require(file, problems)?;
+fn required(file: &Checked, problems: &mut Problems) -> Option<Option<RequireSpec>> {
+    let require = file.read("require", problems)?;
+    let file = file.table();
     let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
     let given = given.iter().filter(|(key, _)| file.has(key));
     let refused = given.map(|(key, why)| {
@@ -213,8 +194,8 @@ fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>
     }
 }
 
-fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
-    if file.has(&format!("{name}.outline")) {
+fn part(file: &Checked, name: &str, problems: &mut Problems) -> Option<Part> {
+    if file.table().has(&format!("{name}.outline")) {
         let OutlinePart {
             gear,
             read,

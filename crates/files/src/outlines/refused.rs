@@ -1,11 +1,11 @@
 //! Outlines where gears by their data are needed.
 
-use super::{gears, pair};
+use crate::check::Checked;
 use crate::gear_file;
 use crate::node::Node;
 use crate::place::Place;
 use crate::problems::Problems;
-use crate::table::Table;
+use crate::spec::{GEAR, PAIR};
 use std::path::Path;
 
 /// Whether a gear of a pair or gear file is an outline.
@@ -27,12 +27,13 @@ pub(crate) fn refused(
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) {
-    let keys = if gear_file::is_one(entries) {
-        gears::KEYS
+    let schema = if gear_file::is_one(entries) {
+        &GEAR
     } else {
-        pair::KEYS
+        &PAIR
     };
-    let file = Table::new("", place, entries, keys, problems);
+    let file = Checked::new(schema, place, entries, problems);
+    let file = file.table();
     for name in ["wheel", "pinion", "gear"] {
         let key = format!("{name}.outline");
         if file.has(&key) {

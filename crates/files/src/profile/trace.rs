@@ -1,21 +1,14 @@
 //! `trace` of `[profile]`: measured profiles, as lists or from tables.
 
 use super::Measured;
-use crate::entry::Entry;
-use crate::limits::{FLANK_DIAMETER, PROFILE, ROLL_LENGTH};
 use crate::node::Node;
 use crate::numbers::ascii;
 use crate::problems::Problems;
-use crate::sheet::{self, Column, Coverage, Sheet, Wanted};
-use crate::spec::TraceSpec;
+use crate::sheet::{Column, Coverage, Sheet, Wanted};
+use crate::spec::{Either, TraceSpec};
 use crate::table::Table;
 use gearlash::gear::{BasicGearData, Flank};
 use std::collections::BTreeMap;
-
-const KEYS: &[&str] =
-    &sheet::keys_beside::<4, 10>(["tooth", "roll_length_mm", "diameter_mm", "deviation_um"]);
-/// How many traces may be listed: one a tooth of the largest gear.
-const MOST: usize = 10_000;
 
 /// Traces of the right flanks, and of the left ones.
 pub type FlankTraces = [Vec<TraceSpec>; 2];
@@ -23,41 +16,32 @@ pub type FlankTraces = [Vec<TraceSpec>; 2];
 /// A point of a trace: roll length, mm, and deviation, µm.
 type Point = (f64, f64);
 
-/// Reads the traces of a table of the `own` flank, or of both flanks.
+/// Reads the traces that are `stated` in a table of the `own` flank, or of both flanks.
 pub fn read(
     table: &Table,
+    stated: Option<Either<TraceSpec, Vec<TraceSpec>>>,
     own: Option<Flank>,
     gear: &Measured,
     problems: &mut Problems,
 ) -> Option<FlankTraces> {
     let mut traces = FlankTraces::default();
-    let Some(entry) = table.optional("trace")? else {
+    let (Some(entry), Some(stated)) = (table.get("trace"), stated) else {
         return Some(traces);
     };
-    let allowed = "a table of a trace, or a list of them";
-    let help = "write trace = { file = \"trace.csv\" }";
     let path = table.path_of("trace");
-    let nodes: Vec<(String, &Node)> = match entry.node() {
-        Node::Table(_) => vec![(path, entry.node())],
-        Node::List(list) if !list.is_empty() && list.len() <= MOST => (1..)
-            .zip(list)
-            .map(|(place, node)| (format!("{path}[{place}]"), node))
-            .collect(),
-        _ => {
-            problems.add(entry.wrong_type(allowed, help));
-            return None;
+    let each: Vec<(String, &Node, TraceSpec)> = match (entry, stated) {
+        (Node::List(list), Either::Other(specs)) => {
+            let nodes = (1..).zip(list).zip(specs);
+            let named = |((place, node), spec)| (format!("{path}[{place}]"), node, spec);
+            nodes.map(named).collect()
         }
+        (node, Either::One(spec)) => vec![(path, node, spec)],
+        _ => Vec::new(),
     };
     let mut good = Some(());
-    for (path, node) in &nodes {
-        let Node::Table(entries) = node else {
-            let entry = Entry::new(path.clone(), node);
-            problems.add(entry.wrong_type("a table of a trace", help));
-            good = None;
-            continue;
-        };
-        let below = Table::new(path, table.place(), entries, KEYS, problems);
-        match read_one(&below, own, gear, problems) {
+    for (path, node, spec) in each {
+        let below = Table::new(&path, table.place(), node.entries());
+        match read_one(&below, spec, own, gear, problems) {
             Some(found) => {
                 for (all, more) in traces.iter_mut().zip(found) {
                     all.extend(more);
@@ -95,7 +79,8 @@ pub fn read(
             ),
             _ => continue,
         };
-        problems.add(entry.problem(
+        problems.add(table.problem(
+            "trace",
             reason,
             "keep one trace a tooth, each with its tooth, or one for all",
         ));
@@ -107,26 +92,28 @@ pub fn read(
 
 fn read_one(
     table: &Table,
+    stated: TraceSpec,
     own: Option<Flank>,
     gear: &Measured,
     problems: &mut Problems,
 ) -> Option<FlankTraces> {
-    let tooth = match table.optional("tooth")? {
-        Some(entry) => {
-            let teeth = 1..=gear.teeth.unwrap_or(10_000);
-            let help = "give the number of the tooth that was measured";
-            problems.keep(entry.whole(teeth, help)).map(Some)
-        }
-        None => Some(None),
-    };
-    if table.has("file") {
-        let lists = ["roll_length_mm", "diameter_mm", "deviation_um"];
-        table.alone("file", &lists, "one of file and the lists", problems)?;
-        return of_file(table, tooth?, own, gear, problems);
+    let tooth = stated.tooth;
+    let beyond = gear
+        .teeth
+        .filter(|teeth| tooth.is_some_and(|tooth| tooth > *teeth));
+    if let Some(teeth) = beyond {
+        problems.add(table.problem(
+            "tooth",
+            format!("out of range, allowed is a whole number, 1 … {teeth}"),
+            "give the number of the tooth that was measured",
+        ));
+        return None;
     }
-    sheet::without_file(table, problems)?;
-    let points = of_lists(table, gear, problems)?;
-    let trace = spec(tooth?, &points);
+    if stated.table.is_some() {
+        return of_file(table, tooth, own, gear, problems);
+    }
+    let points = of_lists(table, stated, gear, problems)?;
+    let trace = spec(tooth, &points);
     Some(match own {
         None => [vec![trace.clone()], vec![trace]],
         Some(Flank::Right) => [vec![trace], Vec::new()],
@@ -143,28 +130,22 @@ fn spec(tooth: Option<u32>, points: &[Point]) -> TraceSpec {
     }
 }
 
-fn of_lists(table: &Table, gear: &Measured, problems: &mut Problems) -> Option<Vec<Point>> {
-    let (name, limits, by) = match (table.has("roll_length_mm"), table.has("diameter_mm")) {
-        (true, true) => {
-            problems.add(table.problem(
-                "diameter_mm",
-                "given together with roll_length_mm, allowed is one of them",
-                "remove one: they say the same",
-            ));
-            return None;
-        }
-        (false, true) => ("diameter_mm", &FLANK_DIAMETER, Column::Diameter),
-        _ => ("roll_length_mm", &ROLL_LENGTH, Column::RollLength),
+fn of_lists(
+    table: &Table,
+    stated: TraceSpec,
+    gear: &Measured,
+    problems: &mut Problems,
+) -> Option<Vec<Point>> {
+    let (name, by, at) = match (stated.roll_length_mm, stated.diameter_mm) {
+        (None, Some(diameters)) => ("diameter_mm", Column::Diameter, diameters),
+        (rolls, _) => (
+            "roll_length_mm",
+            Column::RollLength,
+            rolls.unwrap_or_default(),
+        ),
     };
-    let needed = "a list of roll lengths in mm, or `diameter_mm`, or `file`";
-    let entry = table.need(name, needed, problems);
-    let at = entry
-        .as_ref()
-        .and_then(|entry| entry.numbers(limits, problems));
-    let deviations = table.need("deviation_um", "a list of deviations in µm", problems);
-    let deviations = deviations.and_then(|entry| entry.numbers(&PROFILE, problems));
-    let (entry, at, deviations) = (entry?, at?, deviations?);
-    if at.len() != deviations.len() || at.len() < 2 {
+    let deviations = stated.deviation_um.unwrap_or_default();
+    if at.len() != deviations.len() {
         problems.add(table.problem(
             "deviation_um",
             format!(
@@ -188,7 +169,8 @@ fn of_lists(table: &Table, gear: &Measured, problems: &mut Problems) -> Option<V
             Err(fault) => Some(fault?),
         };
         if let Some((reason, help)) = fault {
-            problems.add(entry.problem(format!("value {place} of the list: {reason}"), help));
+            let reason = format!("value {place} of the list: {reason}");
+            problems.add(table.problem(name, reason, help));
             return None;
         }
     }

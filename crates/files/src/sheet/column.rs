@@ -1,10 +1,9 @@
 //! The columns that a table may have: names, units, limits, and the headings that fit.
 
 use super::heading::{Meaning, Quantity};
-use crate::entry::Limits;
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
-use std::ops::Bound::{Excluded, Included};
+use std::ops::Bound::{self, Excluded, Included};
 
 /// A column of values beside the tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,20 +42,25 @@ pub enum Column {
     PredictedMax,
 }
 
+/// Limits of a number.
+pub struct Limits {
+    /// The allowed range, in words: "a number of mm, 0 … 1e9".
+    pub allowed: &'static str,
+    /// The range.
+    pub range: (Bound<f64>, Bound<f64>),
+}
+
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     range: (Included(-1e7), Included(1e7)),
-    help: "correct the line",
 };
 const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     range: (Excluded(0.0), Included(1e9)),
-    help: "correct the line",
 };
 const ROLL_LENGTH: Limits = Limits {
     allowed: "a number of mm, 0 … 1e9",
     range: (Included(0.0), Included(1e9)),
-    help: "correct the line",
 };
 
 type Description = (

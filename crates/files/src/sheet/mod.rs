@@ -23,7 +23,7 @@ mod workbook;
 use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
-pub use choice::{Choice, KEYS, keys_beside, without_file};
+pub use choice::Choice;
 pub use column::Column;
 use gearlash::metrology::PitchKind;
 pub use grid::MOST_CELLS;
@@ -89,15 +89,9 @@ impl Sheet {
         wanted: &Wanted,
         problems: &mut Problems,
     ) -> Option<(DataFile, Sheet)> {
-        let example = if wanted.is_points() {
-            "trace.csv"
-        } else {
-            "pitch.csv"
-        };
-        let needed = format!("the name of a table, such as \"{example}\"");
-        let file = DataFile::of(table, &needed, problems)?;
+        let file = DataFile::of(table)?;
+        let choice = Choice::of(table);
         let sheet = problems.of_list_at(file.key(), |bad| {
-            let choice = Choice::read(table, bad)?;
             let bytes = bad.keep(file.bytes())?;
             let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice, bad)?;
             let request = Request {
@@ -258,7 +252,7 @@ impl Content {
             return None;
         }
         if workbook::is_one(file, &bytes) {
-            let grids = workbook::read(file, bytes, choice.sheet, problems)?;
+            let grids = workbook::read(file, bytes, choice.sheet.as_deref(), problems)?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
         let mut remove =

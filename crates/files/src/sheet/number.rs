@@ -4,6 +4,9 @@
 //! it: a comma between columns leaves the point, and German Excel writes `;` because its decimal sign is the comma. So may a number that
 //! cannot have thousands separators, such as `0,5`, `12.34` or a span of `19,230` mm. Where neither tells it, the number is a problem.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::column::Column;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
@@ -14,11 +17,14 @@ const MINUS: char = '\u{2212}';
 const MOST_MM: f64 = 10_000.0;
 
 /// A sign that may stand between whole and fraction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
 pub enum Decimal {
-    /// `1.5`
+    /// A point.
+    #[serde(rename = ".")]
     Point,
-    /// `1,5`
+    /// A comma.
+    #[serde(rename = ",")]
     Comma,
 }
 

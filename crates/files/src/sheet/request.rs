@@ -54,7 +54,7 @@ impl Wanted<'_> {
 #[derive(Debug, Clone, Copy)]
 pub struct Request<'a> {
     pub file: &'a DataFile,
-    pub choice: &'a Choice<'a>,
+    pub choice: &'a Choice,
     pub wanted: Wanted<'a>,
 }
 

@@ -8,7 +8,7 @@ use super::number::{self, Decimal, Placed, check_decimal_sign};
 use super::places::Places;
 use super::request::{Coverage, Request, Wanted};
 use crate::data_file::DataFile;
-use crate::entry::whole_in;
+use crate::limits::whole_in;
 use crate::problems::Problems;
 use gearlash::gear::{Flank, Side};
 use std::ops::RangeBounds;

@@ -1,46 +1,49 @@
 //! The pair put together, and what is run and compared.
 
-use super::rules::{at_most_one, beside, exactly_one, list_length, whole, within};
-use super::value::Either;
-use crate::limits::{
-    CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CHORD, CLEARANCE,
-    EXPANSION, FACE_OFFSET, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TEMPERATURE, TOLERANCE,
-    TOOTH,
+use super::rules::{
+    at_least, at_most_one, beside, deviation, exactly_one, length, list_length, whole, within,
 };
+use super::value::{Either, one_or_list};
 use crate::numbers::{rounded, shortest};
 use gearlash::error::GearError;
 use gearlash::pair::{DesignatedDistance, ISO_286_SOURCE, Member};
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
+/// "30 js7".
+pub(crate) const DISTANCE_FIELD: &str = r"^[0-9.]+ *(js|JS)([5-9]|10)$";
+/// Centre distances of one file: each is a run that holds both gears.
+pub(crate) const MOST_DISTANCES: usize = 10_000;
 /// Poses a pitch where none are stated.
 pub(crate) const DEFAULT_STEPS: u32 = 16;
 
 /// How the gears are put together.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
     /// Centre distance a, mm; with measured and no sweep its rows decide.
-    #[schemars(with = "Option<CenterDistanceSpec>")]
+    #[serde(default = "of_rows", alias = "centre_distance_mm")]
     pub center_distance_mm: CenterDistanceSpec,
     /// The gear that stands still, "wheel" or "pinion"; the other is turned.
-    #[schemars(default)]
+    #[serde(default)]
     pub locked: GearName,
     /// Radial play of each gear on its axis, mm.
-    #[schemars(with = "Option<Either<f64, BearingClearanceSpec>>", transform = within(&CLEARANCE))]
+    #[serde(default, deserialize_with = "both_or_each")]
+    #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
     /// Of helical gears: how far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer; none: 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&FACE_OFFSET))]
+    #[schemars(transform = within(-1e6, 1e6))]
     pub face_offset_mm: Option<f64>,
     /// Temperature of gears and housing, °C; all lengths are stated at 20 °C, but for the play of the bearings.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&TEMPERATURE))]
+    #[schemars(transform = within(-200.0, 400.0))]
     pub temperature_c: Option<f64>,
     /// Coefficient of thermal expansion of the housing, 1/K: 23e-6 of aluminium.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&EXPANSION))]
+    #[schemars(transform = within(0.0, 3e-4))]
     pub housing_expansion_per_k: Option<f64>,
 }
 
@@ -57,15 +60,20 @@ fn both_spellings(schema: &mut Schema) {
     at_most_one(schema, &[&[american], &[british]]);
 }
 
+/// None are stated.
+fn of_rows() -> CenterDistanceSpec {
+    CenterDistanceSpec::Distances(Vec::new())
+}
+
 /// The centre distances of a pair file.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 #[schemars(inline)]
 pub enum CenterDistanceSpec {
     /// One distance, or a list, mm.
     #[schemars(with = "Either<f64, Vec<f64>>")]
-    #[schemars(transform = within(&CENTER_DISTANCE), transform = list_length(1, Some(MOST_DISTANCES)))]
-    Distances(Vec<f64>),
+    #[schemars(transform = length(), transform = list_length(1, Some(MOST_DISTANCES)))]
+    Distances(#[serde(deserialize_with = "one_or_list")] Vec<f64>),
     /// Nominal distance and tolerance.
     #[schemars(description = "")] // that of the struct
     Band(DistanceBandSpec),
@@ -111,7 +119,7 @@ impl CenterDistanceSpec {
 #[serde(transparent)]
 #[schemars(inline)]
 pub struct DesignatedDistanceSpec {
-    #[schemars(regex(pattern = r"^[0-9.]+ *(js|JS)([5-9]|10)$"))]
+    #[schemars(regex(pattern = DISTANCE_FIELD))]
     text: String,
     /// What it means.
     #[serde(skip)]
@@ -147,24 +155,34 @@ impl DesignatedDistanceSpec {
     }
 }
 
+impl<'de> Deserialize<'de> for DesignatedDistanceSpec {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<DesignatedDistanceSpec, D::Error> {
+        let text = String::deserialize(from)?;
+        let stated = text
+            .parse()
+            .and_then(|stated| DesignatedDistanceSpec::new(&stated));
+        stated.map_err(D::Error::custom)
+    }
+}
+
 /// A nominal distance with tolerance_um, or with upper_um and lower_um: least, nominal and greatest are run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = band_keys)]
 pub struct DistanceBandSpec {
     /// Nominal centre distance, mm.
-    #[schemars(transform = within(&CENTER_DISTANCE))]
+    #[schemars(transform = length())]
     pub nominal_mm: f64,
     /// Symmetric tolerance, ± µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&CENTER_DISTANCE_TOLERANCE))]
+    #[schemars(transform = within(0.0, 1e7))]
     pub tolerance_um: Option<f64>,
     /// Upper deviation, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&CENTER_DISTANCE_DEVIATION))]
+    #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
     /// Lower deviation, µm, at most the upper one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&CENTER_DISTANCE_DEVIATION))]
+    #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
 }
 
@@ -192,13 +210,13 @@ impl DistanceBandSpec {
 }
 
 fn band_keys(schema: &mut Schema) {
-    exactly_one(schema, &[&["tolerance_um"], &["upper_um"]]);
+    exactly_one(schema, &[&["tolerance_um"], &["upper_um", "lower_um"]]);
     beside(schema, "upper_um", &[&["lower_um"]]);
     beside(schema, "lower_um", &[&["upper_um"]]);
 }
 
 /// One for each gear.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct BearingClearanceSpec {
     /// The wheel's, mm.
@@ -214,8 +232,18 @@ impl BearingClearanceSpec {
     }
 }
 
+fn both_or_each<'de, D: Deserializer<'de>>(from: D) -> Result<BearingClearanceSpec, D::Error> {
+    Ok(match Either::deserialize(from)? {
+        Either::One(both) => BearingClearanceSpec {
+            wheel: both,
+            pinion: both,
+        },
+        Either::Other(each) => each,
+    })
+}
+
 /// A gear of the pair.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum GearName {
@@ -226,33 +254,34 @@ pub enum GearName {
     Pinion,
 }
 
-impl From<Member> for GearName {
-    fn from(member: Member) -> GearName {
-        match member {
-            Member::Wheel => GearName::Wheel,
-            Member::Pinion => GearName::Pinion,
+impl GearName {
+    /// The gear that it names.
+    pub fn member(self) -> Member {
+        match self {
+            GearName::Wheel => Member::Wheel,
+            GearName::Pinion => Member::Pinion,
         }
     }
 }
 
 /// Measured backlash to set beside the simulation.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MeasuredSpec {
     /// CSV file beside the pair file.
     pub file: String,
 }
 
 /// Which poses: one of mating, revolutions and phases.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = sweep_keys)]
 pub struct SweepSpec {
     /// In place of revolutions wheel tooth and pinion tooth: a pose at right and one at left flank each.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(length(min = 1), transform = whole(TOOTH))]
+    #[schemars(length(min = 1), transform = whole(1, 10_000))]
     pub mating: Option<Vec<[u32; 2]>>,
     /// Pitches beyond each mating.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(length(min = 1), transform = within(&FRACTION))]
+    #[schemars(length(min = 1), transform = within(-1000.0, 1000.0))]
     pub fraction: Option<Vec<f64>>,
     /// How far the gears turn.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -262,16 +291,16 @@ pub struct SweepSpec {
     pub phases: Option<Phases>,
     /// Poses a pitch.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(STEPS_PER_PITCH))]
+    #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(1, 1000))]
     pub steps_per_pitch: Option<u32>,
     /// Wheel and pinion tooth that mate first.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = whole(TOOTH))]
+    #[schemars(transform = whole(1, 10_000))]
     pub start: Option<[u32; 2]>,
 }
 
 /// How far the gears turn.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum Revolutions {
@@ -282,7 +311,7 @@ pub enum Revolutions {
 }
 
 /// Which assembly phases are run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum Phases {
@@ -291,11 +320,11 @@ pub enum Phases {
 }
 
 /// Of the polygon method.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(default)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct AccuracySpec {
     /// Chordal error of the polygons, µm.
-    #[schemars(transform = within(&CHORD))]
+    #[schemars(transform = within(1e-5, 100.0))]
     pub chord_um: f64,
 }
 
@@ -306,11 +335,11 @@ impl Default for AccuracySpec {
 }
 
 /// Of gearlash compare.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(default)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct CompareSpec {
     /// Tolerance of j_wt, µm.
-    #[schemars(transform = within(&TOLERANCE))]
+    #[schemars(transform = at_least(0.0))]
     pub tolerance_um: f64,
     /// Whether contact off the line of action passes.
     pub allow_off_line_contact: bool,

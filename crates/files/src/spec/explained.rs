@@ -300,7 +300,7 @@ fn together(words: Vec<String>) -> Vec<String> {
 }
 
 /// A sentence as a part of a row of them.
-fn in_a_row(sentence: &str) -> String {
+pub(crate) fn in_a_row(sentence: &str) -> String {
     let sentence = sentence.trim_end_matches('.');
     let word = sentence.split([' ', ':', ',']).next().unwrap_or_default();
     let plain = word == "A" || word.len() > 1 && word.chars().skip(1).all(char::is_lowercase);

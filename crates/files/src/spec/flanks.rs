@@ -1,21 +1,24 @@
 //! Where the flanks stand: runout and pitch.
 
-use super::rules::{beside, columns, exactly_one, not_beside, values_need, within, without};
+use super::rules::{
+    at_least, beside, columns, deviation, exactly_one, length, no_default, not_beside, values_need,
+    without,
+};
 use super::value::TableFileSpec;
-use crate::limits::{BALL, HIGH_TOOTH, PITCH, RUNOUT};
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Radial runout.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = runout_keys, transform = columns("tooth, runout (µm); their first harmonic is taken"))]
 pub struct RunoutSpec {
     /// Runout F_r, µm: twice the eccentricity.
-    #[schemars(with = "Option<f64>", transform = within(&RUNOUT))]
+    #[serde(default)]
+    #[schemars(transform = at_least(0.0))]
     pub total_um: f64,
     /// Tooth that stands farthest out, towards which all are displaced; fractions allowed. Without it the verdict is over every direction.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&HIGH_TOOTH))]
+    #[schemars(transform = at_least(1.0))]
     pub high_tooth: Option<f64>,
     /// Readings all round from a table.
     #[serde(flatten)]
@@ -25,12 +28,12 @@ pub struct RunoutSpec {
     pub at: Option<ReadingPlace>,
     /// Diameter of the ball that was read with, mm; without it one that touches at the reference circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&BALL))]
+    #[schemars(transform = length())]
     pub ball_mm: Option<f64>,
 }
 
 /// Where a runout reading belongs.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum ReadingPlace {
@@ -41,25 +44,25 @@ pub enum ReadingPlace {
 }
 
 /// Pitch deviation of both flanks, one value a tooth.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = pitch_keys, transform = columns("tooth, left, right (µm)"))]
 pub struct PitchSpec {
     /// What the values are.
-    #[schemars(with = "Option<PitchKind>")]
+    #[serde(default)]
     pub kind: PitchKind,
     /// "own": the values are free of eccentricity; "datum": measured about the datum axis (the bore), they contain it.
-    #[schemars(default)]
+    #[serde(default)]
     pub axis: PitchAxis,
     /// What + means: along ascending numbers, or more material.
-    #[schemars(default)]
+    #[serde(default)]
     pub sense: PitchSense,
     /// Right flanks, µm, tooth 1 first.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&PITCH))]
+    #[schemars(transform = deviation())]
     pub right_um: Option<Vec<f64>>,
     /// Left flanks, µm, tooth 1 first.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&PITCH))]
+    #[schemars(transform = deviation())]
     pub left_um: Option<Vec<f64>>,
     /// Column of the left flanks in the table, by heading or letter, where it is not found.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -76,11 +79,12 @@ pub struct PitchSpec {
 }
 
 /// What a pitch value counts from.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum PitchKind {
     /// F_p, from the first tooth, or any one place.
+    #[default]
     Cumulative,
     /// f_p, from the tooth before.
     Single,
@@ -97,7 +101,7 @@ impl PitchKind {
 }
 
 /// About which axis pitch was measured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum PitchAxis {
@@ -119,7 +123,7 @@ impl PitchAxis {
 }
 
 /// What a positive pitch value means.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum PitchSense {
@@ -131,7 +135,7 @@ pub enum PitchSense {
 }
 
 /// Which eccentricity counts where pitch and runout both state one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum EccentricitySource {
@@ -143,13 +147,15 @@ pub enum EccentricitySource {
 
 fn runout_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["total_um"], &["file"]]);
-    beside(schema, "high_tooth", &[&["total_um"]]);
+    no_default(schema, "total_um");
+    not_beside(schema, "high_tooth", &["file"]);
     beside(schema, "file", &[&["at"]]);
     beside(schema, "at", &[&["file"]]);
     beside(schema, "ball_mm", &[&["file"]]);
 }
 
 fn pitch_keys(schema: &mut Schema) {
+    no_default(schema, "kind");
     values_need(schema, "right_um", "left_um", "kind");
     values_need(schema, "left_um", "right_um", "kind");
     beside(schema, "file", &[&["kind"]]);

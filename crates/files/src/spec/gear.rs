@@ -2,69 +2,68 @@
 
 use super::flanks::{PitchSpec, RunoutSpec};
 use super::profile::ProfileSpec;
-use super::rules::{at_most_one, whole, within};
+use super::rules::{above_zero, at_least, at_most_one, length, no_default, whole, within};
 use super::thickness::ThicknessSpec;
-use crate::limits::{
-    EXPANSION, FACE_WIDTH, HELIX_ANGLE, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH,
-    ROOT_RADIUS, TEETH, TIP_DIAMETER,
-};
 use gearlash::gear::{BasicRack, Face, GRADES, Hand};
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A gear: its drawing, and what was measured on it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = face_width)]
 pub struct GearSpec {
     /// Number of teeth z.
-    #[schemars(transform = whole(TEETH))]
+    #[schemars(transform = whole(3, 10_000))]
     pub teeth: u32,
     /// Module m, mm: the normal module m_n of a helical gear.
-    #[schemars(transform = within(&MODULE))]
+    #[schemars(transform = within(0.01, 1000.0))]
     pub module_mm: f64,
     /// Pressure angle α, degrees: α_n in the normal section of a helical gear.
-    #[schemars(transform = within(&PRESSURE_ANGLE))]
+    #[schemars(transform = within(5.0, 45.0))]
     pub pressure_angle_deg: f64,
     /// Helix angle β at the reference circle, degrees; none: 0, a spur gear.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&HELIX_ANGLE))]
+    #[schemars(transform = within(0.0, 60.0))]
     pub helix_angle_deg: Option<f64>,
     /// Which way helical teeth wind, "left" or "right"; the mate's wind the other way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hand: Option<HandName>,
     /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(-1e6, 1e6))]
     pub face_mm: Option<[f64; 2]>,
     /// Face width, mm, centred on the measuring plane: in place of face_mm.
     // What is read is echoed as face_mm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&FACE_WIDTH))]
+    #[schemars(transform = length())]
     pub face_width_mm: Option<f64>,
     /// Profile shift coefficient x.
-    #[schemars(default, transform = within(&PROFILE_SHIFT))]
+    #[serde(default)]
+    #[schemars(transform = within(-100.0, 100.0))]
     pub profile_shift: f64,
     /// Required accuracy grade, ISO 1328-1; the report sets it beside the one achieved.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = whole(GRADES))]
+    #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
     /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Of gears face to face one is front, the other back: consecutive numbers mate.
-    #[schemars(default)]
+    #[serde(default)]
     pub reference_face: FaceName,
     /// Tip diameter d_a, mm; default from addendum and profile shift.
-    #[schemars(with = "Option<f64>", transform = within(&TIP_DIAMETER))]
+    #[serde(default)]
+    #[schemars(transform = length())]
     pub tip_diameter_mm: f64,
     /// Coefficient of thermal expansion, 1/K: 11.5e-6 of steel; with assembly.temperature_c.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&EXPANSION))]
+    #[schemars(transform = within(0.0, 3e-4))]
     pub expansion_per_k: Option<f64>,
     /// Basic rack, in modules; default: ISO 53, profile A.
-    #[schemars(with = "Option<RackSpec>")]
+    #[serde(default)]
     pub rack: RackSpec,
     /// Mean tooth thickness: one statement; none: nominal. Least and greatest in place of one value make two runs, at least and at most material.
-    #[schemars(with = "Option<ThicknessSpec>")]
+    #[serde(default)]
     pub thickness: ThicknessSpec,
     /// Radial runout; none: 0.
-    #[schemars(with = "Option<RunoutSpec>")]
+    #[serde(default)]
     pub runout: RunoutSpec,
     /// Pitch deviation of both flanks at the reference circle, one value a tooth.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -96,13 +95,14 @@ impl GearSpec {
     }
 }
 
-/// The width in one of both ways.
+/// The width in one of both ways; a tip diameter of 0 stands for none.
 fn face_width(schema: &mut Schema) {
     at_most_one(schema, &[&["face_mm"], &["face_width_mm"]]);
+    no_default(schema, "tip_diameter_mm");
 }
 
 /// Which way helical teeth wind.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum HandName {
@@ -122,6 +122,15 @@ impl HandName {
     }
 }
 
+impl From<HandName> for Hand {
+    fn from(name: HandName) -> Hand {
+        match name {
+            HandName::Left => Hand::Left,
+            HandName::Right => Hand::Right,
+        }
+    }
+}
+
 impl From<Hand> for HandName {
     fn from(hand: Hand) -> HandName {
         match hand {
@@ -132,7 +141,7 @@ impl From<Hand> for HandName {
 }
 
 /// A face of a gear.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum FaceName {
@@ -153,6 +162,15 @@ impl FaceName {
     }
 }
 
+impl From<FaceName> for Face {
+    fn from(name: FaceName) -> Face {
+        match name {
+            FaceName::Front => Face::Front,
+            FaceName::Back => Face::Back,
+        }
+    }
+}
+
 impl From<Face> for FaceName {
     fn from(face: Face) -> FaceName {
         match face {
@@ -163,17 +181,17 @@ impl From<Face> for FaceName {
 }
 
 /// Basic rack, in modules.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(default)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct RackSpec {
     /// Addendum h_aP*.
-    #[schemars(transform = within(&RACK_DEPTH))]
+    #[schemars(transform = above_zero(10.0))]
     pub addendum: f64,
     /// Dedendum h_fP*.
-    #[schemars(transform = within(&RACK_DEPTH))]
+    #[schemars(transform = above_zero(10.0))]
     pub dedendum: f64,
     /// Root radius ρ_fP*, the tool's tip round.
-    #[schemars(transform = within(&ROOT_RADIUS))]
+    #[schemars(transform = at_least(0.0))]
     pub root_radius: f64,
 }
 

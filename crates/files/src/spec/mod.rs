@@ -1,8 +1,8 @@
-//! What a pair file and a gear file say, as plain structs: units in names, keys as in the files.
+//! Pair files and gear files as plain structs: units in names, keys as in the files.
 //!
-//! Written as JSON or TOML they are such files; of them the schema is made ([`crate::pair_schema`]), these comments being its
-//! descriptions. Reading does not derive from them: a reader that collects every problem with its place fills them in, each
-//! part as it was understood. A key that is an `Option` is left out where nothing is said; one that is none has a default.
+//! The schema follows from them ([`crate::pair_schema`]), their comments are its descriptions. It checks a file ([`crate::check`]);
+//! then serde reads these structs. Written as JSON or TOML they are such files: the echo in results. A key that is an `Option`
+//! is left out where nothing is said; another has a default, or must be there.
 
 mod assembly;
 mod explained;
@@ -19,13 +19,15 @@ mod tolerance;
 mod uncertainty;
 mod value;
 
-pub(crate) use assembly::DEFAULT_STEPS;
+pub use crate::sheet::number::Decimal as DecimalSign;
 pub use assembly::{
     AccuracySpec, AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, CompareSpec,
     DesignatedDistanceSpec, DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions,
     SweepSpec,
 };
+pub(crate) use assembly::{DEFAULT_STEPS, MOST_DISTANCES};
 pub use explained::explained;
+pub(crate) use explained::in_a_row;
 pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
 };
@@ -34,14 +36,36 @@ pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKi
 pub use pair::{EitherGearSpec, GearFileSpec, OutlinePairSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
+pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{
     BodyName, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
-pub(crate) use tolerance::{DEFAULT_ASSEMBLIES, DEFAULT_IMPOSSIBLE, DEFAULT_ROWS};
 pub use tolerance::{
     GearToleranceSpec, PhaseName, PitchScatterSpec, ScatterName, ScatterSpec, ToleranceSpec,
 };
 pub use uncertainty::UncertaintySpec;
-pub use value::{AllowanceBandSpec, BandSpec, DecimalSign, Either, TableFileSpec};
+pub use value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
+
+use gearlash::error::GearError;
+use gearlash::gear::ThicknessField;
+use serde_json::Value;
+
+/// The fault of a designation, which `schema` describes by its pattern.
+pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
+    let fault: GearError = match schema["pattern"].as_str()? {
+        assembly::DISTANCE_FIELD => {
+            let stated = text
+                .parse()
+                .and_then(|stated| DesignatedDistanceSpec::new(&stated));
+            stated.err()?
+        }
+        _ => text.parse::<ThicknessField>().err()?,
+    };
+    Some(match fault {
+        GearError::DistanceField => "no distance with a tolerance field of ISO 286 that is known, js5 … js10, such as \"30 js7\"".to_owned(),
+        GearError::ThicknessField => format!("{fault}, allowed is 21 … 30 and a, ab, b, bc, c, cd, d, e, f, g or h, such as \"25cd\""),
+        other => other.to_string(),
+    })
+}

@@ -3,26 +3,25 @@
 use super::rules::{whole, within};
 use super::value::Either;
 use super::{FaceName, RunoutSpec};
-use crate::drawing::Unit;
-use crate::limits::{FIRST_TOOTH, JOIN, TEETH};
+use crate::drawing::{JOIN_MM, Unit};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OutlineGearSpec {
     /// The gear as drawn, in place of all its data but reference_face and runout.
     pub outline: OutlineSpec,
     /// Which face the picture shows; the drawing shows the reference face, on which teeth are numbered clockwise.
-    #[schemars(default)]
+    #[serde(default)]
     pub reference_face: FaceName,
     /// Radial runout; none: 0.
-    #[schemars(with = "Option<RunoutSpec>")]
+    #[serde(default)]
     pub runout: RunoutSpec,
 }
 
 /// A drawing of a gear: DXF, SVG, or a list of points.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OutlineSpec {
     /// A .dxf, .svg, .csv or .txt file (the last two: points x, y in order) beside the pair file.
     pub file: String,
@@ -30,11 +29,12 @@ pub struct OutlineSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub units: Option<Unit>,
     /// The axis in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
-    #[schemars(with = "Option<Either<[f64; 2], CentreName>>")]
+    #[serde(default)]
+    #[schemars(with = "Either<[f64; 2], CentreName>", transform = within(-1e6, 1e6))]
     pub center_mm: CentreSpec,
     /// Teeth there should be; none: as many as are found.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = whole(TEETH))]
+    #[schemars(transform = whole(3, 10_000))]
     pub teeth: Option<u32>,
     /// The layer of a DXF to read; none: all.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -43,19 +43,20 @@ pub struct OutlineSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
     /// Ends of lines nearer than this are one point, mm.
-    #[schemars(with = "Option<f64>", transform = within(&JOIN))]
+    #[serde(default = "join_mm")]
+    #[schemars(transform = within(0.0, 10.0))]
     pub join_mm: f64,
     /// Direction of tooth 1 in the drawing, degrees counter-clockwise from +x; none: the first at or clockwise of +y.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&FIRST_TOOTH))]
+    #[schemars(transform = within(-360.0, 360.0))]
     pub first_tooth_deg: Option<f64>,
     /// Of a list of points: "polygon", or "smooth", a cubic spline through them.
-    #[schemars(default)]
+    #[serde(default)]
     pub kind: PointsKind,
 }
 
 /// Where the centre is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum CentreSpec {
     /// In the drawing, mm.
@@ -64,8 +65,18 @@ pub enum CentreSpec {
     Found(CentreName),
 }
 
+impl Default for CentreSpec {
+    fn default() -> CentreSpec {
+        CentreSpec::At([0.0; 2])
+    }
+}
+
+fn join_mm() -> f64 {
+    JOIN_MM
+}
+
 /// What the centre is found by.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum CentreName {
@@ -76,7 +87,7 @@ pub enum CentreName {
 }
 
 /// What stands between the points of a list.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum PointsKind {

@@ -59,6 +59,15 @@ pub struct GearFileSpec {
     pub gear: GearSpec,
 }
 
+/// Two drawings of one gear.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct TwoDrawingsSpec {
+    /// The one that the other is compared with.
+    pub a: OutlineGearSpec,
+    /// The other.
+    pub b: OutlineGearSpec,
+}
+
 /// Two gears of which one at least is an outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OutlinePairSpec {

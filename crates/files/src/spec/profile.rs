@@ -1,13 +1,14 @@
 //! How the flanks deviate from the involute.
 
-use super::rules::{beside, columns, exactly_one, list_length, not_beside, whole, within};
+use super::rules::{
+    beside, columns, deviation, exactly_one, length, list_length, not_beside, whole, within,
+};
 use super::value::{Either, TableFileSpec};
-use crate::limits::{FLANK_DIAMETER, PROFILE, RELIEF, ROLL_LENGTH, TOOTH};
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Profile deviations, µm, plus = more material: of both flanks, or of each in a table of its own.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ProfileSpec {
     /// Of both flanks.
     #[serde(flatten)]
@@ -21,15 +22,15 @@ pub struct ProfileSpec {
 }
 
 /// Profile deviations of a flank, µm, plus = more material; they add.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FlankProfileSpec {
     /// Profile slope f_Hα, µm: 0 at the start of the evaluation range, this much at its end.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&PROFILE))]
+    #[schemars(transform = deviation())]
     pub slope_um: Option<f64>,
     /// Profile crowning C_α, µm: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends; negative: hollow.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&PROFILE))]
+    #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the tip.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -39,7 +40,7 @@ pub struct FlankProfileSpec {
     pub root_relief: Option<ReliefSpec>,
     /// Evaluation range, diameters, mm; default: root form circle to tip circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&FLANK_DIAMETER), transform = list_length(2, Some(2)))]
+    #[schemars(transform = length(), transform = list_length(2, Some(2)))]
     pub range_mm: Option<Vec<f64>>,
     /// Measured profiles: one, or a list; teeth without one take the mean.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,21 +48,21 @@ pub struct FlankProfileSpec {
 }
 
 /// Material taken off a flank.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefSpec {
     /// Taken off at the tip circle, or at the root form circle, µm.
-    #[schemars(transform = within(&RELIEF))]
+    #[schemars(transform = within(0.0, 1e7))]
     pub um: f64,
     /// Diameter at which it begins, mm.
-    #[schemars(transform = within(&FLANK_DIAMETER))]
+    #[schemars(transform = length())]
     pub from_diameter_mm: f64,
     /// How it grows with the roll: "linear", with an edge where it begins, or "parabolic", without.
-    #[schemars(default)]
+    #[serde(default)]
     pub shape: ReliefShape,
 }
 
 /// How a relief grows with the roll.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum ReliefShape {
@@ -73,7 +74,7 @@ pub enum ReliefShape {
 }
 
 /// A measured profile: where, and the deviation there; beyond its ends it stays as it is there.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(
     transform = trace_keys,
     transform = columns("roll_length_mm or diameter_mm, deviation_um; tooth, flank where needed")
@@ -81,19 +82,19 @@ pub enum ReliefShape {
 pub struct TraceSpec {
     /// The tooth it was measured on; none: it stands for all.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = whole(TOOTH))]
+    #[schemars(transform = whole(1, 10_000))]
     pub tooth: Option<u32>,
     /// Roll lengths r_b ξ from the base circle on, mm, ascending.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&ROLL_LENGTH), transform = list_length(2, None))]
+    #[schemars(transform = within(0.0, 1e9), transform = list_length(2, None))]
     pub roll_length_mm: Option<Vec<f64>>,
     /// The same as diameters, mm, ascending.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&FLANK_DIAMETER), transform = list_length(2, None))]
+    #[schemars(transform = length(), transform = list_length(2, None))]
     pub diameter_mm: Option<Vec<f64>>,
     /// Deviation at each, µm, plus = more material.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&PROFILE), transform = list_length(2, None))]
+    #[schemars(transform = deviation(), transform = list_length(2, None))]
     pub deviation_um: Option<Vec<f64>>,
     /// Traces from a table.
     #[serde(flatten)]

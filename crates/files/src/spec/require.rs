@@ -2,41 +2,41 @@
 
 use super::assembly::GearName;
 use super::rules::within;
-use crate::limits::{REQUIRED_ARCMIN, REQUIRED_MM, REQUIRED_UM};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What the pair must keep over its whole mesh cycle, at every centre distance and material; exit code 1 when it does not.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(extend("minProperties" = 1))]
 pub struct RequireSpec {
     /// Circumferential backlash on the operating pitch circle, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&REQUIRED_UM))]
+    #[schemars(transform = within(-1e6, 1e6))]
     pub j_wt_um: Option<LimitsSpec>,
     /// Normal backlash, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&REQUIRED_UM))]
+    #[schemars(transform = within(-1e6, 1e6))]
     pub j_bn_um: Option<LimitsSpec>,
     /// Circumferential backlash on the reference circle of the gear that turns, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&REQUIRED_UM))]
+    #[schemars(transform = within(-1e6, 1e6))]
     pub j_t_um: Option<LimitsSpec>,
     /// Radial backlash, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&REQUIRED_UM))]
+    #[schemars(transform = within(-1e6, 1e6))]
     pub j_r_um: Option<LimitsSpec>,
     /// Lost motion of a gear, minutes of arc.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&REQUIRED_ARCMIN))]
+    #[schemars(transform = within(-10_800.0, 10_800.0))]
     pub lost_motion_arcmin: Option<AngleLimitsSpec>,
     /// Radial clearance of the tips of either gear, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&REQUIRED_MM))]
+    #[schemars(transform = within(-1000.0, 1000.0))]
     pub radial_clearance_mm: Option<LimitsSpec>,
 }
 
 /// Least and greatest allowed: either or both.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, extend("minProperties" = 1))]
 pub struct LimitsSpec {
     /// No less than this.
@@ -48,7 +48,7 @@ pub struct LimitsSpec {
 }
 
 /// Least and greatest allowed at one of the gears.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, extend("minProperties" = 2))]
 pub struct AngleLimitsSpec {
     /// No less than this.

@@ -1,45 +1,65 @@
-//! What a schema says of numbers, of lists, and of keys that go together: more than a type can.
+//! Rules of a schema for numbers, lists and keys that go together: more than a type can say.
 //!
-//! What is said of values, each spec names in its `schemars` attributes; what is said of its keys, a function of it.
+//! Rules for values are attributes of the fields; rules for keys are functions.
 
-use crate::entry::Limits;
 use schemars::Schema;
 use schemars::transform::{RecursiveTransform, Transform};
-use serde_json::{Map, Value, json};
-use std::ops::Bound::{self, Excluded, Included, Unbounded};
-use std::ops::RangeInclusive;
+use serde_json::{Value, json};
 
-type Object = Map<String, Value>;
-
-/// Every number of the value, in lists and alternatives too, is within `limits`.
-pub fn within(limits: &'static Limits) -> impl Fn(&mut Schema) {
-    let least = bound(limits.range.0, ["minimum", "exclusiveMinimum"]);
-    let most = bound(limits.range.1, ["maximum", "exclusiveMaximum"]);
-    let bounds: Object = least.into_iter().chain(most).collect();
-    move |schema| of_type(schema, "number", &bounds)
+/// Every number of the value, in lists and alternatives too, is `least` … `most`.
+pub fn within(least: f64, most: f64) -> impl Fn(&mut Schema) {
+    bounds(
+        "number",
+        json!({ "minimum": number(least), "maximum": number(most) }),
+    )
 }
 
-/// Every whole number of the value is in `range`.
-pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&mut Schema) {
-    let least = ("minimum".to_owned(), json!(range.start()));
-    let bounds = Object::from_iter([least, ("maximum".to_owned(), json!(range.end()))]);
-    move |schema| of_type(schema, "integer", &bounds)
+/// Every number is `least` or more.
+pub fn at_least(least: f64) -> impl Fn(&mut Schema) {
+    bounds("number", json!({ "minimum": number(least) }))
 }
 
-/// A list has at least, and at most, so many elements.
+/// Every number is above 0 and at most `most`.
+pub fn above_zero(most: f64) -> impl Fn(&mut Schema) {
+    bounds(
+        "number",
+        json!({ "exclusiveMinimum": 0, "maximum": number(most) }),
+    )
+}
+
+/// A length, mm: twenty times the largest pair there can be. Beyond, squares of lengths would lose the gears.
+pub fn length() -> impl Fn(&mut Schema) {
+    above_zero(1e9)
+}
+
+/// A deviation of a length, µm.
+pub fn deviation() -> impl Fn(&mut Schema) {
+    within(-1e7, 1e7)
+}
+
+/// Every whole number of the value is `least` … `most`.
+pub fn whole(least: u32, most: u32) -> impl Fn(&mut Schema) {
+    bounds("integer", json!({ "minimum": least, "maximum": most }))
+}
+
+/// A list has at least `least` and at most `most` elements.
 pub fn list_length(least: usize, most: Option<usize>) -> impl Fn(&mut Schema) {
-    let mut lengths = Object::from_iter([("minItems".to_owned(), json!(least))]);
-    lengths.extend(most.map(|most| ("maxItems".to_owned(), json!(most))));
-    move |schema| of_type(schema, "array", &lengths)
+    bounds(
+        "array",
+        match most {
+            Some(most) => json!({ "minItems": least, "maxItems": most }),
+            None => json!({ "minItems": least }),
+        },
+    )
 }
 
-/// Of the groups of keys, one stands there.
+/// Exactly one of the groups of keys is given.
 pub fn exactly_one(schema: &mut Schema, groups: &[&[&str]]) {
     let groups: Vec<Value> = groups.iter().map(|keys| required(keys)).collect();
     schema.insert("oneOf".to_owned(), json!(groups));
 }
 
-/// Of the groups of keys, no two stand there.
+/// At most one of the groups of keys is given.
 pub fn at_most_one(schema: &mut Schema, groups: &[&[&str]]) {
     let mut pairs = Vec::new();
     for (index, one) in groups.iter().enumerate() {
@@ -71,12 +91,21 @@ pub fn not_beside(schema: &mut Schema, key: &str, others: &[&str]) {
     depend(schema, key, json!({ "not": others }));
 }
 
-/// `key` does not stand at all.
+/// `key` is not allowed.
 pub fn without(schema: &mut Schema, key: &str) {
     for place in ["properties", "dependencies"] {
         if let Some(Value::Object(keys)) = schema.get_mut(place) {
             keys.shift_remove(key);
         }
+    }
+}
+
+/// The default of `key` is not what its absence means.
+pub fn no_default(schema: &mut Schema, key: &str) {
+    if let Some(Value::Object(keys)) = schema.get_mut("properties")
+        && let Some(Value::Object(own)) = keys.get_mut(key)
+    {
+        own.shift_remove("default");
     }
 }
 
@@ -142,27 +171,26 @@ fn also(schema: &mut Schema, rule: Value) {
     }
 }
 
-fn bound(bound: Bound<f64>, [included, excluded]: [&str; 2]) -> Option<(String, Value)> {
-    let number = |number: f64| match number.fract() == 0.0 {
+/// Whole numbers without a point.
+fn number(number: f64) -> Value {
+    if number.fract() == 0.0 {
         // Every whole limit is below 2^53.
-        true => json!(number as i64),
-        false => json!(number),
-    };
-    match bound {
-        Included(at) => Some((included.to_owned(), number(at))),
-        Excluded(at) => Some((excluded.to_owned(), number(at))),
-        Unbounded => None,
+        json!(number as i64)
+    } else {
+        json!(number)
     }
 }
 
 /// Adds `more` to the schema and all below it that are of type `name`.
-fn of_type(schema: &mut Schema, name: &str, more: &Object) {
-    let add = |schema: &mut Schema| {
-        if is_type(schema, name) {
-            schema.ensure_object().extend(more.clone());
-        }
-    };
-    RecursiveTransform(add).transform(schema);
+fn bounds(name: &'static str, more: Value) -> impl Fn(&mut Schema) {
+    move |schema| {
+        let add = |schema: &mut Schema| {
+            if let (true, Value::Object(more)) = (is_type(schema, name), &more) {
+                schema.ensure_object().extend(more.clone());
+            }
+        };
+        RecursiveTransform(add).transform(schema);
+    }
 }
 
 /// Whether a value of type `name` is allowed; a key that may be left out allows `null` beside it until the schema is done.

@@ -1,34 +1,46 @@
 //! The JSON Schema of the files: what an editor needs to complete and check them.
 
+use super::pair::TwoDrawingsSpec;
 use super::rules::is_type;
+use super::value::AnyTableSpec;
 use super::{GearFileSpec, PairSpec};
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value};
+use std::sync::LazyLock;
+
+/// The schema of pair files.
+pub(crate) static PAIR: LazyLock<Value> = LazyLock::new(ordered::<PairSpec>);
+/// The schema of two drawings of one gear.
+pub(crate) static DRAWINGS: LazyLock<Value> = LazyLock::new(ordered::<TwoDrawingsSpec>);
+/// The schema of a table by itself.
+pub(crate) static TABLE: LazyLock<Value> = LazyLock::new(ordered::<AnyTableSpec>);
+/// The schema of gear files.
+pub(crate) static GEAR: LazyLock<Value> = LazyLock::new(ordered::<GearFileSpec>);
 
 /// The JSON Schema (draft 07) of pair files, as text: every key, its type and range, and which go together.
 ///
 /// [`read`](crate::read) checks more than it can say.
 pub fn pair_schema() -> String {
-    text::<PairSpec>()
+    format!("{:#}\n", *PAIR)
 }
 
-/// The same of gear files, `title` and one `[gear]`.
+/// The JSON Schema of gear files, `title` and one `[gear]`.
 pub fn gear_schema() -> String {
-    text::<GearFileSpec>()
+    format!("{:#}\n", *GEAR)
 }
 
-fn text<T: JsonSchema>() -> String {
+fn ordered<T: JsonSchema>() -> Value {
     let mut settings = SchemaSettings::draft07();
     // Before `$ref` gets a place of its own, which draft 07 needs.
-    let own: [fn(&mut Schema); 3] = [without_null, without_format, closed];
+    let own: [fn(&mut Schema); 4] = [without_null, without_format, without_default, closed];
     for (place, transform) in own.into_iter().enumerate() {
         let everywhere = Box::new(RecursiveTransform(transform));
         settings.transforms.insert(place, everywhere);
     }
     let mut schema = settings.into_generator().into_root_schema_for::<T>();
-    // What it is comes first for a reader.
+    // The description comes first for a reader.
     let mut ordered = Map::new();
     for key in ["$schema", "title", "description"] {
         ordered.extend(schema.ensure_object().shift_remove_entry(key));
@@ -36,7 +48,7 @@ fn text<T: JsonSchema>() -> String {
     let definitions = schema.ensure_object().shift_remove_entry("definitions");
     ordered.append(schema.ensure_object());
     ordered.extend(definitions);
-    format!("{:#}\n", Value::Object(ordered))
+    Value::Object(ordered)
 }
 
 /// A key that may be left out is left out: no value is `null`.
@@ -70,6 +82,13 @@ fn without_null(schema: &mut Schema) {
 fn without_format(schema: &mut Schema) {
     if let Some(object) = schema.as_object_mut() {
         object.shift_remove("format");
+    }
+}
+
+/// A default of several values is in the words of the key.
+fn without_default(schema: &mut Schema) {
+    if let Some(Value::Object(_) | Value::Array(_) | Value::Null) = schema.get("default") {
+        schema.remove("default");
     }
 }
 

@@ -1,11 +1,13 @@
 //! How thick the teeth are.
 
-use super::rules::{at_most_one, beside, beside_list, columns, exactly_one, list_length, within};
+use super::rules::{
+    at_least, at_most_one, beside, beside_list, columns, deviation, exactly_one, length,
+    list_length, within,
+};
 use super::value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
-use crate::limits::{ALLOWANCE, CROSS_CHECK, FLANK_OFFSET, LENGTH, PER_TOOTH};
-use gearlash::gear::MeasuringBody;
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// The statements, each a key.
 const STATEMENTS: [&[&str]; 6] = [
@@ -21,16 +23,20 @@ const STATEMENTS: [&[&str]; 6] = [
 pub(crate) const CROSS_CHECK_UM: f64 = gearlash::metrology::CrossCheck::TOLERANCE_UM;
 
 /// Mean tooth thickness: one statement; none: nominal.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = thickness_keys)]
 pub struct ThicknessSpec {
     /// The statement that counts.
     #[serde(flatten)]
     pub statement: StatementSpec,
     /// Added to it tooth by tooth, µm at the reference circle: empty or one value a tooth.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "listed",
+        skip_serializing_if = "Option::is_none"
+    )]
     #[schemars(with = "Option<Either<Vec<f64>, TableFileSpec>>")]
-    #[schemars(transform = within(&PER_TOOTH), transform = columns("tooth, thickness (µm)"))]
+    #[schemars(transform = deviation(), transform = columns("tooth, thickness (µm)"))]
     pub per_tooth_um: Option<Vec<f64>>,
     /// A second statement: compared, never used.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -57,7 +63,7 @@ impl ThicknessSpec {
 }
 
 /// One statement of the mean thickness: one of its keys.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StatementSpec {
     /// Span W_k over k teeth.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -73,21 +79,21 @@ pub struct StatementSpec {
     pub designation: Option<String>,
     /// Thickness allowance A_sn, µm, in the normal section at the reference circle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&ALLOWANCE))]
+    #[schemars(transform = deviation())]
     #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
     pub allowance_um: Option<Either<f64, BandSpec>>,
     /// What both flanks stand out along their normals beyond nominal, mm: of printed and cut gears.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&FLANK_OFFSET))]
+    #[schemars(transform = within(-100.0, 100.0))]
     pub flank_offset_mm: Option<Either<f64, BandSpec>>,
     /// Base tooth thickness s_b, mm; of helical gears s_bn, normal to the teeth: s_bt cos β_b.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH))]
+    #[schemars(transform = length())]
     pub base_thickness_mm: Option<Either<f64, BandSpec>>,
 }
 
 /// A second statement: compared, never used.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = cross_check_keys)]
 pub struct CrossCheckSpec {
     /// What it states.
@@ -95,12 +101,12 @@ pub struct CrossCheckSpec {
     pub statement: StatementSpec,
     /// How far the two may lie apart as base thickness, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("default" = CROSS_CHECK_UM), transform = within(&CROSS_CHECK))]
+    #[schemars(extend("default" = CROSS_CHECK_UM), transform = at_least(0.0))]
     pub tolerance_um: Option<f64>,
 }
 
 /// Span W_k over k teeth.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = span_keys, transform = columns("tooth (the first), span (mm)"))]
 pub struct SpanSpec {
     /// Teeth spanned, k.
@@ -123,24 +129,24 @@ pub struct SpanSpec {
 }
 
 /// A measured length: one value, one a place, or the least and the greatest.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LengthSpec {
     /// Measured, mm: one value, or one a place.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH), transform = list_length(1, None))]
+    #[schemars(transform = length(), transform = list_length(1, None))]
     pub mm: Option<Either<f64, Vec<f64>>>,
     /// Least measured, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH))]
+    #[schemars(transform = length())]
     pub min_mm: Option<f64>,
     /// Greatest measured, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH))]
+    #[schemars(transform = length())]
     pub max_mm: Option<f64>,
 }
 
 /// What lies in the spaces of a helical gear.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum BodyName {
@@ -151,21 +157,12 @@ pub enum BodyName {
     Pin,
 }
 
-impl From<MeasuringBody> for BodyName {
-    fn from(body: MeasuringBody) -> BodyName {
-        match body {
-            MeasuringBody::Ball => BodyName::Ball,
-            MeasuringBody::Pin => BodyName::Pin,
-        }
-    }
-}
-
 /// Dimension over two pins, or balls.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
 pub struct OverPinsSpec {
     /// Diameter D_M of the pins or balls, mm.
-    #[schemars(transform = within(&LENGTH))]
+    #[schemars(transform = length())]
     pub pin_mm: f64,
     /// What was measured over; the same on a spur gear.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -181,6 +178,14 @@ pub struct OverPinsSpec {
     /// Readings all round from a table.
     #[serde(flatten)]
     pub table: Option<TableFileSpec>,
+}
+
+/// The values of a list; a table has none until its file is read.
+fn listed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<f64>>, D::Error> {
+    Ok(match Either::deserialize(from)? {
+        Either::One(list) => Some(list),
+        Either::Other(IgnoredAny) => None,
+    })
 }
 
 fn thickness_keys(schema: &mut Schema) {

@@ -1,39 +1,30 @@
 //! `[tolerance]`: how the numbers of a pair scatter from one assembly to the next.
 
-use super::rules::{exactly_one, list_length, whole, within};
-use super::value::Either;
-use crate::limits::{
-    ASSEMBLIES, CAPABILITY, CONTRIBUTION_ROWS, CORRELATION, PPM, SCATTER, SEED, SHARE, SPREAD,
-};
+use super::rules::{above_zero, deviation, exactly_one, list_length, not_beside, whole, within};
+use super::value::{Either, one_or_list};
 use gearlash::gear::GRADES;
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
-
-/// Assemblies that are drawn where nothing is said.
-pub(crate) const DEFAULT_ASSEMBLIES: u32 = 100_000;
-/// Rows of the samples that contributions are found from.
-pub(crate) const DEFAULT_ROWS: u32 = 2048;
-/// The share of assemblies that may be of no gear.
-pub(crate) const DEFAULT_IMPOSSIBLE: f64 = 0.001;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// How the numbers of the pair scatter from one assembly to the next: of gearlash tolerance.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct ToleranceSpec {
     /// Assemblies that are drawn.
-    #[schemars(with = "Option<u32>", extend("default" = DEFAULT_ASSEMBLIES), transform = whole(ASSEMBLIES))]
+    #[schemars(transform = whole(1, 1_000_000_000))]
     pub assemblies: u32,
     /// Another seed, other assemblies.
-    #[schemars(with = "Option<u32>", extend("default" = 1), transform = whole(SEED))]
+    #[schemars(transform = whole(0, u32::MAX))]
     pub seed: u32,
     /// How many of a million assemblies may miss the requirement; exit code 1 where more do.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&PPM))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub max_ppm: Option<f64>,
     /// The share of draws that may be of no gear, as with pointed teeth: above it there is no result.
-    #[schemars(with = "Option<f64>", extend("default" = DEFAULT_IMPOSSIBLE), transform = within(&SHARE))]
+    #[schemars(transform = within(0.0, 1.0))]
     pub max_impossible: f64,
     /// Rows of the samples that the contributions are found from; 0: none are.
-    #[schemars(with = "Option<u32>", extend("default" = DEFAULT_ROWS), transform = whole(CONTRIBUTION_ROWS))]
+    #[schemars(transform = whole(0, 10_000_000))]
     pub contribution_rows: u32,
     /// By what the centre distance is greater than stated.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -42,10 +33,9 @@ pub struct ToleranceSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearing_play: Option<ScatterSpec>,
     /// How the gears are put together, where numbers of teeth have a common divisor.
-    #[schemars(default)]
     pub phase: PhaseName,
     /// Correlation of both thicknesses; 1: both gears from one batch.
-    #[schemars(with = "Option<f64>", extend("default" = 0.0), transform = within(&CORRELATION))]
+    #[schemars(transform = within(-1.0, 1.0))]
     pub thickness_correlation: f64,
     /// How the wheel scatters.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -55,8 +45,26 @@ pub struct ToleranceSpec {
     pub pinion: Option<GearToleranceSpec>,
 }
 
+impl Default for ToleranceSpec {
+    fn default() -> ToleranceSpec {
+        ToleranceSpec {
+            assemblies: 100_000,
+            seed: 1,
+            max_ppm: None,
+            max_impossible: 0.001,
+            contribution_rows: 2048,
+            center_distance: None,
+            bearing_play: None,
+            phase: PhaseName::Any,
+            thickness_correlation: 0.0,
+            wheel: None,
+            pinion: None,
+        }
+    }
+}
+
 /// Which assembly phases are drawn.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum PhaseName {
@@ -68,8 +76,8 @@ pub enum PhaseName {
 }
 
 /// How one gear scatters: each key by itself, or whole gears.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
-#[schemars(inline)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline, transform = gear_keys)]
 pub struct GearToleranceSpec {
     /// By what all teeth are thicker than stated (than the middle of what is stated), at the reference circle.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -84,57 +92,61 @@ pub struct GearToleranceSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub per_tooth: Option<ScatterSpec>,
     /// Measured gears, one of which is drawn: gear files or pair files, by name; * stands for any letters of a file's name.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "names",
+        skip_serializing_if = "Option::is_none"
+    )]
     #[schemars(with = "Option<Either<String, Vec<String>>>", transform = list_length(1, None))]
     pub gears: Option<Vec<String>>,
 }
 
 /// How a length scatters, µm.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct ScatterSpec {
     /// The distribution, and with it the keys: fixed: value_um; uniform: lower_um, upper_um; triangular: and mode_um; normal: sigma_um and mean_um, or lower_um, upper_um, mean_um and cpk; rayleigh: scale_um or upper_um; table: values_um. Limits that the pair file states as a band may be left out.
     pub scatter: ScatterName,
     /// Lower limit, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SCATTER))]
+    #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
     /// Upper limit, µm; of a rayleigh one that 99.73 % lie below.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SCATTER))]
+    #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
     /// Mean of a normal one, µm; default: the middle of the limits, or 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SCATTER))]
+    #[schemars(transform = deviation())]
     pub mean_um: Option<f64>,
     /// Standard deviation of a normal one, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SPREAD))]
+    #[schemars(transform = above_zero(1e7))]
     pub sigma_um: Option<f64>,
     /// Process capability of a normal one between its limits; default: 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&CAPABILITY))]
+    #[schemars(transform = above_zero(100.0))]
     pub cpk: Option<f64>,
     /// The most frequent of a triangular one, µm; default: the middle of the limits.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SCATTER))]
+    #[schemars(transform = deviation())]
     pub mode_um: Option<f64>,
     /// Scale of a rayleigh one, µm: the standard deviation of either component.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SPREAD))]
+    #[schemars(transform = above_zero(1e7))]
     pub scale_um: Option<f64>,
     /// Value of a fixed one, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SCATTER))]
+    #[schemars(transform = deviation())]
     pub value_um: Option<f64>,
     /// Values of a table, µm, drawn with replacement.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SCATTER), transform = list_length(1, None))]
+    #[schemars(transform = deviation(), transform = list_length(1, None))]
     pub values_um: Option<Vec<f64>>,
 }
 
 /// A distribution.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum ScatterName {
@@ -154,17 +166,30 @@ pub enum ScatterName {
 }
 
 /// How single pitch deviations scatter: their standard deviation, or the grade that allows three of them.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = pitch_keys)]
 pub struct PitchScatterSpec {
     /// Standard deviation of the single pitch deviation f_p, µm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&SPREAD))]
+    #[schemars(transform = above_zero(1e7))]
     pub sigma_um: Option<f64>,
     /// Accuracy grade, ISO 1328-1, whose tolerance of f_p is three standard deviations.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = whole(GRADES))]
+    #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
+}
+
+fn names<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<String>>, D::Error> {
+    one_or_list(from).map(Some)
+}
+
+/// Measured gears are taken whole.
+fn gear_keys(schema: &mut Schema) {
+    not_beside(
+        schema,
+        "gears",
+        &["thickness", "runout", "pitch", "per_tooth"],
+    );
 }
 
 fn pitch_keys(schema: &mut Schema) {

@@ -1,37 +1,36 @@
 //! `[uncertainty]`: what the measurements may be off.
 
-use super::rules::within;
-use crate::limits::{COVERAGE, UNCERTAINTY};
+use super::rules::{above_zero, within};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Standard uncertainties of what was measured, µm; the expanded uncertainty of least and greatest backlash follows.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(default)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
 pub struct UncertaintySpec {
     /// Of a span, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub span_um: f64,
     /// Of a dimension over pins, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub over_pins_um: f64,
     /// Of a thickness allowance, and of a base thickness, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub allowance_um: f64,
     /// Of the thickness of a single tooth beside the others, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub per_tooth_um: f64,
     /// Of the pitch deviation of a flank, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub pitch_um: f64,
     /// Of the runout of each gear, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub runout_um: f64,
     /// Of the centre distance, µm.
-    #[schemars(transform = within(&UNCERTAINTY))]
+    #[schemars(transform = within(0.0, 1e6))]
     pub center_distance_um: f64,
     /// Coverage factor of what is shown.
-    #[schemars(transform = within(&COVERAGE))]
+    #[schemars(transform = above_zero(10.0))]
     pub coverage_factor: f64,
 }
 

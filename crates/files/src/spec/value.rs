@@ -1,11 +1,12 @@
 //! Values that may be written in more than one way.
 
 use super::rules::{beside, exactly_one};
+use crate::sheet::number::Decimal;
 use schemars::{JsonSchema, Schema};
-use serde::Serialize;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A value that is written in either of two ways.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 #[schemars(inline)]
 pub enum Either<A, B> {
@@ -17,13 +18,25 @@ pub enum Either<A, B> {
     Other(B),
 }
 
+/// A value, or a list of them.
+pub(super) fn one_or_list<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    from: D,
+) -> Result<Vec<T>, D::Error> {
+    Ok(match Either::deserialize(from)? {
+        Either::One(one) => vec![one],
+        Either::Other(list) => list,
+    })
+}
+
 /// Least and most material.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct BandSpec {
     /// Thinnest.
+    #[serde(alias = "lower")]
     pub min: f64,
     /// Thickest.
+    #[serde(alias = "upper")]
     pub max: f64,
 }
 
@@ -50,7 +63,7 @@ fn allowance_keys(schema: &mut Schema) {
 }
 
 /// A table of readings, one row a tooth.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = table_file_keys)]
 pub struct TableFileSpec {
     /// Table beside the pair file (CSV, .xlsx or text protocol).
@@ -70,7 +83,7 @@ pub struct TableFileSpec {
     pub column: Option<String>,
     /// Decimal sign of any text table, "." or ",", where nothing in it tells.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub decimal: Option<DecimalSign>,
+    pub decimal: Option<Decimal>,
 }
 
 impl TableFileSpec {
@@ -87,16 +100,16 @@ impl TableFileSpec {
     }
 }
 
-/// The sign between the whole and the fraction.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(inline)]
-pub enum DecimalSign {
-    /// A point.
-    #[serde(rename = ".")]
-    Point,
-    /// A comma.
-    #[serde(rename = ",")]
-    Comma,
+/// A table of any kind, by itself.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct AnyTableSpec {
+    /// Which table.
+    #[serde(flatten)]
+    pub table: TableFileSpec,
+    /// Column of the left flanks.
+    pub left: Option<String>,
+    /// Column of the right flanks.
+    pub right: Option<String>,
 }
 
 fn table_file_keys(schema: &mut Schema) {

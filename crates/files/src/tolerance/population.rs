@@ -4,7 +4,7 @@ use super::bands::{left_out, middle, thickness_band};
 use super::gears::{MeasuredGear, gears};
 use super::mm::scatter;
 use crate::error::InputError;
-use crate::pair_file::{KEYS, PairTables};
+use crate::pair_file::PairTables;
 use crate::problems::Problems;
 use crate::read::PairFile;
 use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
@@ -45,8 +45,7 @@ pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
             outlines::refused(path, place, entries, problems);
             return None;
         }
-        // Its unknown keys are reported by the tables.
-        let file = Table::new("", place, entries, KEYS, &mut Problems::new());
+        let file = Table::new("", place, entries);
         let pair = PairTables::read(path, place, entries, problems).study(problems)?;
         understood(pair, &file, problems)
     })

@@ -76,12 +76,12 @@ fn cross_checks_that_are_none() {
         (
             "cross_check.allowance_um = -20",
             "cross_check",
-            "no other statement",
+            "given without span",
         ),
         (
             "allowance_um = 0\nthickness.cross_check = {}",
-            "cross_check",
-            "states no thickness",
+            "cross_check.span",
+            "missing",
         ),
         (
             "allowance_um = 0\nthickness.cross_check.span = { teeth = 3, mm = [23], first_tooth = [1], per_tooth = false }",

@@ -179,7 +179,7 @@ fn lists_that_are_none() {
         "2 for 20 teeth",
         "add `first_tooth`",
     );
-    case("mm = []", "mm", "no readings", "in mm");
+    case("mm = []", "mm", "at least one", "mm");
     case(
         "mm = [23, 23], first_tooth = [1]",
         "first_tooth",
@@ -207,25 +207,25 @@ fn lists_that_are_none() {
     case(
         "mm = 23, first_tooth = [1]",
         "first_tooth",
-        "readings all round",
-        "list",
+        "given without mm = [ … ]",
+        "add",
     );
     case(
         "mm = 23, per_tooth = true",
         "per_tooth",
-        "readings all round",
-        "list",
+        "given without mm = [ … ] or file",
+        "add",
     );
     case(
         "mm = [23], file = \"spans.csv\"",
-        "file",
-        "together with mm",
+        "mm",
+        "together with file",
         "remove",
     );
     case(
         "mm = [23], first_tooth = [1], sheet = \"a\"",
         "sheet",
-        "given without `file`",
+        "given without file",
         "add",
     );
 }

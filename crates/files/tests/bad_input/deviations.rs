@@ -111,20 +111,15 @@ fn runout_of_the_tooth_depth() {
 
 #[test]
 fn high_tooth() {
-    for (value, reason) in [
-        ("0.9", "1 or more"),
-        ("21", "1 up to, but not including, 21"),
+    for (value, reason, help) in [
+        ("0.9", "1 or more", "stands farthest out"),
+        ("21", "1 up to, but not including, 21", "highest reading"),
     ] {
         expect(
             &wheel(&format!(
                 "runout = {{ total_um = 6.6, high_tooth = {value} }}"
             )),
-            &[problem(
-                "wheel.runout.high_tooth",
-                value,
-                &[reason],
-                "highest reading",
-            )],
+            &[problem("wheel.runout.high_tooth", value, &[reason], help)],
         );
     }
     expect(

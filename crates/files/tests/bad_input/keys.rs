@@ -24,7 +24,7 @@ fn unknown_with_the_nearest_known_one() {
                 "75.0",
                 &[
                     "unknown key",
-                    "`center_distance_mm`, `centre_distance_mm`, `locked`, `bearing_clearance_mm`, `face_offset_mm`, `temperature_c` or `housing_expansion_per_k`",
+                    "`center_distance_mm`, `locked`, `bearing_clearance_mm`, `face_offset_mm`, `temperature_c`, `housing_expansion_per_k` or `centre_distance_mm`",
                 ],
                 "mean `center_distance_mm`",
             ),
@@ -126,9 +126,9 @@ fn phases_stand_alone() {
     expect(
         &and("[sweep]\nmating = [[1, 1]]\nphases = \"all\""),
         &[problem(
-            "sweep.phases",
-            "\"all\"",
-            &["given together with mating"],
+            "sweep.mating",
+            "[[1, 1]]",
+            &["given together with phases"],
             "remove one or the other",
         )],
     );
@@ -201,7 +201,7 @@ fn missing() {
         &[problem(
             "wheel.thickness.over_pins.mm",
             "",
-            &["missing", "`mm` alone, or `min_mm` and `max_mm`"],
+            &["missing", "one of `mm`, `min_mm` and `max_mm` or `file`"],
             "add `mm`",
         )],
     );

@@ -7,7 +7,12 @@ fn not_finite() {
             .replace("teeth = 30", "teeth = nan\nthickness.allowance_um = -inf")
             .replace("75.2", "[75.2, nan]"),
         &[
-            problem("wheel.profile_shift", "NaN", &["not finite"], "0 for none"),
+            problem(
+                "wheel.profile_shift",
+                "NaN",
+                &["not finite"],
+                "profile shift",
+            ),
             problem(
                 "wheel.tip_diameter_mm",
                 "inf",
@@ -24,13 +29,13 @@ fn not_finite() {
                 "pinion.thickness.allowance_um",
                 "-inf",
                 &["not finite"],
-                "thinner",
+                "allowance",
             ),
             problem(
                 "assembly.center_distance_mm",
                 "NaN",
                 &["value 2", "not finite"],
-                "axes",
+                "centre distance",
             ),
         ],
     );
@@ -47,12 +52,12 @@ fn zero_or_negative_where_it_makes_no_sense() {
             problem("wheel.tip_diameter_mm", "0", &["above 0"], "tip diameter"),
             problem("wheel.rack.addendum", "0", &["above 0 and up to 10"], "1.0"),
             problem("wheel.rack.dedendum", "-1", &["above 0 and up to 10"], "1.25"),
-            problem("wheel.rack.root_radius", "-0.1", &["0 up to the dedendum"], "0.38"),
+            problem("wheel.rack.root_radius", "-0.1", &["0 or more"], "0.38"),
             problem("wheel.runout.total_um", "-1", &["0 or more"], "F_r"),
             problem("pinion.thickness.over_pins.pin_mm", "0.0", &["above 0"], "mm"),
             problem("pinion.thickness.over_pins.mm", "-3", &["above 0"], "mm"),
-            problem("assembly.center_distance_mm", "-75.2", &["above 0"], "axes"),
-            problem("assembly.bearing_clearance_mm.wheel", "-1", &["0 or more"], "play"),
+            problem("assembly.center_distance_mm", "-75.2", &["above 0"], "centre distance"),
+            problem("assembly.bearing_clearance_mm.wheel", "-1", &["0 or more"], "wheel"),
             problem("accuracy.chord_um", "0", &["1e-5 … 100"], "0.01"),
             problem("compare.tolerance_um", "-0.1", &["0 or more"], "0.1"),
         ],

@@ -81,7 +81,7 @@ fn list_of_centre_distances() {
             "assembly.center_distance_mm",
             "[]",
             &["empty", "at least one"],
-            "list",
+            "centre distance",
         )],
     );
     expect(
@@ -112,13 +112,13 @@ fn band_of_centre_distances() {
                 "assembly.center_distance_mm.nominal_mm",
                 "-75.2",
                 &["above 0"],
-                "axes",
+                "nominal centre distance",
             ),
             problem(
                 "assembly.center_distance_mm.tolerance_um",
                 "-5",
                 &["µm, 0 … 1e7"],
-                "either side",
+                "symmetric tolerance",
             ),
         ],
     );
@@ -135,7 +135,7 @@ fn band_of_centre_distances() {
                 "assembly.center_distance_mm.lower_um",
                 "100000000.0",
                 &["out of range", "−1e7 … 1e7"],
-                "negative when less",
+                "lower deviation",
             ),
             problem(
                 "assembly.center_distance_mm.upper_um",
@@ -167,7 +167,7 @@ fn band_of_centre_distances() {
         (
             "",
             "tolerance_um",
-            "`tolerance_um` alone, or `lower_um` and `upper_um`",
+            "one of `tolerance_um` or `upper_um` and `lower_um`",
             "add `tolerance_um`",
         ),
     ] {

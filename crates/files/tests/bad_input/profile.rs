@@ -6,7 +6,7 @@ use super::*;
 fn keys_and_numbers_all_at_once() {
     expect(
         &wheel(
-            "profile.slope_mu = 3\nprofile.crowning_um = \"3\"\nprofile.range_mm = [64, 58]\n\
+            "profile.slope_mu = 3\nprofile.crowning_um = \"3\"\n\
              profile.tip_relief = { um = -4, from_diameter_mm = 64, shape = \"parabola\" }\nprofile.root_relief = { um = 3 }",
         ),
         &[
@@ -20,7 +20,7 @@ fn keys_and_numbers_all_at_once() {
                 "wheel.profile.crowning_um",
                 "3",
                 &["a string", "µm"],
-                "positive",
+                "crowning",
             ),
             problem(
                 "wheel.profile.tip_relief.um",
@@ -40,13 +40,20 @@ fn keys_and_numbers_all_at_once() {
                 &["missing"],
                 "add",
             ),
-            problem(
-                "wheel.profile.range_mm",
-                "[64, 58]",
-                &["the lesser first"],
-                "[start, end]",
-            ),
         ],
+    );
+}
+
+#[test]
+fn an_evaluation_range_that_descends() {
+    expect(
+        &wheel("profile.range_mm = [64, 58]"),
+        &[problem(
+            "wheel.profile.range_mm",
+            "[64, 58]",
+            &["the lesser first"],
+            "[start, end]",
+        )],
     );
 }
 
@@ -99,21 +106,36 @@ fn lists_of_a_trace() {
         &[problem(
             "wheel.profile.trace.deviation_um",
             "[0]",
-            &["1 values beside 2"],
+            &["length 1, expected at least 2"],
+            "deviation at each",
+        )],
+    );
+    expect(
+        &of("{ roll_length_mm = [8, 12, 13], deviation_um = [0, 1] }"),
+        &[problem(
+            "wheel.profile.trace.deviation_um",
+            "[0, 1]",
+            &["2 values beside 3"],
             "at each point",
         )],
     );
     expect(
-        &of("[{ tooth = 21, roll_length_mm = [8, 12], deviation_um = [0, 1] }, 3]"),
-        &[
-            problem(
-                "wheel.profile.trace[1].tooth",
-                "21",
-                &["1 … 20"],
-                "number of the tooth",
-            ),
-            problem("wheel.profile.trace[2]", "3", &["a number"], "trace ="),
-        ],
+        &of("[{ tooth = 21, roll_length_mm = [8, 12], deviation_um = [0, 1] }]"),
+        &[problem(
+            "wheel.profile.trace[1].tooth",
+            "21",
+            &["1 … 20"],
+            "number of the tooth",
+        )],
+    );
+    expect(
+        &of("[{ roll_length_mm = [8, 12], deviation_um = [0, 1] }, 3]"),
+        &[problem(
+            "wheel.profile.trace[2]",
+            "3",
+            &["a number"],
+            "measured profiles",
+        )],
     );
 }
 

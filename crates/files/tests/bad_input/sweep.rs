@@ -3,49 +3,52 @@ use super::*;
 #[test]
 fn matings() {
     expect(
-        &and("[sweep]\nmating = [[0, 1], [20, 31], [1], [1, 2, 3], 4, [1.5, 1]]"),
+        &and("[sweep]\nmating = [[1, 1], [20, 31], [21, 31]]"),
         &[
-            problem(
-                "sweep.mating",
-                "[0, 1]",
-                &[
-                    "value 1",
-                    "wheel tooth is 0, allowed is a whole number, 1 … 20",
-                ],
-                "from 1",
-            ),
             problem(
                 "sweep.mating",
                 "[20, 31]",
                 &["value 2", "pinion tooth is 31", "1 … 30"],
                 "from 1",
             ),
-            problem("sweep.mating", "[1]", &["length 1, expected 2"], "from 1"),
             problem(
                 "sweep.mating",
-                "[1, 2, 3]",
-                &["length 3, expected 2"],
+                "[21, 31]",
+                &[
+                    "value 3",
+                    "wheel tooth is 21, allowed is a whole number, 1 … 20",
+                    "pinion tooth is 31",
+                ],
                 "from 1",
             ),
+        ],
+    );
+    let help = "wheel tooth and pinion tooth";
+    expect(
+        &and("[sweep]\nmating = [[0, 1], [20, 31], [1], [1, 2, 3], 4, [1.5, 1]]"),
+        &[
+            problem(
+                "sweep.mating",
+                "[0, 1]",
+                &["value 1", "a whole number, 1 … 10 000"],
+                help,
+            ),
+            problem("sweep.mating", "[1]", &["length 1, expected 2"], help),
+            problem("sweep.mating", "[1, 2, 3]", &["length 3, expected 2"], help),
             problem(
                 "sweep.mating",
                 "4",
-                &["value 5", "[wheel tooth, pinion tooth]"],
-                "from 1",
+                &["value 5", "a list of 2 whole numbers"],
+                help,
             ),
-            problem(
-                "sweep.mating",
-                "[1.5, 1]",
-                &["wheel tooth is 1.5"],
-                "from 1",
-            ),
+            problem("sweep.mating", "[1.5, 1]", &["not whole"], help),
         ],
     );
     expect(
         &and("[sweep]\nmating = []\nfraction = []"),
         &[
-            problem("sweep.mating", "[]", &["at least one"], "[[1, 1]]"),
-            problem("sweep.fraction", "[]", &["at least one"], "[0.0]"),
+            problem("sweep.mating", "[]", &["at least one"], help),
+            problem("sweep.fraction", "[]", &["at least one"], "pitches"),
         ],
     );
     expect(
@@ -62,9 +65,12 @@ fn keys_that_do_not_go_together() {
     expect(
         &and("[sweep]\nmating = [[1, 1]]\nrevolutions = \"wheel\""),
         &[problem(
-            "sweep.revolutions",
-            "\"wheel\"",
-            &["one of mating, revolutions and phases"],
+            "sweep.mating",
+            "[[1, 1]]",
+            &[
+                "together with revolutions",
+                "one of `mating`, `revolutions` or `phases`",
+            ],
             "remove",
         )],
     );
@@ -73,8 +79,8 @@ fn keys_that_do_not_go_together() {
         &[problem(
             "sweep.fraction",
             "[0.5]",
-            &["only with mating"],
-            "mating = [[1, 1]]",
+            &["given without mating"],
+            "add `mating`",
         )],
     );
     expect(
@@ -83,14 +89,14 @@ fn keys_that_do_not_go_together() {
             problem(
                 "sweep.steps_per_pitch",
                 "4",
-                &["only with revolutions"],
-                "revolutions = \"wheel\"",
+                &["given without revolutions"],
+                "add `revolutions`",
             ),
             problem(
                 "sweep.start",
                 "[1, 1]",
-                &["only with revolutions"],
-                "revolutions = \"wheel\"",
+                &["given without revolutions"],
+                "add `revolutions`",
             ),
         ],
     );
@@ -99,7 +105,7 @@ fn keys_that_do_not_go_together() {
         &[problem(
             "sweep.steps_per_pitch",
             "4",
-            &["only with revolutions"],
+            &["given without revolutions or phases"],
             "add",
         )],
     );

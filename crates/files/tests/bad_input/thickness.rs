@@ -7,12 +7,8 @@ fn two_statements() {
         &[problem(
             "wheel.thickness.span",
             "{ mm = 23, teeth = 3 }",
-            &[
-                "together with allowance_um",
-                "2 thickness statements",
-                "`base_thickness_mm`",
-            ],
-            "keep the one",
+            &["together with allowance_um"],
+            "remove one or the other",
         )],
     );
 }

@@ -58,7 +58,7 @@ allow_off_line_contact = "no"
                 "wheel.profile_shift",
                 "{ }",
                 &["a table", "−100 … 100"],
-                "0 for none",
+                "profile shift",
             ),
             problem(
                 "wheel.reference_face",
@@ -141,8 +141,8 @@ allow_off_line_contact = "no"
             problem(
                 "assembly.center_distance_mm",
                 "\"75\"",
-                &["above 0"],
-                "axes",
+                &["js5 … js10"],
+                "numbers",
             ),
             problem(
                 "assembly.locked",
@@ -200,7 +200,12 @@ fn null() {
             "assembly": { "center_distance_mm": [75.2, null] } }"#,
         &[
             problem("title", "null", &["allowed is a string"], "in quotes"),
-            problem("assembly.center_distance_mm", "null", &["value 2"], "axes"),
+            problem(
+                "assembly.center_distance_mm",
+                "null",
+                &["value 2"],
+                "centre distance",
+            ),
         ],
     );
 }

@@ -252,7 +252,7 @@ fn either_spelling_of_the_centre_distance() {
     let error = gearlash_files::read(&file).unwrap_err().to_string();
     assert!(
         error
-            .contains("assembly.centre_distance_mm = 75.2: given together with center_distance_mm"),
+            .contains("assembly.center_distance_mm = 75.2: given together with centre_distance_mm"),
         "{error}"
     );
     let close = PAIR.replace("center_distance_mm = 75.2", "centre_distance_mm = 7.52");

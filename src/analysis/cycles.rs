@@ -1,19 +1,19 @@
 //! The mesh cycles of a study, and what the search finds in each: at its centre distance, and at both ends of the bearing clearance.
 
 use super::assembles_from::AssemblesFrom;
-use super::directions::{self, Directed, Search, is_open};
+use super::directions::{self, AnyDirection, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
-use super::phases::phase;
+use super::phases::{phase, phase_count};
 use super::sampled;
 use super::study::{RunPlan, Study};
-use crate::contact::{Effort, ExactKernel, Extreme, Extremes, Status};
+use crate::contact::{Effort, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Mating, Member, SweepPlan, ToothNumbers};
 
-/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
-pub const WIDTH: f64 = 1e-6;
+/// Width of a proven bracket of `j_wt`, mm.
+pub const WIDTH: f64 = PROVEN_WIDTH;
 
 /// Samples a pitch of a drawn pair where its study does not sweep.
 const SAMPLES_PER_PITCH: u32 = 16;
@@ -26,6 +26,11 @@ pub(super) struct Planned {
     distinct: u64,
     /// Samples a pitch of a drawn pair.
     per_pitch: u32,
+    /// Whether the pair has several assembly phases that differ.
+    differ: bool,
+    /// Phases of the same pair that are searched: they share the effort of one pair.
+    phases: u64,
+    /// Its assembly phase, where several are searched.
     pub phase: Option<(u32, u32)>,
 }
 
@@ -48,6 +53,12 @@ pub(super) struct SearchedEnd {
 }
 
 impl Planned {
+    /// Wheel and pinion tooth that name its assembly phase; `None` where the pair has one, or all are alike.
+    pub fn covers(&self) -> Option<(u32, u32)> {
+        self.differ
+            .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
+    }
+
     pub fn search(&self) -> Result<Searched, Error> {
         let assembly = match &self.run.assembly {
             AssembledPair::Data(pair) => pair,
@@ -61,14 +72,13 @@ impl Planned {
                 });
             }
         };
-        let effort = &Effort::of_extremes(assembly);
-        let of = |pair: &GearPair| self.cycle(pair, effort);
+        let effort = &self.effort(assembly);
         let greatest = |pair: &GearPair| {
             let over = (self.first, self.distinct);
             ExactKernel::new(pair).greatest(pair, over, WIDTH, effort)
         };
         if is_open(assembly) {
-            let all = directions::extremes(assembly, &of, WIDTH)?;
+            let all = self.any_direction(assembly, effort)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
@@ -77,7 +87,7 @@ impl Planned {
                 poses: all.poses,
             });
         }
-        let found = of(assembly)?;
+        let found = self.cycle(assembly, effort)?;
         let assembles_from = self.assembles_from(assembly, &found, 0.0, effort)?;
         Ok(Searched {
             poses: vec![self.poses_of(&found, assembles_from)],
@@ -120,8 +130,7 @@ impl Planned {
         };
         let (found, pose) = match &assembly {
             AssembledPair::Data(pair) if is_open(pair) => {
-                let effort = &Effort::of_extremes(pair);
-                let all = directions::extremes(pair, &|pair| self.cycle(pair, effort), WIDTH)?;
+                let all = self.any_direction(pair, &self.effort(pair))?;
                 // The least comes first.
                 let before = !is_least && all.found.least.is_some();
                 let pose = all.poses.into_iter().nth(usize::from(before));
@@ -129,7 +138,7 @@ impl Planned {
             }
             pair => {
                 let found = match pair {
-                    AssembledPair::Data(pair) => self.cycle(pair, &Effort::of_extremes(pair))?,
+                    AssembledPair::Data(pair) => self.cycle(pair, &self.effort(pair))?,
                     AssembledPair::Drawn(pair) => self.sampled(pair).search(pair)?.0,
                 };
                 let pose = of(&found).map(|extreme| Directed {
@@ -151,8 +160,7 @@ impl Planned {
     /// The extremes of `pair` over the cycle: only the least, or only the greatest, where the other need not be searched for.
     pub fn end(&self, pair: &GearPair, is_least: bool, effort: &Effort) -> Result<Extremes, Error> {
         if is_open(pair) {
-            let all = directions::extremes(pair, &|pair| self.cycle(pair, effort), WIDTH)?;
-            return Ok(all.found);
+            return Ok(self.any_direction(pair, effort)?.found);
         }
         let (kernel, over) = (ExactKernel::new(pair), (self.first, self.distinct));
         if is_least {
@@ -162,10 +170,20 @@ impl Planned {
         }
     }
 
+    /// What the search of `assembly` may do.
+    fn effort(&self, assembly: &GearPair) -> Effort {
+        Effort::of_extremes(assembly).part(self.phases)
+    }
+
     /// The extremes of `pair`, whose runout has a direction, over the cycle.
     fn cycle(&self, pair: &GearPair, effort: &Effort) -> Result<Extremes, Error> {
         let over = (self.first, self.distinct);
         ExactKernel::new(pair).extremes_within(pair, over, WIDTH, effort)
+    }
+
+    /// The extremes of `pair` over the cycle and all directions of its runout.
+    fn any_direction(&self, pair: &GearPair, effort: &Effort) -> Result<AnyDirection, Error> {
+        any_direction(pair, (self.first, self.distinct), WIDTH, effort)
     }
 
     /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
@@ -180,12 +198,10 @@ impl Planned {
         if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
             return Ok(None);
         }
-        // Of spur pairs each distance ends by its number of cells: with a share of the effort, what can be proven would not be.
+        // A pair that needs no search ends by its number of cells: with a share of the effort, what can be proven would not be.
         let endless = Effort::endless();
-        let effort = match pair.is_helical() {
-            true => effort,
-            false => &endless,
-        };
+        let is_short = !pair.is_helical() && ExactKernel::new(pair).is_direct();
+        let effort = if is_short { &endless } else { effort };
         let over = (self.first, self.distinct);
         let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;
         Ok(from.map(|from| AssemblesFrom {
@@ -214,7 +230,7 @@ fn meshes_to(
     }))
 }
 
-/// Every centre distance and material, each in the phases that the study is about.
+/// Every centre distance and material in every assembly phase that the study is about: those of its listed matings, or all of them where it lists none.
 pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     let runs = study.runs()?;
     let per_pitch = match study.sweep {
@@ -230,23 +246,32 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     };
     let mut plans: Vec<Planned> = Vec::new();
     for run in runs {
-        let mut firsts: Vec<Mating> = Vec::new();
-        for mating in &run.matings {
-            let first = first_of_phase(&run.assembly, mating);
-            if !firsts.contains(&first) {
-                firsts.push(first);
-            }
-        }
+        let mut phases: Vec<u32> = if study.all_phases {
+            (1..=phase_count(&run.assembly)).collect()
+        } else {
+            run.matings
+                .iter()
+                .map(|mating| phase(&run.assembly, mating))
+                .collect()
+        };
+        phases.sort_unstable();
+        phases.dedup();
         // Against perfect teeth it does not matter which are met.
         let hunting = hunting_pitches(&run.assembly);
-        let distinct = run.assembly.data().map_or(hunting, distinct);
-        if distinct < hunting {
-            firsts.truncate(1);
+        let data = run.assembly.data();
+        let distinct = data.map_or(hunting, distinct);
+        let differ = phase_count(&run.assembly) > 1 && data.is_none_or(phases_differ);
+        if !differ {
+            phases.truncate(1);
         }
-        let several = firsts.len() > 1;
-        firsts.sort_by_key(|first| first.pinion_tooth);
-        for first in firsts {
-            let own = several.then_some((first.wheel_tooth, first.pinion_tooth));
+        // A run that is one phase of all has the others beside it.
+        let count = match run.phase {
+            Some(_) => u64::from(phase_count(&run.assembly)),
+            None => phases.len() as u64,
+        };
+        for pinion_tooth in phases {
+            let first = first_of_phase(pinion_tooth);
+            let own = (count > 1).then_some((first.wheel_tooth, first.pinion_tooth));
             plans.push(Planned {
                 phase: run.phase.or(own),
                 run: RunPlan {
@@ -256,6 +281,8 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 first,
                 distinct,
                 per_pitch,
+                differ,
+                phases: count,
             });
         }
     }
@@ -268,28 +295,36 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
 /// # Errors
 /// As [`ExactKernel::extremes`].
 pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<Extremes, Error> {
-    let first = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: phase,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let first = first_of_phase(phase);
     let distinct = distinct(assembly);
     let effort = &Effort::of_extremes(assembly);
-    let search = |pair: &GearPair| {
-        ExactKernel::new(pair).extremes_within(pair, (first, distinct), width, effort)
-    };
-    match is_open(assembly) {
-        true => Ok(directions::extremes(assembly, &search, width)?.found),
-        false => search(assembly),
+    let over = (first, distinct);
+    if is_open(assembly) {
+        Ok(any_direction(assembly, over, width, effort)?.found)
+    } else {
+        ExactKernel::new(assembly).extremes_within(assembly, over, width, effort)
     }
 }
 
-/// The mating of wheel tooth 1 that names the assembly phase of `mating`.
-fn first_of_phase(assembly: &AssembledPair, mating: &Mating) -> Mating {
+/// The extremes of `pair` over matings and all directions of its runout, in brackets of about `width` mm.
+fn any_direction(
+    pair: &GearPair,
+    over: (Mating, u64),
+    width: f64,
+    effort: &Effort,
+) -> Result<AnyDirection, Error> {
+    // The bracket holds that of a search and what the direction adds.
+    let width = 0.4 * width;
+    let least = |pair: &GearPair| ExactKernel::new(pair).least(pair, over, width, effort);
+    let greatest = |pair: &GearPair| ExactKernel::new(pair).greatest(pair, over, width, effort);
+    directions::extremes(pair, &least, &greatest)
+}
+
+/// The mating of wheel tooth 1 that names an assembly phase.
+fn first_of_phase(pinion_tooth: u32) -> Mating {
     Mating {
         wheel_tooth: 1,
-        pinion_tooth: phase(assembly, mating),
+        pinion_tooth,
         flank: Side::Right,
         fraction: 0.0,
     }

@@ -19,7 +19,7 @@
 //! one side changes by less than half of what the free gear turns (a corner on an involute, `1 − (cos δ − ξ sin δ)`, `δ` at most a third), no
 //! pose is beyond `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
 
-use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Status};
+use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Status, is_proven};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Side};
 use crate::outline::AssembledPair;
@@ -36,7 +36,7 @@ const LARGEST_SHARE: f64 = 0.25;
 /// How much beyond touching base circles the axes are at the nearest, of their sum.
 const NEAREST: f64 = 1e-6;
 
-/// A search for the extremes of a pair.
+/// A search for one extreme of a pair.
 pub(super) type Search<'a> = dyn Fn(&GearPair) -> Result<Extremes, Error> + 'a;
 
 /// Poses, and the pair in them: its high teeth where they are worst.
@@ -51,7 +51,7 @@ pub(super) struct AnyDirection {
     pub found: Extremes,
     /// Of the least, the greatest and the lost pose.
     pub poses: Vec<Directed>,
-    /// The pair nearer by the eccentricities without a direction, which it does not have, and its extremes; the one farther by them, and its.
+    /// The pair nearer by the eccentricities without a direction, which it does not have, and its least; the one farther by them, and its greatest.
     pub ends: [(GearPair, Extremes); 2],
     /// How much nearer and farther, mm.
     pub off: f64,
@@ -71,14 +71,14 @@ fn open_eccentricity(gear: &AsBuilt) -> f64 {
     }
 }
 
-/// Extremes of `assembly`, in brackets of about `width` mm; those of a pair without a runout of unknown direction are found by `search`.
+/// Extremes of `assembly`; `least` and `greatest` find those of a pair without a runout of unknown direction.
 pub(super) fn extremes(
     assembly: &GearPair,
-    search: &Search<'_>,
-    width: f64,
+    least: &Search<'_>,
+    greatest: &Search<'_>,
 ) -> Result<AnyDirection, Error> {
-    let near = End::new(assembly, true, search, width)?;
-    let far = End::new(assembly, false, search, width)?;
+    let near = End::new(assembly, true, least)?;
+    let far = End::new(assembly, false, greatest)?;
     let status = match (near.found.status, far.found.status) {
         (Status::Jammed, _) => Status::Jammed,
         (_, Status::NoContact) => Status::NoContact,
@@ -118,6 +118,13 @@ pub(super) fn extremes(
     })
 }
 
+/// `j_wt` of a pose, mm, and what it is known to.
+struct Attained {
+    low: f64,
+    high: f64,
+    found: f64,
+}
+
 /// All high teeth towards the mate, or away from it.
 struct End<'a> {
     assembly: &'a GearPair,
@@ -125,19 +132,12 @@ struct End<'a> {
     off: f64,
     centred: GearPair,
     found: Extremes,
-    /// Finds the extremes of a pair without a runout of unknown direction.
+    /// Finds the extreme of a pair without a runout of unknown direction.
     search: &'a Search<'a>,
-    /// That a bracket should not exceed, mm.
-    width: f64,
 }
 
 impl<'a> End<'a> {
-    fn new(
-        assembly: &'a GearPair,
-        facing: bool,
-        search: &'a Search<'a>,
-        width: f64,
-    ) -> Result<End<'a>, Error> {
+    fn new(assembly: &'a GearPair, facing: bool, search: &'a Search<'a>) -> Result<End<'a>, Error> {
         let sign = if facing { 1.0 } else { -1.0 };
         let off = |member| sign * open_eccentricity(assembly.gear(member));
         let gear = |member| assembly.gear(member).centred();
@@ -150,7 +150,7 @@ impl<'a> End<'a> {
             .with_face(assembly.face())?;
         let mut found = search(&centred)?;
         if let Some(least) = found.least.as_mut().filter(|_| wanted < distance) {
-            least.doubt = Some(Doubt::Unbounded);
+            (least.low, least.doubt) = (f64::NEG_INFINITY, Some(Doubt::Unbounded));
         }
         Ok(End {
             assembly,
@@ -158,7 +158,6 @@ impl<'a> End<'a> {
             found,
             centred,
             search,
-            width,
         })
     }
 
@@ -197,29 +196,40 @@ impl<'a> End<'a> {
         });
         // Beyond the largest share nothing is claimed.
         let most = share.abs().min(LARGEST_SHARE);
-        let slack = (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most);
+        // Without a bound nothing is known of it; the attained value alone has no slack.
+        let slack = match off.is_finite() {
+            true => (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most),
+            false => 0.0,
+        };
         let contacts = self.contacts(extreme.mating)?;
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
         let per_radian = assembly.operating_pitch_radius(free);
         let [low, high] = [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian);
         let seen = ExactKernel::new(&assembly).lost_motion_at(&assembly, mating)?;
         let seen = seen.and_then(|found| found.angle().zip(found.error()));
-        let seen =
-            seen.map(|(angle, error)| [angle - error, angle + error].map(|end| end * per_radian));
-        let (low, high) = match (seen, is_least) {
-            (Some([least, most]), true) => (low.min(least), most),
-            (Some([least, most]), false) => (least, high.max(most)),
-            (None, _) => (low, high),
+        let seen = seen.map(|(angle, error)| Attained {
+            low: (angle - error) * per_radian,
+            high: (angle + error) * per_radian,
+            found: angle * per_radian,
+        });
+        let (low, high) = match share.abs() > LARGEST_SHARE {
+            true => (f64::NEG_INFINITY, f64::INFINITY),
+            false => (low, high),
         };
-        // A little more than of a pair without such a runout: two brackets make one.
-        let wide = high - low > 2.0 * self.width;
+        let (low, high, found) = match (seen, is_least) {
+            (Some(seen), true) => (low.min(seen.low), seen.high, seen.found),
+            (Some(seen), false) => (seen.low, high.max(seen.high), seen.found),
+            (None, _) => (low, high, angle(extreme.found) * per_radian),
+        };
+        let is_wide = !is_proven(low, high, None);
         let bounded = Extreme {
             low,
             high,
+            found,
             mating,
             doubt: match share.abs() > LARGEST_SHARE {
                 true => Some(Doubt::Unbounded),
-                false => extreme.doubt.or(wide.then_some(Doubt::SecondOrder)),
+                false => extreme.doubt.or(is_wide.then_some(Doubt::SecondOrder)),
             },
         };
         Ok(Some((bounded, assembly)))

@@ -13,7 +13,7 @@ use super::directions::{Directed, is_open};
 use super::meshes_to::MeshesTo;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
-use crate::contact::{Doubt, Extreme, Method, Status};
+use crate::contact::{Doubt, Extreme, Method, Status, is_proven};
 use crate::error::Error;
 use crate::outline::AssembledPair;
 use crate::parallel;
@@ -31,6 +31,8 @@ pub struct RunExtremes {
     pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase, where the study has several.
     pub phase: Option<(u32, u32)>,
+    /// Wheel and pinion tooth that name the assembly phase; `None` where the pair has one, or all are alike.
+    pub covers: Option<(u32, u32)>,
     /// Matings of the cycle: lcm(z_1, z_2).
     pub matings: u64,
     /// How the worst of its poses ends.
@@ -93,11 +95,13 @@ pub struct PairPose {
 /// An extreme and the pose that attains it.
 #[derive(Debug, Clone)]
 pub struct RunExtreme {
-    /// `j_wt`, mm: no less than this.
+    /// `j_wt`, mm: no less than this; −∞ where nothing bounds it.
     pub low: f64,
-    /// No more than this.
+    /// No more than this; ∞ where nothing bounds it.
     pub high: f64,
-    /// Why that is not proven.
+    /// The attained value, mm.
+    pub found: f64,
+    /// Why the bracket is wider than wanted.
     pub doubt: Option<Doubt>,
     /// The pair: where a runout has no direction, with its high tooth where it is worst.
     pub assembly: AssembledPair,
@@ -135,41 +139,27 @@ impl RunExtreme {
         RunExtreme {
             low: found.low,
             high: found.high,
+            found: found.found,
             doubt: found.doubt,
             assembly,
             pose,
         }
     }
 
-    /// Whether no rotation of the cycle lies beyond a bracket as narrow as was wanted, and something vouches for the pose itself.
+    /// Whether the bracket is at most [`WIDTH`] wide, and the pose is proven.
     pub fn is_proven(&self) -> bool {
-        self.doubt.is_none() && self.pose.simulated.found.is_ok()
+        is_proven(self.low, self.high, self.doubt) && self.pose.simulated.found.is_ok()
     }
 
-    /// Whether no rotation of the cycle lies beyond the bracket, however wide that is.
+    /// Whether the bracket has two ends, and the pose is proven.
     pub fn holds(&self) -> bool {
-        bounds_hold(self.doubt) && self.pose.simulated.found.is_ok()
+        self.low.is_finite() && self.high.is_finite() && self.pose.simulated.found.is_ok()
     }
 
-    /// What was found, mm: the end of the bracket that the pose attains.
+    /// The attained `j_wt`, mm.
     pub fn found(&self) -> f64 {
-        self.pose
-            .simulated
-            .backlash
-            .unwrap_or(0.5 * (self.low + self.high))
+        self.pose.simulated.backlash.unwrap_or(self.found)
     }
-}
-
-/// Whether an extreme of this doubt has a bracket that holds, however wide it is.
-pub(super) fn bounds_hold(doubt: Option<Doubt>) -> bool {
-    let wide = [
-        Doubt::Effort,
-        Doubt::SecondOrder,
-        Doubt::Profile,
-        // Of drawn gears poses stand for the cycle.
-        Doubt::Sampled,
-    ];
-    doubt.is_none_or(|doubt| wide.contains(&doubt))
 }
 
 impl RunExtremes {
@@ -190,6 +180,7 @@ impl RunExtremes {
             material: planned.run.material,
             assembly: planned.run.assembly.clone(),
             phase: planned.phase,
+            covers: planned.covers(),
             matings: hunting_pitches(&planned.run.assembly),
             status: found.status,
             least,
@@ -207,7 +198,9 @@ impl RunExtremes {
             (Status::Jammed | Status::NoContact, _) => Some(false),
             (_, Some(least)) if least.high < 0.0 => Some(false),
             (Status::Unproven, _) => None,
-            (_, Some(least)) if least.low >= -WIDTH && least.holds() => Some(true),
+            (_, Some(least)) if least.low >= -WIDTH && least.pose.simulated.found.is_ok() => {
+                Some(true)
+            }
             _ => None,
         }
     }
@@ -231,7 +224,7 @@ impl RunExtremes {
 
 /// The extremes of every run of `study`, in the order of [`Study::runs`], their poses found once more by `method`.
 ///
-/// A study of single matings has the assembly phases that these belong to. `tick` is called as each run begins, from any thread.
+/// They are of every assembly phase, or of those of the listed matings ([`Study::all_phases`]). `tick` is called as each run begins, from any thread.
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].

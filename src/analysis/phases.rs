@@ -1,5 +1,6 @@
 //! Assembly phases against each other: which teeth to mark together.
 
+use crate::analysis::extremes::RunExtremes;
 use crate::analysis::tally::RunTally;
 use crate::pair::{Mating, Member, SweepPlan, ToothNumbers};
 
@@ -14,11 +15,44 @@ pub struct PhaseGroup<'a> {
     pub worst: Option<&'a RunTally>,
 }
 
+/// Assembly phases of a pair.
+pub(super) fn phase_count(assembly: &impl ToothNumbers) -> u32 {
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
+    SweepPlan::phase_count(wheel, pinion)
+}
+
+/// The assembly phases that extremes cover.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CoveredPhases {
+    /// Every phase of the pair.
+    All,
+    /// Wheel and pinion tooth that name each.
+    Some(Vec<(u32, u32)>),
+}
+
+impl CoveredPhases {
+    /// Those of `runs`.
+    pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
+        let (mut phases, mut all) = (Vec::new(), 1);
+        for run in runs {
+            if let Some(phase) = run.covers {
+                phases.push(phase);
+                all = phase_count(&run.assembly) as usize;
+            }
+        }
+        phases.sort_unstable();
+        phases.dedup();
+        if phases.is_empty() || phases.len() == all {
+            CoveredPhases::All
+        } else {
+            CoveredPhases::Some(phases)
+        }
+    }
+}
+
 /// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
 pub fn phase(assembly: &impl ToothNumbers, mating: &Mating) -> u32 {
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
-    let ways = SweepPlan::phase_count(wheel, pinion);
-    (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1
+    (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % phase_count(assembly) + 1
 }
 
 /// The runs that are phases, grouped by centre distance and material, in order.

@@ -6,11 +6,11 @@
 
 use super::assembles_from::threshold;
 use super::cycles::{Planned, WIDTH, plans};
-use super::extremes::{RunExtremes, bounds_hold};
+use super::extremes::RunExtremes;
 use super::requirement::{Limits, Quantity};
 use super::study::Study;
 use super::verdict::Verdict;
-use crate::contact::{Effort, Extreme, Status};
+use crate::contact::{Effort, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, thickness};
 use crate::pair::{GearPair, Member};
@@ -327,7 +327,6 @@ impl Search<'_> {
         let bound = |pair: &GearPair| -> Result<f64, Error> {
             let found = planned.end(pair, !is_max, effort)?;
             let end = if is_max { found.greatest } else { found.least };
-            let end = end.filter(|end: &Extreme| bounds_hold(end.doubt));
             Ok(end.map_or(
                 f64::NEG_INFINITY,
                 |end| if is_max { -end.high } else { end.low },

@@ -122,6 +122,7 @@ impl Cycle {
             Some(Extreme {
                 low: (angle - error) * radius,
                 high: (angle + error) * radius,
+                found: angle * radius,
                 mating: end.mating,
                 doubt: Some(Doubt::Sampled),
             })

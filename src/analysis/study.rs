@@ -86,6 +86,8 @@ pub struct Study {
     pub bearing_clearance: f64,
     /// The poses of every run; `None`: exactly the rows of `measured`.
     pub sweep: Option<SweepPlan>,
+    /// Whether the extremes are of every assembly phase; else of those of the listed matings.
+    pub all_phases: bool,
     /// Measured rows in the order of their file; empty when there is none.
     pub measured: Vec<MeasuredRow>,
     /// Chordal error of the polygons, mm.
@@ -173,6 +175,7 @@ impl Study {
             band: None,
             bearing_clearance: 0.0,
             sweep: Some(sweep),
+            all_phases: false,
             measured: Vec::new(),
             chord: 1e-5,
             tolerance_um: 0.1,

@@ -1,7 +1,7 @@
 //! One assembly of a population, and its extremes over the whole mesh cycle.
 
 use crate::analysis::extremes::{WIDTH, extremes_of_phase};
-use crate::contact::{Extremes, Status};
+use crate::contact::{Extreme, Extremes, Status};
 use crate::error::Error;
 use crate::pair::GearPair;
 
@@ -188,6 +188,11 @@ impl Outcome {
     }
 
     fn of(found: &Extremes) -> Outcome {
+        // The safe end of a proven bracket; of a wide one the attained value.
+        let value = |extreme: Extreme, safe: f64| match extreme.is_proven() {
+            true => safe,
+            false => extreme.found,
+        };
         let both = [found.least, found.greatest];
         Outcome {
             kind: match found.status {
@@ -197,8 +202,10 @@ impl Outcome {
                 Status::NoContact => OutcomeKind::NoContact,
                 Status::Unproven => OutcomeKind::Unproven,
             },
-            least: found.least.map(|least| least.low),
-            greatest: found.greatest.map(|greatest| greatest.high),
+            least: found.least.map(|least| value(least, least.low)),
+            greatest: found
+                .greatest
+                .map(|greatest| value(greatest, greatest.high)),
             is_proven: both.iter().any(Option::is_some)
                 && both.iter().flatten().all(|extreme| extreme.is_proven()),
         }
@@ -208,14 +215,15 @@ impl Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Doubt, Extreme};
+    use crate::contact::Doubt;
     use crate::pair::Mating;
 
     fn found(status: Status, [least, greatest]: [Option<Option<Doubt>>; 2]) -> Outcome {
         let mating = Mating::FIRST;
-        let extreme = |doubt| Extreme {
+        let extreme = |doubt: Option<Doubt>| Extreme {
             low: 0.1,
-            high: 0.1,
+            high: if doubt.is_some() { 0.2 } else { 0.1 },
+            found: 0.1,
             mating,
             doubt,
         };

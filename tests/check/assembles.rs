@@ -91,14 +91,20 @@ fn up_to_where_it_is_in_mesh() {
     );
 }
 
-/// Contact ratio near 1: where no pair stays on the line of action through a part of a pitch nothing bounds the greatest, and when the search
-/// is given up what it found is no bound. It was called proven, to the rounding of one pose, and another pose has 0.16 µm more.
+/// Contact ratio near 1: no pair stays on the line of action through a part of a pitch, so the search for the greatest is given up. Poses bound it. The value
+/// found was once called proven, and another pose has 0.16 µm more. Source: 20 000 poses.
 #[test]
-fn a_search_given_up_without_a_bound_holds_nothing() {
-    let run = extremes_of(&pair([101, 97], 1.0, [0.0, 0.0], 100.6));
-    let greatest = run.greatest.unwrap();
+fn a_search_given_up_has_a_bracket_that_holds() {
+    let pair = pair([101, 97], 1.0, [0.0, 0.0], 100.6);
+    let greatest = extremes_of(&pair).greatest.unwrap();
     assert_eq!(greatest.doubt, Some(Doubt::Unbounded));
-    assert!(!greatest.holds() && !greatest.is_proven());
+    assert!(greatest.holds() && !greatest.is_proven());
+    let kernel = ExactKernel::new(&pair);
+    let radius = pair.operating_pitch_radius(pair.free());
+    for pose in cycle::spread(&pair, 20_000) {
+        let j = kernel.lost_motion(&pose).unwrap().angle().unwrap() * radius;
+        assert!(j <= greatest.high, "{j} {greatest:?}");
+    }
 }
 
 /// Perfect gears `e` off their axes in any direction: high teeth that face their mate bring the outlines nearer by `e`, and turned away

@@ -4,6 +4,7 @@ use super::*;
 use gearlash::analysis::assembles_from::AssemblesFrom;
 use gearlash::analysis::extremes::{WIDTH, extremes_of_phase, run_count};
 use gearlash::analysis::meshes_to::MeshesTo;
+use gearlash::analysis::phases::CoveredPhases;
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::verdict::{Requirement, Verdict as Said};
 use gearlash::contact::{Doubt, Status};
@@ -34,8 +35,8 @@ fn said(runs: &[RunExtremes]) -> Said<'_> {
     Said::new(runs, &Vec::new(), None, Vec::new())
 }
 
-/// Jammed or out of mesh it does not assemble, nor with all of the bracket below 0; with its lower end not below 0 by more than brackets are wide it does,
-/// if that end holds; else nothing is known.
+/// Jammed or out of mesh it does not assemble, nor with all of the bracket below 0. With its lower end not below 0 by more than brackets are wide it does.
+/// Else nothing is known.
 #[test]
 fn a_run_assembles_by_the_bracket_of_its_least() {
     let run = run();
@@ -54,21 +55,13 @@ fn a_run_assembles_by_the_bracket_of_its_least() {
             with_status(&one, Status::Interference).assembles(),
             assembles
         );
-        for (doubt, holds) in [
-            (Doubt::Effort, true),
-            (Doubt::SecondOrder, true),
-            (Doubt::Profile, true),
-            (Doubt::Unbounded, false),
-            (Doubt::OffInvolute, false),
-            (Doubt::ContactLost, false),
-        ] {
-            let mut doubted = one.clone();
-            doubted.least.as_mut().unwrap().doubt = Some(doubt);
-            // What is found below 0 is there whatever else is.
-            let known = assembles.filter(|assembles| holds || !assembles);
-            assert_eq!(doubted.assembles(), known, "{bracket:?} {doubt:?}");
-            assert!(!doubted.is_proven() && doubted.least.unwrap().holds() == holds);
-        }
+        // The bracket decides alone, however wide it is.
+        let mut unbounded = one.clone();
+        let least = unbounded.least.as_mut().unwrap();
+        (least.low, least.doubt) = (f64::NEG_INFINITY, Some(Doubt::OffInvolute));
+        let known = assembles.filter(|assembles| !assembles);
+        assert_eq!(unbounded.assembles(), known, "{bracket:?}");
+        assert!(!unbounded.is_proven() && !unbounded.least.unwrap().holds());
         for status in [Status::Jammed, Status::NoContact] {
             assert_eq!(with_status(&one, status).assembles(), Some(false));
         }
@@ -77,7 +70,7 @@ fn a_run_assembles_by_the_bracket_of_its_least() {
     assert_eq!(none.assembles(), None);
     let doubted = |run: &RunExtremes| {
         let mut run = run.clone();
-        run.greatest.as_mut().unwrap().doubt = Some(Doubt::Effort);
+        run.greatest.as_mut().unwrap().high += 2.0 * WIDTH;
         run.is_proven()
     };
     assert!(!doubted(&none));
@@ -140,11 +133,11 @@ fn the_foremost_run_is_the_first_of_equals() {
     assert_eq!(which(&[0.3, 0.1, 0.3 + little], true), 0);
     assert_eq!(which(&[0.1 + 1.1 * WIDTH, 0.1, 0.3], false), 1);
     assert_eq!(which(&[-0.3, -0.2, -0.3 - 1.1 * WIDTH], false), 2);
-    // Without what a pose has the middle of the bracket is meant.
+    // A pose without a value leaves the value that the search attained.
     let mut open = with_least(&run, [0.1, 0.3]);
     let least = open.least.as_mut().unwrap();
-    least.pose.simulated.backlash = None;
-    assert!((least.found() - 0.2).abs() < 1e-15);
+    (least.pose.simulated.backlash, least.found) = (None, 0.2);
+    assert_eq!(least.found(), 0.2);
     // The worst is the least, or before it a jammed pose.
     let runs = [at(0.2), at(0.1)];
     let worst = said(&runs).worst().unwrap();
@@ -290,6 +283,47 @@ fn a_study_has_a_run_for_each_phase_that_differs() {
             assert_eq!(run.phase, (phases > 1).then_some((1, k)));
             let alone = extremes_of_phase(&pair, k, WIDTH).unwrap();
             assert_eq!(alone.least.unwrap().low, run.least.as_ref().unwrap().low);
+        }
+    }
+}
+
+/// 24/24 teeth, both with a runout of 30 µm: 102.01 … 151.61 µm over all 24 phases, 125.12 … 128.37 µm in the first. Source: an independent program.
+#[test]
+fn extremes_are_of_every_assembly_phase_or_of_those_listed() {
+    let gear = |allowance, high_tooth, face| {
+        let basic_data = BasicGearData::new(24, 2.0, 20f64.to_radians()).unwrap();
+        let design = GearDesign {
+            profile_shift: 0.2,
+            ..GearDesign::standard(basic_data)
+        };
+        let base = gearlash::gear::thickness::base_from_allowance(
+            &basic_data,
+            design.nominal_base_thickness(),
+            allowance,
+        );
+        let deviations = Deviations {
+            eccentricity: 0.015,
+            high_tooth,
+            ..Deviations::default()
+        };
+        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+    };
+    let wheel = gear(-0.05, 1.0, Face::Front);
+    let pinion = gear(-0.04, 13.0, Face::Back);
+    let pair = GearPair::new(wheel, pinion, 48.8).unwrap();
+    let mut study = Study::of_pair("phases", &pair, 1);
+    for (all_phases, expected, phases) in [
+        (true, [102.01, 151.61], CoveredPhases::All),
+        (false, [125.12, 128.37], CoveredPhases::Some(vec![(1, 1)])),
+    ] {
+        study.all_phases = all_phases;
+        let on = || ControlFlow::Continue(());
+        let found = extremes(&study, Method::Exact { certify: false }, &on).unwrap();
+        assert_eq!(CoveredPhases::of(&found.each), phases);
+        let verdict = said(&found.each);
+        let ends = [verdict.least(), verdict.greatest()].map(|end| 1e3 * end.unwrap().1.found());
+        for (end, expected) in ends.iter().zip(expected) {
+            assert!((end - expected).abs() < 0.006, "{ends:?} {expected:?}");
         }
     }
 }

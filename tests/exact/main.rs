@@ -1,6 +1,7 @@
 //! The exact method against everything outside it: the reference poses, closed forms, a
 //! brute-force search, and the hard cases.
 
+mod brackets;
 mod campaign;
 #[path = "../common/clearance/mod.rs"]
 mod clearance;

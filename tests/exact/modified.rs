@@ -2,7 +2,7 @@
 
 use crate::clearance;
 use crate::random::{self, Random};
-use gearlash::contact::{Certifier, Contact, CutGear, Doubt, ExactKernel, PolygonKernel, Status};
+use gearlash::contact::{Certifier, Contact, CutGear, ExactKernel, PolygonKernel, Status};
 use gearlash::gear::{AsBuilt, Deviations, Flank, Gear, Modification, Pitch, Relief, Trace};
 use gearlash::pair::{GearPair, Member, Pose};
 use rayon::prelude::*;
@@ -212,7 +212,6 @@ fn extremes_hold_every_pose() {
             let matings = 40;
             let extremes = kernel.extremes(&assembly, first, matings, 1e-6).ok()?;
             let (least, greatest) = (extremes.least?, extremes.greatest?);
-            let holds = |doubt| matches!(doubt, None | Some(Doubt::Profile | Doubt::Effort));
             let radius = assembly.operating_pitch_radius(assembly.free());
             for _ in 0..100 {
                 let mating = first.onward(
@@ -225,16 +224,13 @@ fn extremes_hold_every_pose() {
                 };
                 let play = angle * radius;
                 let rounding = 1e-11 * radius;
+                assert!(play >= least.low - rounding, "{seed}: {play} {least:?}");
                 assert!(
-                    !holds(least.doubt) || play >= least.low - rounding,
-                    "{seed}: {play} {least:?}"
-                );
-                assert!(
-                    !holds(greatest.doubt) || play <= greatest.high + rounding,
+                    play <= greatest.high + rounding,
                     "{seed}: {play} {greatest:?}"
                 );
             }
-            Some(holds(least.doubt) && holds(greatest.doubt))
+            Some(least.low.is_finite() && greatest.high.is_finite())
         })
         .collect();
     let held = found.iter().filter(|held| **held).count();

@@ -6,6 +6,7 @@
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::diagnosis;
 use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes, WIDTH};
+use gearlash::analysis::phases::CoveredPhases;
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::{Contact, Doubt, Status};
@@ -396,10 +397,16 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         return vec![String::new()];
     }
     let matings = verdict.matings();
-    let phases = each(verdict.runs.iter().filter_map(|run| run.phase)).len();
-    let over = match phases {
-        0 => format!("{matings} matings"),
-        phases => format!("{matings} matings × {phases} phases"),
+    let covered = each(verdict.runs.iter().filter_map(|run| run.covers));
+    let over = match (CoveredPhases::of(verdict.runs), &covered[..]) {
+        (_, []) => format!("{matings} matings"),
+        (CoveredPhases::All, phases) => format!("{matings} matings × {} phases", phases.len()),
+        (CoveredPhases::Some(_), [(wheel, pinion)]) => {
+            format!("{matings} matings of phase {wheel}·{pinion} alone")
+        }
+        (CoveredPhases::Some(_), phases) => {
+            format!("{matings} matings of {} phases alone", phases.len())
+        }
     };
     let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
         true => "every rotation and runout direction",
@@ -700,14 +707,17 @@ fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String
 pub fn doubt(extreme: &RunExtreme) -> Option<String> {
     match &extreme.pose.simulated.found {
         Err(unproven) => Some(plain(&unproven.reason)),
-        Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),
+        Ok(_) => {
+            let doubt = extreme.doubt.filter(|_| !extreme.is_proven());
+            doubt.map(|doubt| in_words(doubt).to_owned())
+        }
     }
 }
 
 /// A doubt in words.
 pub(crate) fn in_words(doubt: Doubt) -> &'static str {
     match doubt {
-        Doubt::OffInvolute => "only sampled, as fillets or roots may touch",
+        Doubt::OffInvolute => "bounded by poses alone, as fillets or roots may touch",
         Doubt::Effort => "search budget used up",
         Doubt::Unbounded => "no bound for parts of the cycle",
         Doubt::SecondOrder => "runout direction bounded to second order",

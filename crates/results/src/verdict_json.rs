@@ -5,6 +5,7 @@ use crate::extreme::extremes;
 use crate::pose::PoseRow;
 use crate::verdict::lines;
 use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::phases::CoveredPhases;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::outline::AssembledPair;
 use gearlash_files::characters;
@@ -16,8 +17,17 @@ pub(super) struct VerdictRecord {
     text: String,
     assembles: Option<bool>,
     requirement: &'static str,
+    phases: PhasesRecord,
     failed_checks: Vec<&'static str>,
     matings: u64,
+}
+
+/// The assembly phases that a verdict covers: `"all"`, or the wheel and pinion tooth that name each.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum PhasesRecord {
+    All(&'static str),
+    Some(Vec<(u32, u32)>),
 }
 
 /// The extremes that `verdict` rests on as JSON: a list of what results have under `extremes`.
@@ -45,6 +55,10 @@ pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {
         text: lines(verdict).to_string(),
         assembles: verdict.assembles(),
         requirement: verdict.requirement.name(),
+        phases: match CoveredPhases::of(verdict.runs) {
+            CoveredPhases::All => PhasesRecord::All("all"),
+            CoveredPhases::Some(phases) => PhasesRecord::Some(phases),
+        },
         failed_checks: verdict.failed_checks.iter().map(|check| check.id).collect(),
         matings: verdict.matings(),
     }

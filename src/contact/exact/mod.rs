@@ -50,7 +50,8 @@ mod teeth;
 mod tests;
 mod tightest;
 
-pub use extremes::{Doubt, Extreme, Extremes};
+pub(crate) use extremes::is_proven;
+pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
 pub(super) use flank_problem::{FlankProblem, PosedFlanks, lens_half};
 pub(super) use placed::Placed;
 pub(super) use section::Section;

@@ -1,5 +1,6 @@
 """Least and greatest backlash of the whole mesh cycle, and the checks of a pair."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,13 +15,15 @@ class Extreme:
     """An extreme of the backlash over the whole mesh cycle and every rotation, and a pose that attains it."""
 
     j_wt_um: tuple[float, float]
-    """Circumferential backlash, µm: no less, and no more."""
+    """Bracket of the circumferential backlash, µm; infinite at an end where nothing bounds it."""
+    found_j_wt_um: float
+    """Circumferential backlash at ``pose``, µm."""
     wheel_arcmin: float
     pinion_arcmin: float
     proven: bool
-    """Whether no rotation lies beyond the bracket, and that is as narrow as it should be."""
+    """Whether the bracket is at most 0.001 µm wide."""
     doubt: str | None
-    """Why it is not."""
+    """Why it is wider."""
     uncertainty_um: float | None
     """Expanded uncertainty, where the pair states uncertainties."""
     pose: Pose
@@ -34,7 +37,8 @@ class Extreme:
             return None
         low, high = record["j_wt_um"]
         return cls(
-            j_wt_um=(low, high),
+            j_wt_um=(-math.inf if low is None else low, math.inf if high is None else high),
+            found_j_wt_um=record["found_j_wt_um"],
             wheel_arcmin=record["lost_motion_arcmin"]["wheel"],
             pinion_arcmin=record["lost_motion_arcmin"]["pinion"],
             proven=record["proven"],

@@ -62,7 +62,8 @@ fn drawn(page: &Page) -> Vec<usize> {
     let least = page.whole.least.and_then(|least| {
         let run = &least.run.run;
         let is_of = |course: &Course| {
-            course.center_distance == run.assembly.center_distance() && course.phase == run.phase
+            let is_of_phase = course.phase.is_none() || course.phase == run.phase;
+            course.center_distance == run.assembly.center_distance() && is_of_phase
         };
         page.courses.iter().position(is_of)
     });

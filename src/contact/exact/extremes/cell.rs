@@ -3,7 +3,7 @@
 use super::course::{Course, PARTS};
 use super::over::Over;
 use super::room::{greatest, least};
-use super::table::Table;
+use super::table::{Bounds, Table};
 
 /// A stretch of one mating and what its lost motion is at least and at most, rad.
 #[derive(Debug, Clone, Copy)]
@@ -39,6 +39,15 @@ impl Cell {
         }
     }
 
+    /// The cell of a part of a mating, with the bounds of the table.
+    pub fn of_bounds(bounds: &Bounds) -> Cell {
+        Cell {
+            low: bounds.low,
+            high: bounds.high,
+            ..Cell::of_part(bounds.mating, bounds.part)
+        }
+    }
+
     /// The two cells to both sides of `at`, a pose that has been looked at; the cut is kept off the ends.
     pub fn cut(&self, at: f64) -> [Cell; 2] {
         let width = self.to - self.from;
@@ -71,11 +80,7 @@ impl Cell {
                 faces: ends.iter().map(|end| end[k]).collect(),
                 effort: course.effort,
             };
-            let mut rooms = Vec::with_capacity(8);
-            for step in table.steps(k, self.mating, self.part) {
-                over.add(step, &mut rooms);
-            }
-            rooms
+            over.rooms(table.steps(k, self.mating, self.part))
         });
         let (lowest, low) = least(&rooms);
         let (highest, high) = greatest(&rooms);

@@ -1,8 +1,9 @@
 //! How far a tip corner stays from its mate's fillet over a stretch of the locked gear's turn: cut where its bound does not show enough.
 
 use super::super::line::Line;
-use super::super::shape::{C, turn};
-use super::dip::Dip;
+use super::super::shape::{C, HalfToothShape, turn};
+use super::corner_path::{CornerPath, is_clear_over};
+use super::dip::{Dip, Tip};
 
 /// A stretch is cut so often at most (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
 const HALVINGS: u32 = 5;
@@ -37,6 +38,40 @@ impl Dip {
         };
         let whole = cut.over(at, play);
         cut.refined((at, play), whole, enough, HALVINGS)
+    }
+
+    /// Whether the corner stays clear of the fillet of `mate` while the free gear has `room` more to the contact of the involutes, at every distance between those of
+    /// `lines` and every place of the locked half tooth within `play` of the angle `at`.
+    pub fn stays_clear(
+        &self,
+        mate: &HalfToothShape,
+        (at, play): (f64, f64),
+        Lines(lines): &Lines,
+        room: f64,
+    ) -> bool {
+        let [(low, _), (high, _)] = *lines;
+        let (locked, free) = (&self.locked, &self.free);
+        let bend = match high == low {
+            true => 0.0,
+            false => self.bend(low) * (high - low).powi(2),
+        };
+        let rate = -locked.base / free.base;
+        lines.iter().all(|(distance, line)| {
+            let path = |at: f64| {
+                let l = -turn(at);
+                let f = turn(self.gap(at, line) - (room + bend));
+                match self.tip {
+                    Tip::Free => {
+                        let centre = C::from(*distance);
+                        CornerPath::of_free(f * free.corner, centre, l, *distance, rate)
+                    }
+                    Tip::Locked => {
+                        CornerPath::of_locked(l * locked.corner, C::ZERO, f, *distance, rate)
+                    }
+                }
+            };
+            is_clear_over((at, play), 1.0, mate, self.deepest, 1e-14 * distance, &path)
+        })
     }
 
     /// How `h/ρ` bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.

@@ -3,6 +3,7 @@
 use super::super::ExactKernel;
 use super::super::flank_problem::{FlankProblem, PosedFlanks};
 use super::super::section::Section;
+use super::super::shape::HalfToothShape;
 use super::super::teeth::reduced;
 use super::dip::{Dip, Tip};
 use crate::contact::Effort;
@@ -36,6 +37,16 @@ pub(super) struct SideCourse<'a> {
     pub dips: Vec<Dip>,
     /// How much farther on the locked teeth stand in one section of the common face than in the measuring plane, rad: least and greatest.
     pub turns: [f64; 2],
+}
+
+impl SideCourse<'_> {
+    /// The half tooth into whose fillet a tip dips.
+    pub fn mate(&self, tip: Tip) -> &HalfToothShape {
+        match tip {
+            Tip::Locked => &self.problem.free.shape,
+            Tip::Free => &self.problem.locked.shape,
+        }
+    }
 }
 
 impl<'a> Course<'a> {
@@ -104,10 +115,42 @@ impl<'a> Course<'a> {
         })
     }
 
-    /// The mating `fraction` of a pitch beyond mating number `index`.
+    /// The mating `fraction` of a pitch beyond mating number `index`; a whole pitch is the next mating.
     pub fn mating(&self, index: u64, fraction: f64) -> Mating {
+        let (index, fraction) = if fraction >= 1.0 {
+            (index + 1, fraction - 1.0)
+        } else {
+            (index, fraction)
+        };
         let onward = self.first.onward(self.assembly, index as f64);
         Mating { fraction, ..onward }
+    }
+
+    /// Of all numbers of the mating that is as mating number `index`, the one with the least wheel tooth, then the least pinion tooth. Where the teeth
+    /// of one gear are all alike, each tooth of the other meets several.
+    pub fn first_alike(&self, index: u64) -> u64 {
+        let alike = |k: usize| {
+            self.sides.iter().all(|side| {
+                let teeth = [&side.problem.locked, &side.problem.free][k];
+                teeth.extremes.0 == teeth.extremes.1 && side.off[k] == 0.0
+            })
+        };
+        let counts = [self.assembly.locked(), self.assembly.free()]
+            .map(|member| u64::from(self.assembly.teeth(member)));
+        let others = match [alike(0), alike(1)] {
+            [true, false] if self.matings == counts[1] => counts[0],
+            [false, true] if self.matings == counts[0] => counts[1],
+            _ => 1,
+        };
+        let numbers = (0..others).map(|k| index + k * self.matings);
+        let first = numbers.min_by_key(|index| self.teeth(*index));
+        first.unwrap_or(index)
+    }
+
+    /// Wheel and pinion tooth of mating number `index`.
+    pub fn teeth(&self, index: u64) -> (u32, u32) {
+        let mating = self.mating(index, 0.0);
+        (mating.wheel_tooth, mating.pinion_tooth)
     }
 
     /// Both sides where mating number `index` begins.
@@ -196,6 +239,16 @@ impl<'a> Posed<'a> {
     /// The way the free gear has from its nominal rotation to a gap, rad.
     pub fn room(&self, gap: f64) -> f64 {
         -(gap + self.level)
+    }
+
+    /// The gap at which it has a room.
+    pub fn gap(&self, room: f64) -> f64 {
+        -(room + self.level)
+    }
+
+    /// What the locked gear turns by to another pose of the same mating, in this frame.
+    pub fn angle_to(&self, other: &Posed) -> f64 {
+        other.flanks.ahead - self.flanks.ahead
     }
 
     /// How fast that grows with the pitches, where the gap changes at `slope` with the locked gear's rotation.

@@ -58,7 +58,7 @@ pub(super) struct Dip {
 pub(super) struct Outline {
     pub base: f64,
     half_base: f64,
-    corner: C,
+    pub corner: C,
     /// How far the corner is from the axis.
     reach: f64,
 }
@@ -133,6 +133,16 @@ impl Dip {
         off.abs() <= self.half + play
     }
 
+    /// The gap at which the endless involutes touch on `line`, the locked half tooth at the angle `at`.
+    pub(super) fn gap(&self, at: f64, line: &Line) -> f64 {
+        let (locked, free) = (&self.locked, &self.free);
+        ((locked.base + free.base) * line.angle
+            - line.length
+            - locked.base * (at - locked.half_base))
+            / free.base
+            + free.half_base
+    }
+
     /// At one distance and its line, the locked half tooth within `play` of the angle `at`, towards which `l` points.
     pub(super) fn at_distance(
         &self,
@@ -143,12 +153,7 @@ impl Dip {
     ) -> f64 {
         let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
-        let gap = ((locked.base + free.base) * line.angle
-            - line.length
-            - locked.base * (at - locked.half_base))
-            / free.base
-            + free.half_base;
-        let f = turn(gap);
+        let f = turn(self.gap(at, line));
         // The corner in the mate's frame, its velocity, and its radius about the free axis.
         let (point, velocity, radius, by_gap) = match self.tip {
             Tip::Locked => {

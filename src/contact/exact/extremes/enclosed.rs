@@ -36,12 +36,10 @@ pub(super) fn bounds(course: &Course, width: f64, of: &[Which]) -> Result<[Proof
     Ok([least, greatest])
 }
 
-/// A bound as far as it holds.
+/// The bound of an enclosing or enclosed pair.
 fn proof(extreme: Option<Extreme>, end: impl Fn(&Extreme) -> f64) -> Proof {
     match extreme {
-        Some(extreme) if matches!(extreme.doubt, None | Some(Doubt::Effort)) => {
-            (end(&extreme), Some(Doubt::Profile))
-        }
-        _ => UNKNOWN,
+        Some(extreme) => (end(&extreme), Some(extreme.doubt.unwrap_or(Doubt::Profile))),
+        None => UNKNOWN,
     }
 }

@@ -1,7 +1,7 @@
 //! The least and the greatest of a cycle as a result, and the poses seen on the way to it.
 
 use super::course::Course;
-use crate::contact::lost_motion::Status;
+use crate::contact::lost_motion::{LostMotion, Status};
 use crate::error::Error;
 use crate::pair::Mating;
 
@@ -21,43 +21,55 @@ pub struct Extremes {
     pub lost: Option<Mating>,
 }
 
-/// One extreme of `j_wt`.
+/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
+pub const PROVEN_WIDTH: f64 = 1e-6;
+
+/// One extreme of `j_wt`. Its bracket holds the extreme of the whole cycle, however wide it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
-    /// `j_wt` is no less, mm.
+    /// The extreme is no less, mm: −∞ where nothing bounds it.
     pub low: f64,
-    /// And no greater, mm.
+    /// The extreme is no greater, mm: ∞ where nothing bounds it.
     pub high: f64,
-    /// Where the pose stands that attains the end of the bracket which was found.
+    /// `j_wt` at `mating`, mm: the best of all poses looked at.
+    pub found: f64,
+    /// The pose that attains `found`.
     pub mating: Mating,
-    /// Why the bracket is not proven; `None`: it is.
+    /// Why the bracket is wider than wanted.
     pub doubt: Option<Doubt>,
 }
 
 impl Extreme {
-    /// Whether no rotation of the cycle lies beyond the bracket.
+    /// Whether the bracket is at most [`PROVEN_WIDTH`] wide.
     pub fn is_proven(&self) -> bool {
-        self.doubt.is_none()
+        is_proven(self.low, self.high, self.doubt)
     }
 }
 
-/// Why an extreme is only what was found.
+/// Whether a bracket of `j_wt`, mm, is proven: narrow, and not of sampled poses alone.
+pub(crate) fn is_proven(low: f64, high: f64, doubt: Option<Doubt>) -> bool {
+    // Rounding of a difference of two lengths.
+    let is_narrow = high - low <= PROVEN_WIDTH * (1.0 + 1e-3);
+    is_narrow && doubt != Some(Doubt::Sampled)
+}
+
+/// Why a bracket is wider than wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Doubt {
-    /// Fillets or roots may be touched, or a tooth is not an involute: nothing bounds the lost motion between poses.
+    /// Fillets or roots may touch, or a tooth is no involute: nothing bounds the lost motion between poses.
     OffInvolute,
-    /// Too many stretches of the cycle come too near to each other: the bracket holds, and is wider than was wanted.
+    /// Too many stretches of the cycle come near the extreme.
     Effort,
     /// Too many stretches of the cycle have no bound: no pair stays on the line of action all through them.
     Unbounded,
-    /// What a runout of any direction does is bounded to the second order of the lost motion: the bracket holds, and is wider than was wanted.
+    /// A runout of any direction is bounded to the second order of the lost motion.
     SecondOrder,
-    /// Profile deviations are bounded by the greatest and the least of each flank: the bracket holds, and is wider than was wanted.
+    /// Profile deviations are bounded by the greatest and the least of each flank.
     Profile,
-    /// A contact was lost at a pose.
+    /// A contact was lost at a pose: nothing bounds the extreme.
     ContactLost,
     /// A gear is drawn: extremes are those of sampled poses, and of more round the best.
     Sampled,
@@ -77,8 +89,8 @@ pub(super) struct PosesSeen {
     pub jammed: Option<Mating>,
     pub unmeshed: Option<Mating>,
     lost: bool,
-    /// Whether the cycle was sampled.
-    pub sampled: bool,
+    /// What bounds the least from below and the greatest from above where the cycle was sampled, rad.
+    pub sampled: Option<[f64; 2]>,
 }
 
 /// The lost motion at a pose, rad.
@@ -90,13 +102,13 @@ pub(super) struct Seen {
 }
 
 impl PosesSeen {
-    /// Looks at a pose.
-    pub fn look(&mut self, course: &Course, mating: Mating) -> Result<(), Error> {
+    /// Looks at a pose; `None` where the contact is lost.
+    pub fn look(&mut self, course: &Course, mating: Mating) -> Result<Option<LostMotion>, Error> {
         let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
         course.effort.spend(effort);
         let Some(found) = found? else {
             self.lost = true;
-            return Ok(());
+            return Ok(None);
         };
         match found.status() {
             Status::Jammed => self.jammed = self.jammed.or(Some(mating)),
@@ -110,7 +122,7 @@ impl PosesSeen {
                 mating,
             });
         }
-        Ok(())
+        Ok(Some(found))
     }
 
     fn take(&mut self, seen: Seen) {
@@ -125,24 +137,36 @@ impl PosesSeen {
     /// The result, with the proofs of the least and the greatest.
     pub fn extremes(&self, course: &Course, [least, greatest]: [Proof; 2]) -> Extremes {
         let per_radian = course.per_radian();
-        let extreme = |seen: Seen, (bound, doubt): Proof| {
+        // The attained value bounds one end, the proof the other.
+        let extreme = |seen: Seen, is_least: bool, (bound, doubt): Proof| {
+            // The better bound of the search and of the poses.
+            let bound = match self.sampled {
+                Some([low, _]) if is_least => bound.max(low),
+                Some([_, high]) if !is_least => bound.min(high),
+                _ => bound,
+            };
+            let (bound, doubt) = if self.lost {
+                (f64::NAN, Some(Doubt::ContactLost))
+            } else {
+                (bound, doubt)
+            };
             let (low, high) = (seen.angle - seen.error, seen.angle + seen.error);
-            let bounds = match bound.is_finite() {
-                true => (low.min(bound), high.max(bound)),
-                false => (low, high),
+            let (low, high) = match (bound.is_finite(), is_least) {
+                (true, true) => (low.min(bound), high),
+                (true, false) => (low, high.max(bound)),
+                (false, true) => (f64::NEG_INFINITY, high),
+                (false, false) => (low, f64::INFINITY),
             };
             Extreme {
-                low: bounds.0 * per_radian,
-                high: bounds.1 * per_radian,
+                low: low * per_radian,
+                high: high * per_radian,
+                found: seen.angle * per_radian,
                 mating: seen.mating,
-                doubt: match self.lost {
-                    true => Some(Doubt::ContactLost),
-                    false => doubt,
-                },
+                doubt,
             }
         };
-        let low_end = self.least.map(|seen| extreme(seen, least));
-        let high_end = self.greatest.map(|seen| extreme(seen, greatest));
+        let low_end = self.least.map(|seen| extreme(seen, true, least));
+        let high_end = self.greatest.map(|seen| extreme(seen, false, greatest));
         let interferes = self.least.is_some_and(|seen| seen.angle < -seen.error);
         let status = match (self.jammed, self.unmeshed) {
             (Some(_), _) => Status::Jammed,

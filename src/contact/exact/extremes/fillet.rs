@@ -13,14 +13,12 @@
 
 use super::super::flank_problem::PosedFlanks;
 use super::super::shape::{C, HalfToothShape, turn};
+use super::corner_path::{CornerPath, around_radius};
 use super::dip::Tip;
 use crate::gear::ProfilePart;
 
 /// Steps of Newton's method: `s` is a sine of `μ`, near its steepest (it takes 4).
 const STEPS: usize = 20;
-
-/// Steps of bisection for a fillet's parameter: to the last bit.
-const HALVINGS: usize = 52;
 
 /// A straight line of the mate's frame.
 #[derive(Debug, Clone, Copy)]
@@ -72,6 +70,28 @@ impl<'a> OnFillet<'a> {
         match self.tip {
             Tip::Locked => &self.posed.problem.free.shape,
             Tip::Free => &self.posed.problem.locked.shape,
+        }
+    }
+
+    /// The corner's path past the fillet, at a gap that changes at `rate` with the locked gear's turn.
+    pub fn path(&self, gap: f64, rate: f64) -> CornerPath {
+        let problem = self.posed.problem;
+        let pair = self.posed.pair(self.step);
+        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+        let l = -turn(pair.locked_base + locked.half_base);
+        let turned = turn(gap);
+        let f = turned * turn(pair.free_base + free.half_base);
+        let (centre, free_centre) = (self.posed.centre, turned * self.posed.free_centre);
+        let distance = problem.distance;
+        match self.tip {
+            Tip::Free => {
+                let corner = free_centre + f * free.tip_corner();
+                CornerPath::of_free(corner, centre, l, distance, rate)
+            }
+            Tip::Locked => {
+                let corner = centre - distance + l * locked.tip_corner();
+                CornerPath::of_locked(corner, free_centre, f, distance, rate)
+            }
         }
     }
 
@@ -213,15 +233,7 @@ fn radii(
         if radius >= mate.form_radius() {
             return end;
         }
-        let (mut low, mut high) = (deepest, end);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            match mate.at(ProfilePart::Fillet, middle).point.norm() < radius {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        0.5 * (low + high)
+        around_radius(mate, radius, deepest).map_or(deepest, |(low, high)| 0.5 * (low + high))
     };
     (low <= mate.form_radius()).then(|| (at(low), at(high)))
 }

@@ -11,6 +11,7 @@
 
 mod cell;
 mod clearance;
+mod corner_path;
 mod course;
 mod dip;
 mod dips_over_face;
@@ -32,7 +33,8 @@ use crate::contact::effort::Effort;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 use course::Course;
-pub use extreme::{Doubt, Extreme, Extremes};
+pub(crate) use extreme::is_proven;
+pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
 use extreme::{PosesSeen, UNKNOWN};
 use sample::Until;
 use search::{Search, Which};
@@ -179,11 +181,13 @@ impl ExactKernel {
         let search = |which| Search {
             course,
             table: &table,
-            width,
+            width: search::PROOF_SHARE * width,
+            equal: search::EQUAL_SHARE * width,
             which,
-            // A third each to both searches and to what is sampled if they do not close.
+            // A third each to both searches and to the poses that are sampled if they do not close. A search for the least alone samples none.
             spare: match which {
                 Which::Greatest => course.effort.left() / 3 * 2,
+                Which::Least if until == Until::Jammed => 0,
                 Which::Least => course.effort.left() / 3,
             },
             until,
@@ -193,8 +197,8 @@ impl ExactKernel {
         let wanted = wanted.filter(|which| stays || *which == Which::Greatest);
         let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
-        let ranked = search::rank(&searches, &mut found)?;
-        for (search, ranked) in searches.iter().zip(ranked) {
+        let mut ranked = search::rank(&searches, &mut found)?;
+        for (search, ranked) in searches.iter().zip(&mut ranked) {
             let proof = search.run(ranked, &mut found)?;
             match search.which {
                 Which::Least => least = proof,
@@ -203,6 +207,9 @@ impl ExactKernel {
         }
         if !stays && of.contains(&Which::Least) {
             sample::sample(course, &mut found, until)?;
+        }
+        for (search, ranked) in searches.iter().zip(ranked) {
+            search.name_first(ranked.near, &mut found)?;
         }
         Ok(found.extremes(course, [least, greatest]))
     }

@@ -1,11 +1,12 @@
 //! What bounds the room of one side over a stretch of a mating: pair by pair of half teeth.
 
 use super::clearance::Lines;
+use super::corner_path;
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
 use super::dip::Dip;
 use super::fillet::{self, OnFillet, Reached};
 use super::rolls::PIECE;
-use super::room::PairRoom;
+use super::room::{self, PairRoom, Piece};
 use super::separation::{Separation, lowest_roll};
 use super::table::OpenStep;
 use crate::contact::Effort;
@@ -14,8 +15,11 @@ use crate::contact::Effort;
 const STEP: u64 = 12;
 const DIP: u64 = 8;
 
-/// What the place of a tip corner on a fillet takes at both ends of a stretch: four bisections of 52 steps.
-const ON_FILLET: u64 = 100;
+/// Effort of one look at the path of a tip corner past a fillet.
+const LOOK: u64 = 2;
+
+/// Effort of the place of a tip corner on a fillet at both ends of a stretch.
+const ON_FILLET: u64 = 30;
 
 /// Angles of a locked half tooth and distances of the outlines' centres over a cell.
 pub(super) struct Places {
@@ -79,28 +83,67 @@ impl<'a> Over<'a> {
         PairRoom::convex(room, rates, bend, touches)
     }
 
-    /// Adds what bounds the room of the pair at `step`: that of its involutes, and that of a corner and a fillet.
-    pub fn add(&self, step: OpenStep, rooms: &mut Vec<PairRoom>) {
-        if !self.faces.is_empty() {
-            self.effort.spend(2 * STEP);
-            let found = self.add_over_face(step, rooms);
-            if step.dips {
-                self.add_dips(step, rooms, |dip, rooms| {
-                    self.add_dip_over_face(step, dip, &found, rooms)
-                });
+    /// What bounds the room of each of `steps`: that of its involutes, and that of a corner and a fillet.
+    pub fn rooms(&self, steps: impl Iterator<Item = OpenStep>) -> Vec<PairRoom> {
+        let mut rooms = Vec::with_capacity(8);
+        let mut dipping = Vec::new();
+        for step in steps {
+            if !self.faces.is_empty() {
+                self.effort.spend(2 * STEP);
+                let found = self.add_over_face(step, &mut rooms);
+                if step.dips {
+                    self.add_dips(step, &mut rooms, |dip, rooms| {
+                        self.add_dip_over_face(step, dip, &found, rooms)
+                    });
+                }
+                continue;
             }
-            return;
+            self.effort.spend(STEP);
+            let found = self.add_involutes(&self.ends, step.step, &mut rooms);
+            if step.dips {
+                dipping.push((step, found.map(|found| found.gap)));
+            }
         }
-        self.effort.spend(STEP);
-        let found = self.add_involutes(&self.ends, step.step, rooms);
-        if step.dips {
-            let near = found.map(|found| found.gap);
-            self.add_dips(step, rooms, |dip, rooms| {
-                let room = self.on_fillet(&self.ends, step.step, dip, near);
+        if !dipping.is_empty() {
+            self.add_spur_dips(&dipping, &mut rooms);
+        }
+        rooms
+    }
+
+    /// Adds the room of tip corners that may touch fillets before the involutes touch, of spur gears.
+    fn add_spur_dips(&self, dipping: &[(OpenStep, [f64; 2])], rooms: &mut Vec<PairRoom>) {
+        let above = room::lines_above(rooms);
+        for (step, near) in dipping {
+            self.add_dips(*step, rooms, |dip, rooms| {
+                if !above.is_empty() && self.is_clear(step.step, dip, &above) {
+                    return true;
+                }
+                let room = self.on_fillet(&self.ends, step.step, dip, *near);
                 rooms.extend(room);
                 room.is_some()
             });
         }
+    }
+
+    /// Whether the corner of `dip` at `step` is clear of the fillet while the side has the room of a broken line.
+    fn is_clear(&self, step: i64, dip: &Dip, line: &[Piece]) -> bool {
+        let problem = self.side.problem;
+        let angle = self.ends[0].angle_to(&self.ends[1]);
+        let need = self.rounding() * problem.free.shape.base;
+        let mate = self.side.mate(dip.tip);
+        line.iter().all(|piece| {
+            let [first, last] = [0, 1].map(|k| self.ends[k].gap(piece.room[k] + self.rounding()));
+            let rate = (last - first) / angle;
+            let path = |at: f64| {
+                self.effort.spend(LOOK);
+                let flanks = self.ends[0].flanks.turned_on(at * angle);
+                let gap = first + at * (last - first);
+                OnFillet::new(flanks, step, dip.tip).path(gap, rate)
+            };
+            let [from, to] = piece.over;
+            let over = (0.5 * (from + to), 0.5 * (to - from));
+            corner_path::is_clear_over(over, angle, mate, dip.deepest, need, &path)
+        })
     }
 
     /// Adds the room of the involutes of a section that stands as `ends`, and their ends: what keeps them apart.

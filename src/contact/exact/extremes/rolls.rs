@@ -8,6 +8,9 @@ use super::separation::lowest_roll;
 /// Over a face of helical gears so much of a part's turn is looked at together (tuned: no tip of 44 standard teeth seems to come to a fillet).
 pub(super) const PIECE: f64 = 0.25;
 
+/// A clearance this much beyond the spread of the flanks decides nothing, rad.
+const BEYOND: f64 = 1e-12;
+
 /// What a part of a pitch means for a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
@@ -149,7 +152,17 @@ impl<'a> Rolls<'a> {
         let dips = self.side.dips.iter();
         let dips = dips.filter(|dip| dip.may_dip(at, play));
         let dips = dips.map(|dip| match &self.lines {
-            Some(lines) => dip.clearance(at, play, lines, self.spread),
+            Some(lines) => {
+                let mate = self.side.mate(dip.tip);
+                let beyond = self.spread + BEYOND;
+                let found = dip.clearance(at, play, lines, self.spread);
+                let is_beyond = found[0].min(found[1]) >= beyond;
+                if !is_beyond && dip.stays_clear(mate, (at, play), lines, beyond) {
+                    [beyond; 2]
+                } else {
+                    found
+                }
+            }
             None => [f64::NEG_INFINITY; 2],
         });
         Part {

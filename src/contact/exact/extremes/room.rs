@@ -61,6 +61,53 @@ impl PairRoom {
     }
 }
 
+/// A straight piece of [`lines_above`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Piece {
+    /// `u` where it begins and ends.
+    pub over: [f64; 2],
+    /// Its room at `u = 0` and at `u = 1`, prolonged.
+    pub room: [f64; 2],
+}
+
+/// A broken line that the least of the touching rooms stays below: the least of their chords, each raised by what the room bends. It has no pieces where no room is
+/// known to touch.
+///
+/// A pair with more room than this changes neither bound. Only touching rooms count, as the others bound nothing from above.
+pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<Piece> {
+    let touching = rooms.iter().filter(|room| room.chord.is_some());
+    let lines = touching.map(|room| [0.0, 1.0].map(|end| room.low(end) + room.bend / 8.0));
+    let lines: Vec<[f64; 2]> = lines.collect();
+    let rate = |line: &[f64; 2]| line[1] - line[0];
+    let first = lines.iter().min_by(|a, b| {
+        let at_start = a[0].total_cmp(&b[0]);
+        at_start.then(rate(a).total_cmp(&rate(b)))
+    });
+    let Some(mut line) = first else {
+        return Vec::new();
+    };
+    let (mut pieces, mut from) = (Vec::new(), 0.0);
+    loop {
+        // The next line that falls below.
+        let steeper = lines.iter().filter(|other| rate(other) < rate(line));
+        let crossed =
+            steeper.map(|other| ((other[0] - line[0]) / (rate(line) - rate(other)), other));
+        let next = crossed.min_by(|a, b| {
+            let place = a.0.total_cmp(&b.0);
+            place.then(rate(a.1).total_cmp(&rate(b.1)))
+        });
+        let to = next.map_or(1.0, |(place, _)| place.clamp(from, 1.0));
+        pieces.push(Piece {
+            over: [from, to],
+            room: *line,
+        });
+        match next {
+            Some((_, other)) if to < 1.0 => (line, from) = (other, to),
+            _ => return pieces,
+        }
+    }
+}
+
 /// Where the sum of both sides is least, and its bound there.
 pub(super) fn least(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     let [right, left] = rooms;
@@ -106,4 +153,30 @@ pub(super) fn greatest(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     each.fold((0.5, f64::NEG_INFINITY), |most, one| {
         if one.1 > most.1 { one } else { most }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The broken line is the least of the chords at every place. Source: the chords themselves.
+    #[test]
+    fn the_broken_line_is_the_least_of_all_chords() {
+        let ends = [[0.0, 3.0], [1.0, 1.0], [2.0, -1.0], [5.0, 5.0], [0.0, 4.0]];
+        let room =
+            |ends: [f64; 2], touches| PairRoom::convex(ends, [ends[1] - ends[0]; 2], 0.0, touches);
+        let rooms: Vec<PairRoom> = ends.iter().map(|ends| room(*ends, true)).collect();
+        let pieces = lines_above(&rooms);
+        assert_eq!(pieces.len(), 3);
+        assert_eq!((pieces[0].over[0], pieces[2].over[1]), (0.0, 1.0));
+        for piece in &pieces {
+            for part in [0.0, 0.3, 1.0] {
+                let u = piece.over[0] + part * (piece.over[1] - piece.over[0]);
+                let at = |[a, b]: [f64; 2]| a + (b - a) * u;
+                let least = ends.into_iter().map(at).fold(f64::INFINITY, f64::min);
+                assert!((at(piece.room) - least).abs() < 1e-15, "{piece:?} at {u}");
+            }
+        }
+        assert_eq!(lines_above(&[room([0.0, 1.0], false)]), []);
+    }
 }

@@ -1,15 +1,31 @@
-//! Extremes of a pair of which nothing bounds the lost motion between poses: as many poses as seems right, and more round the best.
+//! Extremes of a pair of which no curve bounds the lost motion between poses: by poses, and by what turning on from one to the next may do.
+//!
+//! On either side of a tooth the radius about its own centre rises from root to tip. So a tooth that turns back leaves metal nowhere in front of its flank, and one
+//! that turns on has metal wherever it had some: the free gear's rotation at contact follows the locked gear, on both sides, and never turns back. Let `R` and `L` be
+//! these rotations at two poses, less the nominal ones, which differ by `δ`. For every pose between,
+//!
+//! ```text
+//! min(L_0 − R_1, L_1 − R_0) − δ  ≤  j  ≤  max(L_0 − R_1, L_1 − R_0) + δ.
+//! ```
+//!
+//! An eccentric locked outline may carry a land, whose normal passes its centre, back by `e_L` a radian; the free gear's arm is half its base radius at least
+//! where lands touch flanks. Poses at which tips stand on tips or in roots bound nothing. The stretch with the worst bound is halved.
 
 use super::course::Course;
 use super::extreme::PosesSeen;
+use super::search::Which;
+use crate::contact::{Contact, LostMotion};
 use crate::error::Error;
-use crate::pair::Mating;
+use crate::pair::{Mating, Pose};
+use std::collections::BinaryHeap;
+use std::f64::consts::{PI, TAU};
 
 /// Poses in all, at most, of a pair that needs no search and of one that does (tuned: some 0.2 s, and 1 s).
 const MOST: [u64; 2] = [200_000, 6_000];
 
-/// Poses a pitch, where there are not too many matings.
+/// Poses a pitch on the average, at most, and poses that any cycle may have.
 const PER_PITCH: u64 = 32;
+const FEW: u64 = 2_000;
 
 /// Times the neighbourhood of the best poses is cut into a quarter: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;
@@ -19,6 +35,9 @@ const TRIED: u64 = 8;
 
 /// Poses that are looked at while there is any effort left, however much one takes: a helical one is below 0.1 s.
 const FEWEST: u64 = 16;
+
+/// A stretch this short that has no bound at its ends has none, pitches.
+const HOPELESS: f64 = 1e-3;
 
 /// When there is no need to look any further.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,37 +55,216 @@ impl Until {
             Until::End => false,
         }
     }
+
+    /// The extremes that are sought.
+    fn sought(self) -> &'static [Which] {
+        match self {
+            Until::Jammed => &[Which::Least],
+            Until::Unmeshed => &[Which::Greatest],
+            Until::End => &[Which::Greatest, Which::Least],
+        }
+    }
 }
 
-/// Looks through the cycle, and closer round the least and the greatest: at as many poses as the effort allows, all through the cycle.
-pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Result<(), Error> {
-    if std::mem::replace(&mut found.sampled, true) {
-        return Ok(());
+/// Free rotations at contact, less the nominal one, rad; `None` where they bound nothing.
+#[derive(Debug, Clone, Copy)]
+struct Turned {
+    right: f64,
+    left: f64,
+    error: f64,
+}
+
+/// Between two poses, pitches from where the cycle begins.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    places: [f64; 2],
+    ends: [Option<Turned>; 2],
+}
+
+/// A cycle and what bounds it between poses.
+struct Sampled<'a, 'b> {
+    course: &'a Course<'b>,
+    /// Nominal turn of the free gear a pitch, with what an eccentric locked outline may take back, rad.
+    per_pitch: f64,
+}
+
+impl Sampled<'_, '_> {
+    fn look(&self, found: &mut PosesSeen, place: f64) -> Result<Option<Turned>, Error> {
+        let course = self.course;
+        let mating = course.mating(place.floor() as u64, place.fract());
+        let Some(seen) = found.look(course, mating)? else {
+            return Ok(None);
+        };
+        let nominal = Pose::new(course.assembly, mating).free_rotation();
+        Ok(turned(&seen, nominal))
     }
-    let most = MOST[usize::from(!course.kernel.is_direct())];
-    let affordable = affordable(course)?;
-    let (per_pitch, stride) = match most.min(course.matings * PER_PITCH) <= affordable {
-        true => (
-            (most / course.matings.max(1)).clamp(1, PER_PITCH),
-            (course.matings / most).max(1),
-        ),
-        false => (
-            (affordable / course.matings.max(1)).clamp(1, PER_PITCH),
-            course.matings.div_ceil(affordable),
-        ),
-    };
-    let mut index = 0;
-    while index < course.matings {
-        for part in 0..per_pitch {
-            let fraction = (part as f64 + 0.5) / per_pitch as f64;
-            found.look(course, course.mating(index, fraction))?;
-            if until.is_reached(found) || course.effort.is_spent() {
-                return Ok(());
+
+    /// Bounds of the lost motion over a stretch.
+    fn bounds(&self, stretch: &Stretch) -> [f64; 2] {
+        let [Some(a), Some(b)] = stretch.ends else {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        };
+        let way = (stretch.places[1] - stretch.places[0]) * self.per_pitch + a.error + b.error;
+        let across = [a.left - b.right, b.left - a.right];
+        [
+            across[0].min(across[1]) - way,
+            across[0].max(across[1]) + way,
+        ]
+    }
+
+    /// Halves the stretch with the worst bound, as often as `most` says; the bound that is left.
+    fn refine(
+        &self,
+        which: Which,
+        stretches: &mut Vec<Stretch>,
+        most: u64,
+        found: &mut PosesSeen,
+        until: Until,
+    ) -> Result<f64, Error> {
+        let worse = |stretch: &Stretch| {
+            let [low, high] = self.bounds(stretch);
+            which.key(low, high)
+        };
+        let mut heap: BinaryHeap<Ranked> = stretches
+            .drain(..)
+            .enumerate()
+            .map(|(number, stretch)| Ranked {
+                key: worse(&stretch),
+                number,
+                stretch,
+            })
+            .collect();
+        let mut number = heap.len();
+        for _ in 0..most {
+            if self.course.effort.is_spent() || until.is_reached(found) {
+                break;
+            }
+            let Some(Ranked { key, stretch, .. }) = heap.pop() else {
+                break;
+            };
+            let [from, to] = stretch.places;
+            if key == f64::INFINITY && to - from < HOPELESS {
+                heap.push(Ranked {
+                    key,
+                    number,
+                    stretch,
+                });
+                break;
+            }
+            let middle = 0.5 * (from + to);
+            let between = self.look(found, middle)?;
+            for (places, ends) in [
+                ([from, middle], [stretch.ends[0], between]),
+                ([middle, to], [between, stretch.ends[1]]),
+            ] {
+                let stretch = Stretch { places, ends };
+                heap.push(Ranked {
+                    key: worse(&stretch),
+                    number,
+                    stretch,
+                });
+                number += 1;
             }
         }
-        index += stride;
+        let worst = heap.peek().map_or(f64::INFINITY, |top| top.key);
+        stretches.extend(heap.into_iter().map(|ranked| ranked.stretch));
+        Ok(match which {
+            Which::Least => -worst,
+            Which::Greatest => worst,
+        })
     }
-    let mut width = 0.5 / per_pitch as f64;
+}
+
+/// A stretch by its bound; of equal ones the first.
+#[derive(Debug)]
+struct Ranked {
+    key: f64,
+    number: usize,
+    stretch: Stretch,
+}
+
+impl PartialEq for Ranked {
+    fn eq(&self, other: &Ranked) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ranked {}
+
+impl PartialOrd for Ranked {
+    fn partial_cmp(&self, other: &Ranked) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ranked {
+    fn cmp(&self, other: &Ranked) -> std::cmp::Ordering {
+        let key = self.key.total_cmp(&other.key);
+        key.then(other.number.cmp(&self.number))
+    }
+}
+
+/// What a pose says of its neighbours.
+fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
+    let (angle, error) = seen.angle().zip(seen.error())?;
+    let (right, left) = (seen.right.as_ref()?, seen.left.as_ref()?);
+    let on_lands =
+        |contact: &Contact| contact.wheel.curve.is_land() && contact.pinion.curve.is_land();
+    if on_lands(right) || on_lands(left) {
+        return None;
+    }
+    let off = right.rotation - nominal;
+    let off = off - TAU * (off / TAU).round();
+    // Half a turn from its nominal place it may be a neighbour's.
+    (off.abs() < 0.5 * PI).then_some(Turned {
+        right: off,
+        left: off + angle,
+        error,
+    })
+}
+
+/// Looks through the cycle, and closer where its bounds are worst, and round the least and the greatest: at as many poses as the effort allows.
+pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Result<(), Error> {
+    if found.sampled.is_some() {
+        return Ok(());
+    }
+    found.sampled = Some([f64::NEG_INFINITY, f64::INFINITY]);
+    let most = MOST[usize::from(!course.kernel.is_direct())];
+    let poses = most
+        .min((course.matings * PER_PITCH).max(FEW))
+        .min(affordable(course)?);
+    let problem = course.sides[0].problem;
+    let back = course.sides[0].off[0] * problem.locked.pitch * 2.0 * problem.per_free_base;
+    let sampled = Sampled {
+        course,
+        per_pitch: problem.free.pitch + 2.0 * back,
+    };
+    // A third of the poses all through the cycle, a third for each extreme.
+    let cells = (poses / 3).clamp(1, course.matings * PER_PITCH);
+    let place = |cell: u64| cell as f64 / cells as f64 * course.matings as f64;
+    let mut stretches = Vec::with_capacity(cells as usize);
+    let mut last = sampled.look(found, 0.0)?;
+    for cell in 0..cells {
+        if until.is_reached(found) || course.effort.is_spent() {
+            return Ok(());
+        }
+        let next = sampled.look(found, place(cell + 1))?;
+        stretches.push(Stretch {
+            places: [place(cell), place(cell + 1)],
+            ends: [last, next],
+        });
+        last = next;
+    }
+    let mut bounds = [f64::NEG_INFINITY, f64::INFINITY];
+    // A body that touches is no flank.
+    let section = &course.kernel.section;
+    let has_bounds = section.bodies.is_none() && !section.blocked;
+    for which in until.sought().iter().filter(|_| has_bounds) {
+        let bound = sampled.refine(*which, &mut stretches, poses / 3, found, until)?;
+        bounds[usize::from(*which == Which::Greatest)] = bound;
+    }
+    found.sampled = Some(bounds);
+    let mut width = 0.5 * course.matings as f64 / cells as f64;
     for _ in 0..ROUNDS {
         let best = [found.least, found.greatest];
         for seen in best.into_iter().flatten() {

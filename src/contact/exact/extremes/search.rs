@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::course::{Course, PARTS};
-use super::extreme::{Doubt, PosesSeen, Proof};
+use super::extreme::{Doubt, PosesSeen, Proof, Seen};
 use super::sample::{self, Until};
 use super::table::{Bounds, Table};
 use crate::error::Error;
@@ -10,6 +10,21 @@ use std::collections::BinaryHeap;
 
 /// Cells looked into for one extreme, at most (tuned: a hundred settle an ordinary one; so many take some 20 ms).
 const MOST_CELLS: usize = 4_000;
+
+/// A cell narrower than this is not cut, pitches: its bound does not close.
+const NARROWEST: f64 = 1e-9;
+
+/// Cells looked into for one place that may be equal to the best, at most.
+const CELLS_OF_A_PLACE: usize = 24;
+
+/// Places that may be equal to the best, at most (tuned: 300 kB).
+const MOST_PLACES: usize = 4_096;
+
+/// Share of the wanted width that the proof leaves open. Rounding and equal places take the rest.
+pub(super) const PROOF_SHARE: f64 = 0.95;
+
+/// Places within this share of the wanted width are equal: far above rounding, and so small that the first of them bounds nothing worse than the best.
+pub(super) const EQUAL_SHARE: f64 = 1e-3;
 
 /// Matings whose stretches are taken up before what was overtaken is dropped (tuned: 160 kB of stretches).
 const STRIDE: u64 = 512;
@@ -23,7 +38,7 @@ pub(super) enum Which {
 
 impl Which {
     /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
-    fn key(self, low: f64, high: f64) -> f64 {
+    pub fn key(self, low: f64, high: f64) -> f64 {
         let key = match self {
             Which::Least => -low,
             Which::Greatest => high,
@@ -45,6 +60,8 @@ impl Which {
 struct Candidates<'a> {
     search: &'a Search<'a>,
     kept: Vec<Bounds>,
+    /// Those which cannot beat the best found, but may be equal to it.
+    near: Vec<Bounds>,
     /// The most promising.
     top: Option<Bounds>,
     /// How promising that is.
@@ -62,6 +79,7 @@ impl Candidates<'_> {
         Candidates {
             search,
             kept: Vec::new(),
+            near: Vec::new(),
             top: None,
             key: f64::NEG_INFINITY,
             sure: f64::NEG_INFINITY,
@@ -74,7 +92,7 @@ impl Candidates<'_> {
         let which = self.search.which;
         let key = which.key(bounds.low, bounds.high);
         self.sure = self.sure.max(which.sure(bounds.low, bounds.high));
-        if key < self.sure {
+        if key < self.sure - self.search.equal {
             return;
         }
         self.kept.push(bounds);
@@ -91,7 +109,8 @@ impl Candidates<'_> {
         let cell = Cell::of_part(top.mating, top.part);
         let course = self.search.course;
         let middle = course.mating(top.mating, 0.5 * (cell.from + cell.to));
-        found.look(course, middle)
+        found.look(course, middle)?;
+        Ok(())
     }
 
     /// Looks at the most promising stretch where its extreme is expected, and drops what cannot beat that: of gears that repeat themselves
@@ -115,15 +134,18 @@ impl Candidates<'_> {
 
     /// Drops what cannot beat the best found by more than the width.
     fn drop(&mut self, found: &PosesSeen) {
-        let (which, dropped) = (self.search.which, &mut self.dropped);
-        let enough = self.search.best(found) + self.search.width;
+        let search = self.search;
+        let (which, dropped, near) = (search.which, &mut self.dropped, &mut self.near);
+        let enough = search.best(found) + search.width;
         self.kept.retain(|kept| {
             let key = which.key(kept.low, kept.high);
             if key <= enough {
                 *dropped = dropped.max(key);
+                near.push(*kept);
             }
             key > enough
         });
+        search.keep_near(near, found);
     }
 
     /// What has to be looked into.
@@ -131,14 +153,12 @@ impl Candidates<'_> {
         self.drop(found);
         let open = self.kept.iter().map(|bounds| Open {
             key: self.search.which.key(bounds.low, bounds.high),
-            cell: Cell {
-                low: bounds.low,
-                high: bounds.high,
-                ..Cell::of_part(bounds.mating, bounds.part)
-            },
+            cell: Cell::of_bounds(bounds),
         });
+        let near = self.near.iter().map(Cell::of_bounds);
         Ranked {
             open: open.collect(),
+            near: near.collect(),
             bound: self.search.best(found).max(self.dropped),
         }
     }
@@ -148,8 +168,10 @@ impl Candidates<'_> {
 pub(super) struct Search<'a> {
     pub course: &'a Course<'a>,
     pub table: &'a Table,
-    /// Of the bracket, rad.
+    /// What the proof may leave open, rad.
     pub width: f64,
+    /// Places within so much of the best are equal to it, rad.
+    pub equal: f64,
     pub which: Which,
     /// Effort that is left to what comes after this search.
     pub spare: u64,
@@ -193,6 +215,8 @@ impl Ord for Open {
 #[derive(Debug, Default)]
 pub(super) struct Ranked {
     open: Vec<Open>,
+    /// Cells that do not beat the best, but may be equal to it.
+    pub near: Vec<Cell>,
     /// How promising the best of the rest is.
     bound: f64,
 }
@@ -246,9 +270,21 @@ impl Search<'_> {
     }
 
     /// The bound that holds for the whole cycle, rad, of the `ranked` stretches of the same search.
-    pub fn run(&self, ranked: Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
-        let Ranked { open, mut bound } = ranked;
-        let mut open = BinaryHeap::from(open);
+    pub fn run(&self, ranked: &mut Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
+        let mut open = BinaryHeap::from(std::mem::take(&mut ranked.open));
+        let proof = self.settle(&mut open, ranked, found)?;
+        ranked.near.extend(open.into_iter().map(|open| open.cell));
+        Ok(proof)
+    }
+
+    /// Cuts the most promising of `open` until none can beat the best found.
+    fn settle(
+        &self,
+        open: &mut BinaryHeap<Open>,
+        ranked: &mut Ranked,
+        found: &mut PosesSeen,
+    ) -> Result<Proof, Error> {
+        let mut bound = ranked.bound;
         for _ in 0..MOST_CELLS {
             if self.course.effort.left() < self.spare {
                 break;
@@ -256,9 +292,15 @@ impl Search<'_> {
             let Some(next) = open.pop() else {
                 return Ok((self.value(bound), None));
             };
-            // What is kept is within `width` of the best, or looked into.
+            // Everything not examined is within `width` of the best.
             if next.key <= self.best(found) + self.width {
-                return Ok((self.value(bound.max(next.key)), None));
+                bound = bound.max(next.key);
+                open.push(next);
+                return Ok((self.value(bound), None));
+            }
+            if next.cell.to - next.cell.from < NARROWEST {
+                open.push(next);
+                break;
             }
             let cell = next.cell.bounded(self.course, self.table);
             let at = self.expected(&cell);
@@ -277,6 +319,7 @@ impl Search<'_> {
             let enough = self.best(found) + self.width;
             if key <= enough {
                 bound = bound.max(key);
+                ranked.near.push(cell);
                 continue;
             }
             for half in cell.cut(at) {
@@ -293,6 +336,93 @@ impl Search<'_> {
             false => Doubt::Unbounded,
         };
         Ok((self.value(top), Some(doubt)))
+    }
+
+    /// Keeps of the stretches `near` those that may be equal to the best found, the first in the order of teeth where these are too many.
+    fn keep_near(&self, near: &mut Vec<Bounds>, found: &PosesSeen) {
+        let least = self.best(found) - self.equal;
+        near.retain(|bounds| self.key(bounds.low, bounds.high) >= least);
+        if near.len() > MOST_PLACES {
+            near.sort_by_cached_key(|bounds| (self.teeth(bounds.mating), bounds.part));
+            near.truncate(MOST_PLACES);
+        }
+    }
+
+    /// Wheel and pinion tooth of a mating.
+    fn teeth(&self, mating: u64) -> (u32, u32) {
+        self.course.teeth(self.course.first_alike(mating))
+    }
+
+    /// Names the first of the places equal to the best found: least wheel tooth, then least pinion tooth, then least fraction. Otherwise the last bit of a
+    /// sine decides.
+    pub fn name_first(&self, mut near: Vec<Cell>, found: &mut PosesSeen) -> Result<(), Error> {
+        let least = self.best(found) - self.equal;
+        let best = match self.which {
+            Which::Least => &mut found.least,
+            Which::Greatest => &mut found.greatest,
+        };
+        let Some(named) = best.map(|seen| seen.mating) else {
+            return Ok(());
+        };
+        let teeth = (named.wheel_tooth, named.pinion_tooth);
+        near.retain(|cell| self.key(cell.low, cell.high) >= least);
+        near.sort_by(|a, b| a.from.total_cmp(&b.from));
+        near.sort_by_cached_key(|cell| self.teeth(cell.mating));
+        for cell in near {
+            let own = self.teeth(cell.mating);
+            let is_later = own > teeth || own == teeth && cell.from >= named.fraction;
+            if is_later || self.course.effort.left() < self.spare {
+                break;
+            }
+            let holds_named = own == teeth && named.fraction <= cell.to;
+            let first = if holds_named {
+                let index = self.course.first_alike(cell.mating);
+                self.equal_at(index, cell.from, least)?
+            } else {
+                self.first_within(cell, least)?
+            };
+            if first.is_some() {
+                *best = first;
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// The pose of a mating, where it reaches as far as `least`.
+    fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<Seen>, Error> {
+        let mut seen = PosesSeen::default();
+        seen.look(self.course, self.course.mating(index, at))?;
+        let one = match self.which {
+            Which::Least => seen.least,
+            Which::Greatest => seen.greatest,
+        };
+        Ok(one.filter(|_| self.best(&seen) >= least))
+    }
+
+    /// A pose of a cell that reaches as far as `least`, in the first of its cells that has one.
+    fn first_within(&self, cell: Cell, least: f64) -> Result<Option<Seen>, Error> {
+        let index = self.course.first_alike(cell.mating);
+        let mut open = vec![cell];
+        for _ in 0..CELLS_OF_A_PLACE {
+            let Some(cell) = open.pop() else {
+                break;
+            };
+            let cell = cell.bounded(self.course, self.table);
+            if self.key(cell.low, cell.high) < least {
+                continue;
+            }
+            let at = self.expected(&cell);
+            for at in [cell.from, at] {
+                let seen = self.equal_at(index, at, least)?;
+                if seen.is_some() {
+                    return Ok(seen);
+                }
+            }
+            let [before, after] = cell.cut(at);
+            open.extend([after, before]);
+        }
+        Ok(None)
     }
 
     fn value(&self, key: f64) -> f64 {

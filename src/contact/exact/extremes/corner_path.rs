@@ -1,0 +1,272 @@
+//! The path of a tip corner past its mate's fillet over a stretch of the locked gear's turn.
+//!
+//! Let the locked gear turn by `x` and the free gear by `g x`. Seen from the mate the corner runs along one of two sums of two rotations, `d` the distance of
+//! the axes, `c` from the locked axis to its outline's centre, `p` and `q` from the axes to the corner:
+//!
+//! ```text
+//! free corner:   Q(x) = e^{−iλ} (p e^{i(g−1)x} − d e^{−ix} − c),    |Q'''| ≤ |g−1|³ |p| + d
+//! locked corner: Q(x) = e^{−iφ} (d e^{−igx} + q e^{i(1−g)x}) − c_F, |Q'''| ≤ |g|³ d + |1−g|³ |q|
+//! ```
+//!
+//! So two derivatives and the bound of the third hold it. The fillet is hollow: a chord of it lies outside the metal. While the radius of the corner lies between
+//! those of the chord's ends, and the corner in front of the chord's line, it is clear. Above the form circle there is no fillet. The half tooth has one point at each
+//! radius about the free axis ([`super::super::search_free_proof`], 1.), so a corner that is clear at one rotation is clear at all greater gaps.
+
+use super::super::shape::{C, HalfToothShape};
+use crate::gear::ProfilePart;
+
+/// Steps of the search for a fillet's parameter (it takes 8).
+const STEPS: usize = 60;
+
+/// Width of its bracket, as a share of the fillet: a chord so short is within 1e-15 mm of it.
+const CLOSE: f64 = 1e-9;
+
+/// A stretch is cut so often at most.
+const MOST_CUTS: u32 = 12;
+
+/// Stretches looked at, at most (tuned: 20 are common).
+const MOST_LOOKS: u32 = 160;
+
+/// The corner of a tip in its mate's frame where a stretch has its middle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CornerPath {
+    point: C,
+    /// Derivatives by the rotation of the locked gear.
+    speed: C,
+    acceleration: C,
+    /// Bound of the third derivative.
+    jerk: f64,
+}
+
+impl CornerPath {
+    /// Of the free gear's corner at `corner` from the free axis; the locked gear's outline has its centre at `centre`, its half tooth points to `−l`; the axes are
+    /// `distance` apart; `rate` is `g`.
+    pub fn of_free(corner: C, centre: C, l: C, distance: f64, rate: f64) -> CornerPath {
+        let (one, other) = (rate - 1.0, l.conj());
+        CornerPath {
+            point: (corner - centre) * other,
+            speed: C::i() * (corner * one + distance) * other,
+            acceleration: (C::from(distance) - corner * (one * one)) * other,
+            jerk: one.abs().powi(3) * corner.norm() + distance,
+        }
+    }
+
+    /// Of the locked gear's corner at `corner` from the locked axis; the free gear's outline has its centre at `centre` from the free axis, its half tooth points to `f`.
+    pub fn of_locked(corner: C, centre: C, f: C, distance: f64, rate: f64) -> CornerPath {
+        let (one, other) = (1.0 - rate, f.conj());
+        CornerPath {
+            point: (corner + distance - centre) * other,
+            speed: C::i() * (corner * one - distance * rate) * other,
+            acceleration: -(corner * (one * one) + distance * rate * rate) * other,
+            jerk: rate.abs().powi(3) * distance + one.abs().powi(3) * corner.norm(),
+        }
+    }
+
+    /// Whether the corner is clear of the fillet of `mate`, from `deepest` up, by more than `need` mm for every turn within `half` of the middle.
+    pub fn is_clear(&self, mate: &HalfToothShape, deepest: f64, half: f64, need: f64) -> bool {
+        let along = |z: C, n: C| z.re * n.re + z.im * n.im;
+        let rest = self.jerk * half * half * half / 6.0;
+        let radius = self.point.norm();
+        let out = self.point / radius;
+        let across = C::i() * out;
+        let radial = [
+            radius,
+            along(self.speed, out),
+            along(self.acceleration, out),
+        ];
+        let nearest = least(radial, half) - rest;
+        if nearest >= mate.form_radius() {
+            return true;
+        }
+        if !(nearest > 0.0) {
+            return false;
+        }
+        let beside = along(self.speed, across).abs() * half
+            + 0.5 * along(self.acceleration, across).abs() * half * half
+            + rest;
+        let farthest = -least(radial.map(|value| -value), half) + rest;
+        let farthest = farthest + 0.5 * beside * beside / nearest;
+        let low = around_radius(mate, nearest, deepest).map(|(low, _)| low);
+        let high = if farthest >= mate.form_radius() {
+            Some(mate.fillet_end)
+        } else {
+            around_radius(mate, farthest, deepest).map(|(_, high)| high)
+        };
+        let (Some(low), Some(high)) = (low, high) else {
+            return false;
+        };
+        let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
+        let chord = outer.point - inner.point;
+        let length = chord.norm();
+        if !(length > 0.0) {
+            return false;
+        }
+        // The right-hand half tooth has its metal on the left of the way inwards.
+        let normal = C::i() * chord / length;
+        let normal = if along(normal, outer.normal) < 0.0 {
+            -normal
+        } else {
+            normal
+        };
+        let height = [
+            along(self.point - outer.point, normal),
+            along(self.speed, normal),
+            along(self.acceleration, normal),
+        ];
+        least(height, half) - rest > need
+    }
+}
+
+/// The least of `a + b x + c x²/2` for `x` within `half` of 0.
+fn least([a, b, c]: [f64; 3], half: f64) -> f64 {
+    let end = a - b.abs() * half + 0.5 * c * half * half;
+    let turn = b.abs() / c;
+    match c > 0.0 && turn < half {
+        true => a - 0.5 * b * b / c,
+        false => end,
+    }
+}
+
+/// Two parameters of a fillet close together: the radius at the first is at most `radius`, at the second at least. `None` for a radius below that at `deepest`.
+pub(super) fn around_radius(
+    mate: &HalfToothShape,
+    radius: f64,
+    deepest: f64,
+) -> Option<(f64, f64)> {
+    let beyond = |gamma: f64| mate.radius(ProfilePart::Fillet, gamma) - radius;
+    let (mut low, mut high) = (deepest, mate.fillet_end);
+    let (mut below, mut above) = (beyond(low), beyond(high));
+    if !(below <= 0.0) {
+        return None;
+    }
+    let close = CLOSE * mate.fillet_end;
+    let mut last = None;
+    for _ in 0..STEPS {
+        if high - low <= close {
+            break;
+        }
+        let secant = low - below * (high - low) / (above - below);
+        // Half the width beyond either end, so that both ends come near.
+        let at = secant.max(low + 0.5 * close).min(high - 0.5 * close);
+        let value = beyond(at);
+        // An end that stays twice counts for half (the Illinois rule).
+        let is_low = value <= 0.0;
+        let stays = if last.replace(is_low) == Some(is_low) {
+            0.5
+        } else {
+            1.0
+        };
+        if is_low {
+            (low, below) = (at, value);
+            above *= stays;
+        } else {
+            (high, above) = (at, value);
+            below *= stays;
+        }
+    }
+    Some((low, high))
+}
+
+/// Whether the corner is clear everywhere within `half` of `at`, places of which `per_place` is the locked gear's turn and `path` the path with its middle there. A
+/// stretch is cut where one chord does not show it.
+pub(super) fn is_clear_over(
+    (at, half): (f64, f64),
+    per_place: f64,
+    mate: &HalfToothShape,
+    deepest: f64,
+    need: f64,
+    path: &dyn Fn(f64) -> CornerPath,
+) -> bool {
+    let mut open = vec![(at, half, 0)];
+    for _ in 0..MOST_LOOKS {
+        let Some((at, half, cuts)) = open.pop() else {
+            return true;
+        };
+        if path(at).is_clear(mate, deepest, half * per_place.abs(), need) {
+            continue;
+        }
+        // A single place that is not clear ends it: the middle, and at first both ends.
+        let is_clear = |at: f64| path(at).is_clear(mate, deepest, 0.0, need);
+        let ends_clear = || cuts > 0 || (is_clear(at - half) && is_clear(at + half));
+        if cuts == MOST_CUTS || !is_clear(at) || !ends_clear() {
+            return false;
+        }
+        let half = 0.5 * half;
+        open.extend([(at - half, half, cuts + 1), (at + half, half, cuts + 1)]);
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::shape::turn;
+    use super::*;
+    use crate::gear::{Gear, GearDesign, Profile};
+
+    /// Both paths are those of points turned about their axes, but for the third order. Source: the points turned.
+    #[test]
+    fn a_path_is_that_of_the_points_turned() {
+        let (distance, rate, gap) = (50.0, -1.3, 0.2);
+        let (centre, free_centre) = (C::new(49.9, 0.3), C::new(0.2, -0.1));
+        let (l, f) = (-turn(0.1), turn(-0.05));
+        let (locked_corner, free_corner) = (C::new(31.0, 2.0), C::new(21.0, 1.5));
+        let about = |point: C, x: f64| turn(x) * (point - distance) + distance;
+        let free = |x: f64| {
+            let p = turn(gap + rate * x) * (free_centre + f * free_corner);
+            (p - about(centre, x)) * (l * turn(x)).conj()
+        };
+        let locked = |x: f64| {
+            let p = about(centre + l * locked_corner, x);
+            let turned = turn(gap + rate * x);
+            (p - turned * free_centre) * (turned * f).conj()
+        };
+        let turned = turn(gap);
+        let paths = [
+            CornerPath::of_free(
+                turned * (free_centre + f * free_corner),
+                centre,
+                l,
+                distance,
+                rate,
+            ),
+            CornerPath::of_locked(
+                centre - distance + l * locked_corner,
+                turned * free_centre,
+                turned * f,
+                distance,
+                rate,
+            ),
+        ];
+        for k in -10..=10 {
+            let x = 0.02 * f64::from(k);
+            for (path, there) in paths.iter().zip([free(x), locked(x)]) {
+                let near = path.point + path.speed * x + path.acceleration * (0.5 * x * x);
+                let most = path.jerk * x.abs().powi(3) / 6.0 + 1e-12;
+                assert!((there - near).norm() <= most, "{x}: {there} {near} {most}");
+            }
+        }
+    }
+
+    /// A corner beside a fillet, at rest, is clear in front of it and not behind. Source: the fillet's own points and normals.
+    #[test]
+    fn a_corner_is_clear_in_front_of_the_fillet_alone() {
+        for teeth in [12, 18, 40] {
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            let shape = HalfToothShape::new(&Profile::new(&gear));
+            for k in 1..20 {
+                let gamma = shape.fillet_end * f64::from(k) / 20.0;
+                let sample = shape.at(ProfilePart::Fillet, gamma);
+                for height in [-1e-4, -1e-6, 1e-6, 1e-4] {
+                    let path = CornerPath {
+                        point: sample.point + sample.normal * height,
+                        speed: C::ZERO,
+                        acceleration: C::ZERO,
+                        jerk: 0.0,
+                    };
+                    let clear = path.is_clear(&shape, 0.0, 0.0, 0.0);
+                    assert_eq!(clear, height > 0.0, "{teeth} {gamma} {height}");
+                }
+            }
+        }
+    }
+}

@@ -102,7 +102,10 @@ fn simulate_writes_what_it_found() {
     let csv = std::fs::read_to_string(out.join("result.csv")).unwrap();
     assert_eq!(csv.lines().count(), 321);
     let picture = std::fs::read_to_string(out.join("worst.svg")).unwrap();
-    assert!(picture.contains("wheel 7 tip on pinion 15 flank"), "{picture}");
+    assert!(
+        picture.contains("wheel 7 tip on pinion 15 flank"),
+        "{picture}"
+    );
 }
 
 /// What was drawn from a gear looks like it: module, pressure angle, and the shift that its allowance comes to, −60 µm / (2 m tan 20°); a

@@ -1,6 +1,5 @@
 //! What was read of each drawing, and how the gears are put together.
 
-use super::input::assembly;
 use super::page::Page;
 use super::phrases::{plain, sentence};
 use super::stated::{high_tooth, runout, thickness};
@@ -13,7 +12,7 @@ use gearlash_files::spec::{
 use gearlash_results::drawn_notes;
 use maud::{Markup, html};
 
-pub(super) fn section(page: &Page, spec: &OutlinePairSpec) -> Markup {
+pub(super) fn section(page: &Page, spec: &OutlinePairSpec, assembly: &Markup) -> Markup {
     let pair = &page.report.pair;
     let specs = [&spec.wheel, &spec.pinion];
     let notes = drawn_notes(pair);
@@ -35,7 +34,7 @@ pub(super) fn section(page: &Page, spec: &OutlinePairSpec) -> Markup {
             @if notes.lines().count() <= pair.drawings.iter().flatten().count() {
                 p { (if notes.lines().count() > 1 { "No other" } else { "No" }) " outline looks like an involute." }
             }
-            (assembly(page, &spec.assembly))
+            (assembly)
             @for warning in pair.warnings.iter().chain(pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
         }
     }

@@ -145,7 +145,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
     let study = &page.report.pair.study;
     let spec = match page.report.pair.spec {
         AnyPairSpec::Data(spec) => spec,
-        AnyPairSpec::Outlines(spec) => return Ok(drawings::section(page, spec)),
+        AnyPairSpec::Outlines(spec) => {
+            let assembly = assembly(page, &spec.assembly);
+            return Ok(drawings::section(page, spec, &assembly));
+        }
     };
     let gears = [&spec.wheel, &spec.pinion];
     let several = study.materials.len() > 1;
@@ -262,7 +265,7 @@ fn text_row(
     }
 }
 
-pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
+fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     let study = &page.report.pair.study;
     let clearance = &spec.bearing_clearance_mm;
     let distances: Vec<String> = study

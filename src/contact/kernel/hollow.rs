@@ -30,6 +30,9 @@ pub(super) struct Hollow {
     /// From one end to the other.
     pub whole: Stretch,
     stretches: Vec<Stretch>,
+    /// Ends of the stretches, and how far the curve may lie off any chord between them, mm.
+    knots: Vec<C>,
+    sag: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -95,8 +98,12 @@ impl Hollow {
             STRETCHES => high,
             _ => low + (high - low) * f64::from(k) / f64::from(STRETCHES),
         };
+        let stretches: Vec<Stretch> = (0..STRETCHES).map(|k| stretch(at(k), at(k + 1))).collect();
+        let sags = stretches.iter().map(|stretch| stretch.sag);
         Hollow {
-            stretches: (0..STRETCHES).map(|k| stretch(at(k), at(k + 1))).collect(),
+            knots: (0..=STRETCHES).map(|k| curve.at(at(k)).0).collect(),
+            sag: sags.fold(0.0, f64::max),
+            stretches,
             whole: stretch(low, high),
             curve,
         }
@@ -110,11 +117,12 @@ impl Hollow {
             radius: f64::NAN,
             lever: f64::MAX,
         };
-        for stretch in &self.stretches {
-            let (reach, least) = stretch.bound(n);
-            bound.reach = bound.reach.max(reach);
-            bound.lever = bound.lever.min(least);
+        for point in &self.knots {
+            bound.reach = bound.reach.max(dot(*point, n));
+            bound.lever = bound.lever.min(along(*point, n));
         }
+        bound.reach += self.sag;
+        bound.lever -= self.sag;
         bound
     }
 

@@ -26,7 +26,13 @@ def test_a_nominal_pair_has_the_backlash_of_the_closed_form() -> None:
     expected = involute_backlash_um(44, 3.0, 132.1)
     # Published for this pair: src/lib.rs.
     assert expected == pytest.approx(73.0569413863697, abs=1e-9)
-    assert pair.lost_motion(11, 11).j_wt_um == pytest.approx(expected, abs=1e-6)
+    pose = pair.lost_motion(11, 11)
+    assert pose.j_wt_um == pytest.approx(expected, abs=1e-6)
+    assert pose.proof is not None
+    right, left = pose.proof["sides"]
+    assert (right["side"], left["side"]) == ("right", "left")
+    # Nothing touches between both, more open than either contact.
+    assert right["open_rad"] < right["until_rad"] and left["until_rad"] < left["open_rad"]
     poses = pair.revolution(steps_per_pitch=4)
     assert len(poses) == 44 * 4
     assert np.abs(poses.j_wt_um - expected).max() < 1e-6

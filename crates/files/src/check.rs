@@ -207,7 +207,7 @@ impl Walk {
                     let mut needed = strings(&option["required"]);
                     needed.all(|name| entries.iter().any(|(key, _)| key == name))
                 };
-                option = fitting.filter(has_all).last().unwrap_or(option);
+                option = fitting.rfind(has_all).unwrap_or(option);
                 let others = options
                     .iter()
                     .filter(|other| !std::ptr::eq(**other, option));

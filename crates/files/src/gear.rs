@@ -92,10 +92,10 @@ impl GearPart {
             Some(Some(spec)) => PitchSheet::read(table, spec, teeth, problems),
             absent => absent.map(|_| None),
         };
-        let once = profile::check_once(table, problems);
+        let checked = profile::check(table, problems);
         let profiles = file
             .read(&table.path_of("profile"), problems)
-            .filter(|_| once.is_some())
+            .filter(|_| checked.is_some())
             .and_then(|spec| {
                 let spec = spec.unwrap_or_default();
                 Profiles::read(table, spec, teeth, self.basic_data.as_ref(), problems)

@@ -58,6 +58,14 @@ impl Node {
         }
     }
 
+    /// The elements of a list; none of anything else.
+    pub fn list(&self) -> &[Node] {
+        match self {
+            Node::List(list) => list,
+            _ => &[],
+        }
+    }
+
     /// The value for a message: as written, long ones cut.
     pub fn shown(&self) -> String {
         let mut text = String::new();

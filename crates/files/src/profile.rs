@@ -8,6 +8,7 @@ use super::spec::{Either, FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec
 use super::table::Table;
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
+use serde::Deserialize;
 use std::cell::RefCell;
 use trace::FlankTraces;
 
@@ -145,15 +146,15 @@ struct Measured<'a> {
     headers: RefCell<Vec<Header>>,
 }
 
-/// Reports keys that stand in the table of one flank and in the table of both.
-pub fn check_once(gear: &Table, problems: &mut Problems) -> Option<()> {
+/// Reports keys that stand twice, for both flanks and for one, and ranges that descend.
+pub fn check(gear: &Table, problems: &mut Problems) -> Option<()> {
     let both = gear.below("profile");
     let mut good = Some(());
-    for side in Flank::BOTH {
-        let own = both.below(side.name());
+    let own = Flank::BOTH.map(|side| (side, both.below(side.name())));
+    for (side, own) in &own {
         let twice = |key: &&str| both.has(key) && own.has(key);
         for key in FLANK_KEYS.into_iter().filter(twice) {
-            let [of_both, of_own] = [&both, &own].map(|table| table.path_of(""));
+            let [of_both, of_own] = [&both, own].map(|table| table.path_of(""));
             let reason = format!("given together with {of_both}{key}, allowed is one of them");
             let help = format!(
                 "remove one: what stands in [{}] is of both flanks, what stands in [{}] of the {} flanks alone",
@@ -162,6 +163,19 @@ pub fn check_once(gear: &Table, problems: &mut Problems) -> Option<()> {
                 side.name()
             );
             problems.add(own.problem(key, reason, help));
+            good = None;
+        }
+    }
+    for table in own.iter().map(|(_, own)| own).chain([&both]) {
+        let range = table.get("range_mm").map(<[f64; 2]>::deserialize);
+        if let Some(Ok([start, end])) = range
+            && start >= end
+        {
+            problems.add(table.problem(
+                "range_mm",
+                "no evaluation range, allowed are two diameters in mm, the lesser first",
+                "write range_mm = [start, end]",
+            ));
             good = None;
         }
     }
@@ -178,16 +192,6 @@ fn flank(
 ) -> Option<(FlankProfileSpec, FlankTraces)> {
     let stated = spec.trace.take();
     let traces = trace::read(table, stated, own, gear, problems);
-    if let Some([start, end]) = spec.range_mm.as_deref()
-        && start >= end
-    {
-        problems.add(table.problem(
-            "range_mm",
-            "no evaluation range, allowed are two diameters in mm, the lesser first",
-            "write range_mm = [start, end]",
-        ));
-        return None;
-    }
     Some((spec, traces?))
 }
 

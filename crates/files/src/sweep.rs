@@ -1,10 +1,12 @@
 //! `[sweep]`: which poses are run.
 
 use super::check::Checked;
+use super::node::Node;
 use super::problems::Problems;
 use super::spec::{DEFAULT_STEPS, Revolutions, SweepSpec};
 use crate::error::Problem;
 use gearlash::pair::SweepPlan;
+use serde::Deserialize;
 
 /// The poses of every run, and how the pair file says it.
 #[derive(Debug)]
@@ -20,9 +22,13 @@ impl Sweep {
         teeth: (Option<u32>, Option<u32>),
         problems: &mut Problems,
     ) -> Option<Sweep> {
-        let matings = file.read::<Vec<[u32; 2]>>("sweep.mating", problems);
+        let matings = file.table().get("sweep.mating").map_or(&[][..], Node::list);
         problems.of_list_at("sweep.mating", |bad| {
-            for (place, mating) in (1..).zip(matings.flatten().into_iter().flatten()) {
+            // A mating that is wrong in itself is reported.
+            let each = (1..).zip(matings);
+            let good =
+                each.filter_map(|(place, one)| Some((place, <[u32; 2]>::deserialize(one).ok()?)));
+            for (place, mating) in good {
                 let place = format!("value {place} of the list: ");
                 bad.extend(beyond_gear("sweep.mating", mating, teeth, &place));
             }

@@ -6,7 +6,7 @@ use super::*;
 fn keys_and_numbers_all_at_once() {
     expect(
         &wheel(
-            "profile.slope_mu = 3\nprofile.crowning_um = \"3\"\n\
+            "profile.slope_mu = 3\nprofile.crowning_um = \"3\"\nprofile.range_mm = [64, 58]\n\
              profile.tip_relief = { um = -4, from_diameter_mm = 64, shape = \"parabola\" }\nprofile.root_relief = { um = 3 }",
         ),
         &[
@@ -40,20 +40,13 @@ fn keys_and_numbers_all_at_once() {
                 &["missing"],
                 "add",
             ),
+            problem(
+                "wheel.profile.range_mm",
+                "[64, 58]",
+                &["the lesser first"],
+                "[start, end]",
+            ),
         ],
-    );
-}
-
-#[test]
-fn an_evaluation_range_that_descends() {
-    expect(
-        &wheel("profile.range_mm = [64, 58]"),
-        &[problem(
-            "wheel.profile.range_mm",
-            "[64, 58]",
-            &["the lesser first"],
-            "[start, end]",
-        )],
     );
 }
 

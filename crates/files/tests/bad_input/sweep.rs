@@ -42,6 +42,12 @@ fn matings() {
                 help,
             ),
             problem("sweep.mating", "[1.5, 1]", &["not whole"], help),
+            problem(
+                "sweep.mating",
+                "[20, 31]",
+                &["value 2", "pinion tooth is 31"],
+                "from 1",
+            ),
         ],
     );
     expect(

@@ -38,7 +38,7 @@ pub struct BacklashMap {
     pub columns: usize,
     /// Row by row.
     pub cells: Vec<BacklashCell>,
-    /// What is drawn across, from the least centre distance up.
+    /// Lines drawn across, from the least centre distance up.
     pub limits: Vec<Limit>,
 }
 

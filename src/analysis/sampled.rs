@@ -39,7 +39,7 @@ pub(super) struct Cycle {
     poses: u64,
 }
 
-/// What was found at a pose.
+/// A pose and its lost motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
     /// Pitches from the first pose.

@@ -6,7 +6,7 @@
 //!
 //! A gear by its data becomes an outline by `OutlineGear::from`, so that either may stand in a pair; how far two outlines of one gear lie apart
 //! is `difference`, spans and pins on one are [`crate::gauge`]'s. Files become [`OutlineGear`]s in `gearlash-files` (`drawing`, `outlines`),
-//! studies of them are [`crate::analysis::outlines`].
+//! studies of them are made by [`crate::analysis::study::Study::of_drawn`].
 //!
 //! ```
 //! use gearlash::contact::OutlineKernel;

@@ -1,4 +1,4 @@
-//! What every pair file has, be its gears given by data or by drawings.
+//! A view of a pair file, be its gears given by data or by drawings.
 
 use crate::outlines::{DrawingRead, OutlinePairFile};
 use crate::read::PairFile;
@@ -18,7 +18,7 @@ pub enum AnyPair {
 }
 
 impl AnyPair {
-    /// What the file has.
+    /// A view of the file.
     pub fn view(&self) -> PairView<'_> {
         match self {
             AnyPair::Data(file) => file.as_ref().into(),
@@ -26,7 +26,7 @@ impl AnyPair {
         }
     }
 
-    /// The same at other centre distances, mm.
+    /// The pair at other centre distances, mm.
     ///
     /// # Errors
     /// As [`Study::at`].
@@ -48,20 +48,20 @@ pub enum AnyPairSpec<'a> {
     Outlines(&'a OutlinePairSpec),
 }
 
-/// What a pair file has.
+/// A view of a pair file.
 #[derive(Debug, Clone, Copy)]
 pub struct PairView<'a> {
-    /// What it asks for.
+    /// The study that it asks for.
     pub study: &'a Study,
     /// File stem, the name of the folder for results.
     pub stem: &'a str,
     /// The input as understood.
     pub spec: AnyPairSpec<'a>,
-    /// What was read of the drawings of wheel and pinion; `None` of a gear by its data.
+    /// The drawings of wheel and pinion as read; `None` of a gear by its data.
     pub drawings: [Option<&'a DrawingRead>; 2],
     /// Warnings, for standard error.
     pub warnings: &'a [String],
-    /// What was found to be in order, for standard error.
+    /// Notes on the input, for standard error.
     pub remarks: &'a [String],
     /// The files it was read from.
     pub sources: &'a Sources,

@@ -33,7 +33,7 @@ pub fn looks_like(file: &PairView) -> Vec<String> {
         .collect()
 }
 
-/// What a reader has to know of a pair with a drawn gear, a line each; empty of other pairs.
+/// Notes on a pair with a drawn gear, a line each; empty of other pairs.
 pub fn drawn_notes(file: &PairView) -> String {
     if !file.study.is_drawn() {
         return String::new();

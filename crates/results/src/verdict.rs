@@ -386,8 +386,8 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         .any(|run| run.assembly.drawn().is_some());
     if is_drawn && least_and_greatest(verdict).any(is_sampled) {
         return vec![
-            "Sampled over the whole cycle, not proven between poses.".to_owned(),
-            "Sampled, not proven.".to_owned(),
+            "Proven at poses, not between them.".to_owned(),
+            "Sampled.".to_owned(),
         ];
     }
     if !of.is_empty() {

@@ -113,9 +113,11 @@ fn tables_and_charts_show_lost_motion() {
         let table = ["simulate", "drawn_20x20.toml", "--no-files"];
         let (code, text, said) = run(folder.path(), &[&table[..], &arcmin].concat());
         assert_eq!(code, Some(0), "{said}");
-        let mut rows = text.lines().skip_while(|row| !row.contains(" arcmin  "));
-        assert!(rows.next().unwrap().contains(&format!("{gear} arcmin")));
-        assert!(rows.any(|row| row.contains(" -2.680 ")), "{text}");
+        assert!(text.contains(&format!("−2.680′ {gear}")), "{text}");
+        let mut rows = text.lines().skip_while(|row| !row.contains("greatest, "));
+        assert!(rows.next().unwrap().contains(&format!("least, {gear}")));
+        // −15.607 µm: the least of the poses swept.
+        assert!(rows.any(|row| row.contains(" -2.6794 ")), "{text}");
         let chart = ["chart", "drawn_20x20.toml", "--kind", "revolution"];
         let (code, _, said) = run(folder.path(), &[&chart[..], &arcmin].concat());
         assert_eq!(code, Some(0), "{said}");
@@ -177,8 +179,8 @@ fn a_map_is_what_simulate_finds_at_each_distance() {
         assert_eq!(poses.len(), 120, "{said}");
         for (cell, pose) in row.iter().zip(&poses) {
             // Wheel tooth, pinion tooth; status; j_wt.
-            assert_eq!((&cell[2..4], cell[5]), (&pose[2..4], pose[5]));
-            let [there, here] = [cell[6], pose[6]].map(|um| um.parse().unwrap_or(f64::NAN));
+            assert_eq!((&cell[2..4], cell[5]), (&pose[4..6], pose[19]));
+            let [there, here] = [cell[6], pose[13]].map(|um| um.parse().unwrap_or(f64::NAN));
             assert!(
                 (there - here).abs() < 1e-6 || there.is_nan() && here.is_nan(),
                 "{cell:?} {pose:?}"

@@ -77,7 +77,7 @@ fn a_drawing_reads_as_the_gear_it_was_drawn_from() {
             }
         }
         let touched = &outline["gears"][0]["spans"]["readings"][0]["touched"][0];
-        assert_eq!(touched["region"], "flank");
+        assert_eq!(touched["curve"], "flank");
     }
 }
 

@@ -36,7 +36,7 @@ pub fn pose_picture(
     }))
 }
 
-/// The same for a page, with ids that begin with `id`. `words` says what is drawn, given where the section of helical gears is, mm.
+/// The picture for a page, with ids that begin with `id`. `words` says what is drawn, given where the section of helical gears is, mm.
 pub(crate) fn pose_picture_in_page(
     title: &str,
     assembly: &AssembledPair,

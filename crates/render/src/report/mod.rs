@@ -22,6 +22,7 @@ mod poses;
 mod results;
 mod shell;
 mod stated;
+mod table;
 mod tolerance;
 mod trust;
 mod unproven;

@@ -3,19 +3,19 @@
 use super::gears::{CENTRES_DASH, PITCH_DASH, clipped};
 use super::inset;
 use super::legend::{self, Shown};
-use super::subject::{INSETS, LEGEND, MAIN};
+use super::subject::{Layout, SHEET, in_page};
 use super::tooth_numbers::{self, Numbered};
 use super::view::{MARGIN, View};
 use crate::kit::{
     Frame, GREY, HEIGHT, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL,
-    WIDTH, area, around, arrow, blank_sheet, clip, dot, hatch, line, scale, within_area,
+    area, around, arrow, blank_sheet, clip, dot, hatch, line, scale, within_area,
 };
 use gearlash::analysis::study::Material;
 use gearlash::contact::{Contact, PoseResult, Status};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::Member;
-use gearlash_files::numbers::{bound_um, trimmed, um};
+use gearlash_files::numbers::{trimmed, um_bounded};
 use nalgebra::Point2;
 use svg::node::element::{Group, SVG};
 
@@ -23,8 +23,6 @@ use svg::node::element::{Group, SVG};
 const PITCHES: f64 = 1.5;
 /// How much larger an inset is than the main view: both flanks curve away from a contact.
 const ENLARGED: f64 = 10.0;
-/// Room below the legend's last row.
-const FOOT: f64 = 16.0;
 /// Of the stroke half lies outside the metal.
 const STROKE: f64 = 1.2;
 
@@ -35,7 +33,7 @@ pub fn outline_snapshot(
     material: Material,
     pose: &PoseResult,
 ) -> String {
-    let (sheet, _) = draw(title, pair, material, pose, &Ids::default(), true);
+    let (sheet, _) = draw(title, pair, material, pose, &Ids::default(), &SHEET);
     format!("{sheet}\n")
 }
 
@@ -47,13 +45,9 @@ pub fn outline_snapshot_in_page(
     pose: &PoseResult,
     [prefix, label]: [&str; 2],
 ) -> String {
-    // Without the room that an A4 sheet leaves below.
-    let (sheet, last) = draw(title, pair, material, pose, &Ids::in_page(prefix), false);
-    let picture = sheet
-        .set("viewBox", format!("0 0 {WIDTH} {}", last + FOOT))
-        .set("role", "img")
-        .set("aria-label", label);
-    format!("{picture}\n")
+    in_page(prefix, label, |ids, layout| {
+        draw(title, pair, material, pose, ids, layout)
+    })
 }
 
 /// The contacts of right and of left flanks.
@@ -69,9 +63,10 @@ fn draw(
     material: Material,
     pose: &PoseResult,
     ids: &Ids,
-    on_paper: bool,
+    layout: &Layout,
 ) -> (SVG, f64) {
-    let main = main_view(pair);
+    let frame = layout.main;
+    let main = main_view(pair, frame);
     let contacts = contacts(pose);
     let held = contacts.iter().flatten().next();
     let nominal = pose.pose.free_rotation();
@@ -80,15 +75,17 @@ fn draw(
     let drawn = gears(pair, pose, &main, ("mesh", ids), rotation);
     drawn.metal.iter().for_each(|metal| occupied.line(metal));
     drawn.over.iter().for_each(|line| occupied.line(line));
-    let mut sheet = blank_sheet(WIDTH, HEIGHT)
-        .add(hatch(ids))
-        .add(caption(title, pair, material, pose, held.is_some()))
-        .add(names(pair))
+    let mut sheet = blank_sheet(layout.width, HEIGHT).add(hatch(ids));
+    if layout.is_sheet {
+        sheet = sheet.add(caption(title, pair, material, pose, held.is_some()));
+    }
+    let mut sheet = sheet
+        .add(names(pair, &frame))
         .add(drawn.group)
-        .add(MAIN.border());
+        .add(frame.border());
     for (contact, (side, frame)) in contacts
         .iter()
-        .zip([Side::Right, Side::Left].into_iter().zip(INSETS))
+        .zip([Side::Right, Side::Left].into_iter().zip(layout.insets))
     {
         let heading = TextStyle::new(14.0);
         let at = [frame.left, frame.top - 8.0];
@@ -112,15 +109,15 @@ fn draw(
         }
     }
     let shown = Shown {
-        on_paper,
+        on_paper: ids.is_sheet(),
         overlap: matches!(pose.status(), Status::Interference | Status::Jammed),
         outlines: true,
         ..Shown::default()
     };
-    let (legend, last) = legend::draw(LEGEND, WIDTH - 2.0 * MAIN.left, &shown, ids);
+    let (legend, last) = legend::draw(layout.legend, layout.room(), &shown, ids);
     let sheet = sheet
         .add(numbers(pair, pose, &main, rotation, &mut occupied))
-        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(scale::bar([frame.left, frame.bottom + 16.0], main.scale()))
         .add(legend);
     (sheet, last)
 }
@@ -190,7 +187,7 @@ fn words(side: Side, contact: &Contact) -> String {
     )
 }
 
-fn main_view(pair: &OutlinePair) -> View {
+fn main_view(pair: &OutlinePair, frame: Frame) -> View {
     let radius = |member| pair.gear(member).tip_radius();
     let root = |member| pair.gear(member).root_radius();
     let (wheel, pinion) = (Member::Wheel, Member::Pinion);
@@ -199,11 +196,11 @@ fn main_view(pair: &OutlinePair) -> View {
     let pitch = pair.operating_pitch_radius(wheel) * pair.gear(wheel).pitch();
     let half_width = (middle - root(wheel)).max(distance - root(pinion) - middle) + 0.3 * pitch;
     let fits = f64::min(
-        0.5 * MAIN.width() / half_width,
-        0.5 * MAIN.height() / (PITCHES * pitch),
+        0.5 * frame.width() / half_width,
+        0.5 * frame.height() / (PITCHES * pitch),
     );
     View::new(
-        MAIN,
+        frame,
         Point2::new(middle, 0.0),
         UNITS_PER_MM * scale::at_most(fits / UNITS_PER_MM, scale::FINE),
     )
@@ -273,7 +270,7 @@ fn mark(contact: &Contact, view: &View, length: f64, occupied: &mut Occupied) ->
         .add(dot(spot, 4.5, true))
 }
 
-fn names(pair: &OutlinePair) -> Group {
+fn names(pair: &OutlinePair, main: &Frame) -> Group {
     let name = |member: Member| {
         let role = if member == pair.locked() {
             "locked"
@@ -286,8 +283,8 @@ fn names(pair: &OutlinePair) -> Group {
             pair.gear(member).teeth()
         )
     };
-    let (style, y) = (TextStyle::new(14.0), MAIN.top - 8.0);
-    let Frame { left, right, .. } = MAIN;
+    let (style, y) = (TextStyle::new(14.0), main.top - 8.0);
+    let Frame { left, right, .. } = *main;
     Group::new()
         .add(style.text(&name(Member::Wheel), [left, y]))
         .add(style.end().text(&name(Member::Pinion), [right, y]))
@@ -300,21 +297,10 @@ fn caption(
     pose: &PoseResult,
     held: bool,
 ) -> Group {
-    let (left, room) = (MAIN.left, WIDTH - 2.0 * MAIN.left);
+    let (left, room) = (SHEET.main.left, SHEET.room());
     let what = match (pose.status(), pose.backlash.zip(pose.error_bound)) {
-        (Status::Interference, Some((value, error))) => {
-            format!(
-                "j_wt = {} µm (error ≤ {} µm) · interference",
-                um(value, 2),
-                bound_um(error)
-            )
-        }
-        (_, Some((value, error))) => {
-            format!(
-                "j_wt = {} µm (error ≤ {} µm) · clear",
-                um(value, 2),
-                bound_um(error)
-            )
+        (status, Some((value, error))) => {
+            format!("j_wt = {} · {}", um_bounded(value, error), status.name())
         }
         (Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
         (Status::Unproven, None) => "not settled".to_owned(),

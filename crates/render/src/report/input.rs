@@ -5,13 +5,12 @@ use super::page::Page;
 use super::phrases::{plain, sentence, symbol};
 use super::stated::{high_tooth, pitch, profile, runout, thickness};
 use super::table::{Table, cells, columns};
-use super::{drawings, grades, notes};
+use super::{grades, notes};
 use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, BasicGearData, Inspection};
 use gearlash::pair::Member;
-use gearlash_files::AnyPairSpec;
 use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
-use gearlash_files::spec::{AssemblySpec, GearSpec, HandName};
+use gearlash_files::spec::{AssemblySpec, GearSpec, HandName, PairSpec};
 use maud::{Markup, Render, html};
 
 /// A property of a gear as built: symbol, name and unit of spur gears; those of helical gears where they differ; decimals; value.
@@ -116,12 +115,8 @@ fn basic(gear: &AsBuilt) -> &BasicGearData {
     gear.gear().basic_data()
 }
 
-pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+pub(super) fn section(page: &Page, spec: &PairSpec) -> Result<Markup, PictureError> {
     let study = &page.report.pair.study;
-    let spec = match page.report.pair.spec {
-        AnyPairSpec::Data(spec) => spec,
-        AnyPairSpec::Outlines(spec) => return Ok(drawings::section(page, spec)),
-    };
     let gears = [&spec.wheel, &spec.pinion];
     let several = study.materials.len() > 1;
     let is_helical = study.is_helical();

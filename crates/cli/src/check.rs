@@ -121,10 +121,9 @@ fn pair(
     let screen = args.screen.screen();
     let remedies = RemedyRecord::all(*file, &analysis.remedies);
     let diagnosis = &analysis.diagnosis;
-    checked(
+    Ok(checked(
         &name, *file, diagnosis, &verdict, &remedies, is_proven, &screen,
-    )
-    .map_err(Error::unwritable("the checks"))
+    ))
 }
 
 /// The pair of two drawings on the command line; `None` of pair files.

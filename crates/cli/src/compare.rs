@@ -177,8 +177,7 @@ fn compared(
         extremes: found.each,
         failed_checks,
     };
-    pair.judged(&args.screen.screen())
-        .map_err(Error::unwritable("the outcome"))
+    Ok(pair.judged(&args.screen.screen()))
 }
 
 /// The same error, naming the option that chose the place.

@@ -6,7 +6,7 @@ use super::results::{Format, ResultsArgs};
 use crate::error::{Error, exit_code};
 use gearlash_files::matching::{MatchFile, MatchResult, read_match};
 use gearlash_render::match_map;
-use gearlash_results::text;
+use gearlash_results::matching;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -69,10 +69,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
     let result = matched(&file)?;
-    let json = result.to_json();
-    let matrix = result
-        .matrix_csv()
-        .map_err(Error::unwritable("the result"))?;
+    let json = matching::json(&result).map_err(Error::unwritable("the result"))?;
+    let matrix = matching::csv(&result).map_err(Error::unwritable("the result"))?;
     let [first, second, third] = FILES.map(str::to_owned);
     let files = [
         (first, json.clone()),
@@ -80,7 +78,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (third, match_map(&result)),
     ];
     match args.results.format {
-        Format::Text => print(&text::matched(&result, &args.screen.screen()))?,
+        Format::Text => print(&matching::text(&result, &args.screen.screen()))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&matrix)?,
     }

@@ -113,17 +113,6 @@ pub fn rounded(value: f64, decimals: usize) -> f64 {
     (value * scale).round() / scale + 0.0
 }
 
-/// As many decimals as tell every one of `values` to within `off`, `most` at most.
-pub fn decimals_of(values: &[f64], off: f64, most: usize) -> usize {
-    let suffices = |decimals: &usize| {
-        let shown = |value: f64| format!("{value:.decimals$}").parse().unwrap_or(f64::NAN);
-        values
-            .iter()
-            .all(|value| (shown(*value) - value).abs() <= off)
-    };
-    (0..most).find(suffices).unwrap_or(most)
-}
-
 /// Three significant digits of a positive value; below 1e-4 as a power of ten.
 pub fn significant(value: f64) -> String {
     if value >= 1e-4 {
@@ -164,14 +153,39 @@ pub fn bound_um(length_mm: f64) -> String {
     }
 }
 
-/// `12.34 ± 0.56`: a length and its bound, given in mm, in µm to the second significant digit of the bound, which is rounded up.
-pub fn um_within(length_mm: f64, bound_mm: f64) -> String {
-    let bound = two_digits_up(bound_mm * 1e3);
+/// `12.34 ± 0.56`: a value and its bound, to the second significant digit of the bound, which is rounded up. A bound of 0 is not
+/// shown.
+pub fn within(value: f64, bound: f64) -> String {
+    let bound = two_digits_up(bound);
     if !(bound > 0.0 && bound.is_finite()) {
-        return um(length_mm, 2);
+        return fixed(value, 2);
     }
     let decimals = (1.0 - bound.log10().floor()).clamp(0.0, 9.0) as usize;
-    format!("{} ± {}", um(length_mm, decimals), fixed(bound, decimals))
+    format!("{} ± {}", fixed(value, decimals), fixed(bound, decimals))
+}
+
+/// A length and its bound, given in mm, in µm as [`within`].
+pub fn um_within(length_mm: f64, bound_mm: f64) -> String {
+    within(length_mm * 1e3, bound_mm * 1e3)
+}
+
+/// A bound from which on two decimals of a µm do not hold what is shown, mm.
+const SEEN: f64 = 5e-6;
+
+/// A length in µm: as [`um_within`] where two decimals would hide the bound, else with two decimals. Both are given in mm.
+pub fn um_known(length_mm: f64, bound_mm: f64) -> String {
+    let bound = if bound_mm < SEEN { 0.0 } else { bound_mm };
+    um_within(length_mm, bound)
+}
+
+/// `12.35 ± 0.57 µm`, or `12.35 µm (error ≤ 2·10⁻⁹ µm)` where the bound is smaller than what is shown. Both are given in mm.
+pub fn um_bounded(length_mm: f64, bound_mm: f64) -> String {
+    let value = um_known(length_mm, bound_mm);
+    if bound_mm < SEEN {
+        format!("{value} µm (error ≤ {} µm)", bound_um(bound_mm))
+    } else {
+        format!("{value} µm")
+    }
 }
 
 /// A bound to two digits, rounded up; zero stays.
@@ -295,7 +309,6 @@ mod tests {
         assert_eq!(stated_distance(132.04), "132.040");
         assert_eq!(stated_distance(132.12345), "132.12345");
         assert_eq!(stated_distance(160.0), "160.000");
-        assert_eq!(decimals_of(&[-0.5, 0.0, 0.5], 1e-6, 15), 1);
     }
 
     #[test]
@@ -310,6 +323,8 @@ mod tests {
         assert_eq!(um_within(-0.0123456, 0.0123), "−12 ± 13");
         assert_eq!(um_within(0.25, 1e-9), "250.0000000 ± 0.0000010");
         assert_eq!(um_within(0.25, 0.0), "250.00");
+        assert_eq!(um_bounded(0.0123456, 0.000561), "12.35 ± 0.57 µm");
+        assert_eq!(um_bounded(0.25, 2e-12), "250.00 µm (error ≤ 2·10⁻⁹ µm)");
         assert_eq!(bound_um(0.0), "0");
         for (value, shown) in [
             (1.301e-9, 1.4e-9),

@@ -45,7 +45,6 @@ pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<St
         is_proven,
         &screen,
     );
-    let judged = judged.map_err(|reason| error(py, reason))?;
     let files = vec![JudgedFile::Judged(Box::new(judged))];
     let outcome = Outcome {
         command: "check",

@@ -11,6 +11,7 @@ use gearlash_files::tolerance::{
     BLOCK, MOST_ASSEMBLIES, RowsHead, RowsReader, RowsTally, ToleranceFile, ToleranceRun,
     read_tolerance, row_line, tenths_to_um,
 };
+use gearlash_results::{matching, population};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -160,7 +161,8 @@ pub fn tolerance_result(
         Err(ContributionsError::Overflow(reason)) => Ok(Err(reason.to_string())),
     })?;
     let result = result.map_err(|reason| error(py, reason))?;
-    Ok((result.to_json(), warnings(&file)))
+    let json = population::json(&result).map_err(|reason| error(py, reason))?;
+    Ok((json, warnings(&file)))
 }
 
 /// A wheel with a pinion: pinion tooth of the best phase, outcome, least and greatest backlash, mm, whether both are proven, whether it meets the
@@ -266,5 +268,6 @@ pub fn match_result(
     let cells: Option<Vec<PairFit>> = cells.map(|cell| pair_fit(cell, &file)).collect();
     let cells = cells.ok_or_else(|| error(py, "a cell has an outcome that no pair has"))?;
     let result = MatchResult::new(&file, cells);
-    Ok(result.map_err(|reason| error(py, reason))?.to_json())
+    let result = result.map_err(|reason| error(py, reason))?;
+    matching::json(&result).map_err(|reason| error(py, reason))
 }

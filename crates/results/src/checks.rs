@@ -1,56 +1,25 @@
 //! The checks of a pair as a judged file, and the map of what touches as CSV.
 
 use crate::check::CheckRow;
-use crate::column::{Object, Row};
+use crate::column::Row;
 use crate::extreme::extremes;
-use crate::fitted::{self, FittedRecord};
+use crate::fitted;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
 use crate::remedies::RemedyRecord;
 use crate::run::contact_count;
 use crate::text::check::{governing, outlines, text, unit};
 use crate::verdict::lines;
-use crate::verdict_json::{VerdictRecord, verdict_record};
+use crate::verdict_json::verdict_record;
 use gearlash::analysis::backlash_map::BacklashMap;
-use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Group, Map as ContactMap};
+use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
+use gearlash_files::PairView;
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
-use gearlash_files::{AnyPairSpec, PairView};
-use serde::Serialize;
-use serde_json::{Value, to_value};
-
-#[derive(Debug, Serialize)]
-struct FileRecord<'a> {
-    file: &'a str,
-    passed: bool,
-    pair: AnyPairSpec<'a>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    fitted_involutes: Vec<FittedRecord>,
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    warnings: &'a [String],
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    remarks: &'a [String],
-    verdict: VerdictRecord,
-    extremes: Vec<Value>,
-    checks_verdict: &'static str,
-    checks: Vec<Object<'static>>,
-    contact: Value,
-    runs: Vec<GroupRecord>,
-    remedies: &'a [RemedyRecord],
-}
-
-#[derive(Debug, Serialize)]
-struct GroupRecord {
-    center_distance_mm: f64,
-    material: &'static str,
-    contact: Value,
-}
+use serde_json::json;
 
 /// The outcome of `check` for the pair of `file`, called `name`; `is_proven` says whether all its poses are. Its text is for `screen`.
-///
-/// # Errors
-/// None for a diagnosis; a number that JSON cannot hold otherwise.
 pub fn checked<'a>(
     name: &'a str,
     file: impl Into<PairView<'a>>,
@@ -59,7 +28,7 @@ pub fn checked<'a>(
     remedies: &[RemedyRecord],
     is_proven: bool,
     screen: &Screen,
-) -> serde_json::Result<Judged> {
+) -> Judged {
     let file = file.into();
     let checks = diagnosis.verdict() < diagnosis::Verdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
@@ -90,31 +59,36 @@ pub fn checked<'a>(
             .into_iter()
             .map(|(_, check)| case(check)),
     );
-    let record = FileRecord {
-        file: name,
-        passed: passes,
-        pair: file.spec,
-        fitted_involutes: fitted::records(&file),
-        warnings: file.warnings,
-        remarks: file.remarks,
-        verdict: verdict_record(verdict),
-        extremes: extremes(verdict),
-        checks_verdict: diagnosis.verdict().name(),
-        checks: diagnosis
-            .groups
-            .iter()
-            .flat_map(|group| {
-                group
-                    .checks
-                    .iter()
-                    .map(|check| CheckRow::columns().object(&CheckRow::new(group, check, true)))
-            })
-            .collect(),
-        contact: contact_count(&diagnosis.contact),
-        runs: diagnosis.groups.iter().map(group_record).collect(),
-        remedies,
-    };
-    Ok(Judged {
+    let groups = || diagnosis.groups.iter();
+    let checks = groups().flat_map(|group| {
+        let checks = group.checks.iter();
+        checks.map(|check| json!(CheckRow::columns().object(&CheckRow::new(group, check, true))))
+    });
+    let runs = groups().map(|group| {
+        json!({
+            "center_distance_mm": group.assembly.center_distance(),
+            "material": group.material.name(),
+            "contact": contact_count(&group.contact),
+        })
+    });
+    let mut json = json!({ "file": name, "passed": passes, "pair": file.spec });
+    let fitted = fitted::records(&file);
+    if !fitted.is_empty() {
+        json["fitted_involutes"] = json!(fitted);
+    }
+    for (key, words) in [("warnings", file.warnings), ("remarks", file.remarks)] {
+        if !words.is_empty() {
+            json[key] = json!(words);
+        }
+    }
+    json["verdict"] = json!(verdict_record(verdict));
+    json["extremes"] = extremes(verdict).into();
+    json["checks_verdict"] = diagnosis.verdict().name().into();
+    json["checks"] = checks.collect();
+    json["contact"] = contact_count(&diagnosis.contact);
+    json["runs"] = runs.collect();
+    json["remedies"] = json!(remedies);
+    Judged {
         file: name.to_owned(),
         title: file.study.title.clone(),
         passes,
@@ -123,9 +97,9 @@ pub fn checked<'a>(
         remarks: file.remarks.to_vec(),
         text: text(&file, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
-        json: to_value(&record)?,
+        json,
         verdict: lines,
-    })
+    }
 }
 
 fn case(check: &Check) -> Case {
@@ -148,14 +122,6 @@ fn case(check: &Check) -> Case {
         },
         verdict: check.verdict,
         message: format!("{}{note}", numbers.trim_end()),
-    }
-}
-
-fn group_record(group: &Group) -> GroupRecord {
-    GroupRecord {
-        center_distance_mm: group.assembly.center_distance(),
-        material: group.material.name(),
-        contact: contact_count(&group.contact),
     }
 }
 

@@ -14,8 +14,8 @@
 use crate::layout::{self, Screen, Table, Tone};
 use crate::unit;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::characters::plain;
-use gearlash_files::numbers::{NONE, ascii, backlash_ascii, power, stated_distance};
+use gearlash_files::characters::{cell, csv_text, plain};
+use gearlash_files::numbers::{NONE, backlash, fixed, power, stated_distance};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// A row type.
@@ -121,6 +121,8 @@ pub enum Unit {
     Bound,
     /// A measure with four decimals.
     Measure,
+    /// A length in µm with two decimals.
+    Hundredths,
     /// A status or a verdict, coloured by how grave it is.
     Grave,
 }
@@ -289,14 +291,32 @@ impl<R: Row> Columns<R> {
             .collect()
     }
 
-    /// A table of `rows` for people, backlash in `unit`; a column without any value is left out. `distance` is the centre distance of a row, mm.
-    pub fn table(
+    /// `rows` as CSV.
+    ///
+    /// # Errors
+    /// None: it is written to memory.
+    pub fn csv(&self, rows: &[R]) -> csv::Result<String> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(self.csv_names())?;
+        for row in rows {
+            let cells = self.csv_values(row).into_iter().map(|value| match value {
+                Value::Absent | Value::Null => String::new(),
+                Value::Text(text) => cell(&text),
+                value => seen(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
+            });
+            writer.write_record(cells)?;
+        }
+        csv_text(writer)
+    }
+
+    /// The columns that people see of `rows`, backlash in `unit`; a column without any value is left out. `distance` is the centre
+    /// distance of a row, mm.
+    pub fn shown(
         &self,
         rows: &[R],
         distance: impl Fn(&R) -> f64,
         unit: BacklashUnit,
-        screen: &Screen,
-    ) -> String {
+    ) -> Vec<Shown> {
         let shown = self.columns.iter().filter_map(|column| {
             let heading = column.heading.as_ref()?;
             let values: Vec<Value> = rows.iter().map(|row| (column.value)(row)).collect();
@@ -306,44 +326,99 @@ impl<R: Row> Columns<R> {
                 Value::Null => column.unit == Unit::Beside,
                 _ => false,
             });
-            (!is_empty).then_some((heading, column.unit, values))
+            let cells = values.iter().zip(rows);
+            let cells = cells.map(|(value, row)| seen(value, column.unit, unit, distance(row)));
+            (!is_empty).then(|| Shown {
+                heading: match column.unit {
+                    Unit::Backlash => heading.renamed(|name| unit::column(unit, name)),
+                    _ => heading.clone(),
+                },
+                unit: column.unit,
+                cells: cells.collect(),
+            })
         });
-        let shown: Vec<(&layout::Column, Unit, Vec<Value>)> = shown.collect();
-        let headings = shown.iter().map(|(heading, kind, _)| match kind {
-            Unit::Backlash => heading.renamed(|name| unit::column(unit, name)),
-            _ => (*heading).clone(),
-        });
-        let mut table = Table::new(headings);
-        for (number, row) in rows.iter().enumerate() {
-            let cells = shown
-                .iter()
-                .map(|(_, kind, values)| seen(&values[number], *kind, unit, distance(row), screen));
+        shown.collect()
+    }
+
+    /// A table of `rows` for a terminal, as [`Columns::shown`].
+    pub fn table(
+        &self,
+        rows: &[R],
+        distance: impl Fn(&R) -> f64,
+        unit: BacklashUnit,
+        screen: &Screen,
+    ) -> String {
+        let shown = self.shown(rows, distance, unit);
+        let mut table = Table::new(shown.iter().map(|column| column.heading.clone()));
+        for number in 0..rows.len() {
+            let cells = shown.iter().map(|column| {
+                let cell = &column.cells[number];
+                match (column.unit, Tone::of(cell)) {
+                    (Unit::Grave, Some(tone)) => screen.toned(tone, cell),
+                    _ => cell.replace('−', "-"),
+                }
+            });
             table.add(cells.collect());
         }
         table.text(screen)
     }
+
+    /// A table of `rows` in Markdown, backlash in µm.
+    pub fn markdown(&self, rows: &[R]) -> String {
+        let shown = self.shown(rows, |_| f64::NAN, BacklashUnit::Um);
+        let line = |cell: &dyn Fn(&Shown) -> String| {
+            let cells: Vec<String> = shown.iter().map(cell).collect();
+            format!("| {} |\n", cells.join(" | "))
+        };
+        let mut text = line(&|column| column.heading.heading().to_owned());
+        text += &line(&|column| {
+            if column.heading.is_left() {
+                ":--"
+            } else {
+                "--:"
+            }
+            .to_owned()
+        });
+        for number in 0..rows.len() {
+            text += &line(&|column| column.cells[number].replace('−', "-"));
+        }
+        text
+    }
+
+    /// A table of `rows` whose backlash is in µm, for a terminal.
+    pub fn text(&self, rows: &[R], screen: &Screen) -> String {
+        self.table(rows, |_| f64::NAN, BacklashUnit::Um, screen)
+    }
+}
+
+/// A column as people see it, with true minus signs.
+#[derive(Debug, Clone)]
+pub struct Shown {
+    /// Its heading.
+    pub heading: layout::Column,
+    /// How its values are shown.
+    pub unit: Unit,
+    /// A cell a row.
+    pub cells: Vec<String>,
 }
 
 /// `value` as people read it, at centre distance `a`, mm.
-fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64, screen: &Screen) -> String {
+fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String {
     match (value, kind) {
         (Value::Absent, _) => String::new(),
         (Value::Null, _) => NONE.to_owned(),
-        (Value::Number(um), Unit::Backlash | Unit::Beside) => backlash_ascii(unit, *um, a, 3),
+        (Value::Number(um), Unit::Backlash | Unit::Beside) => backlash(unit, *um, a, 3),
         (Value::Number(um), Unit::Bound) => power(unit.of_um(*um, a), 0),
         (Value::Number(mm), Unit::Distance) => stated_distance(*mm),
-        (Value::Number(value), Unit::Measure) => ascii(*value, 4),
+        (Value::Number(value), Unit::Measure) => fixed(*value, 4),
+        (Value::Number(um), Unit::Hundredths) => fixed(*um, 2),
         (Value::Number(value), _) => value.to_string(),
-        (Value::Word(word), Unit::Grave) => match Tone::of(word) {
-            Some(tone) => screen.toned(tone, word),
-            None => (*word).to_owned(),
-        },
         (Value::Word(word), _) => (*word).to_owned(),
         (Value::Text(text), _) => plain(text),
         (Value::Bool(value), _) => value.to_string(),
         (Value::Count(count), _) => count.to_string(),
         (Value::Band(ends), _) => {
-            let [least, greatest] = ends.map(|(um, a)| backlash_ascii(unit, um, a, 1));
+            let [least, greatest] = ends.map(|(um, a)| backlash(unit, um, a, 1));
             format!("{least} … {greatest}")
         }
         (Value::Json(value), _) => value.to_string(),

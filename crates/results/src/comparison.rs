@@ -1,25 +1,25 @@
 //! The outcome of `compare` for a pair: whether the simulation agrees with the formulas.
 
-use crate::column::Row;
+use crate::column::{Columns, Row, Value, columns};
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
-use crate::layout::{Screen, Tone, where_it_is};
+use crate::layout::{self, Screen, Tone, where_it_is};
 use crate::pose::{PoseRow, doubts};
 use crate::verdict::lines;
-use crate::verdict_json::{VerdictRecord, verdict_record};
-use gearlash::analysis::compare::{ComparedPose, Verdict};
+use crate::verdict_json::verdict_record;
+use gearlash::analysis::compare::{ComparedPose, Summary, Verdict};
 use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
 use gearlash::contact::Unproven;
+use gearlash::pair::Mating;
 use gearlash_files::PairFile;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, power, signed_um, stated_distance, um_ascii};
-use gearlash_files::spec::PairSpec;
-use serde::Serialize;
-use serde_json::{Value, json, to_value};
+use serde_json::json;
 use std::fmt::Write;
+use std::sync::LazyLock;
 
 /// One compared pair file.
 #[derive(Debug)]
@@ -91,10 +91,7 @@ impl ComparedPair<'_> {
     }
 
     /// The outcome, its text for `screen`.
-    ///
-    /// # Errors
-    /// None for a comparison; a number that JSON cannot hold otherwise.
-    pub fn judged(&self, screen: &Screen) -> serde_json::Result<Judged> {
+    pub fn judged(&self, screen: &Screen) -> Judged {
         let study = &self.file.study;
         let verdict = CycleVerdict::of_study(study, &self.extremes, self.failed_checks.clone());
         let lines = lines(&verdict);
@@ -111,7 +108,7 @@ impl ComparedPair<'_> {
             (false, false) => diagnosis::Verdict::Fail,
         };
         let is_unproven = matches!(self.agreement(), Agreement::Unproven | Agreement::Agrees);
-        Ok(Judged {
+        Judged {
             file: self.name.clone(),
             title: study.title.clone(),
             passes: agrees && kept,
@@ -134,9 +131,9 @@ impl ComparedPair<'_> {
             remarks: self.file.remarks.clone(),
             text: self.text(&lines.to_string(), screen),
             markdown: self.markdown(),
-            json: to_value(self.record(&verdict, agrees && kept))?,
+            json: self.record(&verdict, agrees && kept),
             verdict: lines,
-        })
+        }
     }
 
     fn text(&self, verdict: &str, screen: &Screen) -> String {
@@ -235,51 +232,108 @@ impl ComparedPair<'_> {
         if self.allows_off_line() {
             text += " Contact off the line of action is allowed.";
         }
-        let _ = writeln!(text, "\n\n| {} |", HEADINGS.join(" | "));
-        text += "| :-- | --: | --: | --: | --: | --: | --: | :-- |\n";
-        for run in &self.runs {
-            let _ = writeln!(text, "| {} |", self.row(run).join(" | "));
-        }
+        let rows: Vec<ComparedRow> = self.rows().collect();
+        let _ = write!(text, "\n\n{}", ComparedRow::columns().markdown(&rows));
         text + "\nBacklash `j_wt` at the operating pitch circle; negative: interference. Off model 2 and 3: largest difference to the \
                 involute and to the line-of-action formula; model 3 decides.\n\n"
     }
 
-    fn row(&self, run: &RunTally) -> Vec<String> {
-        let summary = run.summary();
-        let (least, greatest) = run.extremes().unzip();
+    fn rows(&self) -> impl Iterator<Item = ComparedRow> {
+        let runs = self.runs.iter();
+        runs.map(|run| ComparedRow::new(run, run.passes(self.allows_off_line())))
+    }
+}
+
+/// A run beside the formulas.
+struct ComparedRow {
+    run: RunTally,
+    passed: bool,
+    summary: Summary,
+}
+
+impl ComparedRow {
+    fn new(run: &RunTally, passed: bool) -> ComparedRow {
+        ComparedRow {
+            run: run.clone(),
+            passed,
+            summary: run.summary(),
+        }
+    }
+
+    /// Where the least and the greatest backlash stand.
+    fn ends(&self) -> [String; 2] {
+        let (least, greatest) = self.run.extremes().unzip();
         let at = |length, pose: Option<&ComparedPose>| match pose {
             Some(pose) => format!("{} at {}", um_ascii(length, 3), where_it_is(pose)),
             None => NONE.to_owned(),
         };
-        let passes = run.passes(self.allows_off_line());
-        let verdict = format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" });
-        vec![
-            run_name(run),
-            run.poses.to_string(),
-            at(summary.min, least),
-            at(summary.max, greatest),
-            um_ascii(summary.off_involute, 3),
-            match summary.off_line_of_action {
-                // Rounding alone: its size, rather than 0.000.
-                Some(length) if length < 1e-6 => power(length * 1e3, 1),
-                length => um_ascii(length, 3),
-            },
-            run.count(Verdict::OffLine).to_string(),
-            trouble(run).map_or(verdict.clone(), |what| format!("{verdict}; {what}")),
-        ]
+        [at(self.summary.min, least), at(self.summary.max, greatest)]
+    }
+
+    fn off_line_of_action(&self) -> String {
+        match self.summary.off_line_of_action {
+            // Rounding alone: its size, rather than 0.000.
+            Some(length) if length < 1e-6 => power(length * 1e3, 1),
+            length => um_ascii(length, 3),
+        }
+    }
+
+    fn verdict(&self) -> String {
+        let word = if self.passed { "ok" } else { "FAIL" };
+        let verdict = format!("{} {word}", mark(self.passed));
+        trouble(&self.run).map_or(verdict.clone(), |what| format!("{verdict}; {what}"))
+    }
+
+    fn worst(&self) -> Option<(&ComparedPose, f64)> {
+        self.run.worst()
+    }
+
+    fn worst_mating(&self) -> Option<&Mating> {
+        Some(self.worst()?.0.simulated.pose.mating())
+    }
+
+    /// The first poses that are not proven.
+    fn unproven_poses(&self) -> Option<Vec<serde_json::Value>> {
+        let poses = self.run.first_unproven.iter().map(unproven_pose);
+        Some(poses.collect()).filter(|poses: &Vec<_>| !poses.is_empty())
     }
 }
 
-const HEADINGS: [&str; 8] = [
-    "run",
-    "poses",
-    "least j_wt µm",
-    "greatest j_wt µm",
-    "off model 2 µm",
-    "off model 3 µm",
-    "touch off the line of action",
-    "verdict",
-];
+impl Row for ComparedRow {
+    fn columns() -> &'static Columns<ComparedRow> {
+        static COLUMNS: LazyLock<Columns<ComparedRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: ComparedRow {
+                "" Plain [people(shown("run").left())] => run_name(&row.run);
+                "center_distance_mm" Plain => row.run.assembly.center_distance();
+                "material" Plain => row.run.material.name();
+                "poses" Plain [heading(shown("poses"))] => row.run.poses;
+                "" Plain [people(shown("least j_wt µm"))] => row.ends()[0].clone();
+                "" Plain [people(shown("greatest j_wt µm"))] => row.ends()[1].clone();
+                "" Plain [people(shown("off model 2 µm"))] => um_ascii(row.summary.off_involute, 3);
+                "" Plain [people(shown("off model 3 µm"))] => row.off_line_of_action();
+                "compared" Plain => row.run.compared;
+                "passed" Plain => row.passed;
+                "off_line" Plain [heading(shown("touch off the line of action"))] => row.run.count(Verdict::OffLine);
+                "below" Plain => row.run.count(Verdict::Below);
+                "above" Plain => row.run.count(Verdict::Above);
+                "max_deviation_um.involute" Plain => Value::um(row.summary.off_involute);
+                "max_deviation_um.line_of_action" Plain => Value::um(row.summary.off_line_of_action);
+                "worst" Plain => row.worst().map_or(Value::Null, |_| Value::Absent);
+                "worst.wheel_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.wheel_tooth));
+                "worst.pinion_tooth" Plain => Value::optional(row.worst_mating().map(|mating| mating.pinion_tooth));
+                "worst.flank" Plain => Value::optional(row.worst_mating().map(|mating| mating.flank.name()));
+                "worst.fraction" Plain => Value::optional(row.worst_mating().map(|mating| mating.fraction));
+                "worst.difference_um" Plain => Value::optional(row.worst().map(|(_, mm)| mm * 1e3));
+                "worst.error_bound_um" Plain => Value::optional(row.worst().map(|(pose, _)| Value::um(pose.simulated.error_bound)));
+                "unproven" Plain => row.run.count(Verdict::Unproven);
+                "unproven_poses" Plain => Value::optional(row.unproven_poses().map(serde_json::Value::Array));
+                "" Plain [people(shown("verdict").left())] => row.verdict();
+            }))
+        });
+        &COLUMNS
+    }
+}
 
 fn run_name(run: &RunTally) -> String {
     format!(
@@ -318,121 +372,32 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-#[derive(Serialize)]
-struct FileRecord<'a> {
-    file: &'a str,
-    passed: bool,
-    pair: &'a PairSpec,
-    verdict: VerdictRecord,
-    extremes: Vec<Value>,
-    compare: CompareRecord,
-    runs: Vec<RunRecord>,
-}
-
-#[derive(Serialize)]
-struct CompareRecord {
-    text: String,
-    tolerance_um: f64,
-    allow_off_line_contact: bool,
-}
-
-#[derive(Serialize)]
-struct RunRecord {
-    center_distance_mm: f64,
-    material: &'static str,
-    poses: usize,
-    compared: usize,
-    passed: bool,
-    off_line: usize,
-    below: usize,
-    above: usize,
-    max_deviation_um: DeviationRecord,
-    worst: Option<WorstRecord>,
-    unproven: usize,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    unproven_poses: Vec<UnprovenPose>,
-}
-
-#[derive(Serialize)]
-struct UnprovenPose {
-    mating: Value,
-    /// Absent where the pose is proven, and an end of the bearing clearance is not.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unproven: Option<Value>,
-    reason: String,
-}
-
-#[derive(Serialize)]
-struct DeviationRecord {
-    involute: Option<f64>,
-    line_of_action: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct WorstRecord {
-    wheel_tooth: u32,
-    pinion_tooth: u32,
-    flank: &'static str,
-    fraction: f64,
-    difference_um: f64,
-    error_bound_um: Option<f64>,
-}
-
 impl ComparedPair<'_> {
-    fn record(&self, verdict: &CycleVerdict, passed: bool) -> FileRecord<'_> {
-        FileRecord {
-            file: &self.name,
-            passed,
-            pair: &self.file.spec,
-            verdict: verdict_record(verdict),
-            extremes: extremes(verdict),
-            compare: CompareRecord {
-                text: self.first_line(),
-                tolerance_um: self.tolerance_um,
-                allow_off_line_contact: self.allows_off_line(),
+    fn record(&self, verdict: &CycleVerdict, passed: bool) -> serde_json::Value {
+        let rows = self.rows();
+        let runs = rows.map(|row| json!(ComparedRow::columns().object(&row)));
+        json!({
+            "file": self.name,
+            "passed": passed,
+            "pair": self.file.spec,
+            "verdict": verdict_record(verdict),
+            "extremes": extremes(verdict),
+            "compare": {
+                "text": self.first_line(),
+                "tolerance_um": self.tolerance_um,
+                "allow_off_line_contact": self.allows_off_line(),
             },
-            runs: self.runs.iter().map(|run| self.run_record(run)).collect(),
-        }
-    }
-
-    fn run_record(&self, run: &RunTally) -> RunRecord {
-        let summary = run.summary();
-        let worst = |(pose, difference): (&ComparedPose, f64)| {
-            let mating = pose.simulated.pose.mating();
-            WorstRecord {
-                wheel_tooth: mating.wheel_tooth,
-                pinion_tooth: mating.pinion_tooth,
-                flank: mating.flank.name(),
-                fraction: mating.fraction,
-                difference_um: difference * 1e3,
-                error_bound_um: pose.simulated.error_bound.map(|length| length * 1e3),
-            }
-        };
-        RunRecord {
-            center_distance_mm: run.assembly.center_distance(),
-            material: run.material.name(),
-            poses: run.poses,
-            compared: run.compared,
-            passed: run.passes(self.allows_off_line()),
-            off_line: run.count(Verdict::OffLine),
-            below: run.count(Verdict::Below),
-            above: run.count(Verdict::Above),
-            max_deviation_um: DeviationRecord {
-                involute: summary.off_involute.map(|length| length * 1e3),
-                line_of_action: summary.off_line_of_action.map(|length| length * 1e3),
-            },
-            worst: run.worst().map(worst),
-            unproven: run.count(Verdict::Unproven),
-            unproven_poses: run.first_unproven.iter().map(unproven_pose).collect(),
-        }
+            "runs": runs.collect::<Vec<_>>(),
+        })
     }
 }
 
-fn unproven_pose(pose: &ComparedPose) -> UnprovenPose {
-    let unproven = pose.simulated.found.as_ref().err();
-    UnprovenPose {
-        mating: PoseRow::mating_json(pose.simulated.pose.mating()),
-        unproven: unproven.map(|unproven| json!(Unproven::columns().object(unproven))),
-        reason: doubts(pose),
+/// A pose that is not proven, or whose end of the bearing clearance is not; then it has no `unproven`.
+fn unproven_pose(pose: &ComparedPose) -> serde_json::Value {
+    let mut value = json!({ "mating": PoseRow::mating_json(pose.simulated.pose.mating()) });
+    if let Err(unproven) = &pose.simulated.found {
+        value["unproven"] = json!(Unproven::columns().object(unproven));
     }
+    value["reason"] = json!(doubts(pose));
+    value
 }

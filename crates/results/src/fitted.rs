@@ -1,7 +1,7 @@
 //! Drawn gears in words, and the involute that a drawing looks like, as a record.
 
 use gearlash::outline::{FittedInvolute, OutlineGear};
-use gearlash_files::numbers::{fixed, trimmed, um};
+use gearlash_files::numbers::{fixed, trimmed, um, within};
 use gearlash_files::spec::EitherGearSpec;
 use gearlash_files::{AnyPairSpec, PairView};
 use serde::Serialize;
@@ -54,14 +54,13 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
     });
     let cosine = 2.0 / f64::from(teeth);
     // Rounding is not said.
-    let off = match cosine * found.base_radius_error {
-        off if off >= 5e-6 => format!(" ± {}", fixed(off, 5)),
-        _ => String::new(),
+    let base_module = match (cosine * found.base_radius, cosine * found.base_radius_error) {
+        (value, off) if off >= 5e-6 => within(value, off),
+        (value, _) => fixed(value, 5),
     };
     let like = match &standard.collect::<Vec<_>>()[..] {
         [] => format!(
-            "an involute of no standard module at 20°, 14.5° or 25°, m cos α = {}{off} mm",
-            fixed(cosine * found.base_radius, 5)
+            "an involute of no standard module at 20°, 14.5° or 25°, m cos α = {base_module} mm"
         ),
         several => several.join(", or "),
     };

@@ -113,6 +113,16 @@ impl Column {
         }
     }
 
+    /// Its heading.
+    pub fn heading(&self) -> &str {
+        &self.heading
+    }
+
+    /// Whether its cells are words, aligned on the left.
+    pub fn is_left(&self) -> bool {
+        self.left
+    }
+
     /// The column under another heading.
     pub(crate) fn renamed(&self, name: impl Fn(&str) -> String) -> Column {
         Column {

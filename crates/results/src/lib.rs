@@ -28,7 +28,9 @@ mod json;
 pub mod judged;
 mod junit;
 mod layout;
+pub mod matching;
 mod notes;
+pub mod population;
 mod pose;
 mod remedies;
 mod run;
@@ -39,6 +41,7 @@ mod verdict_json;
 mod written;
 
 pub use checks::{backlash_map_csv, checked, map_csv};
+pub use column::{Shown, Unit};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
 pub use fitted::{drawn_notes, looks_like};

@@ -7,9 +7,10 @@ use crate::output::OutputFolder;
 use crate::results::{Format, ResultsArgs};
 use gearlash::population::WORST;
 use gearlash_files::tolerance::{
-    ToleranceFile, ToleranceResult, histogram_csv, is_worst_file, worst_file, worst_name,
+    ToleranceFile, ToleranceResult, is_worst_file, worst_file, worst_name,
 };
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
+use gearlash_results::population;
 use gearlash_results::text::Screen;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -60,8 +61,8 @@ pub(super) fn tell_result(
 ) -> Result<ExitCode, Error> {
     let date = today()?;
     let pictures = tolerance_pictures(result)?;
-    let json = result.to_json();
-    let csv = result.to_csv().map_err(Error::unwritable("the result"))?;
+    let json = population::json(result).map_err(Error::unwritable("the result"))?;
+    let csv = population::csv(result).map_err(Error::unwritable("the result"))?;
     let page = tolerance_report(&ToleranceReport {
         file,
         result,
@@ -71,7 +72,10 @@ pub(super) fn tell_result(
     let mut files = vec![
         ("result.json".to_owned(), json.clone()),
         ("result.csv".to_owned(), csv.clone()),
-        ("histogram.csv".to_owned(), histogram_csv(result)),
+        (
+            "histogram.csv".to_owned(),
+            population::histogram_csv(result),
+        ),
         ("index.html".to_owned(), page),
         (CONVERGENCE.to_owned(), pictures.convergence.svg),
     ];
@@ -86,7 +90,7 @@ pub(super) fn tell_result(
         files.push((name, text.map_err(Error::unwritable("the result"))?));
     }
     match args.format {
-        Format::Text => print(&gearlash_results::text::tolerance(result, screen))?,
+        Format::Text => print(&population::text(result, screen))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }

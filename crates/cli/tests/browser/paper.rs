@@ -70,6 +70,14 @@ pub fn fits_wide_and_narrow_windows(browser: &Chromium, site: &Site) {
             needed <= f64::from(width),
             "{needed} px wide in a window of {width}"
         );
+        if width == 390 {
+            // Every chart and snapshot is drawn for that width, and none has to be scrolled.
+            let wide = "[...document.querySelectorAll('figure > svg')].filter((svg) => svg.getBoundingClientRect().width > 0 \
+                        && svg.viewBox.baseVal.width > 400).length";
+            assert_eq!(tab.number(wide), 0.0);
+            let scrolled = "[...document.querySelectorAll('figure')].filter((figure) => figure.scrollWidth > figure.clientWidth + 1).length";
+            assert_eq!(tab.number(scrolled), 0.0);
+        }
         let whole = tab.call(
             "Page.captureScreenshot",
             json!({ "captureBeyondViewport": true, "format": "png" }),

@@ -1,13 +1,10 @@
-//! Which gears go together: as a sentence, JSON and CSV.
+//! Which gears go together, and the sentence that says how many.
 
 use super::read::MatchFile;
-use crate::characters;
-use crate::characters::csv_text;
 use crate::numbers::{fixed, rounded, shortest};
 use crate::tolerance::{Limit, limits};
 use gearlash::error::GearError;
 use gearlash::matching::{Expected, Fit, Matrix, PairFit};
-use serde_json::{Value, json};
 
 /// A pair that was made.
 #[derive(Debug, Clone, PartialEq)]
@@ -148,82 +145,5 @@ impl MatchResult {
             text += "; nearest pairs first, so that another assignment may be better";
         }
         text
-    }
-
-    /// The whole result; lengths in µm.
-    pub fn to_json(&self) -> String {
-        let um = |mm: Option<f64>| mm.map(|mm| 1e3 * mm);
-        let expected = |expected: Expected| json!({ "any_phase": expected.any_phase, "best_phase": expected.best_phase });
-        let pairs: Vec<Value> = self
-            .pairs
-            .iter()
-            .map(|pair| {
-                json!({
-                    "wheel": pair.wheel,
-                    "pinion": pair.pinion,
-                    "wheel_tooth": 1,
-                    "pinion_tooth": pair.fit.pinion_tooth,
-                    "least_um": um(pair.fit.outcome.least),
-                    "greatest_um": um(pair.fit.outcome.greatest),
-                })
-            })
-            .collect();
-        let all = json!({
-            "gearlash": env!("CARGO_PKG_VERSION"),
-            "title": self.title,
-            "text": self.sentence(),
-            "require_um": { "min": um(self.limits[0]), "max": um(self.limits[1]) },
-            "require_others": self.others,
-            "wanted_um": 1e3 * self.wanted,
-            "phases": self.matrix.phases(),
-            "pairs": pairs,
-            "best": self.is_best,
-            "left_over": { "wheels": self.left_over[0], "pinions": self.left_over[1] },
-            "expected_pairs": {
-                "random": expected(self.at_random),
-                "thickness_classes": self.by_classes.map(|(count, classes)| json!({
-                    "classes": count, "any_phase": classes.any_phase, "best_phase": classes.best_phase,
-                })),
-            },
-        });
-        characters::json(format!("{all:#}")) + "\n"
-    }
-
-    /// Every wheel with every pinion in its best phase, a row each.
-    ///
-    /// # Errors
-    /// None that a result can cause; the writer's otherwise.
-    pub fn matrix_csv(&self) -> Result<String, csv::Error> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record([
-            "wheel",
-            "pinion",
-            "pinion_tooth",
-            "least_um",
-            "greatest_um",
-            "status",
-            "phases_meeting",
-            "assigned",
-        ])?;
-        let um = |mm: Option<f64>| mm.map_or(String::new(), |mm| shortest(1e3 * mm));
-        for (wheel, wheel_name) in self.names[0].iter().enumerate() {
-            for (pinion, pinion_name) in self.names[1].iter().enumerate() {
-                let Some(meeting) = self.matrix.pair_fit(wheel, pinion) else {
-                    continue;
-                };
-                let outcome = meeting.best.outcome;
-                writer.write_record([
-                    characters::cell(wheel_name),
-                    characters::cell(pinion_name),
-                    meeting.best.pinion_tooth.to_string(),
-                    um(outcome.least),
-                    um(outcome.greatest),
-                    outcome.kind.name().to_owned(),
-                    meeting.meeting.to_string(),
-                    u8::from(self.places.binary_search(&(wheel, pinion)).is_ok()).to_string(),
-                ])?;
-            }
-        }
-        csv_text(writer)
     }
 }

@@ -12,7 +12,6 @@ mod rows;
 mod run;
 mod sentence;
 mod worst;
-mod written;
 
 pub(crate) use bands::middle;
 pub(crate) use limit::limits;
@@ -28,7 +27,6 @@ pub use rows::{RowsHead, RowsReader, RowsTally, row_line, tenths_to_um};
 pub use run::{BLOCK, Tick, ToleranceRun, shell_word};
 pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};
 pub use worst::{Worst, is_worst_file, worst_file, worst_name};
-pub use written::histogram_csv;
 
 /// Assemblies of a run at most.
 pub const MOST_ASSEMBLIES: u64 = 1_000_000_000;

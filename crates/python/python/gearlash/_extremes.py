@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from gearlash._poses import Pose
-from gearlash._table import Codes, Table
+from gearlash._table import Codes, Table, columns_of, taken
 
 
 @dataclass(frozen=True)
@@ -36,14 +36,12 @@ class Extreme:
         if record is None:
             return None
         low, high = record["j_wt_um"]
-        return cls(
+        return taken(
+            cls,
+            record,
             j_wt_um=(-math.inf if low is None else low, math.inf if high is None else high),
-            found_j_wt_um=record["found_j_wt_um"],
             wheel_arcmin=record["lost_motion_arcmin"]["wheel"],
             pinion_arcmin=record["lost_motion_arcmin"]["pinion"],
-            proven=record["proven"],
-            doubt=record.get("doubt"),
-            uncertainty_um=record["uncertainty_um"],
             pose=Pose.of(record["pose"]),
             record=record,
         )
@@ -73,11 +71,10 @@ class RunExtremes:
     def of(cls, record: dict[str, Any]) -> "RunExtremes":
         """Of the extremes as ``result.json`` has them."""
         phase, assembles = record["phase"], record["assembles_from_mm"]
-        return cls(
-            center_distance_mm=record["center_distance_mm"],
-            material=record["material"],
+        return taken(
+            cls,
+            record,
             phase=None if phase is None else (phase[0], phase[1]),
-            status=record["status"],
             least=Extreme.of(record["least"]),
             greatest=Extreme.of(record["greatest"]),
             assembles_from_mm=None if assembles is None else (assembles[0], assembles[1]),
@@ -110,23 +107,22 @@ class Extremes(Table):
     def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
         """A row a run: brackets of least and greatest ``j_wt``, µm."""
 
-        def end(which: str, place: int) -> "np.ndarray[Any, Any]":
-            extremes = [getattr(run, which) for run in self.runs]
-            return np.array([e.j_wt_um[place] if e else np.nan for e in extremes])
+        nothing = (None, None)
 
-        def words(values: list[str]) -> Codes:
-            names = tuple(sorted(set(values)))
-            return np.array([names.index(value) for value in values], dtype=np.int8), names
+        def row(run: RunExtremes) -> dict[str, Any]:
+            least = run.least.j_wt_um if run.least else nothing
+            greatest = run.greatest.j_wt_um if run.greatest else nothing
+            return {
+                "center_distance_mm": float(run.center_distance_mm),
+                "material": run.material,
+                "status": run.status,
+                "least_low_um": least[0],
+                "least_high_um": least[1],
+                "greatest_low_um": greatest[0],
+                "greatest_high_um": greatest[1],
+            }
 
-        return {
-            "center_distance_mm": np.array([run.center_distance_mm for run in self.runs]),
-            "material": words([run.material for run in self.runs]),
-            "status": words([run.status for run in self.runs]),
-            "least_low_um": end("least", 0),
-            "least_high_um": end("least", 1),
-            "greatest_low_um": end("greatest", 0),
-            "greatest_high_um": end("greatest", 1),
-        }
+        return columns_of(map(row, self.runs))
 
 
 @dataclass(frozen=True)
@@ -169,13 +165,12 @@ class Checked:
         """Of the JSON of ``gearlash check`` for one file."""
         (record,) = record["files"]
         verdict = record["verdict"]
-        fields = Check.__dataclass_fields__
-        return cls(
+        return taken(
+            cls,
+            verdict,
             verdict=verdict["text"],
-            assembles=verdict["assembles"],
-            requirement=verdict["requirement"],
             failed_checks=tuple(verdict["failed_checks"]),
             extremes=Extremes(tuple(RunExtremes.of(run) for run in record["extremes"])),
-            checks=tuple(Check(**{name: check[name] for name in fields}) for check in record["checks"]),
+            checks=tuple(taken(Check, check) for check in record["checks"]),
             record=record,
         )

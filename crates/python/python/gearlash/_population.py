@@ -12,7 +12,7 @@ import numpy as np
 
 from gearlash import _core
 from gearlash._errors import GearlashWarning
-from gearlash._table import Codes, Table
+from gearlash._table import Codes, Table, columns_of, taken
 
 Path = str | os.PathLike[str]
 
@@ -29,7 +29,7 @@ class Share:
 
     @classmethod
     def _of(cls, record: dict[str, Any]) -> "Share":
-        return cls(*(record[name] for name in ("count", "ppm", "low_ppm", "high_ppm")))
+        return taken(cls, record)
 
 
 class Result(Table):
@@ -133,27 +133,14 @@ class Tolerance(Result):
     def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
         """What each quantity contributes to the scatter of either extreme: shares of 1."""
         found = self.record["contributions"] or {}
-        rows = [
+        return columns_of(
             {"extreme": extreme, **row}
             for extreme in ("least", "greatest")
             for row in (found.get(extreme) or {"each": []})["each"]
-        ]
-        numbers = ("first_order", "first_order_error", "total", "total_error")
-        return {
-            **{name: _words(row[name] for row in rows) for name in ("extreme", "quantity")},
-            **{name: np.array([row[name] for row in rows], dtype=float) for name in numbers},
-        }
+        )
 
     def __repr__(self) -> str:
         return f"Tolerance({self.sentence})"
-
-
-def _words(words: Iterable[str]) -> Codes:
-    """Words as numbers of those that there are, in the order in which they come."""
-    words = list(words)
-    names = list(dict.fromkeys(words))
-    places = {name: place for place, name in enumerate(names)}
-    return np.array([places[word] for word in words], dtype=np.int32), tuple(names)
 
 
 def warn(texts: Iterable[str]) -> None:
@@ -189,19 +176,11 @@ class Matched(Result):
     @property
     def pairs(self) -> list[MatchedPair]:
         """In the order of the wheels' names."""
-        names = ("wheel", "pinion", "pinion_tooth", "least_um", "greatest_um")
-        return [MatchedPair(*(pair[name] for name in names)) for pair in self.record["pairs"]]
+        return [taken(MatchedPair, pair) for pair in self.record["pairs"]]
 
     def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
-        """The pairs: names, the pinion tooth that meets wheel tooth 1, least and greatest ``j_wt``, µm."""
-        pairs = self.pairs
-        return {
-            "wheel": _words(pair.wheel for pair in pairs),
-            "pinion": _words(pair.pinion for pair in pairs),
-            "pinion_tooth": np.array([pair.pinion_tooth for pair in pairs], dtype=np.int64),
-            "least_um": np.array([pair.least_um for pair in pairs], dtype=float),
-            "greatest_um": np.array([pair.greatest_um for pair in pairs], dtype=float),
-        }
+        """The pairs: names, the teeth that meet, least and greatest ``j_wt``, µm."""
+        return columns_of(self.record["pairs"])
 
     def __repr__(self) -> str:
         return f"Matched({self.sentence})"

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from gearlash import _core
 from gearlash._errors import GearlashError
-from gearlash._table import Codes, Table
+from gearlash._table import Codes, Table, taken
 
 
 class Flank(IntEnum):
@@ -102,20 +102,11 @@ class Pose:
     @classmethod
     def of(cls, record: dict[str, Any]) -> "Pose":
         """Of a pose as ``result.json`` has it."""
-        mating = record["mating"]
         arcmin = record.get("lost_motion_arcmin") or {}
-        return cls(
-            wheel_tooth=mating["wheel_tooth"],
-            pinion_tooth=mating["pinion_tooth"],
-            flank=mating["flank"],
-            fraction=mating["fraction"],
+        return taken(
+            cls,
+            {**record, **record["mating"]},
             status=Status[record["status"].upper()],
-            j_wt_um=record["j_wt_um"],
-            error_bound_um=record["error_bound_um"],
-            j_t_um=record["j_t_um"],
-            j_bn_um=record["j_bn_um"],
-            j_r_um=record["j_r_um"],
-            lost_motion_rad=record["lost_motion_rad"],
             wheel_arcmin=arcmin.get("wheel"),
             pinion_arcmin=arcmin.get("pinion"),
             right=_contact(record["right"]),
@@ -128,10 +119,8 @@ class Pose:
 def _contact(record: dict[str, Any] | None) -> Contact | None:
     if record is None:
         return None
-    fields = {**record, "contact_class": record["class"]}
-    fields["point_mm"] = tuple(record["point_mm"])
-    fields["normal"] = tuple(record["normal"])
-    return Contact(**{name: fields[name] for name in Contact.__dataclass_fields__})
+    point, normal = tuple(record["point_mm"]), tuple(record["normal"])
+    return taken(Contact, record, contact_class=record["class"], point_mm=point, normal=normal)
 
 
 @dataclass(frozen=True, eq=False)

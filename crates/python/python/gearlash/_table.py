@@ -1,8 +1,10 @@
 """Columns as a table of pandas or Arrow, where these are installed."""
 
 from abc import abstractmethod
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -12,6 +14,30 @@ if TYPE_CHECKING:
 
 Codes = tuple[np.ndarray[Any, Any], tuple[str, ...]]
 """Numbers, and the words that they stand for."""
+
+T = TypeVar("T")
+
+
+def taken(cls: Callable[..., T], record: Mapping[str, Any], /, **own: Any) -> T:
+    """A dataclass with the fields ``own``; all others are values of ``record`` under their names, ``None`` where it has none."""
+    names = (field.name for field in fields(cls) if field.name not in own)  # type: ignore[arg-type]
+    return cls(**{name: record.get(name) for name in names}, **own)
+
+
+def columns_of(records: Iterable[Mapping[str, Any]]) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
+    """The columns of rows as results have them: words as :data:`Codes`, whole numbers as integers, other numbers with NaN for null."""
+    rows = list(records)
+
+    def column(values: list[Any]) -> "np.ndarray[Any, Any] | Codes":
+        if any(isinstance(value, str) for value in values):
+            names = tuple(dict.fromkeys(values))
+            places = {name: place for place, name in enumerate(names)}
+            return np.array([places[value] for value in values], dtype=np.int32), names
+        if values and all(isinstance(value, int) for value in values):
+            return np.array(values, dtype=np.int64)
+        return np.array(values, dtype=float)
+
+    return {name: column([row[name] for row in rows]) for name in (rows[0] if rows else ())}
 
 
 def needed(package: str, extra: str, what: str) -> Any:

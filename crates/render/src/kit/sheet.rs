@@ -47,6 +47,11 @@ impl Ids {
         }
     }
 
+    /// Whether the picture is a sheet of its own.
+    pub fn is_sheet(&self) -> bool {
+        self.prefix.is_empty()
+    }
+
     /// The id of what is called `name` in the picture.
     pub fn of(&self, name: &str) -> String {
         format!("{}{name}", self.prefix)

@@ -6,15 +6,45 @@ use gearlash_files::numbers::fixed;
 use svg::node::Node;
 use svg::node::element::{Group, SVG};
 
-const WIDTH: f64 = 900.0;
-const FIELD: Frame = Frame {
-    left: 90.0,
-    top: 92.0,
-    right: 560.0,
-    bottom: 520.0,
+/// Where things stand.
+struct Layout {
+    width: f64,
+    field: Frame,
+    /// From the field to the legend: the axis, and the names of the limits where these stand below.
+    below: f64,
+    /// Samples of the legend beside each other.
+    across: usize,
+    is_narrow: bool,
+}
+
+const WIDE: Layout = Layout {
+    width: 900.0,
+    field: Frame {
+        left: 90.0,
+        top: 92.0,
+        right: 560.0,
+        bottom: 520.0,
+    },
+    below: 66.0,
+    across: 3,
+    is_narrow: false,
 };
-/// From the field to the legend, and of its rows.
-const BELOW: f64 = 66.0;
+
+/// For a screen 390 pixels wide: the page has title and caption, and names of limits stand below the field.
+const NARROW: Layout = Layout {
+    width: 390.0,
+    field: Frame {
+        left: 66.0,
+        top: 10.0,
+        right: 380.0,
+        bottom: 330.0,
+    },
+    below: 60.0,
+    across: 1,
+    is_narrow: true,
+};
+
+/// Height of a row of the legend.
 const ROW: f64 = 24.0;
 
 const SMALL: TextStyle = TextStyle::new(12.0);
@@ -36,30 +66,46 @@ pub struct Grid<'a> {
 impl Grid<'_> {
     /// `title`, what pair it is of (`caption`), the field and its legend.
     pub fn picture(&self, title: &str, caption: &str) -> SVG {
+        let left = WIDE.field.left;
+        self.drawn(&WIDE)
+            .add(TextStyle::new(18.0).verbatim(title, [left, 34.0]))
+            .add(SMALL.grey().text(caption, [left, 58.0]))
+    }
+
+    /// The field and its legend for a screen 390 pixels wide, whose page has the caption.
+    pub fn narrow(&self) -> SVG {
+        self.drawn(&NARROW)
+    }
+
+    fn drawn(&self, layout: &Layout) -> SVG {
         let legend = self.used();
-        let height = FIELD.bottom + BELOW + ROW * legend.len().div_ceil(3).max(2) as f64 + 6.0;
-        kit::blank_sheet(WIDTH, height)
-            .add(TextStyle::new(18.0).verbatim(title, [FIELD.left, 34.0]))
-            .add(SMALL.grey().text(caption, [FIELD.left, 58.0]))
-            .add(self.drawn_cells())
-            .add(FIELD.border())
-            .add(self.axes())
-            .add(self.drawn_limits())
-            .add(self.legend(&legend))
+        let rows = legend.len().div_ceil(layout.across).max(2);
+        let limits = if layout.is_narrow {
+            self.limits.len()
+        } else {
+            0
+        };
+        let height = layout.field.bottom + layout.below + ROW * (rows + limits) as f64 + 6.0;
+        kit::blank_sheet(layout.width, height)
+            .add(self.drawn_cells(&layout.field))
+            .add(layout.field.border())
+            .add(self.axes(layout))
+            .add(self.drawn_limits(layout, rows))
+            .add(legend_of(&legend, layout))
     }
 
     /// Cells of one shade beside each other in a row are one rectangle.
-    fn drawn_cells(&self) -> Group {
+    fn drawn_cells(&self, field: &Frame) -> Group {
         let mut group = Group::new().set("shape-rendering", "crispEdges");
         let (rows, columns) = (self.distances.len(), self.columns);
-        let (width, height) = (FIELD.width() / columns as f64, FIELD.height() / rows as f64);
+        let (width, height) = (field.width() / columns as f64, field.height() / rows as f64);
         for (row, cells) in self.cells.chunks(columns.max(1)).enumerate() {
-            let top = FIELD.bottom - (row + 1) as f64 * height;
+            let top = field.bottom - (row + 1) as f64 * height;
             let mut column = 0;
             for run in cells.chunk_by(|a, b| a == b) {
-                let left = FIELD.left + column as f64 * width;
+                let left = field.left + column as f64 * width;
                 column += run.len();
-                let right = FIELD.left + column as f64 * width;
+                let right = field.left + column as f64 * width;
                 let frame = Frame {
                     left,
                     top,
@@ -73,13 +119,13 @@ impl Grid<'_> {
     }
 
     /// The field with its data: the phase, the centre distance upwards.
-    fn plot(&self) -> Plot {
+    fn plot(&self, field: Frame) -> Plot {
         let Frame {
             left,
             right,
             top,
             bottom,
-        } = FIELD;
+        } = field;
         let first = self.distances.first().copied().unwrap_or_default();
         let last = self.distances.last().copied().unwrap_or_default();
         let half = 0.5 * (last - first) / (self.distances.len().max(2) - 1) as f64;
@@ -93,16 +139,19 @@ impl Grid<'_> {
         }
     }
 
-    fn axes(&self) -> Group {
-        let plot = self.plot();
+    fn axes(&self, layout: &Layout) -> Group {
+        let plot = self.plot(layout.field);
         let y = Axis::new("centre distance a, mm", plot.y);
-        kit::axes(&plot, [&self.phase, &y], [6, 10])
+        let ticks = if layout.is_narrow { [4, 8] } else { [6, 10] };
+        kit::axes(&plot, [&self.phase, &y], ticks)
     }
 
-    /// Lines across the field, their names on the right, moved apart where they would collide.
-    fn drawn_limits(&self) -> Group {
+    /// Lines across the field, their names on the right, moved apart where they would collide; on a narrow screen below the `rows` of
+    /// the legend, the uppermost first.
+    fn drawn_limits(&self, layout: &Layout, rows: usize) -> Group {
         const APART: f64 = 17.0;
-        let (plot, mut group) = (self.plot(), Group::new());
+        let field = layout.field;
+        let (plot, mut group) = (self.plot(field), Group::new());
         // From the top down.
         let named: Vec<(f64, String)> = self
             .limits
@@ -113,26 +162,33 @@ impl Grid<'_> {
                 (plot.spot((0.0, limit.distance))[1], label)
             })
             .collect();
-        let inside = |y: f64| y <= FIELD.bottom;
+        let inside = |y: f64| y <= field.bottom;
         let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
         // Down past the one above, then up from the bottom.
         for i in 1..heights.len() {
             heights[i] = heights[i].max(heights[i - 1] + APART);
         }
-        let mut lowest = FIELD.bottom + 2.0 * APART;
+        let mut lowest = field.bottom + 2.0 * APART;
         for height in heights.iter_mut().rev() {
             *height = height.min(lowest);
             lowest = *height - APART;
         }
-        for ((y, label), at) in named.iter().zip(heights) {
+        for (number, ((y, label), at)) in named.iter().zip(heights).enumerate() {
+            let spot = match layout.is_narrow {
+                true => {
+                    let down = (rows + number) as f64 * ROW;
+                    [10.0, field.bottom + layout.below + down + 11.5]
+                }
+                false => [field.right + 25.0, at + 4.0],
+            };
             if !inside(*y) {
                 let label = format!("{label}: below the map");
-                group.append(SMALL.grey().text(&label, [FIELD.right + 25.0, at + 4.0]));
+                group.append(SMALL.grey().text(&label, spot));
                 continue;
             }
             let own = label.contains("a of the pair");
             let mut across = line(
-                &[[FIELD.left, *y], [FIELD.right, *y]],
+                &[[field.left, *y], [field.right, *y]],
                 INK,
                 if own { 2.0 } else { 1.0 },
             );
@@ -140,19 +196,14 @@ impl Grid<'_> {
                 across = across.set("stroke-dasharray", "6 3");
             }
             // Light under dark: the line shows on any shade.
-            let halo = line(&[[FIELD.left, *y], [FIELD.right, *y]], "#ffffff", 3.0);
+            let halo = line(&[[field.left, *y], [field.right, *y]], "#ffffff", 3.0);
             group.append(halo.set("stroke-opacity", "0.60"));
             group.append(across);
-            group.append(line(
-                &[
-                    [FIELD.right, *y],
-                    [FIELD.right + 12.0, at],
-                    [FIELD.right + 20.0, at],
-                ],
-                GREY,
-                0.8,
-            ));
-            group.append(SMALL.text(label, [FIELD.right + 25.0, at + 4.0]));
+            if !layout.is_narrow {
+                let [x, far] = [field.right, field.right + 20.0];
+                group.append(line(&[[x, *y], [x + 12.0, at], [far, at]], GREY, 0.8));
+            }
+            group.append(SMALL.text(label, spot));
         }
         group
     }
@@ -162,22 +213,28 @@ impl Grid<'_> {
         let used = |(number, shade)| self.cells.contains(&number).then_some(shade);
         self.shades.iter().enumerate().filter_map(used).collect()
     }
+}
 
-    fn legend(&self, used: &[&(&'static str, String)]) -> Group {
-        let mut group = Group::new();
-        for (i, (colour, name)) in used.iter().enumerate() {
-            let left = FIELD.left + (i % 3) as f64 * 250.0;
-            let top = FIELD.bottom + BELOW + (i / 3) as f64 * ROW;
-            let frame = Frame {
-                left,
-                top,
-                right: left + 22.0,
-                bottom: top + 14.0,
-            };
-            let swatch = frame.rectangle().set("fill", *colour);
-            group.append(swatch.set("stroke", GREY).set("stroke-width", "0.8"));
-            group.append(TextStyle::new(13.0).text(name, [left + 30.0, top + 11.5]));
-        }
-        group
+/// Samples of the shades in `used`.
+fn legend_of(used: &[&(&'static str, String)], layout: &Layout) -> Group {
+    let mut group = Group::new();
+    for (i, (colour, name)) in used.iter().enumerate() {
+        let start = if layout.is_narrow {
+            10.0
+        } else {
+            layout.field.left
+        };
+        let left = start + (i % layout.across) as f64 * 250.0;
+        let top = layout.field.bottom + layout.below + (i / layout.across) as f64 * ROW;
+        let frame = Frame {
+            left,
+            top,
+            right: left + 22.0,
+            bottom: top + 14.0,
+        };
+        let swatch = frame.rectangle().set("fill", *colour);
+        group.append(swatch.set("stroke", GREY).set("stroke-width", "0.8"));
+        group.append(TextStyle::new(13.0).text(name, [left + 30.0, top + 11.5]));
     }
+    group
 }

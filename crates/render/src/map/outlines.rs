@@ -19,17 +19,24 @@ const COLOURS: [&str; 9] = [
 
 /// `map` as SVG; `title` stands above.
 pub fn backlash_map_picture(title: &str, map: &BacklashMap) -> String {
-    format!("{}\n", draw(title, map))
+    let [picture, _] = draw(title, map);
+    format!("{picture}\n")
 }
 
-/// The same for a page, named for those who do not see it.
-pub(crate) fn backlash_map_in_page(title: &str, map: &BacklashMap) -> String {
+/// The map as a part of a page, for a wide and for a narrow screen: its ids begin with `prefix`.
+pub(crate) fn backlash_map_in_page(prefix: &str, title: &str, map: &BacklashMap) -> String {
     let label = "Backlash over mesh cycle and centre distance";
-    let picture = draw(title, map);
-    format!("{}\n", picture.set("role", "img").set("aria-label", label))
+    let pictures = draw(title, map).into_iter();
+    let named = pictures.zip([prefix.to_owned(), format!("{prefix}-narrow")]);
+    let named = named.map(|(picture, id)| {
+        let picture = picture.set("id", id).set("role", "img");
+        format!("{}\n", picture.set("aria-label", label))
+    });
+    named.collect()
 }
 
-fn draw(title: &str, map: &BacklashMap) -> SVG {
+/// The map for a wide and for a narrow screen.
+fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
     let [wheel, pinion] = map.teeth;
     let caption = format!(
         "{wheel} and {pinion} teeth{}: backlash j_wt over the whole mesh cycle, the least in each cell",
@@ -76,7 +83,7 @@ fn draw(title: &str, map: &BacklashMap) -> SVG {
         shades: COLOURS.into_iter().zip(names).collect(),
         cells: cells.collect(),
     };
-    grid.picture(title, &caption)
+    [grid.picture(title, &caption), grid.narrow()]
 }
 
 /// 1, 2 or 5 times a power of ten, µm: the least that is no less than `least`.

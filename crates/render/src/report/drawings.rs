@@ -1,8 +1,10 @@
 //! What was read of each drawing, and how the gears are put together.
 
+use super::input::assembly;
 use super::page::Page;
 use super::phrases::{plain, sentence};
 use super::stated::{high_tooth, runout, thickness};
+use super::table::{Table, cells, columns};
 use gearlash::outline::OutlineGear;
 use gearlash_files::numbers::{bound_um, shortest, trimmed};
 use gearlash_files::outlines::DrawingRead;
@@ -12,29 +14,23 @@ use gearlash_files::spec::{
 use gearlash_results::drawn_notes;
 use maud::{Markup, html};
 
-pub(super) fn section(page: &Page, spec: &OutlinePairSpec, assembly: &Markup) -> Markup {
+pub(super) fn section(page: &Page, spec: &OutlinePairSpec) -> Markup {
     let pair = &page.report.pair;
     let specs = [&spec.wheel, &spec.pinion];
     let notes = drawn_notes(pair);
+    let columns = columns("name | wheel (1):n | pinion (2):n");
+    let gears = rows(page, specs).into_iter();
+    let gears = gears.map(|(name, [wheel, pinion])| cells![name, wheel, pinion]);
+    let caption = html! { "What was read of each drawing; lengths after its unit is taken in" };
     html! {
         section id="input" {
             h2 { "Drawings and assembly" }
-            div.scroll tabindex="0" role="region" aria-label="Both gears" {
-                table {
-                    caption { "What was read of each drawing; lengths after its unit is taken in" }
-                    thead { tr {
-                        th scope="col" { "name" } th.n scope="col" { "wheel (1)" } th.n scope="col" { "pinion (2)" }
-                    } }
-                    tbody { @for (name, cells) in rows(page, specs) {
-                        tr { th scope="row" { (name) } @for cell in cells { td.n { (cell) } } }
-                    } }
-                }
-            }
+            (Table::new("Both gears", caption, columns, gears))
             @for note in notes.lines() { p { (note) } }
             @if notes.lines().count() <= pair.drawings.iter().flatten().count() {
                 p { (if notes.lines().count() > 1 { "No other" } else { "No" }) " outline looks like an involute." }
             }
-            (assembly)
+            (assembly(page, &spec.assembly))
             @for warning in pair.warnings.iter().chain(pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
         }
     }

@@ -3,6 +3,7 @@
 use super::figures::svg;
 use super::page::Page;
 use super::phrases::{band, symbol};
+use super::table::{Table, cells, columns};
 use crate::chart::{self, Heading, PictureError};
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
 use gearlash::analysis::outcome::PoseOfRun;
@@ -36,6 +37,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
 fn widths(page: &Page) -> Markup {
     let widths = &page.report.analysis.widths;
     let one_section = widths.first();
+    let columns = columns(
+        "face width mm:n | from … to mm:w | least:n w | more than in one section:n w | proof | greatest:n w | more than in one section:n w | proof",
+    );
+    let rows = widths.iter().map(|at| row(at, one_section));
     html! {
         p {
             "Helical teeth stop the free gear where the first section of the common face does: a wider face never has more play. Between perfect "
@@ -45,45 +50,39 @@ fn widths(page: &Page) -> Markup {
         @if widths.is_empty() {
             p { "Left out: the extremes over the face were not looked for." }
         } @else {
-            div.scroll tabindex="0" role="region" aria-label="What the face width costs" {
-                table {
-                    caption {
-                        "What the face width costs: " (symbol("j", "wt")) ", µm, least and greatest over the whole mesh cycle, all centre distances and "
-                        "materials. The parts of the face hold each other, cut about the middle of the common face as a narrower gear in the same place would be; teeth, "
-                        "pitch and high tooth stay stated in the measuring plane, z = 0. Width 0 is one section; two values are a bracket."
-                    }
-                    thead { tr {
-                        th.n scope="col" { "face width mm" } th scope="col" { "from … to mm" }
-                        th.n scope="col" { "least" } th.n scope="col" { "more than in one section" } th scope="col" { "proof" }
-                        th.n scope="col" { "greatest" } th.n scope="col" { "more than in one section" } th scope="col" { "proof" }
-                    } }
-                    tbody { @for at in widths { (row(at, one_section)) } }
-                }
-            }
+            (Table::new("What the face width costs", html! {
+                "What the face width costs: " (symbol("j", "wt")) ", µm, least and greatest over the whole mesh cycle, all centre distances and "
+                "materials. The parts of the face hold each other, cut about the middle of the common face as a narrower gear in the same place would be; teeth, "
+                "pitch and high tooth stay stated in the measuring plane, z = 0. Width 0 is one section; two values are a bracket."
+            }, columns, rows))
         }
     }
 }
 
-fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Markup {
+fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Vec<Markup> {
     let [from, to] = at.face.map(|end| trimmed(end, 0, 3));
     let none = match at.each.iter().any(|run| run.status == Status::Jammed) {
         true => "jammed",
         false => "out of mesh",
     };
-    html! {
-        tr {
-            th.n scope="row" { (trimmed(at.width(), 0, 3)) }
-            td.w { (from) " … " (to) }
-            (extreme(at.least(), one_section.and_then(AtWidth::least), none))
-            (extreme(at.greatest(), one_section.and_then(AtWidth::greatest), none))
-        }
-    }
+    let mut row = cells![trimmed(at.width(), 0, 3), format!("{from} … {to}")];
+    row.extend(extreme(
+        at.least(),
+        one_section.and_then(AtWidth::least),
+        none,
+    ));
+    row.extend(extreme(
+        at.greatest(),
+        one_section.and_then(AtWidth::greatest),
+        none,
+    ));
+    row
 }
 
 /// Value, difference to that in one section, and whether it is proven; where it is not, both ends of the bracket that is.
-fn extreme(here: Option<FaceExtreme>, one_section: Option<FaceExtreme>, none: &str) -> Markup {
+fn extreme(here: Option<FaceExtreme>, one_section: Option<FaceExtreme>, none: &str) -> Vec<Markup> {
     let Some(here) = here else {
-        return html! { td.n { "–" } td.n {} td { (none) } };
+        return cells!["–", "", none];
     };
     let both = one_section.filter(|one| one.holds() && here.holds());
     let more = match both {
@@ -96,19 +95,16 @@ fn extreme(here: Option<FaceExtreme>, one_section: Option<FaceExtreme>, none: &s
         ),
         None => NONE.to_owned(),
     };
-    let why = here.doubtful.and_then(doubt);
-    html! {
-        td.n.w { strong { @match (here.doubtful.is_none(), here.holds()) {
-            (false, true) => (band([here.low, here.high].map(Some), 2)),
-            _ => (um(Some(here.found), 2)),
-        } } }
-        td.n.w { (more) }
-        td { @match (why, here.holds()) {
-            (None, _) => "proven",
-            (Some(why), true) => { "bracket: " (why) }
-            (Some(why), false) => { "not proven, found: " (why) }
-        } }
-    }
+    let value = match (here.doubtful.is_none(), here.holds()) {
+        (false, true) => band([here.low, here.high].map(Some), 2),
+        _ => um(Some(here.found), 2),
+    };
+    let proof = match (here.doubtful.and_then(doubt), here.holds()) {
+        (None, _) => "proven".to_owned(),
+        (Some(why), true) => format!("bracket: {why}"),
+        (Some(why), false) => format!("not proven, found: {why}"),
+    };
+    cells![html! { strong { (value) } }, more, proof]
 }
 
 fn field(page: &Page) -> Result<Markup, PictureError> {
@@ -182,25 +178,25 @@ fn definitions(page: &Page) -> Markup {
         Some((pair, backlash))
     };
     let ends = [of(page.whole.least), of(page.whole.greatest)];
+    let columns = columns("symbol:w | section:w | formula:w | what it is | least:n | greatest:n");
+    let rows = DEFINITIONS.map(|(index, section, formula, what, value)| {
+        let [least, greatest] = ends
+            .each_ref()
+            .map(|end| um(end.as_ref().map(|(pair, of)| value(pair, of)), 2));
+        cells![
+            symbol("j", index),
+            section,
+            formula_markup(formula),
+            what,
+            least,
+            greatest
+        ]
+    });
+    let caption = html! {
+        "The least and the greatest backlash of this page, µm; " i { "φ" } sub { "j" } " is the lost motion, " i { "r" } " a radius of the gear that turns"
+    };
     html! {
-        div.scroll tabindex="0" role="region" aria-label="Backlash in four definitions" {
-            table {
-                caption { "The least and the greatest backlash of this page, µm; " i { "φ" } sub { "j" } " is the lost motion, " i { "r" } " a radius of the gear that turns" }
-                thead { tr {
-                    th scope="col" { "symbol" } th scope="col" { "section" } th scope="col" { "formula" } th scope="col" { "what it is" }
-                    th.n scope="col" { "least" } th.n scope="col" { "greatest" }
-                } }
-                tbody { @for (index, section, formula, what, value) in DEFINITIONS {
-                    tr {
-                        td.w { (symbol("j", index)) }
-                        td.w { (section) }
-                        td.w { (formula_markup(formula)) }
-                        th scope="row" { (what) }
-                        @for end in &ends { td.n { (um(end.as_ref().map(|(pair, of)| value(pair, of)), 2)) } }
-                    }
-                } }
-            }
-        }
+        (Table::new("Backlash in four definitions", caption, columns, rows).named_by(3))
         p.note {
             "Three definitions of a normal backlash " (symbol("j", "n")) " are in use. Here it is " (symbol("j", "bn")) " of ISO 21771, in the last row. Others take "
             (formula_markup("j_wt cos α_n cos β")) ", which is " (formula_markup("cos α_t / cos α_wt")) " times as much, or "

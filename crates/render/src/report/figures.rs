@@ -1,7 +1,7 @@
 //! The charts of the page.
 
 use super::page::{GearGrades, Page};
-
+use super::table::Table;
 use crate::chart::PictureError;
 use crate::chart::{self, Chart, Heading};
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
@@ -230,8 +230,9 @@ fn profiles(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
 /// Rows beyond which a table stands in closed `<details>`.
 const LONG: usize = 12;
 
-/// A table of so many `rows`; a long one in closed `<details>` named `what`.
-pub(super) fn folded(rows: usize, what: &str, table: &Markup) -> Markup {
+/// A table; a long one in closed `<details>` named `what`.
+pub(super) fn folded(what: &str, table: &Table) -> Markup {
+    let rows = table.rows.len();
     html! {
         @if rows > LONG {
             details {

@@ -3,6 +3,7 @@
 use super::marks::marked;
 use super::page::{GearGrades, Page};
 use super::phrases::symbol;
+use super::table::{Table, cells, columns};
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::gauge::{GradedReading, PitchReadings};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
@@ -15,25 +16,29 @@ pub(super) fn table(page: &Page) -> Markup {
         .iter()
         .any(|gear| gear.graded.iter().flatten().next().is_some());
     let required = gears.iter().any(|gear| gear.required.is_some());
+    let mut rows = Vec::new();
+    for gear in gears {
+        rows.extend(
+            gear.graded
+                .iter()
+                .flatten()
+                .map(|reading| graded(gear, reading)),
+        );
+        let datum = gear
+            .pitches
+            .iter()
+            .filter(|pitch| pitch.axis == PitchAxis::Datum);
+        let flanks =
+            datum.flat_map(|pitch| Flank::BOTH.map(|flank| ungraded(gear.name, pitch, flank)));
+        rows.extend(flanks.flatten());
+    }
+    let mut columns = columns(
+        "gear | symbol:w | deviation | measured µm:n | grade:n | its tolerance µm:n | required grade",
+    );
+    columns[6].is_shown = required;
     html! {
         @if any {
-            div.scroll tabindex="0" role="region" aria-label="Accuracy grades" {
-                table {
-                    caption { "Accuracy grades " (GRADE_SOURCE) }
-                    thead { tr {
-                        th scope="col" { "gear" } th scope="col" { "symbol" } th scope="col" { "deviation" }
-                        th.n scope="col" { "measured µm" } th.n scope="col" { "grade" }
-                        th.n scope="col" { "its tolerance µm" }
-                        @if required { th scope="col" { "required grade" } }
-                    } }
-                    tbody { @for gear in gears {
-                        @for reading in gear.graded.iter().flatten() { (graded(gear, reading, required)) }
-                        @for pitch in gear.pitches.iter().filter(|pitch| pitch.axis == PitchAxis::Datum) {
-                            @for flank in Flank::BOTH { (ungraded(gear.name, pitch, flank, required)) }
-                        }
-                    } }
-                }
-            }
+            (Table::new("Accuracy grades", html! { "Accuracy grades " (GRADE_SOURCE) }, columns, rows).named_by(2))
             p.note {
                 "Read on the modelled gears as “gearlash gauge” reads them: pitch about the datum axis, which is what a standard grades, "
                 "and about the gear’s own centre; runout with a ball in every space, so that the pitch and the thickness of the teeth are in it, "
@@ -62,7 +67,7 @@ fn of(pitch: Option<(PitchAxis, Flank)>) -> &'static str {
     }
 }
 
-fn graded(gear: &GearGrades, reading: &GradedReading, required: bool) -> Markup {
+fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
     let (sign, name) = match reading.quantity {
         GradedQuantity::SinglePitch => (symbol("f", "p"), "single pitch"),
         GradedQuantity::TotalPitch => (symbol("F", "p"), "total cumulative pitch"),
@@ -75,57 +80,56 @@ fn graded(gear: &GearGrades, reading: &GradedReading, required: bool) -> Markup 
     // About the gear's own centre no standard grades.
     let own = matches!(reading.pitch, Some((PitchAxis::Own, _)));
     let wanted = gear.required.filter(|_| !own);
-    html! {
-        tr {
-            td { (gear.name) }
-            td.w { (sign) }
-            th scope="row" { (name) (of(reading.pitch)) }
-            td.n { (um(Some(reading.measured), 3)) }
-            td.n { (grade) }
-            td.n { (um(Some(tolerance), 1)) }
-            @if required {
-                td { @match wanted {
-                    None => "–",
-                    Some(wanted) if finest.is_some_and(|grade| grade <= wanted) => {
-                        (marked(Verdict::Pass, &format!("{wanted}, met")))
-                    }
-                    Some(wanted) => { (marked(Verdict::Fail, &format!("{wanted}, not met"))) }
-                } }
-            }
+    let met = match wanted {
+        None => html! { "–" },
+        Some(wanted) if finest.is_some_and(|grade| grade <= wanted) => {
+            marked(Verdict::Pass, &format!("{wanted}, met"))
         }
-    }
+        Some(wanted) => marked(Verdict::Fail, &format!("{wanted}, not met")),
+    };
+    cells![
+        gear.name,
+        sign,
+        html! { (name) (of(reading.pitch)) },
+        um(Some(reading.measured), 3),
+        grade,
+        um(Some(tolerance), 1),
+        met,
+    ]
 }
 
-/// What inspection sheets list beside what is graded.
-fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank, required: bool) -> Markup {
-    let rows = [
+/// Deviations that inspection sheets list beside those with a grade.
+fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank) -> [Vec<Markup>; 3] {
+    [
         (
-            symbol("f", "u"),
+            "f",
+            "u",
             "difference of adjacent pitches",
             pitch.adjacent_difference(flank),
         ),
         (
-            symbol("F", "p(z/8)"),
+            "F",
+            "p(z/8)",
             "cumulative pitch over an eighth of the teeth",
             pitch.eighth(flank),
         ),
         (
-            symbol("R", "p"),
+            "R",
+            "p",
             "range of the single pitch",
             pitch.single_range(flank),
         ),
-    ];
-    html! {
-        @for (sign, name, mm) in rows {
-            tr {
-                td { (gear) }
-                td.w { (sign) }
-                th scope="row" { (name) (of(Some((pitch.axis, flank)))) }
-                td.n { (um(Some(mm), 3)) }
-                td.n { "–" }
-                td.n { "–" }
-                @if required { td { "–" } }
-            }
-        }
-    }
+    ]
+    .map(|(letter, index, name, mm)| {
+        let name = html! { (name) (of(Some((pitch.axis, flank)))) };
+        cells![
+            gear,
+            symbol(letter, index),
+            name,
+            um(Some(mm), 3),
+            "–",
+            "–",
+            "–"
+        ]
+    })
 }

@@ -3,6 +3,7 @@
 use super::figures::folded;
 use super::page::{Page, Report};
 use super::phrases::plain;
+use super::table::{Table, cells, columns};
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash_files::numbers::{fixed, stated_distance};
 use maud::{Markup, html};
@@ -30,38 +31,27 @@ pub(super) fn section(page: &Page) -> Markup {
         return html! {};
     };
     let clearance = report.pair.study.bearing_clearance > 0.0;
-    let table = html! {
-        div.scroll tabindex="0" role="region" aria-label="Measured and predicted backlash" {
-                table {
-                    caption {
-                        "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
-                        "↓ ↑: below or above the simulated band. Predicted in the file: what the file of measurements gives beside them."
-                    }
-                    thead { tr {
-                        th scope="col" { "mating" }
-                        th.n scope="col" { i { "a" } " mm" }
-                        th.n scope="col" { "measured right" }
-                        th.n scope="col" { "left" }
-                        th.n scope="col" { "simulated" }
-                        @if clearance { th.n scope="col" { "with bearing clearance" } }
-                        th.n scope="col" { "involute formula" }
-                        th.n scope="col" { "predicted in the file" }
-                    } }
-                    tbody { @for mating in &report.analysis.measured { (row(mating, clearance)) } }
-                }
-            }
+    let mut columns = columns(
+        "mating | a mm:n | measured right:n | left:n | simulated:n | with bearing clearance:n | involute formula:n | predicted in the file:n",
+    );
+    columns[5].is_shown = clearance;
+    let rows = report.analysis.measured.iter().map(row);
+    let caption = html! {
+        "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
+        "↓ ↑: below or above the simulated band. Predicted in the file: what the file of measurements gives beside them."
     };
+    let table = Table::new("Measured and predicted backlash", caption, columns, rows);
     html! {
         section id="measured" {
             h2 { "Measured and predicted" }
             p { (sentence) }
-            (folded(report.analysis.measured.len(), "Measured matings", &table))
+            (folded("Measured matings", &table))
             (sources(&report.analysis.measured))
         }
     }
 }
 
-fn row(mating: &MeasuredMating, clearance: bool) -> Markup {
+fn row(mating: &MeasuredMating) -> Vec<Markup> {
     let row = &mating.row;
     let marked = |um: f64| {
         let mark = match mating.simulated.map_or(0, |band| band.side_of(um)) {
@@ -71,18 +61,16 @@ fn row(mating: &MeasuredMating, clearance: bool) -> Markup {
         };
         format!("{} {mark}", gearlash_files::numbers::shortest(um))
     };
-    html! {
-        tr {
-            th scope="row" { (row.wheel_tooth) "·" (row.pinion_tooth) }
-            td.n { (stated_distance(row.center_distance)) }
-            td.n { (marked(row.right_um)) }
-            td.n { (marked(row.left_um)) }
-            td.n { (band(mating.simulated)) }
-            @if clearance { td.n { (band(mating.with_clearance)) } }
-            td.n { (band(mating.analytic)) }
-            td.n { (band(Some(mating.printed))) }
-        }
-    }
+    cells![
+        format!("{}·{}", row.wheel_tooth, row.pinion_tooth),
+        stated_distance(row.center_distance),
+        marked(row.right_um),
+        marked(row.left_um),
+        band(mating.simulated),
+        band(mating.with_clearance),
+        band(mating.analytic),
+        band(Some(mating.printed)),
+    ]
 }
 
 fn band(band: Option<Band>) -> String {

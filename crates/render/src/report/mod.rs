@@ -22,6 +22,7 @@ mod poses;
 mod results;
 mod shell;
 mod stated;
+mod table;
 mod tolerance;
 mod trust;
 mod unproven;
@@ -31,6 +32,7 @@ use crate::chart::PictureError;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
+use gearlash_files::AnyPairSpec;
 use maud::html;
 use page::Page;
 use shell::Shell;
@@ -84,7 +86,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
             (trust::section(&page))
             (checks::section(&page))
         }
-        (input::section(&page)?)
+        @match report.pair.spec {
+            AnyPairSpec::Data(spec) => (input::section(&page, spec)?),
+            AnyPairSpec::Outlines(spec) => (drawings::section(&page, spec)),
+        }
         (measured::section(&page))
         @if !is_drawn { (models::section(&page)?) }
         (poses::section(&page))

@@ -3,6 +3,7 @@
 use super::figures::difference;
 use super::page::Page;
 use super::phrases::symbol;
+use super::table::{Table, cells, columns};
 use crate::chart::PictureError;
 use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash::pair::GearPair;
@@ -49,6 +50,13 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         .filter(|(poses, _)| *poses > 0)
         .map(|(poses, words)| format!("{poses} {words}"))
         .collect();
+    let columns = columns("model:w | what it includes | poses:n | mean:n | largest:n");
+    let rows = NAMES.into_iter().zip(MODELS).map(|((name, knows), model)| {
+        let found = deviation(&page.all, model);
+        let [mean, largest] =
+            [found.map(|of| of.mean), found.map(|of| of.largest)].map(difference_um);
+        cells![name, knows, found.map_or(0, |of| of.poses), mean, largest]
+    });
     Ok(html! {
         section id="models" {
             h2 { "Formulas beside the simulation" }
@@ -70,30 +78,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                     "contact lies beside it, which the model cannot follow: it lies above by the square of the tilt."
                 }
             }
-            div.scroll tabindex="0" role="region" aria-label="Formulas beside the simulation" {
-                table {
-                    caption { "Simulated minus formula, µm" }
-                    thead { tr {
-                        th scope="col" { "model" }
-                        th scope="col" { "what it includes" }
-                        th.n scope="col" { "poses" }
-                        th.n scope="col" { "mean" }
-                        th.n scope="col" { "largest" }
-                    } }
-                    tbody {
-                        @for ((name, knows), model) in NAMES.into_iter().zip(MODELS) {
-                            @let deviation = deviation(&page.all, model);
-                            tr {
-                                th.w scope="row" { (name) }
-                                td { (knows) }
-                                td.n { (deviation.map_or(0, |deviation| deviation.poses)) }
-                                td.n { (difference_um(deviation.map(|deviation| deviation.mean))) }
-                                td.n { (difference_um(deviation.map(|deviation| deviation.largest))) }
-                            }
-                        }
-                    }
-                }
-            }
+            (Table::new("Formulas beside the simulation", html! { "Simulated minus formula, µm" }, columns, rows))
             (difference(page)?)
         }
     })

@@ -30,7 +30,7 @@ pub(super) fn j_wt() -> Markup {
 
 /// A symbol with its index.
 pub(super) fn symbol(letter: &str, index: &str) -> Markup {
-    html! { i { (letter) } @if !index.is_empty() { sub { (index) } } }
+    html! { @if !letter.is_empty() { i { (letter) } } @if !index.is_empty() { sub { (index) } } }
 }
 
 /// `text` with its backlash symbols, such as `j_wt`, set as symbols.

@@ -5,18 +5,17 @@ use super::marks::mark;
 use super::phrases::{j_wt, plain, with_symbols};
 use super::shell::Shell;
 use super::stated;
+use super::table::{Table, cells, columns};
 use crate::tolerance::Pictures;
 use gearlash::analysis::diagnosis::Verdict;
-use gearlash::population::{
-    CONFIDENCE, Contributions, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
-};
-use gearlash_files::numbers::{fixed, rounded, shortest, um};
+use gearlash::population::{CONFIDENCE, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS};
+use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::GearSpec;
 use gearlash_files::tolerance::{
-    About, Limit, ToleranceFile, ToleranceResult, phases_of_limits, sentence, without_backlash,
-    without_worst_case,
+    About, Limit, ToleranceFile, ToleranceResult, sentence, without_worst_case,
 };
-use maud::{Markup, html};
+use gearlash_results::population;
+use maud::{Markup, Render, html};
 
 /// What a page of a population is of.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +44,7 @@ pub fn tolerance_report(report: &ToleranceReport) -> String {
     let main = html! {
         (result(report))
         (input(report))
-        (spread(report))
+        (spread(report.result))
         (contributions(report))
         (worst(report.result))
         (method(report.result))
@@ -115,6 +114,9 @@ fn input(report: &ToleranceReport) -> Markup {
     if gears.iter().all(|gear| gear.helix_angle_deg.is_none()) {
         rows.retain(|(name, _)| *name != "helix angle, °");
     }
+    let columns = columns(" | wheel | pinion");
+    let rows = rows.into_iter();
+    let rows = rows.map(|(name, [wheel, pinion])| cells![name, plain(&wheel), plain(&pinion)]);
     let mut assembly = Vec::new();
     // Specs are plain data: they are written as JSON.
     let json = serde_json::to_value(&spec.assembly).unwrap_or_default();
@@ -126,15 +128,7 @@ fn input(report: &ToleranceReport) -> Markup {
     html! {
         section id="input" {
             h2 { "Input" }
-            div.scroll tabindex="0" role="region" aria-label="Gears" {
-                table {
-                    caption { "Gears as stated" }
-                    thead { tr { th scope="col" { } th scope="col" { "wheel" } th scope="col" { "pinion" } } }
-                    tbody { @for (name, gears) in &rows {
-                        tr { th scope="row" { (name) } @for value in gears { td { (plain(value)) } } }
-                    } }
-                }
-            }
+            (Table::new("Gears", html! { "Gears as stated" }, columns, rows))
             (stated_table("Assembly", &assembly))
             (stated_table("What scatters, [tolerance]", &scatters))
             p {
@@ -146,16 +140,11 @@ fn input(report: &ToleranceReport) -> Markup {
 }
 
 fn stated_table(caption: &str, rows: &[(String, String)]) -> Markup {
-    html! {
-        div.scroll tabindex="0" role="region" aria-label=(caption) {
-            table {
-                caption { (caption) }
-                tbody { @for (name, value) in rows {
-                    tr { th scope="row" { (plain(name)) } td { (plain(value)) } }
-                } }
-            }
-        }
-    }
+    let columns = columns(" | ");
+    let rows = rows
+        .iter()
+        .map(|(name, value)| cells![plain(name), plain(value)]);
+    Table::new(caption, html! { (caption) }, columns, rows).render()
 }
 
 /// What is required of each assembly, in words.
@@ -223,60 +212,26 @@ fn statements(key: &str, table: &serde_json::Value, rows: &mut Vec<(String, Stri
     }
 }
 
-fn spread(report: &ToleranceReport) -> Markup {
-    let result = report.result;
-    let statistics = &result.statistics;
-    let both = [&statistics.least, &statistics.greatest];
-    let mut rows: Vec<(String, [Option<f64>; 2])> = vec![
-        ("mean".to_owned(), both.map(|one| one.mean)),
-        ("standard deviation".to_owned(), both.map(|one| one.sigma)),
-    ];
-    for (index, p) in QUANTILES.iter().enumerate() {
-        let name = format!("{} % below", rounded(100.0 * p, 3));
-        rows.push((name, both.map(|one| one.quantiles[index])));
-    }
-    rows.push((
-        "least drawn".to_owned(),
-        both.map(|one| one.least.map(|end| end.0)),
-    ));
-    rows.push((
-        "greatest drawn".to_owned(),
-        both.map(|one| one.greatest.map(|end| end.0)),
-    ));
-    if let Some([mean, worst, roots]) = result.about.limit_cases {
-        rows.push(("at the mean".to_owned(), mean));
-        rows.push(("root sum of squares".to_owned(), roots));
-        rows.push(("worst case".to_owned(), worst));
-    }
+fn spread(result: &ToleranceResult) -> Markup {
+    let caption = html! { "Circumferential backlash " (j_wt()) " over the mesh cycle, µm" };
     html! {
         section id="spread" {
             h2 { "Spread" }
-            div.scroll { table {
-                caption { "Circumferential backlash " (j_wt()) " over the mesh cycle, µm" }
-                thead { tr { th scope="col" { } th.n scope="col" { "least" } th.n scope="col" { "greatest" } } }
-                tbody { @for (name, each) in rows {
-                    tr { th scope="row" { (name) } @for mm in each { td.n { (um(mm, 2)) } } }
-                } }
-            } }
-            @if statistics.cp.is_some() || statistics.cpk.is_some() {
-                p {
-                    @if let Some(cp) = statistics.cp { "Cp " (fixed(cp, 2)) " " }
-                    @if let Some(cpk) = statistics.cpk { "Cpk " (fixed(cpk, 2)) }
-                    ", if normal."
-                }
-            }
-            @if let Some(without) = without_backlash(result) { p { (without) } }
-            @if let Some(phases) = phases_of_limits(&result.about) { p { (phases) } }
+            (Table::of_shown("Spread", caption, &population::spread(result)))
+            @for remark in population::remarks(result) { p { (plain(&remark)) } }
         }
     }
 }
 
 fn contributions(report: &ToleranceReport) -> Markup {
-    let ends = report
-        .result
-        .contributions
-        .iter()
-        .zip(["least", "greatest"]);
+    let [least, greatest] = &report.result.contributions;
+    let caption = html! {
+        "Share of the variance, %, with standard errors, of " (least.rows) " rows"
+        @for (found, end) in [(least, "least"), (greatest, "greatest")] {
+            @if found.left_out > 0 { "; " (found.left_out) " rows without a " (end) " backlash are left out" }
+        }
+    };
+    let shown = population::contributions(report.result);
     html! {
         section id="contributions" {
             h2 { "Contributions" }
@@ -284,33 +239,8 @@ fn contributions(report: &ToleranceReport) -> Markup {
                 Some(chart) => (figure(chart)),
                 None => p { "None were found: too few rows of the samples, or nothing varies." },
             }
-            @for (found, end) in ends {
-                @if !found.each.is_empty() { (table(found, end)) }
-            }
+            @if !shown.is_empty() { (Table::of_shown("Contributions", caption, &shown)) }
         }
-    }
-}
-
-fn table(found: &Contributions, end: &str) -> Markup {
-    let percent = |value: f64| fixed(100.0 * value, 1);
-    html! {
-        div.scroll { table {
-            caption {
-                "Share of the variance of the " (end) " backlash, %, with standard errors, of " (found.rows) " rows"
-                @if found.left_out > 0 { "; " (found.left_out) " rows without such a backlash are left out" }
-            }
-            thead { tr {
-                th scope="col" { }
-                th.n scope="col" { "first order" } th.n scope="col" { "±" }
-                th.n scope="col" { "total" } th.n scope="col" { "±" }
-            } }
-            tbody { @for one in &found.each { tr {
-                th scope="row" { (one.factor.name()) }
-                @for index in [one.first, one.total] {
-                    td.n { (percent(index.value)) } td.n { (percent(index.error)) }
-                }
-            } } }
-        } }
     }
 }
 
@@ -319,15 +249,7 @@ fn worst(result: &ToleranceResult) -> Markup {
         section id="worst" {
             h2 { "Worst assemblies" }
             p { "Each is a pair file beside this page, worst_01.toml and on: gearlash simulate finds the same." }
-            table {
-                thead { tr {
-                    th scope="col" { "assembly" } th.n scope="col" { "least µm" } th.n scope="col" { "greatest µm" }
-                } }
-                tbody { @for one in &result.worst { tr {
-                    th scope="row" { (one.number) }
-                    @for mm in [one.least_mm, one.greatest_mm] { td.n { (um(mm, 2)) } }
-                } } }
-            }
+            (Table::of_shown("Worst assemblies", html! {}, &population::worst(result)))
         }
     }
 }

@@ -4,6 +4,7 @@ use super::cycle::same_everywhere;
 use super::marks::{mark, marked};
 use super::page::Page;
 use super::phrases::{band, j_wt, touching, with_symbols};
+use super::table::{Table, cells, columns};
 use super::{cycle, unproven};
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
@@ -12,7 +13,7 @@ use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash_files::numbers::{stated_distance, um};
 use gearlash_results::text::check::governing;
 use gearlash_results::verdict::{VerdictLines, lines};
-use maud::{Markup, html};
+use maud::{Markup, Render, html};
 
 pub(super) fn section(page: &Page) -> Markup {
     html! {
@@ -110,39 +111,32 @@ fn clearance(page: &Page) -> Markup {
 fn table(page: &Page) -> Markup {
     let study = &page.report.pair.study;
     let c = study.bearing_clearance;
-    html! {
-        div.scroll tabindex="0" role="region" aria-label="Backlash at each centre distance" {
-            table.big {
-                caption {
-                    "Circumferential backlash " (j_wt()) " on the operating pitch circle, µm"
-                    @if study.material_count() > 1 { ", from most to least material" }
-                    ". Teeth: wheel·pinion, right flanks / left flanks in contact."
-                }
-                thead { tr {
-                    th.n scope="col" { i { "a" } " mm" }
-                    th scope="col" { "assembles" }
-                    th.n scope="col" { "least" }
-                    th scope="col" { "teeth at least" }
-                    th.n scope="col" { "mean" }
-                    th.n scope="col" { "greatest" }
-                    th scope="col" { "teeth at greatest" }
-                    @if c > 0.0 { th.n scope="col" { "with " i { "a" } " ± " (stated_distance(c)) " mm" } }
-                } }
-                tbody {
-                    @for at in &page.distances {
-                        tr {
-                            th.n scope="row" { (stated_distance(at.center_distance)) }
-                            (fits(&at.all, is_settled(page, at.center_distance)))
-                            (extreme_cells(page, at.all.least))
-                            td.n { (um(at.all.mean, 2)) }
-                            (extreme_cells(page, at.all.greatest))
-                            @if c > 0.0 { td.n { (band(with_play(page, at.center_distance), 2)) } }
-                        }
-                    }
-                }
-            }
-        }
-    }
+    let play = stated_distance(c);
+    let mut columns = columns(&format!(
+        "a mm:n | assembles | least:n | teeth at least:w | mean:n | greatest:n | teeth at greatest:w | with a ± {play} mm:n"
+    ));
+    columns[7].is_shown = c > 0.0;
+    let rows = page.distances.iter().map(|at| {
+        let [least, greatest] = [at.all.least, at.all.greatest].map(|found| extreme(page, found));
+        let [(least, teeth_at_least), (greatest, teeth_at_greatest)] = [least, greatest];
+        cells![
+            stated_distance(at.center_distance),
+            fits(&at.all, is_settled(page, at.center_distance)),
+            least,
+            teeth_at_least,
+            um(at.all.mean, 2),
+            greatest,
+            teeth_at_greatest,
+            band(with_play(page, at.center_distance), 2),
+        ]
+    });
+    let caption = html! {
+        "Circumferential backlash " (j_wt()) " on the operating pitch circle, µm"
+        @if study.materials.len() > 1 { ", from most to least material" }
+        ". Teeth: wheel·pinion, right flanks / left flanks in contact."
+    };
+    let table = Table::new("Backlash at each centre distance", caption, columns, rows);
+    table.big().render()
 }
 
 /// Least and greatest at a centre distance, the axes moved as far as their bearings allow.
@@ -156,13 +150,15 @@ fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
     [least.reduce(f64::min), greatest.reduce(f64::max)]
 }
 
-fn extreme_cells(page: &Page, found: Option<PoseOfRun>) -> Markup {
+/// The backlash of a pose and the teeth that touch there.
+fn extreme(page: &Page, found: Option<PoseOfRun>) -> (Markup, String) {
     let [right, left] = touching(found);
-    let same = found.is_some_and(|found| same_everywhere(page, found));
-    html! {
-        td.n { strong { (um(found.and_then(|found| found.pose.simulated.backlash), 2)) } }
-        td.w { @if same { "all alike" } @else { (right) " / " (left) } }
-    }
+    let teeth = match found.is_some_and(|found| same_everywhere(page, found)) {
+        true => "all alike".to_owned(),
+        false => format!("{right} / {left}"),
+    };
+    let j_wt = found.and_then(|found| found.pose.simulated.backlash);
+    (html! { strong { (um(j_wt, 2)) } }, teeth)
 }
 
 /// Whether every run of the mesh cycle at a centre distance proves that it assembles, or that it does not.
@@ -186,5 +182,5 @@ fn fits(all: &Outcome, settled: bool) -> Markup {
         all if all.touching > 0 => (Verdict::Warn, "without backlash"),
         _ => (Verdict::Pass, "yes"),
     };
-    html! { td { (marked(verdict, word)) } }
+    marked(verdict, word)
 }

@@ -64,7 +64,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
             MAIN.left,
             WIDTH - 2.0 * MAIN.left,
         ))
-        .add(names(&first))
+        .add(names(&first, &MAIN))
         .add(metal)
         .add(Group::new().set("clip-path", "url(#mesh-frame)").add(over))
         .add(MAIN.border())

@@ -6,7 +6,7 @@ use crate::pose_name::pose_name;
 use gearlash::contact::{FreePlacement, PoseResult, Scene, Status};
 use gearlash::gear::Side;
 use gearlash::pair::GearPair;
-use gearlash_files::numbers::{bound_um, trimmed, um};
+use gearlash_files::numbers::{trimmed, um, um_bounded};
 use svg::node::element::Group;
 
 /// Size below which a result is cut rather than set smaller.
@@ -126,11 +126,7 @@ fn drawn(scene: &Scene) -> String {
     }
 }
 
-/// `j_wt` in µm to 0.01, with the bound on its error before that rounding.
+/// `j_wt` with the bound on its error.
 fn j_wt((value, error): (f64, f64)) -> String {
-    format!(
-        "j_wt = {} µm (error ≤ {} µm)",
-        um(value, 2),
-        bound_um(error)
-    )
+    format!("j_wt = {}", um_bounded(value, error))
 }

@@ -34,7 +34,7 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     let mut sheet = blank_sheet(WIDTH, HEIGHT)
         .add(caption::heading(view, MAIN.left, WIDTH - 2.0 * MAIN.left))
         .add(warning(gears))
-        .add(names(&scene))
+        .add(names(&scene, &MAIN))
         .add(mesh)
         .add(MAIN.border())
         .add(wheel_numbers)

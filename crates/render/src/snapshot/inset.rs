@@ -27,6 +27,8 @@ const ENLARGEMENT: f64 = 12.0;
 const LEAST: f64 = 2.0;
 /// Greatest enlargement, units a millimetre: 1 µm is then 40 units, and the contact's own error can be seen.
 const GREATEST: f64 = 40_000.0;
+/// Least size of the words above.
+const SMALLEST: f64 = 9.0;
 /// Text size inside.
 const SIZE: f64 = 14.0;
 
@@ -97,9 +99,9 @@ pub fn empty(frame: Frame) -> Rectangle {
         .set("stroke-dasharray", "6 4")
 }
 
-/// The caption of an inset whose frame starts at `corner`.
-pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner: Spot) -> Group {
-    let [left, top] = corner;
+/// The caption of an inset in `frame`.
+pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame: &Frame) -> Group {
+    let Frame { left, top, .. } = *frame;
     let name = capital(side);
     let (first, second) = match contact {
         None => (
@@ -148,7 +150,9 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
             (first, second)
         }
     };
-    let (title, details) = (TextStyle::new(16.0).bold(), TextStyle::new(13.0).grey());
+    let room = frame.width();
+    let title = TextStyle::new(16.0).bold().fitted(&first, room, SMALLEST);
+    let details = TextStyle::new(13.0).grey().fitted(&second, room, SMALLEST);
     Group::new()
         .add(title.text(&first, [left, top - 27.0]))
         .add(details.text(&second, [left, top - 9.0]))
@@ -248,9 +252,13 @@ impl Link {
         &self.shown
     }
 
-    /// The box, and a leader to that place on the inset's side, of some from its middle outwards,
-    /// which it reaches across none of the `taken` rooms.
-    pub fn draw(&self, taken: &[Frame]) -> Group {
+    /// The box, and where the inset stands beside it (`with_leader`) a leader to that place on its side, of some from its middle
+    /// outwards, which it reaches across none of the `taken` rooms.
+    pub fn draw(&self, taken: &[Frame], with_leader: bool) -> Group {
+        let shown = Group::new().add(self.shown.border().set("stroke-width", "1.00"));
+        if !with_leader {
+            return shown;
+        }
         let from = self.shown.middle();
         let leaders = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9].map(|part| {
             let to = [self.inset.left, self.inset.top + part * self.inset.height()];
@@ -267,8 +275,6 @@ impl Link {
                 .any(|room| clip::segment(leader[0], leader[1], &room.grown(6.0)).is_some())
         };
         let leader = leaders.iter().find(is_clear).unwrap_or(&leaders[0]);
-        Group::new()
-            .add(self.shown.border().set("stroke-width", "1.00"))
-            .add(line(leader, INK, 1.0))
+        shown.add(line(leader, INK, 1.0))
     }
 }

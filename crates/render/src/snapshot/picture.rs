@@ -7,10 +7,10 @@ use super::contact_marks::{self, IN_MAIN};
 use super::gears::Look;
 use super::inset::Link;
 use super::legend::Shown;
-use super::subject::{INSETS, LEGEND, MAIN, Snapshot, names};
+use super::subject::{Layout, SHEET, Snapshot, in_page, names};
 use super::view::View;
 use super::{caption, contact_bands, gears, inset, legend, main_view};
-use crate::kit::{Frame, HEIGHT, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
+use crate::kit::{Frame, HEIGHT, Ids, Occupied, blank_sheet, hatch, scale};
 use gearlash::contact::{DrawnContact, Scene, Status};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
@@ -18,19 +18,20 @@ use svg::node::element::{Group, SVG};
 
 /// The SVG text of a snapshot, a sheet of its own.
 pub fn snapshot(view: &Snapshot) -> String {
-    format!("{}\n", draw(view, &Ids::default(), true))
+    let (sheet, _) = draw(view, &Ids::default(), &SHEET);
+    format!("{sheet}\n")
 }
 
-/// The same as a part of a page: its ids begin with `prefix`, screen readers call it `label`.
+/// The snapshot as a part of a page, for a wide and for a narrow screen: its ids begin with `prefix`, screen readers call it `label`.
 pub fn snapshot_in_page(view: &Snapshot, prefix: &str, label: &str) -> String {
-    let picture = draw(view, &Ids::in_page(prefix), false);
-    let picture = picture.set("role", "img").set("aria-label", label);
-    format!("{picture}\n")
+    in_page(prefix, label, |ids, layout| draw(view, ids, layout))
 }
 
-fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
+/// The picture, and how far down its last row is.
+fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let scene = view.scene();
-    let main = main_view::view(&scene, MAIN);
+    let frame = layout.main;
+    let main = main_view::view(&scene, frame);
     let mut occupied = Occupied::default();
     // Both sides' lines of action; a thin overlap shows over the outlines.
     let look = Look {
@@ -44,13 +45,8 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
     let mut over = Group::new().set("clip-path", ids.url("mesh-frame"));
     let mut links = Vec::new();
     let mut insets = Group::new();
-    for (contact, side, frame) in slots(&scene, &main) {
-        insets = insets.add(inset::heading(
-            &scene,
-            side,
-            contact,
-            [frame.left, frame.top],
-        ));
+    for (contact, side, frame) in slots(&scene, &main, layout) {
+        insets = insets.add(inset::heading(&scene, side, contact, &frame));
         let Some(contact) = contact else {
             insets = insets.add(inset::empty(frame));
             continue;
@@ -74,40 +70,42 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
         [mating.wheel_tooth, mating.pinion_tooth],
         &mut occupied,
     );
-    let links = links
-        .iter()
-        .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
+    let links = links.iter().fold(Group::new(), |group, link| {
+        group.add(link.draw(&taken, layout.is_sheet))
+    });
     let shown = shown(&scene, &main);
     // What the face as a whole has may be in another section.
     let in_section = view.section.is_some() && scene.contacts().iter().any(|m| m.gap < 0.0);
     let shown = Shown {
-        on_paper,
+        on_paper: ids.is_sheet(),
         overlap: shown.overlap || in_section,
         ..shown
     };
-    let (legend, _) = legend::draw(LEGEND, WIDTH - 2.0 * MAIN.left, &shown, ids);
-    blank_sheet(WIDTH, HEIGHT)
-        .add(hatch(ids))
-        .add(caption::draw(
-            view,
-            &scene,
-            MAIN.left,
-            WIDTH - 2.0 * MAIN.left,
-        ))
-        .add(names(&scene))
+    let (legend, last) = legend::draw(layout.legend, layout.room(), &shown, ids);
+    let mut sheet = blank_sheet(layout.width, HEIGHT).add(hatch(ids));
+    if layout.is_sheet {
+        sheet = sheet.add(caption::draw(view, &scene, frame.left, layout.room()));
+    }
+    let sheet = sheet
+        .add(names(&scene, &frame))
         .add(drawn.group)
-        .add(MAIN.border())
+        .add(frame.border())
         .add(over)
         .add(links)
         .add(insets)
         .add(wheel_numbers)
         .add(pinion_numbers)
-        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
-        .add(legend)
+        .add(scale::bar([frame.left, frame.bottom + 16.0], main.scale()))
+        .add(legend);
+    (sheet, last)
 }
 
 /// Each side with its contact and the frame it gets: the higher contact the upper frame.
-fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Side, Frame)> {
+fn slots<'s>(
+    scene: &'s Scene,
+    main: &View,
+    layout: &Layout,
+) -> Vec<(Option<&'s DrawnContact>, Side, Frame)> {
     let mut sides: Vec<(Option<&DrawnContact>, Side)> = Side::BOTH
         .into_iter()
         .map(|side| {
@@ -124,7 +122,7 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
     }
     sides
         .into_iter()
-        .zip(INSETS)
+        .zip(layout.insets)
         .map(|((contact, side), frame)| (contact, side, frame))
         .collect()
 }

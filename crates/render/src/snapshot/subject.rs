@@ -1,11 +1,11 @@
 //! What a snapshot is of, and where things stand on its sheet.
 
-use crate::kit::{Frame, Spot, TextStyle};
+use crate::kit::{Frame, Ids, Spot, TextStyle, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{LostMotion, MeshSection, Scene, Unproven};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Member, Pose};
-use svg::node::element::Group;
+use svg::node::element::{Group, SVG};
 
 /// What a snapshot shows.
 #[derive(Debug, Clone, Copy)]
@@ -63,11 +63,86 @@ pub const INSETS: [Frame; 2] = [
     },
 ];
 
-/// Where the legend begins.
-pub const LEGEND: Spot = [MAIN.left, 772.0];
+/// Where things stand in a picture.
+#[derive(Debug, Clone, Copy)]
+pub struct Layout {
+    /// The width of the picture.
+    pub width: f64,
+    /// The mesh zone's frame.
+    pub main: Frame,
+    /// The insets' frames, the upper one first.
+    pub insets: [Frame; 2],
+    /// Where the legend begins.
+    pub legend: Spot,
+    /// Whether the caption stands in the picture, and leaders lead to the insets.
+    pub is_sheet: bool,
+}
+
+/// The layout of an A4 sheet.
+pub const SHEET: Layout = Layout {
+    width: WIDTH,
+    main: MAIN,
+    insets: INSETS,
+    legend: [MAIN.left, 772.0],
+    is_sheet: true,
+};
+
+/// The layout for a screen 390 pixels wide: the insets stand below the mesh zone, and the page has the caption.
+pub const NARROW: Layout = Layout {
+    width: 390.0,
+    main: Frame {
+        left: 4.0,
+        top: 26.0,
+        right: 386.0,
+        bottom: 416.0,
+    },
+    insets: [
+        Frame {
+            left: 4.0,
+            top: 490.0,
+            right: 386.0,
+            bottom: 680.0,
+        },
+        Frame {
+            left: 4.0,
+            top: 754.0,
+            right: 386.0,
+            bottom: 944.0,
+        },
+    ],
+    legend: [4.0, 988.0],
+    is_sheet: false,
+};
+
+impl Layout {
+    /// The room for text from the mesh zone's left edge on.
+    pub fn room(&self) -> f64 {
+        self.width - 2.0 * self.main.left
+    }
+}
+
+/// A picture as a part of a page, drawn for a wide and for a narrow screen: its ids begin with `prefix`, screen readers call it
+/// `label`. `draw` gives the picture and how far down its last row is.
+pub fn in_page(prefix: &str, label: &str, draw: impl Fn(&Ids, &Layout) -> (SVG, f64)) -> String {
+    let narrow = format!("{prefix}-narrow");
+    let pictures = [(prefix, &SHEET), (narrow.as_str(), &NARROW)];
+    let drawn = pictures.map(|(id, layout)| {
+        let (picture, last) = draw(&Ids::in_page(id), layout);
+        let picture = picture
+            .set("id", id)
+            .set("viewBox", format!("0 0 {} {}", layout.width, last + FOOT))
+            .set("role", "img")
+            .set("aria-label", label);
+        format!("{picture}\n")
+    });
+    drawn.concat()
+}
+
+/// Room below the legend's last row.
+const FOOT: f64 = 16.0;
 
 /// The gears' names over the mesh zone.
-pub fn names(scene: &Scene) -> Group {
+pub fn names(scene: &Scene, main: &Frame) -> Group {
     let name = |member: Member| {
         let role = match member == scene.assembly().locked() {
             true => "locked",
@@ -79,8 +154,8 @@ pub fn names(scene: &Scene) -> Group {
             scene.assembly().teeth(member)
         )
     };
-    let (style, y) = (TextStyle::new(14.0), MAIN.top - 8.0);
-    let wheel = style.text(&name(Member::Wheel), [MAIN.left, y]);
-    let pinion = style.end().text(&name(Member::Pinion), [MAIN.right, y]);
+    let (style, y) = (TextStyle::new(14.0), main.top - 8.0);
+    let wheel = style.text(&name(Member::Wheel), [main.left, y]);
+    let pinion = style.end().text(&name(Member::Pinion), [main.right, y]);
     Group::new().add(wheel).add(pinion)
 }

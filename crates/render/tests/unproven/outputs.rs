@@ -58,7 +58,7 @@ fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
         extremes: Vec::new(),
         failed_checks: Vec::new(),
     };
-    let judged = pair.judged(&Screen::default()).unwrap();
+    let judged = pair.judged(&Screen::default());
     Outcome {
         command: "compare",
         files: vec![JudgedFile::Judged(Box::new(judged))],

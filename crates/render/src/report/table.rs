@@ -1,0 +1,139 @@
+//! Tables of a page. Each stands in a frame that scrolls where the screen is too narrow.
+
+use super::phrases::with_symbols;
+use gearlash_results::{Shown, Unit};
+use maud::{Markup, Render, html};
+
+/// A column: its heading, and the classes of its cells.
+pub(super) struct Column {
+    heading: Markup,
+    classes: String,
+    /// Whether its cells stand in the table.
+    pub is_shown: bool,
+}
+
+/// The columns of a table from `headings` such as `a mm:n | material:w | least:n w`: `n` numbers, `w` never broken, `text` wide
+/// enough for a sentence. `a` and symbols such as `j_wt` are set as symbols.
+pub(super) fn columns(headings: &str) -> Vec<Column> {
+    let each = headings.split('|').map(|column| {
+        let (heading, classes) = column.split_once(':').unwrap_or((column, ""));
+        Column {
+            heading: set(heading.trim()),
+            classes: classes.trim().to_owned(),
+            is_shown: true,
+        }
+    });
+    each.collect()
+}
+
+/// A heading with its symbols.
+fn set(heading: &str) -> Markup {
+    html! {
+        @for (number, word) in heading.split(' ').enumerate() {
+            @if number > 0 { " " }
+            @if word == "a" { i { "a" } } @else { (with_symbols(word)) }
+        }
+    }
+}
+
+/// The cells of a row: anything that can stand in a page.
+macro_rules! cells {
+    ($($cell:expr),* $(,)?) => { vec![$(maud::Render::render(&$cell)),*] };
+}
+pub(super) use cells;
+
+/// A table.
+pub(super) struct Table<'a> {
+    /// The name that a screen reader says.
+    label: &'a str,
+    /// The class of the table; mostly empty.
+    class: &'static str,
+    caption: Markup,
+    columns: Vec<Column>,
+    /// The number of the column, from 0, that names the row.
+    named_by: usize,
+    /// A cell a column.
+    pub rows: Vec<Vec<Markup>>,
+}
+
+impl<'a> Table<'a> {
+    /// A table whose rows are named by their first column; without a caption where that is empty.
+    pub fn new(
+        label: &'a str,
+        caption: Markup,
+        columns: Vec<Column>,
+        rows: impl IntoIterator<Item = Vec<Markup>>,
+    ) -> Table<'a> {
+        Table {
+            label,
+            class: "",
+            caption,
+            columns,
+            named_by: 0,
+            rows: rows.into_iter().collect(),
+        }
+    }
+
+    /// The table of the columns that results show.
+    pub fn of_shown(label: &'a str, caption: Markup, shown: &[Shown]) -> Table<'a> {
+        let columns = shown.iter().map(|column| Column {
+            heading: set(column.heading.heading()),
+            classes: match (column.heading.is_left(), column.unit) {
+                (false, Unit::Plain | Unit::Grave) | (true, _) => String::new(),
+                (false, _) => "n".to_owned(),
+            },
+            is_shown: true,
+        });
+        let count = shown.first().map_or(0, |column| column.cells.len());
+        let row = |number: usize| {
+            shown
+                .iter()
+                .map(|column| column.cells[number].render())
+                .collect()
+        };
+        Table::new(label, caption, columns.collect(), (0..count).map(row))
+    }
+
+    /// The table in larger type.
+    pub fn big(self) -> Table<'a> {
+        let class = "big";
+        Table { class, ..self }
+    }
+
+    /// The table with rows that are named by column `named_by`, from 0.
+    pub fn named_by(self, named_by: usize) -> Table<'a> {
+        Table { named_by, ..self }
+    }
+}
+
+impl Render for Table<'_> {
+    fn render(&self) -> Markup {
+        let shown = || self.columns.iter().filter(|column| column.is_shown);
+        let has_headings = shown().any(|column| !column.heading.0.is_empty());
+        let named = |text: &str| Some(text.to_owned()).filter(|text| !text.is_empty());
+        let cell = |number: usize, column: &Column, content: &Markup| {
+            let classes = named(&column.classes);
+            html! {
+                @if number == self.named_by { th class=[classes] scope="row" { (content) } }
+                @else { td class=[classes] { (content) } }
+            }
+        };
+        html! {
+            div.scroll tabindex="0" role="region" aria-label=(self.label) {
+                table class=[named(self.class)] {
+                    @if !self.caption.0.is_empty() { caption { (self.caption) } }
+                    @if has_headings {
+                        thead { tr { @for column in shown() {
+                            th class=[column.classes.contains('n').then_some("n")] scope="col" { (column.heading) }
+                        } } }
+                    }
+                    tbody { @for row in &self.rows { tr {
+                        @for (number, (column, content)) in self.columns.iter().zip(row).enumerate() {
+                            @if column.is_shown { (cell(number, column, content)) }
+                        }
+                    } } }
+                }
+            }
+        }
+    }
+}

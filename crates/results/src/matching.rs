@@ -1,0 +1,127 @@
+//! The result of a matching: the pairs of gears that go together, and every wheel with every pinion.
+
+use crate::column::{Columns, Row, Value, columns};
+use crate::layout::{self, Screen};
+use gearlash::matching::{Expected, PairFit};
+use gearlash_files::characters::{json_of, plain};
+use gearlash_files::matching::MatchResult;
+use gearlash_files::numbers::fixed;
+use serde_json::json;
+use std::sync::LazyLock;
+
+/// A wheel with a pinion in its best phase.
+struct AssignmentRow {
+    wheel: String,
+    pinion: String,
+    found: PairFit,
+    is_assigned: bool,
+}
+
+impl AssignmentRow {
+    /// The tooth of the wheel that is marked.
+    fn wheel_tooth(&self) -> u32 {
+        1
+    }
+}
+
+impl Row for AssignmentRow {
+    fn columns() -> &'static Columns<AssignmentRow> {
+        static COLUMNS: LazyLock<Columns<AssignmentRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: AssignmentRow {
+                "wheel" Plain [heading(shown("wheel").left())] => row.wheel.clone();
+                "pinion" Plain [heading(shown("pinion").left())] => row.pinion.clone();
+                "wheel_tooth" Plain [no_csv] => row.wheel_tooth();
+                "pinion_tooth" Plain => row.found.best.pinion_tooth;
+                "" Plain [people(shown("teeth to mark").left())] => format!("{} · {}", row.wheel_tooth(), row.found.best.pinion_tooth);
+                "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
+                "greatest_um" Hundredths [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
+                "status" Plain [no_json] => row.found.best.outcome.kind.name();
+                "phases_meeting" Plain [no_json] => row.found.meeting;
+                "assigned" Plain [no_json] => u32::from(row.is_assigned);
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+/// Every wheel with every pinion, wheel by wheel.
+fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
+    let [wheels, pinions] = &result.names;
+    let places =
+        (0..wheels.len()).flat_map(|wheel| (0..pinions.len()).map(move |pinion| (wheel, pinion)));
+    places.filter_map(|(wheel, pinion)| {
+        Some(AssignmentRow {
+            wheel: wheels[wheel].clone(),
+            pinion: pinions[pinion].clone(),
+            found: *result.matrix.pair_fit(wheel, pinion)?,
+            is_assigned: result.places.binary_search(&(wheel, pinion)).is_ok(),
+        })
+    })
+}
+
+/// The pairs that were made.
+fn pairs(result: &MatchResult) -> Vec<AssignmentRow> {
+    rows(result).filter(|row| row.is_assigned).collect()
+}
+
+/// The result as JSON, which ends in a line end; lengths in µm.
+///
+/// # Errors
+/// None for a result; a number that JSON cannot hold otherwise.
+pub fn json(result: &MatchResult) -> serde_json::Result<String> {
+    let um = |mm: Option<f64>| mm.map(|mm| 1e3 * mm);
+    let expected = |expected: Expected| json!({ "any_phase": expected.any_phase, "best_phase": expected.best_phase });
+    let pairs = pairs(result).into_iter();
+    let pairs = pairs.map(|row| json!(AssignmentRow::columns().object(&row)));
+    json_of(&json!({
+        "gearlash": env!("CARGO_PKG_VERSION"),
+        "title": result.title,
+        "text": result.sentence(),
+        "require_um": { "min": um(result.limits[0]), "max": um(result.limits[1]) },
+        "require_others": result.others,
+        "wanted_um": 1e3 * result.wanted,
+        "phases": result.matrix.phases(),
+        "pairs": pairs.collect::<Vec<_>>(),
+        "best": result.is_best,
+        "left_over": { "wheels": result.left_over[0], "pinions": result.left_over[1] },
+        "expected_pairs": {
+            "random": expected(result.at_random),
+            "thickness_classes": result.by_classes.map(|(count, classes)| json!({
+                "classes": count, "any_phase": classes.any_phase, "best_phase": classes.best_phase,
+            })),
+        },
+    }))
+}
+
+/// Every wheel with every pinion in its best phase as CSV.
+///
+/// # Errors
+/// None: it is written to memory.
+pub fn csv(result: &MatchResult) -> csv::Result<String> {
+    let rows: Vec<AssignmentRow> = rows(result).collect();
+    AssignmentRow::columns().csv(&rows)
+}
+
+/// The result on a terminal: the sentence, the pairs with the teeth to mark, the gears left over.
+pub fn text(result: &MatchResult, screen: &Screen) -> String {
+    let mut text = screen.paragraphs(&format!("{}.", result.sentence()));
+    text.push('\n');
+    let pairs = pairs(result);
+    if !pairs.is_empty() {
+        text += &AssignmentRow::columns().text(&pairs, screen);
+        text += &screen.fold("Mark these teeth. Their right flanks meet.\n");
+    }
+    for (kind, names) in ["Wheels", "Pinions"].iter().zip(&result.left_over) {
+        if !names.is_empty() {
+            let names: Vec<String> = names.iter().map(|name| plain(name)).collect();
+            text.push('\n');
+            text += &screen.fold(&format!("{kind} left over: {}.\n", names.join(", ")));
+        }
+    }
+    text.push('\n');
+    text + &screen.fold(&format!(
+        "At random, with teeth marked: {} pairs to be expected.\n",
+        fixed(result.at_random.best_phase, 1)
+    ))
+}

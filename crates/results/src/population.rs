@@ -1,0 +1,468 @@
+//! The result of a population: its shares, spread, contributions and worst assemblies, each a row type with one list of columns.
+
+use crate::column::{Columns, Row, Shown, Value, columns};
+use crate::layout::{self, Screen};
+use gearlash::pair::BacklashUnit;
+use gearlash::population::{
+    CONFIDENCE, Contributions, Estimate, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
+    Share, SpreadStatistics,
+};
+use gearlash_files::characters::{json_of, plain};
+use gearlash_files::numbers::{fixed, rounded, within};
+use gearlash_files::tolerance::{
+    ToleranceResult, Worst, phases_of_limits, sentence, without_backlash, without_worst_case,
+    worst_name,
+};
+use serde_json::json;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
+
+/// Whole tenths of a nanometre, µm: the digits that rows have.
+fn um(mm: impl Into<Option<f64>>) -> Option<f64> {
+    mm.into().map(|mm| rounded(1e3 * mm, 4))
+}
+
+fn ppm(share: f64) -> f64 {
+    rounded(1e6 * share, 3)
+}
+
+/// The share of a population that misses a limit.
+struct ShareRow {
+    name: &'static str,
+    /// The assemblies that the share is of, where it is not of all.
+    assemblies: Option<u64>,
+    share: Share,
+}
+
+impl Row for ShareRow {
+    fn columns() -> &'static Columns<ShareRow> {
+        static COLUMNS: LazyLock<Columns<ShareRow>> = LazyLock::new(|| {
+            Columns::new(columns!(row: ShareRow {
+                "assemblies" Plain => Value::optional(row.assemblies);
+                "count" Plain => Value::optional(row.assemblies.is_none().then_some(row.share.count));
+                "ppm" Plain => ppm(row.share.share);
+                "low_ppm" Plain => ppm(row.share.low);
+                "high_ppm" Plain => ppm(row.share.high);
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+/// A number of the spread, of the least and of the greatest backlash.
+struct SpreadRow {
+    name: String,
+    /// Its name in CSV.
+    csv: String,
+    ends: [Option<f64>; 2],
+}
+
+impl Row for SpreadRow {
+    fn columns() -> &'static Columns<SpreadRow> {
+        static COLUMNS: LazyLock<Columns<SpreadRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: SpreadRow {
+                "" Plain [people(shown("j_wt µm").left())] => row.name.clone();
+                "" Hundredths [people(shown("least"))] => Value::um(row.ends[0]);
+                "" Hundredths [people(shown("greatest"))] => Value::um(row.ends[1]);
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+/// The numbers of the spread.
+fn spread_rows(result: &ToleranceResult) -> Vec<SpreadRow> {
+    let both = [&result.statistics.least, &result.statistics.greatest];
+    let mut rows = Vec::new();
+    let mut add = |name: &str, csv: &str, ends| {
+        let (name, csv) = (name.to_owned(), csv.to_owned());
+        rows.push(SpreadRow { name, csv, ends });
+    };
+    add("mean", "mean", both.map(|one| one.mean));
+    add("standard deviation", "sigma", both.map(|one| one.sigma));
+    for (index, p) in QUANTILES.iter().enumerate() {
+        let percent = format!("{} %", rounded(100.0 * p, 3));
+        let ends = both.map(|one| one.quantiles[index]);
+        add(&format!("{percent} below"), &percent, ends);
+    }
+    let drawn =
+        |of: fn(&SpreadStatistics) -> Option<(f64, u64)>| both.map(|one| of(one).map(|end| end.0));
+    add("least drawn", "least", drawn(|one| one.least));
+    add("greatest drawn", "greatest", drawn(|one| one.greatest));
+    if let Some([mean, worst, roots]) = result.about.limit_cases {
+        add("at the mean", "at mean", mean);
+        add("worst case", "worst case", worst);
+        add("root sum of squares", "root sum of squares", roots);
+    }
+    rows
+}
+
+/// The contribution of a quantity to the variance of the least and of the greatest backlash: total and first order.
+struct ContributionRow {
+    name: &'static str,
+    least: [Estimate; 2],
+    greatest: Option<[Estimate; 2]>,
+}
+
+impl Row for ContributionRow {
+    fn columns() -> &'static Columns<ContributionRow> {
+        static COLUMNS: LazyLock<Columns<ContributionRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: ContributionRow {
+                "" Plain [people(shown("share of the variance, %").left())] => row.name;
+                "" Plain [people(shown("of the least"))] => percent(row.least[0]);
+                "" Plain [people(shown("by itself").spare(1))] => percent(row.least[1]);
+                "" Plain [people(shown("of the greatest"))] => Value::optional(row.greatest.map(|of| percent(of[0])));
+                "" Plain [people(shown("by itself").spare(1))] => Value::optional(row.greatest.map(|of| percent(of[1])));
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+fn percent(index: Estimate) -> String {
+    within(100.0 * index.value, 100.0 * index.error)
+}
+
+fn contribution_rows(result: &ToleranceResult) -> Vec<ContributionRow> {
+    let [least, greatest] = &result.contributions;
+    let rows = least.each.iter().enumerate();
+    let rows = rows.map(|(index, one)| ContributionRow {
+        name: one.factor.name(),
+        least: [one.total, one.first],
+        greatest: greatest.each.get(index).map(|one| [one.total, one.first]),
+    });
+    rows.collect()
+}
+
+/// One of the worst assemblies.
+struct WorstRow {
+    index: usize,
+    number: u64,
+    ends: [Option<f64>; 2],
+}
+
+impl Row for WorstRow {
+    fn columns() -> &'static Columns<WorstRow> {
+        static COLUMNS: LazyLock<Columns<WorstRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: WorstRow {
+                "assembly" Plain [heading(shown("worst assemblies").left())] => row.number;
+                "least_um" Hundredths [heading(shown("least µm"))] => um(row.ends[0]);
+                "greatest_um" Hundredths [heading(shown("greatest µm"))] => um(row.ends[1]);
+                "file" Plain => worst_name(row.index);
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+fn worst_rows(result: &ToleranceResult) -> Vec<WorstRow> {
+    let row = |(index, worst): (usize, &Worst)| WorstRow {
+        index,
+        number: worst.number,
+        ends: [worst.least_mm, worst.greatest_mm],
+    };
+    result.worst.iter().enumerate().map(row).collect()
+}
+
+/// A number of the result in CSV.
+struct NumberRow {
+    name: String,
+    value: Option<f64>,
+    unit: &'static str,
+    interval: [Option<f64>; 2],
+    error: Option<f64>,
+}
+
+impl NumberRow {
+    fn new(name: impl Into<String>, value: Option<f64>, unit: &'static str) -> NumberRow {
+        NumberRow {
+            name: name.into(),
+            value,
+            unit,
+            interval: [None; 2],
+            error: None,
+        }
+    }
+}
+
+impl Row for NumberRow {
+    fn columns() -> &'static Columns<NumberRow> {
+        static COLUMNS: LazyLock<Columns<NumberRow>> = LazyLock::new(|| {
+            Columns::new(columns!(row: NumberRow {
+                "what" Plain => row.name.clone();
+                "value" Plain => row.value;
+                "unit" Plain => row.unit;
+                "low" Plain => row.interval[0];
+                "high" Plain => row.interval[1];
+                "standard_error" Plain => row.error;
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+fn shares(result: &ToleranceResult) -> [ShareRow; 3] {
+    let statistics = &result.statistics;
+    let row = |name, share: &Share| ShareRow {
+        name,
+        assemblies: None,
+        share: *share,
+    };
+    [
+        row("below", &statistics.below),
+        row("above", &statistics.above),
+        row("outside", &statistics.outside),
+    ]
+}
+
+/// The numbers as CSV, a row a number, with its interval or standard error where it has one.
+///
+/// # Errors
+/// None: it is written to memory.
+pub fn csv(result: &ToleranceResult) -> csv::Result<String> {
+    let mut rows = Vec::new();
+    for ShareRow { name, share, .. } in shares(result) {
+        rows.push(NumberRow {
+            interval: [share.low, share.high].map(|end| Some(ppm(end))),
+            ..NumberRow::new(name, Some(ppm(share.share)), "ppm")
+        });
+    }
+    let statistics = &result.statistics;
+    let (spread, cases): (Vec<SpreadRow>, Vec<SpreadRow>) = {
+        let rows = spread_rows(result);
+        let own = QUANTILES.len() + 4;
+        let mut rows = rows.into_iter();
+        (rows.by_ref().take(own).collect(), rows.collect())
+    };
+    let name = |end: usize| ["least", "greatest"][end];
+    for end in 0..2 {
+        rows.extend(spread.iter().map(|row| {
+            NumberRow::new(
+                format!("{} {}", name(end), row.csv),
+                um(row.ends[end]),
+                "um",
+            )
+        }));
+    }
+    rows.push(NumberRow::new("cp if normal", statistics.cp, ""));
+    rows.push(NumberRow::new("cpk if normal", statistics.cpk, ""));
+    for row in cases {
+        rows.extend([0, 1].map(|end| {
+            NumberRow::new(
+                format!("{} {}", name(end), row.csv),
+                um(row.ends[end]),
+                "um",
+            )
+        }));
+    }
+    for (end, found) in result.contributions.iter().enumerate() {
+        for one in &found.each {
+            for (order, index) in [("first-order", one.first), ("total", one.total)] {
+                let of = format!(
+                    "{} {order} contribution of {}",
+                    name(end),
+                    one.factor.name()
+                );
+                rows.push(NumberRow {
+                    error: Some(rounded(index.error, 5)),
+                    ..NumberRow::new(of, Some(rounded(index.value, 5)), "")
+                });
+            }
+        }
+    }
+    NumberRow::columns().csv(&rows)
+}
+
+/// The histogram as CSV: the lower end of each bin, µm, and how many have their least and their greatest there.
+pub fn histogram_csv(result: &ToleranceResult) -> String {
+    let tally = &result.tally;
+    let both = [&tally.least.histogram, &tally.greatest.histogram];
+    let bins: BTreeSet<i64> = both.iter().flat_map(|of| of.keys()).copied().collect();
+    let mut text = "from_um,least,greatest\n".to_owned();
+    for bin in bins {
+        let count = |of: &BTreeMap<i64, u64>| of.get(&bin).copied().unwrap_or_default();
+        let [least, greatest] = both.map(count);
+        text += &format!("{},{least},{greatest}\n", bin as f64 / 100.0);
+    }
+    text
+}
+
+/// The result as JSON, which ends in a line end.
+///
+/// # Errors
+/// None for a result; a number that JSON cannot hold otherwise.
+pub fn json(result: &ToleranceResult) -> serde_json::Result<String> {
+    let (about, tally) = (&result.about, &result.tally);
+    let (counts, statistics) = (&tally.counts, &result.statistics);
+    let share = |row: &ShareRow| json!(ShareRow::columns().object(row));
+    let [below, above, outside] = shares(result).map(|row| share(&row));
+    let both = |index: usize| {
+        let [least, greatest] = about.limit_cases?[index].map(um);
+        Some(json!({ "least_um": least, "greatest_um": greatest }))
+    };
+    let course = result.convergence().into_iter().map(|point| {
+        share(&ShareRow {
+            name: "outside",
+            assemblies: Some(point.assemblies),
+            share: point.share,
+        })
+    });
+    let worst = worst_rows(result).into_iter();
+    let worst = worst.map(|row| json!(WorstRow::columns().object(&row)));
+    json_of(&json!({
+        "gearlash": result.version,
+        "title": about.title,
+        "input_sha256": result.input_sha256,
+        "seed": result.seed,
+        "assemblies": result.assemblies,
+        "sentence": sentence(result),
+        "requirement": {
+            "min_um": um(about.min_mm),
+            "max_um": um(about.max_mm),
+            "others": about.others,
+            "max_ppm": about.max_ppm,
+            "met": result.is_met(),
+        },
+        "outcomes": {
+            "clear": counts.clear,
+            "interference": counts.interference,
+            "jammed": counts.jammed,
+            "no_contact": counts.no_contact,
+            "unproven": counts.unproven,
+            "impossible": counts.impossible,
+            "bracket_wide": tally.doubtful,
+        },
+        "confidence": CONFIDENCE,
+        "below": below,
+        "above": above,
+        "outside": outside,
+        "least": spread_json(&statistics.least),
+        "greatest": spread_json(&statistics.greatest),
+        "if_normal": {
+            "cp": statistics.cp.map(|cp| rounded(cp, 4)),
+            "cpk": statistics.cpk.map(|cpk| rounded(cpk, 4)),
+        },
+        "limits": {
+            // "worst": each number is of the assembly phase where it is the worst; null where the phase does not scatter.
+            "phase": phases_of_limits(about).map(|_| "worst"),
+            "at_mean": both(0),
+            "worst_case": both(1),
+            "root_sum_of_squares": both(2),
+            "without_end": about.without_end,
+            "cut_at_sigmas": LIMIT_SIGMAS,
+            "cut_at_share": LIMIT_SHARE,
+            "pitch_cut_at_sigmas": PITCH_LIMIT_SIGMAS,
+        },
+        "contributions": {
+            "least": contributions_json(&result.contributions[0]),
+            "greatest": contributions_json(&result.contributions[1]),
+        },
+        "worst": worst.collect::<Vec<_>>(),
+        "convergence": course.collect::<Vec<_>>(),
+    }))
+}
+
+fn spread_json(spread: &SpreadStatistics) -> serde_json::Value {
+    let quantiles = QUANTILES.iter().zip(spread.quantiles);
+    let quantiles: serde_json::Map<_, _> = quantiles
+        .map(|(p, mm)| (rounded(100.0 * p, 3).to_string(), json!(um(mm))))
+        .collect();
+    let end = |end: Option<(f64, u64)>| {
+        end.map(|(mm, number)| json!({ "um": um(mm), "assembly": number }))
+    };
+    json!({
+        "count": spread.count,
+        "mean_um": um(spread.mean),
+        "sigma_um": um(spread.sigma),
+        "percent_um": quantiles,
+        "least": end(spread.least),
+        "greatest": end(spread.greatest),
+    })
+}
+
+fn contributions_json(found: &Contributions) -> serde_json::Value {
+    let each = found.each.iter().map(|one| {
+        json!({
+            "quantity": one.factor.name(),
+            "first_order": rounded(one.first.value, 5),
+            "first_order_error": rounded(one.first.error, 5),
+            "total": rounded(one.total.value, 5),
+            "total_error": rounded(one.total.error, 5),
+        })
+    });
+    json!({
+        "rows": found.rows,
+        "rows_left_out": found.left_out,
+        "each": each.collect::<Vec<_>>(),
+    })
+}
+
+fn shown<R: Row>(rows: &[R]) -> Vec<Shown> {
+    R::columns().shown(rows, |_| f64::NAN, BacklashUnit::Um)
+}
+
+/// The spread as people see it: quantiles, extremes and limit cases.
+pub fn spread(result: &ToleranceResult) -> Vec<Shown> {
+    shown(&spread_rows(result))
+}
+
+/// The contributions as people see them; empty where none were found.
+pub fn contributions(result: &ToleranceResult) -> Vec<Shown> {
+    shown(&contribution_rows(result))
+}
+
+/// The worst assemblies as people see them.
+pub fn worst(result: &ToleranceResult) -> Vec<Shown> {
+    shown(&worst_rows(result))
+}
+
+/// What follows from the spread, a sentence each: capability, and what its numbers leave out.
+pub fn remarks(result: &ToleranceResult) -> Vec<String> {
+    let (about, statistics) = (&result.about, &result.statistics);
+    let capability = [("Cp", statistics.cp), ("Cpk", statistics.cpk)];
+    let capability: Vec<String> = capability
+        .into_iter()
+        .filter_map(|(name, value)| Some(format!("{name} {}", fixed(value?, 2))))
+        .collect();
+    let mut remarks = Vec::new();
+    if !capability.is_empty() {
+        remarks.push(format!("{}, if normal.", capability.join(", ")));
+    }
+    remarks.extend(without_backlash(result));
+    remarks.extend(phases_of_limits(about).map(str::to_owned));
+    if about.limit_cases.is_some() && !about.without_end.is_empty() {
+        remarks.push(format!(
+            "Worst case: at its limits (3 standard deviations, or as stated) {}.",
+            about.without_end.join(", ")
+        ));
+    }
+    remarks.extend(without_worst_case(about).map(str::to_owned));
+    remarks
+}
+
+/// The result on a terminal: the sentence, the spread beside worst case and root sum of squares, the contributions, the worst assemblies.
+pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
+    let mut text = screen.paragraphs(&format!("{}.", sentence(result)));
+    text.push('\n');
+    text += &screen.paragraphs(&format!(
+        "{}: {} assemblies of seed {}, each over its whole mesh cycle.",
+        plain(&result.about.title),
+        result.assemblies,
+        result.seed
+    ));
+    text.push('\n');
+    text += &SpreadRow::columns().text(&spread_rows(result), screen);
+    for remark in remarks(result) {
+        text += &screen.fold(&format!("{remark}\n"));
+    }
+    let contributions = contribution_rows(result);
+    if !contributions.is_empty() {
+        text.push('\n');
+        text += &ContributionRow::columns().text(&contributions, screen);
+    }
+    text.push('\n');
+    text + &WorstRow::columns().text(&worst_rows(result), screen)
+}

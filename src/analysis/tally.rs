@@ -262,7 +262,7 @@ pub fn simulate_by_blocks<E: From<Error>>(
     let poses = study.pose_count();
     let mut done: Vec<RunTally> = Vec::new();
     let mut current: Option<(RunTally, Keep)> = None;
-    let plans = study.runs().map_err(Error::from)?;
+    let plans = study.runs()?;
     each_block::<E>(study, plans, method, tick, &mut |block| {
         if block.first {
             let run = RunTally::new(block.material, block.assembly.clone(), block.phase);

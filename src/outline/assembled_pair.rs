@@ -8,6 +8,7 @@ use nalgebra::Point2;
 
 /// Two gears at a centre distance.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a run has one of them")]
 pub enum AssembledPair {
     /// Both gears are known by their data.
     Data(GearPair),

@@ -7,6 +7,9 @@ use super::heading::{self, Meaning, Quantity};
 use crate::data_file::DataFile;
 use crate::error::Problem;
 
+/// Lines in which a header is looked for. Each takes some µs.
+const MOST_SEARCHED: usize = 1_000;
+
 /// Heading of one column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
@@ -103,7 +106,8 @@ impl Head {
         if let Some(row) = choice.header_row {
             return good(lines.iter().position(|line| line.number == row)?);
         }
-        let mut places = (0..lines.len()).filter(|at| !lines[*at].is_comment());
+        let searched = lines.len().min(MOST_SEARCHED);
+        let mut places = (0..searched).filter(|at| !lines[*at].is_comment());
         let first = places.find_map(good)?;
         let next = lines.get(first.at + 1);
         if first.has_units || next.is_none_or(|next| next.is_comment() || next.has_number()) {

@@ -2,7 +2,7 @@
 
 use super::choice::TOOTH;
 use super::column::Column;
-use super::grid::{Line, letter};
+use super::grid::{Line, MOST_ROWS, letter};
 use super::head::{Head, Heading};
 use super::heading::Quantity;
 use super::request::Request;
@@ -348,6 +348,6 @@ fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
         let below = Head::of(lines, *at);
         !lines[*at].is_comment() && below.places(|heading| heading.meaning.is_some()).len() > 1
     };
-    let mut below = head.at + 2..lines.len();
+    let mut below = (head.at + 2..lines.len()).take(MOST_ROWS);
     below.find(is_again).map(|at| lines[at].number)
 }

@@ -285,22 +285,25 @@ impl Search<'_> {
         found: &mut PosesSeen,
     ) -> Result<Proof, Error> {
         let mut bound = ranked.bound;
+        // How promising the best of the cells is that are too narrow to cut.
+        let mut narrow = f64::NEG_INFINITY;
         for _ in 0..MOST_CELLS {
             if self.course.effort.left() < self.spare {
                 break;
             }
             let Some(next) = open.pop() else {
-                return Ok((self.value(bound), None));
+                break;
             };
             // Everything not examined is within `width` of the best.
             if next.key <= self.best(found) + self.width {
                 bound = bound.max(next.key);
                 open.push(next);
-                return Ok((self.value(bound), None));
+                break;
             }
             if next.cell.to - next.cell.from < NARROWEST {
-                open.push(next);
-                break;
+                narrow = narrow.max(next.key);
+                ranked.near.push(next.cell);
+                continue;
             }
             let cell = next.cell.bounded(self.course, self.table);
             let at = self.expected(&cell);
@@ -326,11 +329,16 @@ impl Search<'_> {
                 open.push(Open { key, cell: half });
             }
         }
+        let left = open.peek().map_or(narrow, |top| narrow.max(top.key));
+        if left <= self.best(found) + self.width {
+            return Ok((self.value(bound), None));
+        }
         // What holds is what the most promising stretch may come to.
         if self.until != Until::Jammed {
             sample::sample(self.course, found, self.until)?;
         }
         let top = open.peek().map_or(bound, |top| bound.max(top.key));
+        let top = top.max(narrow);
         let doubt = match top.is_finite() {
             true => Doubt::Effort,
             false => Doubt::Unbounded,

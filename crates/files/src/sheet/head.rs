@@ -7,7 +7,7 @@ use super::heading::{self, Meaning, Quantity};
 use crate::data_file::DataFile;
 use crate::error::Problem;
 
-/// Lines in which a header is looked for. Each takes some µs.
+/// Lines in which a header is looked for, and cells of such a line. Each cell takes some µs.
 const MOST_SEARCHED: usize = 1_000;
 
 /// Heading of one column.
@@ -107,7 +107,10 @@ impl Head {
             return good(lines.iter().position(|line| line.number == row)?);
         }
         let searched = lines.len().min(MOST_SEARCHED);
-        let mut places = (0..searched).filter(|at| !lines[*at].is_comment());
+        let mut places = (0..searched).filter(|at| {
+            let line = &lines[*at];
+            !line.is_comment() && line.cells.len() <= MOST_SEARCHED
+        });
         let first = places.find_map(good)?;
         let next = lines.get(first.at + 1);
         if first.has_units || next.is_none_or(|next| next.is_comment() || next.has_number()) {

@@ -92,7 +92,8 @@
 //! # What touches
 //!
 //! ```
-//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, ProfilePart};
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+//! use gearlash::contact::ToothPlace;
 //! # use gearlash::pair::{GearPair, Mating};
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
@@ -101,7 +102,7 @@
 //! let pose = pair.lost_motion(mating)?;
 //! let contacts = pose.proven().ok_or("unproven")?;
 //! let right = contacts.right.ok_or("out of mesh")?;
-//! assert_eq!((right.wheel.tooth, right.wheel.curve), (1, ProfilePart::Involute));
+//! assert_eq!((right.wheel.tooth, right.wheel.curve), (1, ToothPlace::Involute));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -73,16 +73,18 @@ impl Planned {
             }
         };
         let effort = &self.effort(assembly);
-        let greatest = |pair: &GearPair| {
-            let over = (self.first, self.distinct);
-            ExactKernel::new(pair).greatest(pair, over, WIDTH, effort)
+        let over = (self.first, self.distinct);
+        let greatest = |pair: &GearPair| ExactKernel::new(pair).greatest(pair, over, WIDTH, effort);
+        let confirm = |pair: &GearPair| {
+            ExactKernel::new(pair).greatest(pair, over, WIDTH, &self.effort(pair))
         };
+        let searches: [&Search<'_>; 2] = [&greatest, &confirm];
         if is_open(assembly) {
             let all = self.any_direction(assembly, effort)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
-                meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
+                meshes_to: meshes_to(far, farthest, all.off, (searches, effort))?,
                 found: all.found,
                 poses: all.poses,
             });
@@ -92,7 +94,7 @@ impl Planned {
         Ok(Searched {
             poses: vec![self.poses_of(&found, assembles_from)],
             assembles_from,
-            meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
+            meshes_to: meshes_to(assembly, &found, 0.0, (searches, effort))?,
             found,
         })
     }
@@ -217,12 +219,12 @@ fn meshes_to(
     pair: &GearPair,
     found: &Extremes,
     nearer: f64,
-    (search, effort): (&Search<'_>, &Effort),
+    (searches, effort): ([&Search<'_>; 2], &Effort),
 ) -> Result<Option<MeshesTo>, Error> {
     if found.status != Status::NoContact {
         return Ok(None);
     }
-    let to = MeshesTo::new(pair, found, search, effort)?;
+    let to = MeshesTo::new(pair, found, searches, effort)?;
     Ok(to.map(|to| MeshesTo {
         low: to.low - nearer,
         high: to.high - nearer,

@@ -11,6 +11,7 @@ use super::compare::{ComparedPose, ComparedRun, compare};
 use super::cycles::{Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans};
 use super::directions::{Directed, is_open};
 use super::meshes_to::MeshesTo;
+use super::phases::phase_count;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, Extreme, Method, Status, is_proven};
@@ -294,4 +295,33 @@ pub fn extremes(
 /// As [`Study::runs`].
 pub fn run_count(study: &Study) -> Result<u64, Error> {
     Ok(plans(study)?.len() as u64)
+}
+
+/// The assembly phases that extremes cover.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CoveredPhases {
+    /// Every phase of the pair.
+    All,
+    /// Wheel and pinion tooth that name each.
+    Some(Vec<(u32, u32)>),
+}
+
+impl CoveredPhases {
+    /// Those of `runs`.
+    pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
+        let (mut phases, mut all) = (Vec::new(), 1);
+        for run in runs {
+            if let Some(phase) = run.covers {
+                phases.push(phase);
+                all = phase_count(&run.assembly) as usize;
+            }
+        }
+        phases.sort_unstable();
+        phases.dedup();
+        if phases.is_empty() || phases.len() == all {
+            CoveredPhases::All
+        } else {
+            CoveredPhases::Some(phases)
+        }
+    }
 }

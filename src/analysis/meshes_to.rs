@@ -12,6 +12,9 @@ const WIDTH: f64 = 1e-5;
 /// Steps of the search: halving a reach of 10 m alone.
 const STEPS: usize = 40;
 
+/// Searches with an effort of their own that an unproven distance has to pass (tuned: one or two find what halved efforts missed).
+const CONFIRMED: usize = 8;
+
 /// The centre distance up to which a pair is in mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshesTo {
@@ -24,16 +27,16 @@ pub struct MeshesTo {
 }
 
 impl MeshesTo {
-    /// That of `assembly`, out of mesh at a pose of which `found` tells; `search` looks for the greatest over the whole cycle of another distance, with what `effort`
-    /// allows. `None` where
-    /// the pair is not in mesh at its distance without backlash either.
+    /// The distance of `assembly`, which is out of mesh at a pose of `found`. `search` looks for the greatest over the whole cycle of another distance with what
+    /// is left of `effort`; `confirm` does so with an effort of its own, as a run at that distance would. `None` where the pair is not in mesh at its
+    /// distance without backlash either.
     ///
     /// # Errors
     /// As `search`.
     pub(super) fn new(
         assembly: &GearPair,
         found: &Extremes,
-        search: &Search<'_>,
+        [search, confirm]: [&Search<'_>; 2],
         effort: &Effort,
     ) -> Result<Option<MeshesTo>, Error> {
         let (Some(nearest), Some(lost)) =
@@ -72,6 +75,24 @@ impl MeshesTo {
                 break;
             }
             at = 0.5 * (low + high);
+        }
+        for _ in 0..CONFIRMED {
+            if doubt.is_none() || !(low > nearest) {
+                break;
+            }
+            let there = confirm(&assembly.at(low)?)?;
+            if there.greatest.is_some() {
+                break;
+            }
+            apart.extend(there.lost);
+            (low, high) = (nearest, low);
+            while high - low > WIDTH {
+                let middle = 0.5 * (low + high);
+                match passes(&assembly.at(middle)?, &apart)? {
+                    true => high = middle,
+                    false => low = middle,
+                }
+            }
         }
         Ok((high > nearest).then_some(MeshesTo { low, high, doubt }))
     }

@@ -1,6 +1,5 @@
 //! Assembly phases against each other: which teeth to mark together.
 
-use crate::analysis::extremes::RunExtremes;
 use crate::analysis::tally::RunTally;
 use crate::pair::{Mating, Member, SweepPlan, ToothNumbers};
 
@@ -19,35 +18,6 @@ pub struct PhaseGroup<'a> {
 pub(super) fn phase_count(assembly: &impl ToothNumbers) -> u32 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     SweepPlan::phase_count(wheel, pinion)
-}
-
-/// The assembly phases that extremes cover.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum CoveredPhases {
-    /// Every phase of the pair.
-    All,
-    /// Wheel and pinion tooth that name each.
-    Some(Vec<(u32, u32)>),
-}
-
-impl CoveredPhases {
-    /// Those of `runs`.
-    pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
-        let (mut phases, mut all) = (Vec::new(), 1);
-        for run in runs {
-            if let Some(phase) = run.covers {
-                phases.push(phase);
-                all = phase_count(&run.assembly) as usize;
-            }
-        }
-        phases.sort_unstable();
-        phases.dedup();
-        if phases.is_empty() || phases.len() == all {
-            CoveredPhases::All
-        } else {
-            CoveredPhases::Some(phases)
-        }
-    }
 }
 
 /// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.

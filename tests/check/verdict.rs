@@ -2,9 +2,8 @@
 
 use super::*;
 use gearlash::analysis::assembles_from::AssemblesFrom;
-use gearlash::analysis::extremes::{WIDTH, extremes_of_phase, run_count};
+use gearlash::analysis::extremes::{CoveredPhases, WIDTH, extremes_of_phase, run_count};
 use gearlash::analysis::meshes_to::MeshesTo;
-use gearlash::analysis::phases::CoveredPhases;
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::verdict::{Requirement, Verdict as Said};
 use gearlash::contact::{Doubt, Status};

@@ -182,7 +182,9 @@ impl<'a> PairTables<'a> {
             center_distances,
             band,
             bearing_clearance: bearings.sum_mm(),
-            all_phases: !self.file.table().has("sweep") && !self.file.table().has("measured"),
+            all_phases: sweep
+                .as_ref()
+                .is_some_and(|sweep| sweep.spec.extremes.is_some()),
             sweep: sweep.map(|sweep| sweep.plan),
             measured: measured.map_or_else(Vec::new, Measured::into_rows),
             chord: accuracy.chord_um / 1000.0,

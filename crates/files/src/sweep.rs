@@ -3,7 +3,7 @@
 use super::check::Checked;
 use super::node::Node;
 use super::problems::Problems;
-use super::spec::{DEFAULT_STEPS, Revolutions, SweepSpec};
+use super::spec::{DEFAULT_STEPS, ExtremePhases, Revolutions, SweepSpec};
 use crate::error::Problem;
 use gearlash::pair::SweepPlan;
 use serde::Deserialize;
@@ -41,11 +41,14 @@ impl Sweep {
             return None;
         }
         let stated = file.read::<SweepSpec>("sweep", problems)?;
+        let teeth = (teeth.0?, teeth.1?);
+        let several = SweepPlan::phase_count(teeth.0, teeth.1) > 1;
         let spec = stated.unwrap_or_else(|| SweepSpec {
             revolutions: Some(Revolutions::Wheel),
+            extremes: several.then_some(ExtremePhases::AllPhases),
             ..SweepSpec::default()
         });
-        Sweep::of(spec, (teeth.0?, teeth.1?))
+        Sweep::of(spec, teeth)
     }
 
     /// `spec` on gears with `teeth` teeth, defaults filled in.

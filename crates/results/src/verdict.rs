@@ -5,8 +5,7 @@
 
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::diagnosis;
-use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes, WIDTH};
-use gearlash::analysis::phases::CoveredPhases;
+use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::{Contact, Doubt, Status};

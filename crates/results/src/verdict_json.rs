@@ -5,7 +5,7 @@ use crate::extreme::extremes;
 use crate::pose::PoseRow;
 use crate::verdict::lines;
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::phases::CoveredPhases;
+use gearlash::analysis::extremes::CoveredPhases;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::outline::AssembledPair;
 use gearlash_files::characters;

@@ -256,11 +256,7 @@ gears = []
             "[50.1, 50.2]",
             "several distances",
         ),
-        (
-            "upper_um = 3 }",
-            "upper_um = -9 }",
-            "the lower limit lies above",
-        ),
+        ("upper_um = 3 }", "upper_um = -9 }", "greater than upper_um"),
     ] {
         assert!(PAIR.contains(from), "{from}");
         std::fs::write(folder.path().join("pair.toml"), PAIR.replace(from, to)).unwrap();

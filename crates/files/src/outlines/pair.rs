@@ -10,7 +10,7 @@ use crate::place::Place;
 use crate::problems::Problems;
 use crate::sources::Sources;
 use crate::spec::{
-    AssemblySpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec, PAIR, RequireSpec,
+    AssemblySpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec, PAIR, RequireSpec, SweepSpec,
 };
 use crate::sweep::Sweep;
 use gearlash::analysis::study::{Material, Study};
@@ -130,6 +130,14 @@ pub(crate) fn read(
             "scale drawings and centre distance by 1 + expansion × (temperature − 20)",
         ),
     ];
+    if table.has("sweep.extremes") {
+        problems.add(table.problem(
+            "sweep.extremes",
+            "extremes of drawn gears are those of the phase of the listed poses",
+            "leave it out",
+        ));
+        left_out = None;
+    }
     for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
         problems.add(table.problem(&format!("assembly.{key}"), *reason, *help));
         left_out = None;
@@ -168,7 +176,10 @@ pub(crate) fn read(
                 housing_expansion_per_k: None,
                 ..assembly
             },
-            sweep: sweep.spec,
+            sweep: SweepSpec {
+                extremes: None,
+                ..sweep.spec
+            },
             require,
         },
         study,

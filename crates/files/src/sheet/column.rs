@@ -171,9 +171,10 @@ impl Column {
 
 /// "tooth, left (µm) and right (µm)".
 pub fn headings(wanted: &[Column]) -> String {
-    let columns = wanted
-        .iter()
-        .map(|column| format!("{} ({})", column.name(), column.unit()));
+    let columns = wanted.iter().map(|column| match column.unit() {
+        "" => column.name().to_owned(),
+        unit => format!("{} ({unit})", column.name()),
+    });
     let columns: Vec<String> = columns.collect();
     let place = if wanted.contains(&Column::Deviation) {
         "tooth, flank"

@@ -289,6 +289,9 @@ pub struct SweepSpec {
     /// In place of revolutions every way to put the two together.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub phases: Option<Phases>,
+    /// Assembly phases of verdict and extremes; without it those of the listed poses, without `sweep` all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub extremes: Option<ExtremePhases>,
     /// Poses a pitch.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(1, 1000))]
@@ -317,6 +320,15 @@ pub enum Revolutions {
 pub enum Phases {
     /// Every one.
     All,
+}
+
+/// Which assembly phases verdict and extremes cover.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(inline)]
+pub enum ExtremePhases {
+    /// Every one.
+    AllPhases,
 }
 
 /// Of the polygon method.
@@ -358,5 +370,6 @@ fn sweep_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["mating"], &["revolutions"], &["phases"]]);
     beside(schema, "fraction", &[&["mating"]]);
     beside(schema, "start", &[&["revolutions"]]);
+    beside(schema, "extremes", &[&["revolutions"]]);
     beside(schema, "steps_per_pitch", &[&["revolutions"], &["phases"]]);
 }

@@ -25,7 +25,7 @@ pub use assembly::{
     DesignatedDistanceSpec, DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions,
     SweepSpec,
 };
-pub(crate) use assembly::{DEFAULT_STEPS, MOST_DISTANCES};
+pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
 pub use explained::explained;
 pub(crate) use explained::in_a_row;
 pub use flanks::{

@@ -50,7 +50,7 @@ fn zero_or_negative_where_it_makes_no_sense() {
             + "[accuracy]\nchord_um = 0\n[compare]\ntolerance_um = -0.1"),
         &[
             problem("wheel.tip_diameter_mm", "0", &["above 0"], "tip diameter"),
-            problem("wheel.rack.addendum", "0", &["above 0 and up to 10"], "1.0"),
+            problem("wheel.rack.addendum", "0", &["above 0 and up to 10"], "1 by default"),
             problem("wheel.rack.dedendum", "-1", &["above 0 and up to 10"], "1.25"),
             problem("wheel.rack.root_radius", "-0.1", &["0 or more"], "0.38"),
             problem("wheel.runout.total_um", "-1", &["0 or more"], "F_r"),

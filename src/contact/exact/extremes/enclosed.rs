@@ -4,8 +4,7 @@
 //! all along. Metal added nowhere adds play: at any pose the lost motion lies between those of the outer and of the inner gears.
 
 use super::course::Course;
-use super::extreme::{Doubt, Extreme, Proof, UNKNOWN};
-use super::search::Which;
+use super::extreme::{Doubt, Extreme, Proof, UNKNOWN, Which};
 use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::{GearPair, Member};

@@ -184,3 +184,30 @@ impl PosesSeen {
         }
     }
 }
+
+/// Which extreme is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Which {
+    Least,
+    Greatest,
+}
+
+impl Which {
+    /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
+    pub fn key(self, low: f64, high: f64) -> f64 {
+        let key = match self {
+            Which::Least => -low,
+            Which::Greatest => high,
+        };
+        // Without a bound it may reach any distance.
+        if key.is_nan() { f64::INFINITY } else { key }
+    }
+
+    /// How far it reaches for sure.
+    pub fn sure(self, low: f64, high: f64) -> f64 {
+        match self {
+            Which::Least => -high,
+            Which::Greatest => low,
+        }
+    }
+}

@@ -33,11 +33,12 @@ use crate::contact::effort::Effort;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 use course::Course;
+use extreme::Which;
 pub(crate) use extreme::is_proven;
 pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
 use extreme::{PosesSeen, UNKNOWN};
 use sample::Until;
-use search::{Search, Which};
+use search::Search;
 use table::Table;
 
 /// Of the effort that is left a search of one cycle takes one part in so many at most, one for an end of it alone at one of some ten other centre

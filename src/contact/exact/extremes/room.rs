@@ -162,7 +162,13 @@ mod tests {
     /// The broken line is the least of the chords at every place. Source: the chords themselves.
     #[test]
     fn the_broken_line_is_the_least_of_all_chords() {
-        let ends = [[0.0, 3.0], [1.0, 1.0], [2.0, -1.0], [5.0, 5.0], [0.0, 4.0]];
+        let ends = [
+            [0.0, 3.0],
+            [0.75, 0.75],
+            [2.0, -1.0],
+            [5.0, 5.0],
+            [0.0, 4.0],
+        ];
         let room =
             |ends: [f64; 2], touches| PairRoom::convex(ends, [ends[1] - ends[0]; 2], 0.0, touches);
         let rooms: Vec<PairRoom> = ends.iter().map(|ends| room(*ends, true)).collect();

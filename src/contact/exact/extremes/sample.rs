@@ -12,8 +12,7 @@
 //! where lands touch flanks. Poses at which tips stand on tips or in roots bound nothing. The stretch with the worst bound is halved.
 
 use super::course::Course;
-use super::extreme::PosesSeen;
-use super::search::Which;
+use super::extreme::{PosesSeen, Which};
 use crate::contact::{Contact, LostMotion};
 use crate::error::Error;
 use crate::pair::{Mating, Pose};

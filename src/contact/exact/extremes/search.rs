@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::course::{Course, PARTS};
-use super::extreme::{Doubt, PosesSeen, Proof, Seen};
+use super::extreme::{Doubt, PosesSeen, Proof, Seen, Which};
 use super::sample::{self, Until};
 use super::table::{Bounds, Table};
 use crate::error::Error;
@@ -28,33 +28,6 @@ pub(super) const EQUAL_SHARE: f64 = 1e-3;
 
 /// Matings whose stretches are taken up before what was overtaken is dropped (tuned: 160 kB of stretches).
 const STRIDE: u64 = 512;
-
-/// Which extreme is sought.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Which {
-    Least,
-    Greatest,
-}
-
-impl Which {
-    /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
-    pub fn key(self, low: f64, high: f64) -> f64 {
-        let key = match self {
-            Which::Least => -low,
-            Which::Greatest => high,
-        };
-        // Without a bound it may reach any distance.
-        if key.is_nan() { f64::INFINITY } else { key }
-    }
-
-    /// How far it reaches for sure.
-    fn sure(self, low: f64, high: f64) -> f64 {
-        match self {
-            Which::Least => -high,
-            Which::Greatest => low,
-        }
-    }
-}
 
 /// Stretches that may hold an extreme: those which may reach as far as any that was seen reaches for sure.
 struct Candidates<'a> {

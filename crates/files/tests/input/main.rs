@@ -144,7 +144,9 @@ fn defaults_are_filled_in() {
             "center_distance_mm": [75.2], "locked": "wheel",
             "bearing_clearance_mm": { "wheel": 0.0, "pinion": 0.0 },
         },
-        "sweep": { "revolutions": "wheel", "steps_per_pitch": 16, "start": [1, 1] },
+        "sweep": {
+            "revolutions": "wheel", "extremes": "all_phases", "steps_per_pitch": 16, "start": [1, 1],
+        },
         "accuracy": { "chord_um": 0.01 },
         "compare": { "tolerance_um": 0.1, "allow_off_line_contact": false },
     });

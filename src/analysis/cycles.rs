@@ -73,18 +73,16 @@ impl Planned {
             }
         };
         let effort = &self.effort(assembly);
-        let over = (self.first, self.distinct);
-        let greatest = |pair: &GearPair| ExactKernel::new(pair).greatest(pair, over, WIDTH, effort);
-        let confirm = |pair: &GearPair| {
-            ExactKernel::new(pair).greatest(pair, over, WIDTH, &self.effort(pair))
+        let greatest = |pair: &GearPair| {
+            let over = (self.first, self.distinct);
+            ExactKernel::new(pair).greatest(pair, over, WIDTH, effort)
         };
-        let searches: [&Search<'_>; 2] = [&greatest, &confirm];
         if is_open(assembly) {
             let all = self.any_direction(assembly, effort)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
-                meshes_to: meshes_to(far, farthest, all.off, (searches, effort))?,
+                meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
                 found: all.found,
                 poses: all.poses,
             });
@@ -94,7 +92,7 @@ impl Planned {
         Ok(Searched {
             poses: vec![self.poses_of(&found, assembles_from)],
             assembles_from,
-            meshes_to: meshes_to(assembly, &found, 0.0, (searches, effort))?,
+            meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
             found,
         })
     }
@@ -219,12 +217,12 @@ fn meshes_to(
     pair: &GearPair,
     found: &Extremes,
     nearer: f64,
-    (searches, effort): ([&Search<'_>; 2], &Effort),
+    (search, effort): (&Search<'_>, &Effort),
 ) -> Result<Option<MeshesTo>, Error> {
     if found.status != Status::NoContact {
         return Ok(None);
     }
-    let to = MeshesTo::new(pair, found, searches, effort)?;
+    let to = MeshesTo::new(pair, found, search, effort)?;
     Ok(to.map(|to| MeshesTo {
         low: to.low - nearer,
         high: to.high - nearer,

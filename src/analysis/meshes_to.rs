@@ -12,12 +12,6 @@ const WIDTH: f64 = 1e-5;
 /// Steps of the search: halving a reach of 10 m alone.
 const STEPS: usize = 40;
 
-/// Searches with an effort of their own that an unproven distance has to pass (tuned: one or two find what halved efforts missed).
-const CONFIRMED: usize = 8;
-
-/// Steps of one length along the cycle (tuned: runouts move the place by a few pitches).
-const MOVES: usize = 64;
-
 /// The centre distance up to which a pair is in mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshesTo {
@@ -30,16 +24,16 @@ pub struct MeshesTo {
 }
 
 impl MeshesTo {
-    /// The distance of `assembly`, which is out of mesh at a pose of `found`. `search` looks for the greatest over the whole cycle of another distance with what
-    /// is left of `effort`; `confirm` does so with an effort of its own, as a run at that distance would. `None` where the pair is not in mesh at its
-    /// distance without backlash either.
+    /// That of `assembly`, out of mesh at a pose of which `found` tells; `search` looks for the greatest over the whole cycle of another distance, with what `effort`
+    /// allows. `None` where
+    /// the pair is not in mesh at its distance without backlash either.
     ///
     /// # Errors
     /// As `search`.
     pub(super) fn new(
         assembly: &GearPair,
         found: &Extremes,
-        [search, confirm]: [&Search<'_>; 2],
+        search: &Search<'_>,
         effort: &Effort,
     ) -> Result<Option<MeshesTo>, Error> {
         let (Some(nearest), Some(lost)) =
@@ -47,8 +41,8 @@ impl MeshesTo {
         else {
             return Ok(None);
         };
-        let (mut low, mut doubt) = (nearest, None);
-        let mut high = leaves_first(assembly, lost, [nearest, assembly.center_distance()])?;
+        let (mut low, mut high, mut doubt) = (nearest, assembly.center_distance(), None);
+        let mut apart = vec![lost];
         let mut at = low;
         for _ in 0..STEPS {
             if !(low < high) {
@@ -58,83 +52,39 @@ impl MeshesTo {
                 doubt = doubt.or(Some(Doubt::Effort));
                 break;
             }
-            let there = search(&assembly.at(at)?)?;
-            match (there.greatest, there.lost) {
-                (Some(greatest), _) => {
-                    low = at;
-                    doubt = greatest.doubt;
+            let pair = assembly.at(at)?;
+            if passes(&pair, &apart)? {
+                high = at;
+            } else {
+                let there = search(&pair)?;
+                match there.greatest {
+                    None => {
+                        high = at;
+                        apart.extend(there.lost);
+                    }
+                    Some(greatest) => {
+                        low = at;
+                        doubt = greatest.doubt;
+                    }
                 }
-                (None, Some(lost)) => high = leaves_first(assembly, lost, [nearest, at])?,
-                (None, None) => high = at,
-            }
-            if high <= low {
-                // What was not proven there is refuted here.
-                low = nearest;
             }
             if high - low <= WIDTH {
                 break;
             }
             at = 0.5 * (low + high);
         }
-        for _ in 0..CONFIRMED {
-            if doubt.is_none() || !(low > nearest) {
-                break;
-            }
-            let there = confirm(&assembly.at(low)?)?;
-            let (None, Some(lost)) = (there.greatest, there.lost) else {
-                break;
-            };
-            high = leaves_first(assembly, lost, [nearest, low])?;
-            low = (high - WIDTH).max(nearest);
-        }
         Ok((high > nearest).then_some(MeshesTo { low, high, doubt }))
     }
 }
 
-/// The least distance found, between `nearest` and `farthest`, at which the pair is out of mesh at a pose near `lost`, where it is out of mesh at `farthest`.
-///
-/// The place is followed in steps of a pitch down to 1/4096 of one, towards the poses that leave at a lesser distance.
-fn leaves_first(
-    assembly: &GearPair,
-    lost: Mating,
-    [nearest, farthest]: [f64; 2],
-) -> Result<f64, Error> {
-    let leaves = |mating: Mating, farthest: f64| -> Result<f64, Error> {
-        let (mut low, mut high) = (nearest, farthest);
-        while high - low > WIDTH {
-            let middle = 0.5 * (low + high);
-            match passes(&assembly.at(middle)?, mating)? {
-                true => high = middle,
-                false => low = middle,
-            }
-        }
-        Ok(high)
-    };
-    let (mut at, mut least) = (lost, leaves(lost, farthest)?);
-    for step in (0..=6).map(|power| 0.25_f64.powi(power)) {
-        for _ in 0..MOVES {
-            let nearer = least - WIDTH;
-            if nearer <= nearest {
-                return Ok(least);
-            }
-            let pair = assembly.at(nearer)?;
-            let sides = [step, -step].map(|by| at.onward(assembly, by));
-            let mut moved = false;
-            for mating in sides {
-                if !moved && passes(&pair, mating)? {
-                    (at, least, moved) = (mating, leaves(mating, nearer)?, true);
-                }
-            }
-            if !moved {
-                break;
-            }
+/// Whether the pair is out of mesh at one of `matings`.
+fn passes(pair: &GearPair, matings: &[Mating]) -> Result<bool, Error> {
+    let kernel = ExactKernel::new(pair);
+    for mating in matings {
+        let found = kernel.lost_motion_at(pair, *mating)?;
+        if found.is_some_and(|found| found.status() == Status::NoContact) {
+            return Ok(true);
         }
     }
-    Ok(least)
-}
-
-/// Whether the pair is out of mesh at `mating`.
-fn passes(pair: &GearPair, mating: Mating) -> Result<bool, Error> {
-    let found = ExactKernel::new(pair).lost_motion_at(pair, mating)?;
-    Ok(found.is_some_and(|found| found.status() == Status::NoContact))
+    Ok(false)
 }

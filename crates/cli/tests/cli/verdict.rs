@@ -254,7 +254,8 @@ fn out_of_mesh_says_up_to_where_it_is_in_mesh() {
     );
     let (_, rest) = told.split_once("In mesh up to a = ").unwrap();
     let to: f64 = rest.split_once(" mm").unwrap().0.parse().unwrap();
-    assert!(!said(&to.to_string()).contains("Out of mesh"));
+    // Poses between those that were looked at leave up to 0.5 µm sooner: it is not proven.
+    assert!(!said(&(to - 1e-3).to_string()).contains("Out of mesh"));
     // A verdict that says "not proven" of a distance does not say "proven" of the whole.
     assert!(
         rest.starts_with(&format!("{to:.4} mm (not proven)")),

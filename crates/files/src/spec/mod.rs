@@ -1,6 +1,6 @@
 //! Pair files and gear files as plain structs: units in names, keys as in the files.
 //!
-//! The schema follows from them ([`crate::pair_schema`]), their comments are its descriptions. It checks a file ([`crate::check`]);
+//! The schema follows from them ([`crate::pair_schema`]), their comments are its descriptions. It checks a file (`src/check.rs`);
 //! then serde reads these structs. Written as JSON or TOML they are such files: the echo in results. A key that is an `Option`
 //! is left out where nothing is said; another has a default, or must be there.
 

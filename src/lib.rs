@@ -212,6 +212,7 @@ pub mod gear;
 #[cfg(feature = "matching")]
 pub mod matching;
 pub mod metrology;
+mod numeric;
 pub mod outline;
 pub mod pair;
 mod parallel;

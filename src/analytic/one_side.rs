@@ -28,9 +28,9 @@
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2`, and `|dD/dφ| = e_2`: `|G'| ≤ e_2/r_b2`.
 
 use crate::gear::{AsBuilt, RollCurve, Side};
+use crate::numeric::wrap_angle;
 use crate::pair::{GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
-use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 /// Contact of two involutes.
@@ -220,7 +220,7 @@ impl<'a> OneSide<'a> {
         }
         let free_tooth = self.pose.facing_tooth(self.assembly, self.side, steps);
         // Where the facing flank's tooth stands at the nominal rotation.
-        let nominal = wrapped(
+        let nominal = wrap_angle(
             self.mirror
                 * (self.pose.free_rotation()
                     + self.free.tooth_angle(f64::from(free_tooth))
@@ -250,7 +250,7 @@ impl<'a> OneSide<'a> {
                     free_roll = (free_arm - deviation(free_flank, free_roll)) / free_base;
                 }
             }
-            let next = wrapped(line.direction + free.half_base_angle() - free_roll - nominal);
+            let next = wrap_angle(line.direction + free.half_base_angle() - free_roll - nominal);
             let step = (next - turn).abs();
             turn = next;
             if step * rate > 1e-16 * (1.0 - rate) && step < last {
@@ -291,11 +291,6 @@ fn deviation(flank: Option<&RollCurve>, roll: f64) -> f64 {
 fn on_involute(gear: &AsBuilt, roll: f64) -> bool {
     let (form, tip) = (gear.gear().form_roll(), gear.gear().tip_roll());
     form - END * tip <= roll && roll <= tip + END * tip
-}
-
-/// `angle` in [−π, π].
-fn wrapped(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }
 
 #[cfg(test)]

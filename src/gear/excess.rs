@@ -17,13 +17,14 @@ use super::{
     thickness,
 };
 use crate::error::GearError;
+use crate::numeric::golden_section;
 use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Samples over the stretch that may be touched. Tuned: a measured trace has some hundred points on the whole flank.
 const SAMPLES: usize = 64;
-/// Part of a stretch that the golden section leaves.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Width to which a maximum is narrowed down, rad: there a value is 1e-18 of the arm below it.
+const SUMMIT: f64 = 1e-9;
 
 /// One flank, touched.
 struct Touched<'a> {
@@ -79,38 +80,13 @@ impl Touched<'_> {
         for k in 0..=SAMPLES {
             let beside = [k.saturating_sub(1), (k + 1).min(SAMPLES)];
             if beside.iter().all(|&other| values[k] >= values[other]) {
-                let narrowed = narrowed(at(beside[0]), at(beside[1]), &value);
+                let [left, right] = beside.map(at);
+                let (narrowed, _) = golden_section(left, right, SUMMIT, &value);
                 greatest = greatest.max(values[k]).max(narrowed);
             }
         }
         greatest
     }
-}
-
-/// The greatest `value` between two places with one summit, by golden section.
-fn narrowed(mut low: f64, mut high: f64, value: &impl Fn(f64) -> f64) -> f64 {
-    let inner = |low: f64, high: f64| {
-        let step = GOLDEN * (high - low);
-        [high - step, low + step]
-    };
-    let [mut left, mut right] = inner(low, high);
-    let (mut at_left, mut at_right) = (value(left), value(right));
-    // At the summit a value within 1e-9 rad is 1e-18 of the arm below it.
-    while high - low > 1e-9 {
-        match at_left >= at_right {
-            true => {
-                (high, right, at_right) = (right, left, at_left);
-                left = inner(low, high)[0];
-                at_left = value(left);
-            }
-            false => {
-                (low, left, at_left) = (left, right, at_right);
-                right = inner(low, high)[1];
-                at_right = value(right);
-            }
-        }
-    }
-    at_left.max(at_right)
 }
 
 impl AsBuilt {

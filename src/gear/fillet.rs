@@ -36,6 +36,7 @@ mod elliptic;
 
 use super::{BasicGearData, BasicRack, involute};
 use crate::error::GearError;
+use crate::numeric::bisect;
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -127,9 +128,8 @@ impl Fillet {
     /// `γ` (`d|P|²/dγ = 2 r S sin γ`), so both bisections hold their bracket.
     fn undercut(&mut self, base: f64, half_base: f64) {
         let tangency = self.end;
-        let at_base = bisect(0.0, tangency, |gamma| {
-            self.point(gamma).coords.norm() < base
-        });
+        let inside = |gamma: f64| self.point(gamma).coords.norm() < base;
+        let [_, at_base] = bisect(0.0, tangency, 0.0, inside);
         let excess = |gamma: f64| {
             let point = self.point(gamma);
             let roll = involute::roll_at(point.coords.norm(), base);
@@ -137,7 +137,7 @@ impl Fillet {
         };
         // Within rounding of the base circle no crossing can be told from the tangency.
         if excess(at_base) > 0.0 && excess(tangency) < 0.0 {
-            self.end = bisect(at_base, tangency, |gamma| excess(gamma) > 0.0);
+            [_, self.end] = bisect(at_base, tangency, 0.0, |gamma| excess(gamma) > 0.0);
         }
         self.form_roll = involute::roll_at(self.point(self.end).coords.norm(), base);
     }
@@ -325,21 +325,6 @@ impl Fillet {
 /// The greater amount of an interval's ends.
 fn greatest([low, high]: [f64; 2]) -> f64 {
     low.abs().max(high.abs())
-}
-
-/// The point where `below` turns from true to false between `low` and `high`, to the last bit.
-fn bisect(mut low: f64, mut high: f64, below: impl Fn(f64) -> bool) -> f64 {
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return high;
-        }
-        if below(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
 }
 
 #[cfg(test)]

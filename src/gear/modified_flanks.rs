@@ -7,6 +7,7 @@
 use super::part::ModifiedFlank;
 use super::{Gear, Part, PartCurve, ProfilePart, RollCurve};
 use crate::error::GearError;
+use crate::numeric::bisect;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -132,15 +133,7 @@ pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64>
         }
         (inside, step) = (step, 2.0 * step);
     };
-    let (mut inside, mut beyond) = (roll - here.signum() * inside, beyond);
-    loop {
-        let middle = 0.5 * (inside + beyond);
-        if middle == inside || middle == beyond {
-            return Some(middle);
-        }
-        match excess(middle) * here > 0.0 {
-            true => inside = middle,
-            false => beyond = middle,
-        }
-    }
+    let inside = roll - here.signum() * inside;
+    let [inside, beyond] = bisect(inside, beyond, 0.0, |xi| excess(xi) * here > 0.0);
+    Some(0.5 * (inside + beyond))
 }

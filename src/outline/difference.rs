@@ -12,6 +12,7 @@
 use super::boundary::{Boundary, Near};
 use super::error::OutlineError;
 use super::gear::OutlineGear;
+use crate::numeric::wrap_angle;
 use crate::parallel;
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::{PI, TAU};
@@ -112,10 +113,7 @@ impl OutlineDifference {
             b: drawn(b),
         };
         let first = a.drawn_direction() - b.drawn_direction();
-        let turn = |k: u32| {
-            let turn = first + f64::from(k) * a.pitch();
-            turn - TAU * ((turn / TAU).round())
-        };
+        let turn = |k: u32| wrap_angle(first + f64::from(k) * a.pitch());
         let (near, _) = both.settle(&both.points(z * CHOOSING), turn(0));
         let squares = both.by_whole_teeth(a, near);
         let least = squares.iter().copied().fold(f64::INFINITY, f64::min);

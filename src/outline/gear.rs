@@ -6,6 +6,7 @@ use super::path::ClosedPath;
 use super::segment::PathSegment;
 use super::teeth::{FoundTooth, find};
 use crate::gear::{Face, PartCurve, Side};
+use crate::numeric::bisect;
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
@@ -314,17 +315,11 @@ fn radius_range(curve: &PartCurve, from: f64, to: f64) -> (f64, f64) {
         let (point, normal) = curve.at(t);
         point.coords.perp(&normal)
     };
-    let (mut low, mut high) = (from, to);
-    if across(low) * across(high) >= 0.0 {
+    let start = across(from);
+    if start * across(to) >= 0.0 {
         return (least, most);
     }
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        match across(middle) * across(low) > 0.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
+    let [low, high] = bisect(from, to, 0.0, |t| across(t) * start > 0.0);
     let there = curve.radius(0.5 * (low + high));
     (least.min(there), most.max(there))
 }

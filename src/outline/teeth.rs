@@ -9,6 +9,7 @@ use super::error::OutlineError;
 use super::half::{HalfOutline, HalfPiece};
 use super::path::{ClosedPath, PathPart};
 use crate::gear::Side;
+use crate::numeric::bisect;
 use nalgebra::{Complex, Point2};
 
 /// Share of the depth in which a tip or a root region lies.
@@ -136,16 +137,9 @@ impl Walk<'_> {
         let [from, to] = self.path.chord(chord);
         let curve = &self.path.parts[self.path.marks[chord].part].curve;
         let beyond = |t: f64| curve.radius(t) >= radius;
-        let (mut low, mut high) = (from, to);
         let start = beyond(from);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            match beyond(middle) == start {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        Place { chord, t: low }
+        let [t, _] = bisect(from, to, 0.0, |t| beyond(t) == start);
+        Place { chord, t }
     }
 
     /// The stretches of chords from one place to another, counter-clockwise: chord and its parameters.

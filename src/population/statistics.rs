@@ -3,6 +3,7 @@
 use super::requirement::Requirement;
 use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
 use super::tally::Tally;
+use crate::numeric::bisect;
 use statrs::function::beta::beta_reg;
 
 /// Confidence of the intervals of shares.
@@ -47,17 +48,9 @@ impl Share {
 }
 
 /// Where the beta distribution has `p` below, between `ends`, by halving: the crate's own inverse does not end for a million and more.
-fn beta_quantile([a, b]: [f64; 2], p: f64, [mut low, mut high]: [f64; 2]) -> f64 {
-    loop {
-        let middle = 0.5 * (low + high);
-        if !(low < middle && middle < high) {
-            return middle;
-        }
-        match beta_reg(a, b, middle) < p {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
+fn beta_quantile([a, b]: [f64; 2], p: f64, ends: [f64; 2]) -> f64 {
+    let [low, high] = bisect(ends[0], ends[1], 0.0, |x| beta_reg(a, b, x) < p);
+    0.5 * (low + high)
 }
 
 /// One extreme over the population; lengths in mm.

@@ -15,8 +15,8 @@ use super::tangent::{PathLimit, Tangent};
 use crate::analytic::SideContact;
 use crate::contact::{Contact, ContactClass, ContactKind, ExactKernel, LostMotion, PoseResult};
 use crate::gear::Side;
+use crate::numeric::wrap_angle;
 use crate::pair::{GearPair, Member, Pose};
-use std::f64::consts::TAU;
 
 /// Spaces between the sections that are looked at beside the ends of contact lines (tuned: some pixels of a chart each).
 const SPACES: u32 = 160;
@@ -207,7 +207,7 @@ impl<'a> Held<'a> {
 
     /// How far along the line of action, mm, the free gear is from a contact to which it would have to turn on by `turn` beyond the one it is held in, rad.
     fn gap(&self, turn: f64) -> f64 {
-        self.side.sense() * wrapped(turn) * self.radius()
+        self.side.sense() * wrap_angle(turn) * self.radius()
     }
 
     fn teeth(&self) -> (u32, u32) {
@@ -303,8 +303,4 @@ fn clipped(
     let from = face[0].max(on_path[0].min(on_path[1]));
     let to = face[1].min(on_path[0].max(on_path[1]));
     (from <= to).then(|| [from, to].map(|b| [b, place + slope * (b - at)]))
-}
-
-fn wrapped(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }

@@ -1,5 +1,7 @@
 //! Where along a line something holds, from looks at some places of it.
 
+use crate::numeric::bisect;
+
 /// How near the ends of a stretch are found, mm along the face.
 pub const STRETCH_END: f64 = 1e-6;
 
@@ -11,9 +13,9 @@ pub(super) fn stretches(looks: &[(f64, bool)], holds: impl Fn(f64) -> bool) -> V
     for pair in looks.windows(2) {
         let [(from, before), (to, after)] = [pair[0], pair[1]];
         match (before, after) {
-            (false, true) => begin = Some(border(from, to, &holds)),
+            (false, true) => begin = Some(bisect(to, from, STRETCH_END, &holds)[0]),
             (true, false) => {
-                let end = border(to, from, &holds);
+                let [end, _] = bisect(from, to, STRETCH_END, &holds);
                 found.extend(begin.take().map(|begin| [begin, end]));
             }
             _ => {}
@@ -22,21 +24,6 @@ pub(super) fn stretches(looks: &[(f64, bool)], holds: impl Fn(f64) -> bool) -> V
     let end = looks.last().map(|look| look.0);
     found.extend(begin.zip(end).map(|(begin, end)| [begin, end]));
     found
-}
-
-/// The place nearest to `off`, where it does not hold, that is known to hold, as it does at `on`.
-fn border(mut off: f64, mut on: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    while (on - off).abs() > STRETCH_END {
-        let middle = 0.5 * (on + off);
-        if middle == on || middle == off {
-            break;
-        }
-        match holds(middle) {
-            true => on = middle,
-            false => off = middle,
-        }
-    }
-    on
 }
 
 #[cfg(test)]

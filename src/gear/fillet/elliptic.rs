@@ -4,6 +4,7 @@
 //! `ρ_t = ρ/(cos²β k³)`: its values at a stretch's ends bound it, and `S` and `q` follow by sums and products of intervals.
 
 use super::Fillet;
+use crate::numeric::bisect;
 
 /// Stretches into which questions about a whole fillet cut it.
 const STRETCHES: u32 = 64;
@@ -112,7 +113,7 @@ impl Fillet {
         let still = (0..STRETCHES).filter_map(|k| {
             let (low, high) = (at(k), at(k + 1));
             let falls = ahead(low) > 0.0 && ahead(high) <= 0.0;
-            falls.then(|| super::bisect(low, high, |gamma| ahead(gamma) > 0.0))
+            falls.then(|| bisect(low, high, 0.0, |gamma| ahead(gamma) > 0.0)[1])
         });
         still
             .chain([self.end])

@@ -91,7 +91,7 @@ fn the_border_of_turning_back_is_where_the_speed_is_next_to_none() {
         let places = (0..40).map(|k| 0.15 + 0.005 * f64::from(k));
         let refused = places.into_iter().filter(|x_e| at(*x_e).is_err());
         let low = refused.fold(f64::NEG_INFINITY, f64::max);
-        let border = bisect(low, low + 0.005, |x_e| at(x_e).is_err());
+        let border = bisect(low, low + 0.005, 0.0, |x_e| at(x_e).is_err())[1];
         let fillet = at(border).unwrap();
         // (As far as the tool's round reaches: undercut takes off the rest.)
         let end = FRAC_PI_2 - basic_data.transverse_pressure_angle();

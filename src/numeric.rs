@@ -1,0 +1,122 @@
+//! One-dimensional numerics: bisection, golden section, angles within one turn.
+//!
+//! A search returns its bracket. The caller takes the end that is on the safe side.
+
+use std::convert::Infallible;
+use std::f64::consts::TAU;
+
+/// Golden section: the part of a bracket that one step keeps, `(√5 − 1)/2`.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Halves the bracket `[inside, outside]` of a place where `holds` changes from true to false.
+///
+/// The bracket returned has the order of the given one, which may fall. It is at most `width` wide, or its ends are
+/// neighbouring numbers. A `width` of 0 bisects to the last bit.
+pub(crate) fn bisect(
+    inside: f64,
+    outside: f64,
+    width: f64,
+    mut holds: impl FnMut(f64) -> bool,
+) -> [f64; 2] {
+    let bracket = try_bisect(inside, outside, width, |x| Ok::<_, Infallible>(holds(x)));
+    match bracket {
+        Ok(bracket) => bracket,
+        Err(never) => match never {},
+    }
+}
+
+/// [`bisect`] with a predicate that can fail.
+///
+/// # Errors
+/// The first error of `holds`.
+pub(crate) fn try_bisect<E>(
+    mut inside: f64,
+    mut outside: f64,
+    width: f64,
+    mut holds: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<[f64; 2], E> {
+    while (outside - inside).abs() > width {
+        let middle = 0.5 * (inside + outside);
+        if middle == inside || middle == outside {
+            break;
+        }
+        if holds(middle)? {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    Ok([inside, outside])
+}
+
+/// The greatest value seen by a golden section of `[low, high]`, where `value` has one maximum, and the last bracket.
+///
+/// The bracket is at most `width` wide.
+pub(crate) fn golden_section(
+    mut low: f64,
+    mut high: f64,
+    width: f64,
+    value: impl Fn(f64) -> f64,
+) -> (f64, [f64; 2]) {
+    let mut left = high - GOLDEN * (high - low);
+    let mut right = low + GOLDEN * (high - low);
+    let (mut at_left, mut at_right) = (value(left), value(right));
+    while high - low > width {
+        if at_left >= at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - GOLDEN * (high - low);
+            at_left = value(left);
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + GOLDEN * (high - low);
+            at_right = value(right);
+        }
+    }
+    (at_left.max(at_right), [low, high])
+}
+
+/// `angle` less whole turns, in [−π, π].
+pub(crate) fn wrap_angle(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+
+    /// Closed form: √2, from either side.
+    #[test]
+    fn bisection_brackets_a_root_to_the_last_bit() {
+        let [low, high] = bisect(1.0, 2.0, 0.0, |x| x * x < 2.0);
+        assert!(low * low < 2.0 && high * high >= 2.0 && low.next_up() == high);
+        assert!((high - SQRT_2).abs() <= f64::EPSILON);
+        let [high, low] = bisect(2.0, 1.0, 1e-3, |x| x * x >= 2.0);
+        assert!(low < SQRT_2 && SQRT_2 <= high && high - low <= 1e-3);
+    }
+
+    #[test]
+    fn an_error_ends_the_bisection() {
+        let mut count = 0;
+        let found = try_bisect(0.0, 1.0, 0.0, |_| {
+            count += 1;
+            if count < 3 { Ok(true) } else { Err(count) }
+        });
+        assert_eq!(found, Err(3));
+    }
+
+    /// Closed form: the sine is greatest at π/2.
+    #[test]
+    fn a_golden_section_brackets_a_maximum() {
+        let (greatest, [low, high]) = golden_section(1.0, 2.0, 1e-6, f64::sin);
+        assert!((greatest - 1.0).abs() < 1e-12 && high - low <= 1e-6);
+        assert!(low - 1e-7 <= FRAC_PI_2 && FRAC_PI_2 <= high + 1e-7);
+    }
+
+    #[test]
+    fn angles_wrap_to_half_a_turn() {
+        assert!((wrap_angle(1.5 * PI) + FRAC_PI_2).abs() < 1e-15);
+        assert!((wrap_angle(-5.5 * PI) - FRAC_PI_2).abs() < 1e-14);
+        assert_eq!(wrap_angle(0.25), 0.25);
+    }
+}

@@ -9,13 +9,15 @@ const MOST_HELIX_DEG: f64 = 60.0;
 
 /// Which way the teeth of a helical gear wind about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum Hand {
-    /// As on a right-hand screw: sections turn clockwise as they go away from the viewer.
-    Right,
     /// As on a left-hand screw.
     Left,
+    // Its sections turn clockwise as they go away from the viewer.
+    /// As on a right-hand screw.
+    Right,
 }
 
 impl Hand {

@@ -7,13 +7,17 @@
 use super::Flank;
 
 /// The axis about which pitch is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum PitchAxis {
-    /// The gear's own centre: the values hold no eccentricity.
+    // The values hold no eccentricity.
+    /// The gear's own.
+    #[default]
     Own,
-    /// The datum (rotation) axis: they hold the eccentricity.
+    // The values hold the eccentricity.
+    /// The rotation axis.
     Datum,
 }
 

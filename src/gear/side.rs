@@ -70,17 +70,29 @@ impl Flank {
 }
 
 /// Which way a gear's reference face looks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum Face {
-    /// The viewer sees the reference face: teeth are numbered clockwise.
+    // The viewer sees it.
+    /// Its numbers run clockwise in the picture.
+    #[default]
     Front,
-    /// The viewer sees the other face: numbers ascend counter-clockwise, own right flanks stand on the left.
+    // The viewer sees the other face: own right flanks stand on the left.
+    /// Its numbers run counter-clockwise in the picture.
     Back,
 }
 
 impl Face {
+    /// `front` or `back`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Face::Front => "front",
+            Face::Back => "back",
+        }
+    }
+
     /// Sense in which tooth numbers ascend as seen from the front: −1 clockwise, +1 counter-clockwise.
     pub fn ascending(self) -> f64 {
         match self {

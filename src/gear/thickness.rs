@@ -10,11 +10,14 @@ use std::f64::consts::FRAC_PI_2;
 
 /// What lies in a tooth space to be measured over. In a spur gear's both rest alike.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum MeasuringBody {
-    /// A ball in the measuring plane.
+    /// Balls, their centres in one transverse section.
     #[default]
     Ball,
-    /// A cylindrical pin along the space.
+    /// Cylindrical pins along the spaces.
     Pin,
 }
 

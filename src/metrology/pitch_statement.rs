@@ -7,27 +7,48 @@ use crate::gear::{BasicGearData, Flank, Pitch, PitchAxis};
 use std::f64::consts::PI;
 
 /// What a pitch value counts from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum PitchKind {
-    /// `F`: from the first tooth, or any one place.
+    /// F_p, from the first tooth, or any one place.
+    #[default]
     Cumulative,
-    /// `f`: from the tooth before.
+    /// f_p, from the tooth before.
     Single,
 }
 
+impl PitchKind {
+    /// `cumulative` or `single`.
+    pub fn name(self) -> &'static str {
+        match self {
+            PitchKind::Cumulative => "cumulative",
+            PitchKind::Single => "single",
+        }
+    }
+}
+
 /// What `+` means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum PitchSense {
-    /// Farther along ascending tooth numbers.
+    /// Along ascending numbers.
+    #[default]
     Numbers,
-    /// Plus material, on both flanks.
+    /// More material.
     Material,
 }
 
 /// Which eccentricity is the gear's where pitch about the datum axis and runout both state one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum EccentricitySource {
-    /// That of the pitch.
+    /// The one that datum-axis pitch holds.
     Pitch,
     /// That of the runout.
     Runout,

@@ -6,13 +6,17 @@ use nalgebra::Point2;
 use std::f64::consts::PI;
 
 /// One of the two gears.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum Member {
-    /// Gear 1, its axis at the origin.
+    // Its axis is at the origin.
+    /// Gear 1.
+    #[default]
     Wheel,
-    /// Gear 2, its axis at `(a, 0)`.
+    // Its axis is at (a, 0).
+    /// Gear 2.
     Pinion,
 }
 

@@ -4,7 +4,6 @@ use super::check::Checked;
 use super::gear::GearPart;
 use super::node::Node;
 use super::numbers::ascii;
-use super::problems::Problems;
 use super::spec::{AssemblySpec, CenterDistanceSpec};
 use super::table::Table;
 use gearlash::error::GearError;
@@ -12,32 +11,30 @@ use serde::Deserialize;
 use std::collections::HashSet;
 
 /// Reads `[assembly]`; the centre distances may be absent when not `needed`.
-pub fn read(file: &Checked, needed: bool, problems: &mut Problems) -> Option<AssemblySpec> {
+pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
     const KEY: &str = "assembly.center_distance_mm";
     let empty = Node::Table(Vec::new());
-    let stated = file.read::<AssemblySpec>("assembly", problems)?;
+    let stated = file.read::<AssemblySpec>("assembly")?;
     let spec = stated.or_else(|| AssemblySpec::deserialize(&empty).ok())?;
     let CenterDistanceSpec::Distances(list) = &spec.center_distance_mm else {
         return Some(spec);
     };
     let table = file.table();
     if list.is_empty() && needed {
-        problems.add(table.problem(
+        return table.refuse(
             KEY,
             "missing, expected a number of mm above 0 and up to 1e9",
             "add `center_distance_mm` to [assembly]",
-        ));
-        return None;
+        );
     }
     let mut seen = HashSet::new();
     let twice = list.iter().find(|mm| !seen.insert(mm.to_bits()));
     if let Some(twice) = twice {
-        problems.add(table.problem(
+        return table.refuse(
             spelling(table),
             format!("{twice:?} is listed twice, allowed is each distance once"),
             "list each centre distance to be run once",
-        ));
-        return None;
+        );
     }
     Some(spec)
 }
@@ -53,12 +50,7 @@ fn spelling(file: &Table) -> &'static str {
 }
 
 /// Reports module or pressure angle that the gears do not share; `None` then, or when either is not known.
-pub fn check_shared(
-    file: &Table,
-    wheel: &GearPart,
-    pinion: &GearPart,
-    problems: &mut Problems,
-) -> Option<()> {
+pub fn check_shared(file: &Table, wheel: &GearPart, pinion: &GearPart) -> Option<()> {
     let mut shared = Some(());
     for (name, wheel, pinion) in [
         ("module_mm", wheel.module_mm, pinion.module_mm),
@@ -73,11 +65,11 @@ pub fn check_shared(
             continue;
         };
         if wheel != pinion {
-            problems.add(file.problem(
+            file.add(
                 &format!("pinion.{name}"),
                 format!("differs from wheel.{name} = {wheel:?}, must be equal on both gears"),
                 "correct one of them: gears of different basic racks do not mesh",
-            ));
+            );
             shared = None;
         }
     }
@@ -94,34 +86,29 @@ pub fn overlap(a: f64, base_radii: f64) -> Option<String> {
 }
 
 /// Reports each distance of the pair file at which base circles overlap.
-pub fn check_distances(file: &Table, list: &[f64], base_radii: f64, problems: &mut Problems) {
-    let mut bad = Problems::of_list();
+pub fn check_distances(file: &Table, list: &[f64], base_radii: f64) {
     let key = spelling(file);
-    for reason in list.iter().filter_map(|&a| overlap(a, base_radii)) {
-        bad.add(file.problem(
-            key,
-            reason,
-            "check the distance, teeth and module: a pair without profile shift runs at m (z_1 + z_2)/2",
-        ));
-    }
-    problems.add_list(key, bad);
+    file.reading().list(key, || {
+        for reason in list.iter().filter_map(|&a| overlap(a, base_radii)) {
+            file.add(
+                key,
+                reason,
+                "check the distance, teeth and module: a pair without profile shift runs at m (z_1 + z_2)/2",
+            );
+        }
+        Some(())
+    });
 }
 
 /// Reports a bearing clearance that lets the base circles overlap at the least good distance of `list`.
-pub fn check_clearance(
-    file: &Table,
-    list: &[f64],
-    base_radii: f64,
-    clearance: f64,
-    problems: &mut Problems,
-) {
+pub fn check_clearance(file: &Table, list: &[f64], base_radii: f64, clearance: f64) {
     let least = list
         .iter()
         .copied()
         .filter(|&a| a > base_radii)
         .min_by(f64::total_cmp);
     if let Some(a) = least.filter(|&a| a - clearance <= base_radii) {
-        problems.add(file.problem(
+        file.add(
             "assembly.bearing_clearance_mm",
             format!(
                 "lets the gears at {a:?} mm approach to {} mm, where base circles overlap: allowed is both clearances together below {} mm",
@@ -129,6 +116,6 @@ pub fn check_clearance(
                 ascii(a - base_radii, 6)
             ),
             "check the unit: mm, as radial play",
-        ));
+        );
     }
 }

@@ -7,8 +7,7 @@ use crate::error::Problem;
 use crate::nearest::{is_slip, nearest};
 use crate::node::Node;
 use crate::numbers::shortest;
-use crate::place::Place;
-use crate::problems::Problems;
+use crate::reading::Reading;
 use crate::spec;
 use crate::synonyms::synonym;
 use crate::table::Table;
@@ -42,24 +41,16 @@ pub struct Checked<'a> {
 }
 
 impl<'a> Checked<'a> {
-    /// The file `entries` in `place`, checked against `schema`.
-    pub fn new(
-        schema: &'static Value,
-        place: &'a Place,
-        entries: &'a [(String, Node)],
-        problems: &mut Problems,
-    ) -> Checked<'a> {
+    /// The file `table`, checked against `schema`.
+    pub fn new(schema: &'static Value, table: Table<'a>) -> Checked<'a> {
         let mut walk = Walk {
             root: schema,
-            problems: Problems::new(),
+            reading: table.reading(),
             bad: Vec::new(),
         };
-        walk.table("", "", entries, schema, &[]);
-        problems.add_list("", walk.problems);
-        Checked {
-            table: Table::new("", place, entries),
-            bad: walk.bad,
-        }
+        walk.table("", "", table.entries(), schema, &[]);
+        let bad = walk.bad;
+        Checked { table, bad }
     }
 
     /// The keys and values as they stand.
@@ -83,11 +74,7 @@ impl<'a> Checked<'a> {
     }
 
     /// The value at the dotted `path`: `None` where something is wrong with it, `Some(None)` where it is not there.
-    pub fn read<T: Deserialize<'a>>(
-        &self,
-        path: &str,
-        problems: &mut Problems,
-    ) -> Option<Option<T>> {
+    pub fn read<T: Deserialize<'a>>(&self, path: &str) -> Option<Option<T>> {
         if !self.is_good(path) {
             return None;
         }
@@ -95,17 +82,15 @@ impl<'a> Checked<'a> {
             return Some(None);
         };
         // The schema allows nothing that serde refuses.
-        problems.keep(T::deserialize(node).map(Some).map_err(|error| {
-            self.table
-                .problem(path, format!("cannot be read: {error}"), "correct it")
-        }))
+        self.table
+            .keep(path, T::deserialize(node).map(Some), "correct it")
     }
 }
 
 /// The check of one file.
-struct Walk {
+struct Walk<'a> {
     root: &'static Value,
-    problems: Problems,
+    reading: &'a Reading,
     bad: Vec<String>,
 }
 
@@ -120,9 +105,9 @@ struct At<'k> {
     place: Option<usize>,
 }
 
-impl Walk {
+impl Walk<'_> {
     fn add(&mut self, key: String, value: Option<&Node>, reason: String, help: String) {
-        self.problems.add(Problem {
+        self.reading.add(Problem {
             value: value.map(Node::shown),
             key: key.clone(),
             reason,
@@ -134,8 +119,8 @@ impl Walk {
     }
 
     fn wrong(&mut self, at: At, node: &Node, reason: String, help: impl Into<String>) {
-        if self.problems.is_full() {
-            return self.problems.count_one();
+        if self.reading.only_counts() {
+            return;
         }
         let reason = match at.place {
             Some(place) => format!("value {place} of the list: {reason}"),
@@ -289,28 +274,27 @@ impl Walk {
         }
         let items = &schema["items"];
         let kinds: Vec<Kind> = self.options(items).into_iter().map(Kind::of).collect();
-        let outer = std::mem::replace(&mut self.problems, Problems::of_list());
-        for (place, element) in (1..).zip(list) {
-            if kinds == [Kind::Table] {
-                let key = format!("{}[{place}]", at.key);
-                let at = At { key: &key, ..at };
-                self.value(at, element, items);
-            } else if let (Node::List(_), [Kind::List]) = (element, &kinds[..]) {
-                self.list_in_list(at, place, element, items);
-            } else {
-                let place = Some(place);
-                self.value(At { place, ..at }, element, items);
+        self.reading.list(at.key, || {
+            for (place, element) in (1..).zip(list) {
+                if kinds == [Kind::Table] {
+                    let key = format!("{}[{place}]", at.key);
+                    let at = At { key: &key, ..at };
+                    self.value(at, element, items);
+                } else if let (Node::List(_), [Kind::List]) = (element, &kinds[..]) {
+                    self.list_in_list(at, place, element, items);
+                } else {
+                    let place = Some(place);
+                    self.value(At { place, ..at }, element, items);
+                }
             }
-        }
-        let list = std::mem::replace(&mut self.problems, outer);
-        self.problems.add_list(at.key, list);
+            Some(())
+        });
     }
 
     /// All problems of a list in a list are one problem of it.
     fn list_in_list(&mut self, at: At, place: usize, node: &Node, schema: &Value) {
-        let outer = std::mem::replace(&mut self.problems, Problems::of_list());
-        self.value(at, node, schema);
-        let inner = std::mem::replace(&mut self.problems, outer).into_list();
+        let ((), inner) = self.reading.apart(|| self.value(at, node, schema));
+        let inner = inner.into_list();
         if !inner.is_empty() {
             let reasons: Vec<String> = inner.into_iter().map(|problem| problem.reason).collect();
             let place = Some(place);
@@ -378,48 +362,49 @@ impl Walk {
         schema: &Value,
         others: &[&Value],
     ) {
-        let mut unknown = Problems::of_list();
-        for (name, node) in table.entries {
-            if known.contains(&name.as_str()) {
-                continue;
-            }
-            let key = below(table.path, &printable(name));
-            if self.bad.last() != Some(&key) {
-                self.bad.push(key.clone());
-            }
-            if unknown.is_full() {
-                unknown.count_one();
-                continue;
-            }
-            let in_place_of = |other: &&Value| other["properties"].get(name).is_some();
-            let beside = strings(&schema["required"]).next();
-            let beside = beside.filter(|_| others.iter().any(in_place_of));
-            let (reason, help) = if let Some(beside) = beside {
-                (
-                    format!("given together with {beside}, which stands in its place"),
-                    "remove one or the other".to_owned(),
-                )
-            } else if let Some((reason, help)) = unmodelled::why(&key, name) {
-                (reason.to_owned(), help.to_owned())
-            } else {
-                let near = nearest(name, known).filter(|(_, distance)| is_slip(name, *distance));
-                let meant = near.map(|(key, _)| key).or_else(|| synonym(name, known));
-                let help = meant.map_or("remove it".to_owned(), |meant| {
-                    table.mistyped.push(meant);
-                    self.bad.push(below(table.path, meant));
-                    format!("did you mean `{meant}`? If not, remove it")
+        self.reading.list(table.path, || {
+            for (name, node) in table.entries {
+                if known.contains(&name.as_str()) {
+                    continue;
+                }
+                let key = below(table.path, &printable(name));
+                if self.bad.last() != Some(&key) {
+                    self.bad.push(key.clone());
+                }
+                if self.reading.only_counts() {
+                    continue;
+                }
+                let in_place_of = |other: &&Value| other["properties"].get(name).is_some();
+                let beside = strings(&schema["required"]).next();
+                let beside = beside.filter(|_| others.iter().any(in_place_of));
+                let (reason, help) = if let Some(beside) = beside {
+                    (
+                        format!("given together with {beside}, which stands in its place"),
+                        "remove one or the other".to_owned(),
+                    )
+                } else if let Some((reason, help)) = unmodelled::why(&key, name) {
+                    (reason.to_owned(), help.to_owned())
+                } else {
+                    let near =
+                        nearest(name, known).filter(|(_, distance)| is_slip(name, *distance));
+                    let meant = near.map(|(key, _)| key).or_else(|| synonym(name, known));
+                    let help = meant.map_or("remove it".to_owned(), |meant| {
+                        table.mistyped.push(meant);
+                        self.bad.push(below(table.path, meant));
+                        format!("did you mean `{meant}`? If not, remove it")
+                    });
+                    let reason = format!("unknown key, expected {}", quoted(known, "`"));
+                    (reason, help)
+                };
+                self.reading.add(Problem {
+                    key,
+                    value: Some(node.shown()),
+                    reason,
+                    help,
                 });
-                let reason = format!("unknown key, expected {}", quoted(known, "`"));
-                (reason, help)
-            };
-            unknown.add(Problem {
-                key,
-                value: Some(node.shown()),
-                reason,
-                help,
-            });
-        }
-        self.problems.add_list(table.path, unknown);
+            }
+            Some(())
+        });
     }
 
     fn missing(&mut self, table: &Keys, name: &str, allowed: &str) {

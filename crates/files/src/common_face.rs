@@ -1,7 +1,6 @@
 //! The face that two helical gears have in common.
 
 use super::gear::GearPart;
-use super::problems::Problems;
 use super::table::Table;
 
 /// The common face of both gears, mm from the wheel's measuring plane, and how far off the pinion's lies; no length of spur gears.
@@ -11,33 +10,30 @@ pub fn common_face(
     file: &Table,
     [wheel, pinion]: [&GearPart; 2],
     offset_mm: Option<f64>,
-    problems: &mut Problems,
 ) -> Option<[f64; 2]> {
     let [one, other] = [wheel.helix?, pinion.helix?];
     if one.angle_deg != other.angle_deg {
-        problems.add(file.problem(
+        return file.refuse(
             "pinion.helix_angle_deg",
             format!(
                 "differs from wheel.helix_angle_deg = {:?}, must be equal on both gears",
                 one.angle_deg
             ),
             "correct one of them: gears of parallel axes have one helix angle at the reference circle",
-        ));
-        return None;
+        );
     }
     if one.angle_deg == 0.0 {
         return Some([0.0; 2]);
     }
     if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
-        problems.add(file.problem(
+        return file.refuse(
             "pinion.hand",
             format!(
                 "is \"{}\" as the wheel's: teeth of an external pair wind opposite ways",
                 hand.name()
             ),
             format!("write hand = \"{}\" at one of them", hand.mate().name()),
-        ));
-        return None;
+        );
     }
     let offset = offset_mm.unwrap_or(0.0);
     let (wheel, pinion) = (one.face_mm?, other.face_mm?.map(|end| end + offset));
@@ -45,15 +41,14 @@ pub fn common_face(
     if common[0] < common[1] {
         return Some(common);
     }
-    problems.add(file.problem(
+    file.refuse(
         "pinion.face_mm",
         format!(
             "the gears do not face each other: the wheel's teeth run from {:?} to {:?} mm, the pinion's from {:?} to {:?} mm",
             wheel[0], wheel[1], pinion[0], pinion[1]
         ),
         "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's",
-    ));
-    None
+    )
 }
 
 /// The common face, mm from the wheel's measuring plane, and how far off the pinion's lies, where the lengths of the wheel and of the pinion are `factors` times

@@ -1,15 +1,20 @@
 //! A data file that a pair file names under `file`.
 
 use super::node::{LONGEST, Node};
+use super::reading::Reading;
 use super::source;
 use super::table::Table;
 use crate::characters::cut;
 use crate::error::Problem;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// Where it is, and what to call it in a message.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct DataFile {
+    /// The reading of the pair file.
+    reading: Rc<Reading>,
     /// Dotted path of the key that names it.
     key: String,
     /// As written in the pair file.
@@ -32,11 +37,13 @@ impl DataFile {
         let Some(Node::Text(name)) = table.get("file") else {
             return None;
         };
-        let path = table.place().file(name);
+        let reading = table.reading();
+        let path = reading.file(name);
         Some(DataFile {
+            reading: Rc::clone(reading),
             key: table.path_of("file"),
             name: name.to_owned(),
-            outside: is_outside(&path, table.place().folder()),
+            outside: is_outside(&path, reading.folder()),
             path,
         })
     }
@@ -56,12 +63,11 @@ impl DataFile {
         &self.path
     }
 
-    /// Its bytes.
-    ///
-    /// # Errors
-    /// Those of [`source::bytes`].
-    pub fn bytes(&self) -> Result<Vec<u8>, Problem> {
-        source::bytes(&self.path).map_err(|problem| self.problem(problem.reason, problem.help))
+    /// Its bytes; `None` where they cannot be read.
+    pub fn bytes(&self) -> Option<Vec<u8>> {
+        let bytes = source::bytes(&self.path);
+        let bytes = bytes.map_err(|problem| self.problem(problem.reason, problem.help));
+        self.reading.keep(bytes)
     }
 
     /// `text` of the file for a message, in quotes.
@@ -88,27 +94,50 @@ impl DataFile {
         }
     }
 
+    /// The reading of the pair file.
+    pub fn reading(&self) -> &Reading {
+        &self.reading
+    }
+
     /// A problem in the file. What the reason says of its content has been through [`DataFile::quote`] or [`DataFile::bare`].
-    pub fn problem(&self, reason: impl std::fmt::Display, help: impl Into<String>) -> Problem {
+    pub fn problem(&self, reason: impl Display, help: impl Display) -> Problem {
+        let path = cut(&self.path.display().to_string(), LONGEST_PATH);
         Problem {
             key: self.key.clone(),
             value: Some(Node::Text(self.name.clone()).shown()),
-            reason: format!(
-                "{}: {reason}",
-                cut(&self.path.display().to_string(), LONGEST_PATH)
-            ),
-            help: help.into(),
+            reason: format!("{path}: {reason}"),
+            help: help.to_string(),
         }
     }
 
     /// A problem of one line.
-    pub fn problem_at(
-        &self,
-        line: u64,
-        reason: impl std::fmt::Display,
-        help: impl Into<String>,
-    ) -> Problem {
+    pub fn problem_at(&self, line: u64, reason: impl Display, help: impl Display) -> Problem {
         self.problem(format!("line {line}: {reason}"), help)
+    }
+
+    /// Adds a problem.
+    pub fn add(&self, reason: impl Display, help: impl Display) {
+        self.reading.add(self.problem(reason, help));
+    }
+
+    /// Adds a problem of one line.
+    pub fn add_at(&self, line: u64, reason: impl Display, help: impl Display) {
+        self.reading.add(self.problem_at(line, reason, help));
+    }
+
+    /// Adds a problem; always `None`.
+    pub fn refuse<T>(&self, reason: impl Display, help: impl Display) -> Option<T> {
+        self.reading.refuse(self.problem(reason, help))
+    }
+
+    /// Adds a problem of one line; always `None`.
+    pub fn refuse_at<T>(&self, line: u64, reason: impl Display, help: impl Display) -> Option<T> {
+        self.reading.refuse(self.problem_at(line, reason, help))
+    }
+
+    /// The result of `read`; `None` where it adds a problem. Only the first dozen are reported.
+    pub fn list<T>(&self, read: impl FnOnce() -> Option<T>) -> Option<T> {
+        self.reading.list(&self.key, read)
     }
 }
 

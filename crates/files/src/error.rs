@@ -20,12 +20,12 @@ pub struct Problem {
 
 impl Problem {
     /// What is wrong with a whole file.
-    pub(crate) fn of_file(reason: impl Into<String>, help: impl Into<String>) -> Problem {
+    pub(crate) fn of_file(reason: impl fmt::Display, help: impl fmt::Display) -> Problem {
         Problem {
             key: String::new(),
             value: None,
-            reason: reason.into(),
-            help: help.into(),
+            reason: reason.to_string(),
+            help: help.to_string(),
         }
     }
 }

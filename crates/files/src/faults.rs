@@ -3,13 +3,11 @@
 use super::findings::suspected;
 use super::numbers::ascii;
 use super::pitch::PitchSheet;
-use super::problems::Problems;
 use super::profile;
 use super::runout::Runout;
 use super::spec::StatementSpec;
 use super::statements::Statements;
 use super::table::Table;
-use super::thickness::body;
 use crate::error::Problem;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, GearDesign, MeasuringBody, thickness};
@@ -18,14 +16,14 @@ use gearlash::metrology::{
 };
 
 /// Adds each of `errors`, with the key it comes from.
-pub fn add_all(of: &Statements, errors: Vec<MeasurementError>, problems: &mut Problems) {
+pub fn add_all(of: &Statements, errors: Vec<MeasurementError>) {
     let mut distinct = Vec::new();
     for error in errors {
         let problem = problem(of, error);
         // What is said of both flanks is wrong of both.
         if !distinct.contains(&problem) {
             distinct.push(problem.clone());
-            problems.add(problem);
+            of.table.reading().add(problem);
         }
     }
 }
@@ -36,7 +34,6 @@ pub fn check_pitch(
     sheet: &PitchSheet,
     runout: &Runout,
     basic_data: &BasicGearData,
-    problems: &mut Problems,
 ) -> Option<()> {
     let pitch = sheet.measured();
     let curves = pitch.curves(basic_data).err().into_iter().flatten();
@@ -44,7 +41,8 @@ pub fn check_pitch(
     let errors: Vec<MeasurementError> = curves.chain(once).collect();
     let good = errors.is_empty();
     for error in errors {
-        problems.add(of_flanks(table, Some(sheet), runout, error));
+        let problem = of_flanks(table, Some(sheet), runout, error);
+        table.reading().add(problem);
     }
     good.then_some(())
 }
@@ -327,7 +325,7 @@ fn nominal(statement: &StatementSpec, design: &GearDesign) -> String {
         return format!("nominal over {k} teeth is {} mm", ascii(mm, 4));
     }
     if let Some(pins) = &statement.over_pins {
-        let (body, pin_mm) = (body(pins.kind), pins.pin_mm);
+        let (body, pin_mm) = (pins.kind.unwrap_or_default(), pins.pin_mm);
         let over = thickness::over_from_base(basic_data, body, pin_mm, base);
         let name = match (body, basic_data.hand()) {
             (MeasuringBody::Ball, Some(_)) => "balls",

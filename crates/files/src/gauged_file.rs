@@ -7,8 +7,8 @@
 
 use crate::characters::plain;
 use crate::spec::{
-    CrossCheckSpec, Either, GearFileSpec, GearSpec, LengthSpec, PitchAxis, PitchKind, PitchSense,
-    PitchSpec, RunoutSpec, SpanSpec, StatementSpec, ThicknessSpec,
+    CrossCheckSpec, Either, GearFileSpec, GearSpec, LengthSpec, PitchSpec, RunoutSpec, SpanSpec,
+    StatementSpec, ThicknessSpec,
 };
 use gearlash::gauge::{Gauged, Spans, StatedThickness, Unmeasured};
 use gearlash::gear::Flank;
@@ -51,15 +51,9 @@ pub fn gauged_file(
                 ..RunoutSpec::default()
             },
             pitch: Some(PitchSpec {
-                kind: PitchKind::Cumulative,
-                axis: PitchAxis::Own,
-                sense: PitchSense::Numbers,
                 right_um: pitch(Flank::Right),
                 left_um: pitch(Flank::Left),
-                eccentricity: None,
-                table: None,
-                left: None,
-                right: None,
+                ..PitchSpec::default()
             }),
             ..spec.clone()
         },

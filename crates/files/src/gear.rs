@@ -3,11 +3,10 @@
 use super::check::Checked;
 use super::helix::Helix;
 use super::pitch::PitchSheet;
-use super::problems::Problems;
 use super::profile::{self, Profiles};
 use super::runout::Runout;
 use super::sheet::StatedGear;
-use super::spec::{Either, FaceName, GearSpec, RackSpec};
+use super::spec::{Either, GearSpec, RackSpec};
 use super::statements::Statements;
 use super::table::Table;
 use super::{faults, findings, helix, thickness};
@@ -47,64 +46,58 @@ pub struct GearPart {
 
 impl GearPart {
     /// Reads the table `name` of one gear.
-    pub fn read(file: &Checked, name: &str, problems: &mut Problems) -> GearPart {
+    pub fn read(file: &Checked, name: &str) -> GearPart {
         let table = file.table().below(name);
-        let mut number = |key: &str| file.read(&table.path_of(key), problems).flatten();
+        let number = |key: &str| file.read(&table.path_of(key)).flatten();
         let (module_mm, pressure_angle_deg) = (number("module_mm"), number("pressure_angle_deg"));
-        let teeth = file.read(&table.path_of("teeth"), problems).flatten();
-        let helix = Helix::read(file, name, problems);
-        let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg, problems);
+        let teeth = file.read(&table.path_of("teeth")).flatten();
+        let helix = Helix::read(file, name);
+        let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg);
         let wound = basic_data.zip(helix);
         let mut part = GearPart {
             teeth,
             module_mm,
             pressure_angle_deg,
             helix,
-            basic_data: wound.and_then(|(data, helix)| helix.of(data, &table, problems)),
-            expansion_per_k: file.read(&table.path_of("expansion_per_k"), problems),
+            basic_data: wound.and_then(|(data, helix)| helix.of(data, &table)),
+            expansion_per_k: file.read(&table.path_of("expansion_per_k")),
             states_face: table.has("reference_face"),
             ..GearPart::default()
         };
-        part.complete((file, name), &table, problems);
-        part.remarks.extend(table.place().take_remarks());
+        part.complete((file, name), &table);
+        part.remarks.extend(table.reading().take_remarks());
         part
     }
 
-    fn complete(
-        &mut self,
-        (file, name): (&Checked, &str),
-        table: &Table,
-        problems: &mut Problems,
-    ) -> Option<()> {
+    fn complete(&mut self, (file, name): (&Checked, &str), table: &Table) -> Option<()> {
         let teeth = self.teeth;
-        let profile_shift = file.read::<f64>(&table.path_of("profile_shift"), problems);
-        let face = file.read::<FaceName>(&table.path_of("reference_face"), problems);
-        let tip_diameter = file.read::<f64>(&table.path_of("tip_diameter_mm"), problems);
-        let rack = file.read::<RackSpec>(&table.path_of("rack"), problems);
-        let rack = rack.and_then(|rack| GearPart::rack(rack.unwrap_or_default(), table, problems));
-        let thickness = file.read(&table.path_of("thickness"), problems);
-        let thickness = thickness
-            .and_then(|spec| thickness::complete(table, spec.unwrap_or_default(), teeth, problems));
-        let runout = file.read(&table.path_of("runout"), problems);
-        let runout =
-            runout.and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth, problems));
-        let sheet = match file.read(&table.path_of("pitch"), problems) {
-            Some(Some(spec)) => PitchSheet::read(table, spec, teeth, problems),
+        let profile_shift = file.read::<f64>(&table.path_of("profile_shift"));
+        let face = file.read::<Face>(&table.path_of("reference_face"));
+        let tip_diameter = file.read::<f64>(&table.path_of("tip_diameter_mm"));
+        let rack = file.read::<RackSpec>(&table.path_of("rack"));
+        let rack = rack.and_then(|rack| GearPart::rack(rack.unwrap_or_default(), table));
+        let thickness = file.read(&table.path_of("thickness"));
+        let thickness =
+            thickness.and_then(|spec| thickness::complete(table, spec.unwrap_or_default(), teeth));
+        let runout = file.read(&table.path_of("runout"));
+        let runout = runout.and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth));
+        let sheet = match file.read(&table.path_of("pitch")) {
+            Some(Some(spec)) => PitchSheet::read(table, spec, teeth),
             absent => absent.map(|_| None),
         };
-        let checked = profile::check(table, problems);
+        let checked = profile::check(table);
         let profiles = file
-            .read(&table.path_of("profile"), problems)
+            .read(&table.path_of("profile"))
             .filter(|_| checked.is_some())
             .and_then(|spec| {
                 let spec = spec.unwrap_or_default();
-                Profiles::read(table, spec, teeth, self.basic_data.as_ref(), problems)
+                Profiles::read(table, spec, teeth, self.basic_data.as_ref())
             });
 
         let pitch = match (&sheet, &self.basic_data, &runout) {
             (Some(None), ..) => Some(()),
             (Some(Some(sheet)), Some(basic_data), Some(runout)) => {
-                faults::check_pitch(table, sheet, runout, basic_data, problems)
+                faults::check_pitch(table, sheet, runout, basic_data)
             }
             _ => None,
         };
@@ -128,10 +121,10 @@ impl GearPart {
         let runout_header = runout.iter().filter_map(|runout| runout.header.as_ref());
         let trace_headers = profiles.iter().flat_map(Profiles::headers);
         for header in pitch_header.chain(runout_header).chain(trace_headers) {
-            header.check(&drawn, problems);
+            header.check(&drawn);
             header_warnings.extend_from_slice(header.warnings());
         }
-        let face = face.map(|face| Face::from(face.unwrap_or_default()));
+        let face = face.map(Option::unwrap_or_default);
         let statements = Statements {
             table,
             design,
@@ -140,19 +133,19 @@ impl GearPart {
             runout: runout?,
             profiles: profiles?,
         };
-        let measurements = statements.measurements(face.unwrap_or(Face::Front));
+        let measurements = statements.measurements(face.unwrap_or_default());
         if pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
             // Other faults are reported, too.
             let errors = measurements.check_thickness_and_runout();
-            faults::add_all(&statements, errors, problems);
+            faults::add_all(&statements, errors);
             return None;
         }
-        let errors = |errors| faults::add_all(&statements, errors, problems);
+        let errors = |errors| faults::add_all(&statements, errors);
         let gear = measurements.measure().map_err(errors).ok()?;
-        let mut spec = file.read::<GearSpec>(name, problems)??;
+        let mut spec = file.read::<GearSpec>(name)??;
         self.describe(&statements, &gear.findings, header_warnings);
         self.notes = gear.notes;
-        self.beside_helix(&statements, gear.as_built.most(), problems)?;
+        self.beside_helix(&statements, gear.as_built.most())?;
         self.as_built = Some(gear.as_built);
 
         spec.face_width_mm = None;
@@ -170,36 +163,33 @@ impl GearPart {
     }
 
     /// The rack of the gear's table `gear`.
-    fn rack(spec: RackSpec, gear: &Table, problems: &mut Problems) -> Option<BasicRack> {
+    fn rack(spec: RackSpec, gear: &Table) -> Option<BasicRack> {
         let rack = BasicRack::new(spec.addendum, spec.dedendum, spec.root_radius);
-        problems.keep(rack.map_err(|error| match error {
-            GearError::OutOfRange { value, allowed, .. } => gear.problem(
-                "rack.root_radius",
-                format!("{value} is out of range, allowed is {allowed}"),
-                "reduce it, or give a greater dedendum",
-            ),
-            other => gear.problem("rack.root_radius", other.to_string(), "correct the rack"),
-        }))
+        let rack = rack.map_err(|error| match error {
+            GearError::OutOfRange { value, allowed, .. } => {
+                format!("{value} is out of range, allowed is {allowed}")
+            }
+            other => other.to_string(),
+        });
+        gear.keep(
+            "rack.root_radius",
+            rack,
+            "reduce it, or give a greater dedendum",
+        )
     }
 
     /// Refuses keys that cannot stand beside a helix angle, and warns of a face too short for the span.
-    fn beside_helix(
-        &mut self,
-        of: &Statements,
-        gear: &AsBuilt,
-        problems: &mut Problems,
-    ) -> Option<()> {
+    fn beside_helix(&mut self, of: &Statements, gear: &AsBuilt) -> Option<()> {
         let helix = self.helix?;
         if helix.angle_deg == 0.0 {
             return Some(());
         }
         if gear.is_modified() {
-            problems.add(of.table.problem(
+            return of.table.refuse(
                 "profile",
                 "given beside a helix angle: between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
                 "leave it out, or give a spur pair",
-            ));
-            return None;
+            );
         }
         let span = of.thickness.statement.span.as_ref().map(|span| span.teeth);
         let name = of.table.path_of("face_mm");
@@ -232,16 +222,9 @@ fn basic_data(
     teeth: Option<u32>,
     module_mm: Option<f64>,
     pressure_angle_deg: Option<f64>,
-    problems: &mut Problems,
 ) -> Option<BasicGearData> {
     let basic_data = BasicGearData::new(teeth?, module_mm?, pressure_angle_deg?.to_radians());
-    problems.keep(basic_data.map_err(|error| {
-        table.problem(
-            "module_mm",
-            error.to_string(),
-            "correct the gear's basic data",
-        )
-    }))
+    table.keep("module_mm", basic_data, "correct the gear's basic data")
 }
 
 /// The result of `of` for the gear in each material.

@@ -2,30 +2,22 @@
 
 use super::check::Checked;
 use super::gear::{GearPart, materials};
-use super::node::Node;
 use super::pair_file::names;
-use super::place::Place;
-use super::problems::Problems;
 use super::read::{GearEntry, GearsFile};
 use super::spec::GEAR;
+use crate::Tree;
 use gearlash::gear::AsBuilt;
-use std::path::Path;
 
-/// Whether these are the entries of a gear file: it has `[gear]`.
-pub fn is_one(entries: &[(String, Node)]) -> bool {
-    entries.iter().any(|(key, _)| key == "gear")
+/// Whether `file` is a gear file: it has `[gear]`.
+pub fn is_one(file: &Tree) -> bool {
+    file.entries.iter().any(|(key, _)| key == "gear")
 }
 
-/// Reads the gear file at `path`.
-pub fn read(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) -> Option<GearsFile> {
-    let table = Checked::new(&GEAR, place, entries, problems);
-    let (stem, title) = names(&table, path, problems);
-    let part = GearPart::read(&table, "gear", problems);
+/// Reads the gear file `file`.
+pub fn read(file: &Tree) -> Option<GearsFile> {
+    let checked = Checked::new(&GEAR, file.table());
+    let (stem, title) = names(&checked, file.path);
+    let part = GearPart::read(&checked, "gear");
     let gear = part.as_built?;
     Some(GearsFile {
         title: title?,
@@ -38,6 +30,6 @@ pub fn read(
         temperature_c: None,
         warnings: part.warnings,
         remarks: part.remarks,
-        sources: place.sources(),
+        sources: file.reading.sources(),
     })
 }

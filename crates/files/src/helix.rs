@@ -2,8 +2,7 @@
 
 use super::check::Checked;
 use super::numbers::ascii;
-use super::problems::Problems;
-use super::spec::{GearSpec, HandName};
+use super::spec::GearSpec;
 use super::table::Table;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
 
@@ -20,27 +19,26 @@ pub struct Helix {
 
 impl Helix {
     /// Reads the keys of the gear `name`.
-    pub fn read(file: &Checked, name: &str, problems: &mut Problems) -> Option<Helix> {
+    pub fn read(file: &Checked, name: &str) -> Option<Helix> {
         let table = file.table().below(name);
-        let angle_deg = file.read(&table.path_of("helix_angle_deg"), problems);
-        let hand = file.read::<HandName>(&table.path_of("hand"), problems);
-        let width = file.read::<f64>(&table.path_of("face_width_mm"), problems);
-        let ends = file.read::<[f64; 2]>(&table.path_of("face_mm"), problems);
-        let (angle_deg, hand) = (angle_deg?.unwrap_or(0.0), hand?.map(Hand::from));
+        let angle_deg = file.read(&table.path_of("helix_angle_deg"));
+        let hand = file.read::<Hand>(&table.path_of("hand"));
+        let width = file.read::<f64>(&table.path_of("face_width_mm"));
+        let ends = file.read::<[f64; 2]>(&table.path_of("face_mm"));
+        let (angle_deg, hand) = (angle_deg?.unwrap_or(0.0), hand?);
         if let Some([from, to]) = ends?
             && from >= to
         {
-            problems.add(table.problem(
+            return table.refuse(
                 "face_mm",
                 format!("{:?}, allowed is [from, to] with from below to", [from, to]),
                 "give both ends of the teeth, mm along the axis from the measuring plane, growing away from the viewer",
-            ));
-            return None;
+            );
         }
         let face_mm = ends?.or(width?.map(|width| [-0.5 * width, 0.5 * width]));
         if angle_deg > 0.0 {
-            let mut needed = |key: &str, expected: &str, help: &str| {
-                problems.add(table.problem(key, format!("missing, expected {expected}"), help));
+            let needed = |key: &str, expected: &str, help: &str| {
+                table.add(key, format!("missing, expected {expected}"), help);
             };
             if hand.is_none() {
                 needed(
@@ -68,25 +66,19 @@ impl Helix {
     }
 
     /// `data` with this helix.
-    pub fn of(
-        &self,
-        data: BasicGearData,
-        table: &Table,
-        problems: &mut Problems,
-    ) -> Option<BasicGearData> {
+    pub fn of(&self, data: BasicGearData, table: &Table) -> Option<BasicGearData> {
         let wound = data.with_helix(
             self.angle_deg.to_radians(),
             self.hand.unwrap_or(Hand::Right),
         );
         let help = "correct the helix angle, degrees at the reference circle";
-        problems
-            .keep(wound.map_err(|error| table.problem("helix_angle_deg", error.to_string(), help)))
+        table.keep("helix_angle_deg", wound, help)
     }
 
     /// Puts it into the echo of a gear; of a spur gear what was written.
     pub fn echo(&self, spec: &mut GearSpec) {
         spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
-        spec.hand = self.hand.map(HandName::from);
+        spec.hand = self.hand;
         spec.face_mm = self.face_mm;
         if self.angle_deg > 0.0 {
             let thickness = &mut spec.thickness;

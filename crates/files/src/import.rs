@@ -9,13 +9,14 @@ mod toml;
 
 use crate::error::{InputError, Problem};
 use crate::node::Node;
-use crate::place::Place;
-use crate::problems::Problems;
+use crate::reading::Reading;
 use crate::rexs;
 use crate::source;
 use crate::sources::Sources;
+use crate::table::Table;
 use serde::Serialize;
 use std::path::Path;
+use std::rc::Rc;
 
 pub use table::{ImportedColumn, ImportedTable, Kind, Value};
 
@@ -46,11 +47,7 @@ impl Content {
 /// # Errors
 /// [`InputError`] where it cannot be read.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, InputError> {
-    source::bytes(path).map_err(|problem| InputError {
-        file: path.to_owned(),
-        problems: vec![problem],
-        text: String::new(),
-    })
+    source::bytes(path).map_err(|problem| InputError::of(path, vec![problem]))
 }
 
 /// What the user says of a file.
@@ -94,7 +91,7 @@ impl Imported {
 /// # Errors
 /// [`InputError`] with all that is wrong with its tables; keys are those of a pair file.
 pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported, InputError> {
-    let place = Place::of_working_folder();
+    let reading = Rc::new(Reading::of_working_folder());
     let name = path.display().to_string();
     let mut entries = vec![("file".to_owned(), Node::Text(name.clone()))];
     for (key, text) in options.keys {
@@ -104,44 +101,33 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
         };
         entries.push(((*key).to_owned(), node));
     }
-    let mut problems = Problems::of_list();
-    let mut not_read = Problems::of_list();
-    let found = [&mut problems, &mut not_read];
-    let tables = read::tables((&entries, &place), bytes, options.only, found);
-    // Without anything else that is there, it is what is wrong.
-    let is_alone = tables.as_ref().is_some_and(|tables| tables.is_empty());
-    if is_alone {
-        problems.add_list(
-            "file",
-            std::mem::replace(&mut not_read, Problems::of_list()),
-        );
-    }
+    let mut not_read = Vec::new();
+    let table = Table::new("", &reading, &entries);
+    let tables =
+        || read::tables(table, bytes, options.only, &mut not_read).filter(|_| reading.is_good());
+    let (tables, problems) = reading.apart(tables);
+    let of_file = |problem| of_file(problem, &name);
     match tables {
-        Some(tables) if problems.is_empty() => Ok(Imported {
+        Some(tables) if !tables.is_empty() => Ok(Imported {
             not_read: not_read
-                .into_list()
                 .into_iter()
-                .map(|problem| of_file(problem, &name).to_string())
+                .map(|problem| of_file(problem).to_string())
                 .collect(),
             file: name.clone(),
             toml: toml::lines(&tables, path, options.gear, options.keys),
             tables,
-            sources: place.sources(),
+            sources: reading.sources(),
         }),
         _ => {
-            // Columns of neither kind of pitch are read as both.
+            // Without a table, what is not read is what is wrong. Columns of neither kind of pitch are read as both.
             let mut distinct: Vec<Problem> = Vec::new();
-            for problem in problems.into_list() {
-                let problem = of_file(problem, &name);
+            for problem in problems.into_list().into_iter().chain(not_read) {
+                let problem = of_file(problem);
                 if !distinct.contains(&problem) {
                     distinct.push(problem);
                 }
             }
-            Err(InputError {
-                file: path.to_owned(),
-                problems: distinct,
-                text: String::new(),
-            })
+            Err(InputError::of(path, distinct))
         }
     }
 }

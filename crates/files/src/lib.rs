@@ -42,10 +42,9 @@ pub mod outlines;
 mod pair_file;
 mod pair_slips;
 mod pitch;
-mod place;
-mod problems;
 mod profile;
 mod read;
+mod reading;
 mod require;
 pub mod rexs;
 mod runout;
@@ -68,18 +67,20 @@ mod view;
 
 use node::Node;
 use pair_file::PairTables;
-use place::Place;
-use problems::Problems;
+use reading::Reading;
 use std::path::Path;
+use std::rc::Rc;
+use table::Table;
 
 /// The path that stands for standard input.
 const STANDARD_INPUT: &str = "-";
 
 /// What the file at `path` is called: `stdin` for `-`, which is standard input.
 pub fn named(path: &Path) -> &Path {
-    match path == Path::new(STANDARD_INPUT) {
-        true => Path::new("stdin"),
-        false => path,
+    if path == Path::new(STANDARD_INPUT) {
+        Path::new("stdin")
+    } else {
+        path
     }
 }
 
@@ -95,12 +96,28 @@ pub use sources::Sources;
 pub use spec::{explained, gear_schema, pair_schema};
 pub use view::{AnyPair, AnyPairSpec, PairView};
 
+/// A pair file or gear file as a tree of values.
+#[derive(Clone, Copy)]
+struct Tree<'a> {
+    /// Its name in messages.
+    path: &'a Path,
+    reading: &'a Rc<Reading>,
+    entries: &'a [(String, Node)],
+}
+
+impl<'a> Tree<'a> {
+    /// Its keys and values.
+    fn table(&self) -> Table<'a> {
+        Table::new("", self.reading, self.entries)
+    }
+}
+
 /// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
 ///
 /// # Errors
 /// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<PairFile, InputError> {
-    with_entries(path, pair_by_data)
+    with_tree(path, pair_by_data)
 }
 
 /// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.
@@ -108,8 +125,7 @@ pub fn read(path: &Path) -> Result<PairFile, InputError> {
 /// # Errors
 /// As [`read`].
 pub fn read_text(name: &Path, text: &str) -> Result<PairFile, InputError> {
-    let place = Place::of_working_folder();
-    with_text(name, &place, Ok(text.to_owned()), pair_by_data)
+    of_text(name, text, pair_by_data)
 }
 
 /// Reads the gears of the gear file or pair file `text`, as [`read_text`] does.
@@ -117,8 +133,7 @@ pub fn read_text(name: &Path, text: &str) -> Result<PairFile, InputError> {
 /// # Errors
 /// As [`read`].
 pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError> {
-    let place = Place::of_working_folder();
-    with_text(name, &place, Ok(text.to_owned()), no_outlines)
+    of_text(name, text, gears_by_data)
 }
 
 /// Reads the pair file at `path`, be its gears given by data or by outlines. `-` is standard input.
@@ -126,13 +141,11 @@ pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError>
 /// # Errors
 /// As [`read`].
 pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
-    with_entries(path, |path, place, entries, problems| {
-        if outlines::has_outline(entries) {
-            let pair = outlines::read(path, place, entries, problems);
-            return pair.map(|pair| AnyPair::Outlines(Box::new(pair)));
+    with_tree(path, |file| {
+        if outlines::has_outline(file) {
+            return outlines::read(file).map(|pair| AnyPair::Outlines(Box::new(pair)));
         }
-        let pair = PairTables::read(path, place, entries, problems).study(problems);
-        pair.map(|pair| AnyPair::Data(Box::new(pair)))
+        pair_by_data(file).map(|pair| AnyPair::Data(Box::new(pair)))
     })
 }
 
@@ -141,13 +154,15 @@ pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
 /// # Errors
 /// As [`read`]; keys are those that a pair file would have.
 pub fn read_drawings(drawings: &outlines::Drawings) -> Result<OutlinePairFile, InputError> {
-    let text = drawings.pair_file();
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
     let mut name = stem(drawings.wheel);
     name.push("_");
     name.push(stem(drawings.pinion));
-    let (path, place) = (Path::new(&name), Place::of_working_folder());
-    with_text(path, &place, Ok(text), outlines::read).map_err(without_text)
+    without_text(of_text(
+        Path::new(&name),
+        &drawings.pair_file(),
+        outlines::read,
+    ))
 }
 
 /// Reads two drawings of one gear and compares them.
@@ -157,15 +172,9 @@ pub fn read_drawings(drawings: &outlines::Drawings) -> Result<OutlinePairFile, I
 pub fn compare_drawings(
     drawings: &outlines::TwoDrawings,
 ) -> Result<outlines::ComparedOutlines, InputError> {
-    let place = Place::of_working_folder();
-    let tables = Ok(drawings.tables());
-    let compared = with_text(
-        drawings.paths[1],
-        &place,
-        tables,
-        |_, place, entries, problems| drawings.compared(place, entries, problems),
-    );
-    compared.map_err(without_text)
+    without_text(of_text(drawings.paths[1], &drawings.tables(), |file| {
+        drawings.compared(file)
+    }))
 }
 
 /// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
@@ -173,7 +182,7 @@ pub fn compare_drawings(
 /// # Errors
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
-    with_entries(path, no_outlines)
+    with_tree(path, gears_by_data)
 }
 
 /// The gears of a file of either kind.
@@ -190,14 +199,14 @@ pub enum AnyGears {
 /// # Errors
 /// As [`read`].
 pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
-    with_entries(path, |path, place, entries, problems| {
-        if !outlines::has_outline(entries) {
-            let gears = gears_by_data(path, place, entries, problems);
-            return gears.map(|gears| AnyGears::Data(Box::new(gears)));
+    with_tree(path, |file| {
+        if !outlines::has_outline(file) {
+            return gears_by_data(file).map(|gears| AnyGears::Data(Box::new(gears)));
         }
-        let gears = match gear_file::is_one(entries) {
-            true => outlines::read_gear(path, place, entries, problems),
-            false => outlines::read(path, place, entries, problems).map(From::from),
+        let gears = if gear_file::is_one(file) {
+            outlines::read_gear(file)
+        } else {
+            outlines::read(file).map(From::from)
         };
         gears.map(|gears| AnyGears::Outlines(Box::new(gears)))
     })
@@ -213,116 +222,85 @@ pub fn read_drawing(
     center: Option<&str>,
 ) -> Result<outlines::OutlineGearsFile, InputError> {
     let text = outlines::of_drawing(path, units, center);
-    let place = Place::of_working_folder();
-    with_text(path, &place, Ok(text), outlines::read_gear).map_err(without_text)
+    without_text(of_text(path, &text, outlines::read_gear))
 }
 
-/// The same error of a text that nobody wrote: a place in it would point to nothing.
-fn without_text(error: InputError) -> InputError {
-    InputError {
+/// A result whose error has no text: a place in a text that nobody wrote would point to nothing.
+fn without_text<T>(result: Result<T, InputError>) -> Result<T, InputError> {
+    result.map_err(|error| InputError {
         text: String::new(),
         ..error
-    }
-}
-
-/// The pair, which must be by its data.
-fn pair_by_data(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) -> Option<PairFile> {
-    if outlines::has_outline(entries) {
-        outlines::refused(path, place, entries, problems);
-        return None;
-    }
-    PairTables::read(path, place, entries, problems).study(problems)
-}
-
-/// The gears, which must all be by their data.
-fn no_outlines(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) -> Option<GearsFile> {
-    if outlines::has_outline(entries) {
-        outlines::refused(path, place, entries, problems);
-        return None;
-    }
-    gears_by_data(path, place, entries, problems)
-}
-
-fn gears_by_data(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) -> Option<GearsFile> {
-    if gear_file::is_one(entries) {
-        return gear_file::read(path, place, entries, problems);
-    }
-    let pair = PairTables::read(path, place, entries, problems).study(problems);
-    pair.map(GearsFile::from)
-}
-
-/// What `understand` makes of the entries of the file at `path`, by the name it has in messages, when nothing was wrong.
-fn with_entries<T>(
-    path: &Path,
-    understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
-) -> Result<T, InputError> {
-    let (path, place, bytes) = located(path);
-    let bytes = bytes.and_then(|bytes| gearbox_model::no_model(path, bytes));
-    with_text(path, &place, bytes.and_then(source::text), understand)
-}
-
-/// What `understand` makes of the bytes of the file at `path`, which is no pair file, when nothing was wrong.
-fn with_bytes<T>(
-    path: &Path,
-    understand: impl FnOnce(&Path, &Place, Result<Vec<u8>, Problem>, &mut Problems) -> Option<T>,
-) -> Result<T, InputError> {
-    let (path, place, bytes) = located(path);
-    let mut problems = Problems::new();
-    understand(path, &place, bytes, &mut problems).ok_or_else(|| InputError {
-        file: path.to_owned(),
-        problems: problems.into_list(),
-        text: String::new(),
     })
 }
 
-/// The name that the file at `path` has in messages, its place and its bytes.
-fn located(path: &Path) -> (&Path, Place, Result<Vec<u8>, Problem>) {
-    match path == Path::new(STANDARD_INPUT) {
-        true => (
-            named(path),
-            Place::of_standard_input(),
-            source::standard_input(),
-        ),
-        false => (path, Place::of(path), source::bytes(path)),
+/// The pair, which must be given by its data.
+fn pair_by_data(file: &Tree) -> Option<PairFile> {
+    outlines::refuse(file)?;
+    PairTables::read(file).study()
+}
+
+/// The gears, which must all be given by their data.
+fn gears_by_data(file: &Tree) -> Option<GearsFile> {
+    if gear_file::is_one(file) {
+        outlines::refuse(file)?;
+        return gear_file::read(file);
+    }
+    pair_by_data(file).map(GearsFile::from)
+}
+
+/// The result of `understand` for the file at `path`.
+fn with_tree<T>(path: &Path, understand: impl FnOnce(&Tree) -> Option<T>) -> Result<T, InputError> {
+    let bytes = bytes(path).and_then(|bytes| gearbox_model::no_model(named(path), bytes));
+    let text = bytes.and_then(source::text);
+    with_text(named(path), Reading::of(path), text, understand)
+}
+
+/// The bytes of the file at `path`.
+fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
+    if path == Path::new(STANDARD_INPUT) {
+        source::standard_input()
+    } else {
+        source::bytes(path)
     }
 }
 
-/// The same of a `text`.
+/// The result of `understand` for a `text`.
+fn of_text<T>(
+    name: &Path,
+    text: &str,
+    understand: impl FnOnce(&Tree) -> Option<T>,
+) -> Result<T, InputError> {
+    let reading = Reading::of_working_folder();
+    with_text(name, reading, Ok(text.to_owned()), understand)
+}
+
+/// The result of `understand` for a text, if nothing is wrong.
 fn with_text<T>(
     path: &Path,
-    place: &Place,
+    reading: Reading,
     text: Result<String, Problem>,
-    understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
+    understand: impl FnOnce(&Tree) -> Option<T>,
 ) -> Result<T, InputError> {
-    let mut problems = Problems::new();
-    let text = problems.keep(text);
+    let reading = Rc::new(reading);
+    let text = reading.keep(text);
     let entries = text
         .as_ref()
-        .and_then(|text| source::parse(path, text, &mut problems));
-    let understood = entries.and_then(|entries| understand(path, place, &entries, &mut problems));
+        .and_then(|text| source::parse(path, text, &reading));
+    let understood = entries.and_then(|entries| {
+        let (reading, entries) = (&reading, &entries);
+        understand(&Tree {
+            path,
+            reading,
+            entries,
+        })
+    });
     match understood {
-        Some(understood) if problems.is_empty() => Ok(understood),
+        Some(understood) if reading.is_good() => Ok(understood),
         _ => Err(InputError {
-            file: path.to_owned(),
-            problems: problems.into_list(),
             text: text
                 .filter(|text| !source::is_json(path, text))
                 .unwrap_or_default(),
+            ..InputError::of(path, reading.take_problems())
         }),
     }
 }

@@ -2,11 +2,9 @@
 
 use super::check::Checked;
 use super::data_file::DataFile;
-use super::problems::Problems;
 use super::sheet::{Choice, Column, Content, Coverage, Found, Request, Wanted};
 use super::spec::MeasuredSpec;
 use super::table::Table;
-use crate::error::Problem;
 use gearlash::analysis::study::MeasuredRow;
 use std::collections::{HashMap, HashSet};
 
@@ -27,24 +25,20 @@ const COLUMNS: [Column; 7] = [
 /// The file and its rows, each with its line.
 #[derive(Debug)]
 pub struct Measured {
-    file: DataFile,
+    pub file: DataFile,
     pub rows: Vec<(u64, MeasuredRow)>,
 }
 
 impl Measured {
     /// Reads the file named in `[measured]`.
-    pub fn read(
-        checked: &Checked,
-        teeth: (Option<u32>, Option<u32>),
-        problems: &mut Problems,
-    ) -> Option<Measured> {
+    pub fn read(checked: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<Measured> {
         checked.is_good("measured").then_some(())?;
         let table = &checked.table().below("measured");
         let file = DataFile::of(table)?;
-        let rows = problems.of_list_at(file.key(), |bad| {
-            let bytes = bad.keep(file.bytes())?;
+        let rows = file.list(|| {
+            let bytes = file.bytes()?;
             let choice = Choice::default();
-            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice, bad)?;
+            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice)?;
             let request = Request {
                 file: &file,
                 choice: &choice,
@@ -56,7 +50,7 @@ impl Measured {
                     },
                 },
             };
-            rows(table, &content, &request, bad)
+            rows(table, &content, &request)
         })?;
         Some(Measured { file, rows })
     }
@@ -103,29 +97,18 @@ impl Measured {
             file: self.file.name().to_owned(),
         }
     }
-
-    /// A problem of one line.
-    pub fn problem_at(&self, line: u64, reason: &str, help: &str) -> Problem {
-        self.file.problem_at(line, reason, help)
-    }
 }
 
 /// The rows of the file, with their lines.
-fn rows(
-    table: &Table,
-    content: &Content,
-    request: &Request,
-    problems: &mut Problems,
-) -> Option<Vec<(u64, MeasuredRow)>> {
+fn rows(table: &Table, content: &Content, request: &Request) -> Option<Vec<(u64, MeasuredRow)>> {
     let file = request.file;
     let Content::Cells(grids) = content else {
-        problems.add(file.problem("is a protocol", "name a table of the rig's results"));
-        return None;
+        return file.refuse("is a protocol", "name a table of the rig's results");
     };
-    let found = Found::find(request, grids, problems)?;
-    let rows = found.rows(request, problems)?;
+    let found = Found::find(request, grids)?;
+    let rows = found.rows(request)?;
     let remark = |words| format!("{}: {}: left out: {words}", file.key(), file.name());
-    table.place().add_remark(found.left_out(file).map(remark));
+    table.reading().add_remark(found.left_out(file).map(remark));
     let sources = found.sources(file).into_iter();
     let measured = rows.into_iter().zip(sources).map(|(row, source)| {
         let [

@@ -6,24 +6,23 @@ use super::common_face;
 use super::gear::GearPart;
 use super::limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use super::measured::Measured;
-use super::node::Node;
 use super::numbers;
 use super::pair_slips;
-use super::place::Place;
-use super::problems::Problems;
 use super::read::PairFile;
 use super::spec::{
     AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, MOST_DISTANCES, PAIR, PairSpec,
     RequireSpec, ToleranceSpec, UncertaintySpec,
 };
 use super::sweep::Sweep;
+use super::table::Table;
 use super::temperature::Temperature;
 use super::tolerance_table;
+use crate::Tree;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
-/// The tables that are right: `None` where something was wrong, `Some(None)` where nothing was asked for.
+/// The tables of a pair file: `None` of one that is wrong, `Some(None)` of one that is not there.
 pub struct PairTables<'a> {
     file: Checked<'a>,
     path: &'a Path,
@@ -37,54 +36,50 @@ pub struct PairTables<'a> {
 }
 
 impl<'a> PairTables<'a> {
-    /// Reads every table of the file at `path`.
-    pub fn read(
-        path: &'a Path,
-        place: &'a Place,
-        entries: &'a [(String, Node)],
-        problems: &mut Problems,
-    ) -> PairTables<'a> {
-        let file = Checked::new(&PAIR, place, entries, problems);
-        let wheel = GearPart::read(&file, "wheel", problems);
-        let pinion = GearPart::read(&file, "pinion", problems);
+    /// Reads every table of `file`.
+    pub fn read(tree: &Tree<'a>) -> PairTables<'a> {
+        let file = Checked::new(&PAIR, tree.table());
+        let wheel = GearPart::read(&file, "wheel");
+        let pinion = GearPart::read(&file, "pinion");
         let teeth = (wheel.teeth, pinion.teeth);
         let with_measured = file.means("measured");
         let rows_only = with_measured && !file.means("sweep");
         PairTables {
-            assembly: assembly::read(&file, !rows_only, problems),
+            assembly: assembly::read(&file, !rows_only),
             measured: if with_measured {
-                Measured::read(&file, teeth, problems).map(Some)
+                Measured::read(&file, teeth).map(Some)
             } else {
                 Some(None)
             },
             sweep: if rows_only {
                 Some(None)
             } else {
-                Sweep::read(&file, teeth, problems).map(Some)
+                Sweep::read(&file, teeth).map(Some)
             },
-            tolerance: tolerance_table::tolerance(&file, problems),
+            tolerance: tolerance_table::tolerance(&file),
             file,
-            path,
+            path: tree.path,
             wheel,
             pinion,
         }
     }
 
     /// The study, once what lies between the tables is checked too.
-    pub fn study(self, problems: &mut Problems) -> Option<PairFile> {
+    pub fn study(self) -> Option<PairFile> {
+        let table = self.table().clone();
         let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
         let mut remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
-        let stated = self.distances(problems, &mut warnings);
+        let stated = self.distances(&mut warnings);
         let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
-        self.check_poses(center_distances.as_deref(), problems)?;
+        self.check_poses(center_distances.as_deref())?;
         let (stated, mut center_distances) = (stated?, center_distances?);
         let mut band = stated.band_mm();
         let mut materials = materials(&self.wheel, &self.pinion)?;
         let gears = [&self.wheel, &self.pinion];
-        let temperature = self.temperature(gears, problems)?;
-        remarks.extend(self.file.table().place().take_remarks());
+        let temperature = self.temperature(gears)?;
+        remarks.extend(table.reading().take_remarks());
         if let Some(temperature) = temperature {
-            materials = temperature.gears(self.file.table(), materials, problems)?;
+            materials = temperature.gears(&table, materials)?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = temperature.distance(*mm);
             }
@@ -95,12 +90,11 @@ impl<'a> PairTables<'a> {
                 .iter()
                 .find_map(|&a| assembly::overlap(a, base_radii))
             {
-                problems.add(self.file.table().problem(
+                return table.refuse(
                     "assembly.temperature_c",
                     reason,
                     "check the temperature and the coefficients of expansion",
-                ));
-                return None;
+                );
             }
             let described = temperature.described();
             remarks.push(format!("assembly.temperature_c: {described}"));
@@ -112,19 +106,17 @@ impl<'a> PairTables<'a> {
         let assembly = self.assembly?;
         let face_offset_mm = assembly.face_offset_mm;
         let gears = [&self.wheel, &self.pinion];
-        let mut face =
-            common_face::common_face(self.file.table(), gears, face_offset_mm, problems)?;
+        let mut face = common_face::common_face(&table, gears, face_offset_mm)?;
         let helical = face[0] < face[1];
         if helical {
             let factors = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
             let (warm, offset) = common_face::warm_face(face, gears, face_offset_mm, factors);
             if warm[0] >= warm[1] {
-                problems.add(self.file.table().problem(
+                return table.refuse(
                     "assembly.temperature_c",
                     "leaves the gears no common face",
                     "check face_mm, face_offset_mm and the coefficients of expansion",
-                ));
-                return None;
+                );
             }
             face = warm;
             // Teeth are counted in the wheel's measuring plane.
@@ -134,13 +126,13 @@ impl<'a> PairTables<'a> {
                 }
             }
         }
-        let (locked, bearings) = (assembly.locked.member(), assembly.bearing_clearance_mm);
+        let (locked, bearings) = (assembly.locked, assembly.bearing_clearance_mm);
         let (measured, sweep, tolerance) = (self.measured?, self.sweep?, self.tolerance?);
-        let accuracy: AccuracySpec = self.file.read("accuracy", problems)?.unwrap_or_default();
-        let compare: CompareSpec = self.file.read("compare", problems)?.unwrap_or_default();
-        let require: Option<RequireSpec> = self.file.read("require", problems)?;
-        let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty", problems)?;
-        let (stem, title) = names(&self.file, self.path, problems);
+        let accuracy: AccuracySpec = self.file.read("accuracy")?.unwrap_or_default();
+        let compare: CompareSpec = self.file.read("compare")?.unwrap_or_default();
+        let require: Option<RequireSpec> = self.file.read("require")?;
+        let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
+        let (stem, title) = names(&self.file, self.path);
         let title = title?;
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_faces([&self.wheel, &self.pinion]));
@@ -200,37 +192,33 @@ impl<'a> PairTables<'a> {
             spec,
             warnings,
             remarks,
-            sources: self.file.table().place().sources(),
+            sources: table.reading().sources(),
         })
     }
 
-    /// At what temperature the pair runs, if one is stated.
-    fn temperature(
-        &self,
-        gears: [&GearPart; 2],
-        problems: &mut Problems,
-    ) -> Option<Option<Temperature>> {
+    /// The keys and values of the file.
+    fn table(&self) -> &Table<'a> {
+        self.file.table()
+    }
+
+    /// The temperature at which the pair runs, if one is stated.
+    fn temperature(&self, gears: [&GearPart; 2]) -> Option<Option<Temperature>> {
         let assembly = self.assembly.as_ref()?;
-        let temperature = Temperature::read(self.file.table(), assembly, gears, problems)?;
+        let temperature = Temperature::read(self.table(), assembly, gears)?;
         if temperature.is_some() && self.measured.as_ref()?.is_some() {
-            problems.add(self.file.table().problem(
+            return self.table().refuse(
                 "assembly.temperature_c",
                 "given together with measured, whose rows state their own centre distances",
                 "remove one or the other",
-            ));
-            return None;
+            );
         }
         Some(temperature)
     }
 
     /// The centre distances to run, a list in ascending order, checked against the base circles.
-    fn distances(
-        &self,
-        problems: &mut Problems,
-        warnings: &mut Vec<String>,
-    ) -> Option<CenterDistanceSpec> {
-        let file = self.file.table();
-        let shared = assembly::check_shared(file, &self.wheel, &self.pinion, problems);
+    fn distances(&self, warnings: &mut Vec<String>) -> Option<CenterDistanceSpec> {
+        let file = self.table();
+        let shared = assembly::check_shared(file, &self.wheel, &self.pinion);
         let base_radii = match (shared, &self.wheel.basic_data, &self.pinion.basic_data) {
             (Some(()), Some(wheel), Some(pinion)) => {
                 Some(wheel.base_radius() + pinion.base_radius())
@@ -241,7 +229,7 @@ impl<'a> PairTables<'a> {
         let given = &assembly.center_distance_mm;
         let mut stated = match (&self.sweep, self.measured.as_ref()?) {
             (Some(None), Some(measured)) => {
-                let list = self.measured_distances(measured, base_radii, problems);
+                let list = self.measured_distances(measured, base_radii);
                 let given = given.distances_mm();
                 if !given.is_empty()
                     && (given.len() != list.len() || list.iter().any(|mm| !given.contains(mm)))
@@ -256,7 +244,7 @@ impl<'a> PairTables<'a> {
                 let stated = given.clone();
                 if let Some(base_radii) = base_radii {
                     let list = stated.distances_mm();
-                    assembly::check_distances(file, &list, base_radii, problems);
+                    assembly::check_distances(file, &list, base_radii);
                 }
                 stated
             }
@@ -266,7 +254,7 @@ impl<'a> PairTables<'a> {
                 stated.distances_mm(),
                 assembly.bearing_clearance_mm.sum_mm(),
             );
-            assembly::check_clearance(file, &list, base_radii, play, problems);
+            assembly::check_clearance(file, &list, base_radii, play);
         }
         if let CenterDistanceSpec::Distances(list) = &mut stated {
             list.sort_by(f64::total_cmp);
@@ -274,32 +262,29 @@ impl<'a> PairTables<'a> {
         Some(stated)
     }
 
-    fn measured_distances(
-        &self,
-        measured: &Measured,
-        base_radii: Option<f64>,
-        problems: &mut Problems,
-    ) -> Vec<f64> {
+    fn measured_distances(&self, measured: &Measured, base_radii: Option<f64>) -> Vec<f64> {
         let list = measured.distances();
-        let mut bad = Problems::of_list();
-        for &(line, a) in &list {
-            if let Some(reason) = base_radii.and_then(|sum| assembly::overlap(a, sum)) {
-                bad.add(measured.problem_at(line, &reason, "correct the line, or remove it"));
+        measured.file.list(|| {
+            for &(line, a) in &list {
+                if let Some(reason) = base_radii.and_then(|sum| assembly::overlap(a, sum)) {
+                    let help = "correct the line, or remove it";
+                    measured.file.add_at(line, reason, help);
+                }
             }
-        }
-        problems.add_list("measured.file", bad);
+            Some(())
+        });
         if let Some((line, _)) = list.get(MOST_DISTANCES) {
-            problems.add(measured.problem_at(
+            measured.file.add_at(
                 *line,
                 "one centre distance too many, allowed are up to 10 000",
                 "split the file",
-            ));
+            );
         }
         list.into_iter().map(|(_, a)| a).collect()
     }
 
     /// Reports a study of too many poses.
-    fn check_poses(&self, distances: Option<&[f64]>, problems: &mut Problems) -> Option<()> {
+    fn check_poses(&self, distances: Option<&[f64]>) -> Option<()> {
         let bands = [&self.wheel.as_built, &self.pinion.as_built]
             .iter()
             .any(|gear| gear.as_ref().is_some_and(|gear| gear.is_band()));
@@ -315,7 +300,7 @@ impl<'a> PairTables<'a> {
         if poses <= MOST_POSES {
             return Some(());
         }
-        problems.add(self.file.table().problem(
+        self.table().refuse(
             key,
             format!(
                 "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
@@ -323,19 +308,18 @@ impl<'a> PairTables<'a> {
                 numbers::bytes(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
             ),
             "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
-        ));
-        None
+        )
     }
 }
 
 /// The stem of the file at `path`, and its title, the stem where it has none.
-pub fn names(file: &Checked, path: &Path, problems: &mut Problems) -> (String, Option<String>) {
+pub fn names(file: &Checked, path: &Path) -> (String, Option<String>) {
     let stem = path
         .file_stem()
         .unwrap_or_default()
         .to_string_lossy()
         .into_owned();
-    let title = file.read::<String>("title", problems);
+    let title = file.read::<String>("title");
     let title = title.map(|title| title.unwrap_or_else(|| stem.clone()));
     (stem, title)
 }

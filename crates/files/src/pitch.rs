@@ -1,15 +1,14 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
-use super::problems::Problems;
 use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
-use super::spec::{self, PitchSpec};
+use super::spec::PitchSpec;
 use super::table::Table;
 use super::thickness::one_a_tooth;
-use gearlash::gear::{Flank, PitchAxis};
-use gearlash::metrology::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
+use gearlash::gear::Flank;
+use gearlash::metrology::{PitchSense, PitchStatement};
 
 /// The table's values, both flanks given.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct PitchSheet {
     /// As in the pair file, the values as lists.
     pub spec: PitchSpec,
@@ -19,21 +18,16 @@ pub struct PitchSheet {
 
 impl PitchSheet {
     /// Reads what `spec`, the table of the gear's table `gear`, says; `Some(None)` when it has no values.
-    pub fn read(
-        gear: &Table,
-        spec: PitchSpec,
-        teeth: Option<u32>,
-        problems: &mut Problems,
-    ) -> Option<Option<PitchSheet>> {
+    pub fn read(gear: &Table, spec: PitchSpec, teeth: Option<u32>) -> Option<Option<PitchSheet>> {
         let table = gear.below("pitch");
         if spec.table.is_some() {
-            let kind = kind(spec.kind);
+            let kind = spec.kind;
             let wanted = Wanted {
                 columns: &[Column::Right(kind), Column::Left(kind)],
                 teeth,
                 coverage: Coverage::EveryTooth,
             };
-            let sheet = Sheet::read(&table, &wanted, problems)?;
+            let sheet = Sheet::read(&table, &wanted)?;
             return Some(Some(PitchSheet {
                 spec: PitchSpec {
                     right_um: Some(sheet.values(0)),
@@ -47,10 +41,7 @@ impl PitchSheet {
             }));
         }
         let lists = [&spec.right_um, &spec.left_um].map(|list| list.clone().unwrap_or_default());
-        let mut wrong = |key: &str, reason: String, help: String| {
-            problems.add(table.problem(key, reason, help));
-            None
-        };
+        let wrong = |key: &str, reason: String, help: String| table.refuse(key, reason, help);
         let names = ["right_um", "left_um"];
         for (name, mate, own, other) in [
             (names[0], names[1], &lists[0], &lists[1]),
@@ -85,8 +76,8 @@ impl PitchSheet {
             )?;
         }
         let [right, left] = lists;
-        let right = one_a_tooth(&table, "right_um", right, teeth, problems);
-        let left = one_a_tooth(&table, "left_um", left, teeth, problems);
+        let right = one_a_tooth(&table, "right_um", right, teeth);
+        let left = one_a_tooth(&table, "left_um", left, teeth);
         let spec = PitchSpec {
             right_um: Some(right?),
             left_um: Some(left?),
@@ -110,19 +101,10 @@ impl PitchSheet {
             right_um, left_um, ..
         } = &self.spec;
         PitchStatement {
-            kind: kind(self.spec.kind),
-            axis: match self.spec.axis {
-                spec::PitchAxis::Own => PitchAxis::Own,
-                spec::PitchAxis::Datum => PitchAxis::Datum,
-            },
-            sense: match self.spec.sense {
-                spec::PitchSense::Numbers => PitchSense::Numbers,
-                spec::PitchSense::Material => PitchSense::Material,
-            },
-            eccentricity: self.spec.eccentricity.map(|source| match source {
-                spec::EccentricitySource::Pitch => EccentricitySource::Pitch,
-                spec::EccentricitySource::Runout => EccentricitySource::Runout,
-            }),
+            kind: self.spec.kind,
+            axis: self.spec.axis,
+            sense: self.spec.sense,
+            eccentricity: self.spec.eccentricity,
             right_um: right_um.clone().unwrap_or_default(),
             left_um: left_um.clone().unwrap_or_default(),
         }
@@ -131,15 +113,8 @@ impl PitchSheet {
     /// The `sense` that reads the left flank the other way round.
     pub fn other_sense(&self) -> &'static str {
         match self.spec.sense {
-            spec::PitchSense::Numbers => "material",
-            spec::PitchSense::Material => "numbers",
+            PitchSense::Numbers => "material",
+            PitchSense::Material => "numbers",
         }
-    }
-}
-
-fn kind(stated: spec::PitchKind) -> PitchKind {
-    match stated {
-        spec::PitchKind::Cumulative => PitchKind::Cumulative,
-        spec::PitchKind::Single => PitchKind::Single,
     }
 }

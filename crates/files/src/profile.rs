@@ -2,7 +2,6 @@
 
 mod trace;
 
-use super::problems::Problems;
 use super::sheet::Header;
 use super::spec::{Either, FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 use super::table::Table;
@@ -24,7 +23,7 @@ const FLANK_KEYS: [&str; 6] = [
 
 /// What is said of the profiles of one gear: of its own right flanks, and of its left ones; each as in the pair file, traces as lists of
 /// roll lengths.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Profiles {
     flanks: [FlankProfileSpec; 2],
     headers: Vec<Header>,
@@ -37,7 +36,6 @@ impl Profiles {
         spec: ProfileSpec,
         teeth: Option<u32>,
         basic_data: Option<&BasicGearData>,
-        problems: &mut Problems,
     ) -> Option<Profiles> {
         let table = gear.below("profile");
         let gear = Measured {
@@ -45,12 +43,12 @@ impl Profiles {
             basic_data,
             headers: RefCell::default(),
         };
-        let both = flank(&table, spec.both, None, &gear, problems);
+        let both = flank(&table, spec.both, None, &gear);
         let mut own = Vec::new();
         for (side, spec) in Flank::BOTH.into_iter().zip([spec.right, spec.left]) {
             let below = table.below(side.name());
             let spec = spec.unwrap_or_default();
-            own.push(flank(&below, spec, Some(side), &gear, problems));
+            own.push(flank(&below, spec, Some(side), &gear));
         }
         let own: Vec<(FlankProfileSpec, FlankTraces)> = own.into_iter().collect::<Option<_>>()?;
         let (both, traces) = both?;
@@ -147,7 +145,7 @@ struct Measured<'a> {
 }
 
 /// Reports keys that stand twice, for both flanks and for one, and ranges that descend.
-pub fn check(gear: &Table, problems: &mut Problems) -> Option<()> {
+pub fn check(gear: &Table) -> Option<()> {
     let both = gear.below("profile");
     let mut good = Some(());
     let own = Flank::BOTH.map(|side| (side, both.below(side.name())));
@@ -162,7 +160,7 @@ pub fn check(gear: &Table, problems: &mut Problems) -> Option<()> {
                 of_own.trim_end_matches('.'),
                 side.name()
             );
-            problems.add(own.problem(key, reason, help));
+            own.add(key, reason, help);
             good = None;
         }
     }
@@ -171,11 +169,11 @@ pub fn check(gear: &Table, problems: &mut Problems) -> Option<()> {
         if let Some(Ok([start, end])) = range
             && start >= end
         {
-            problems.add(table.problem(
+            table.add(
                 "range_mm",
                 "no evaluation range, allowed are two diameters in mm, the lesser first",
                 "write range_mm = [start, end]",
-            ));
+            );
             good = None;
         }
     }
@@ -188,10 +186,9 @@ fn flank(
     mut spec: FlankProfileSpec,
     own: Option<Flank>,
     gear: &Measured,
-    problems: &mut Problems,
 ) -> Option<(FlankProfileSpec, FlankTraces)> {
     let stated = spec.trace.take();
-    let traces = trace::read(table, stated, own, gear, problems);
+    let traces = trace::read(table, stated, own, gear);
     Some((spec, traces?))
 }
 

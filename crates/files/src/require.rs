@@ -27,7 +27,7 @@ impl RequireSpec {
                 min: limits.min,
                 max: limits.max,
             };
-            (Quantity::LostMotion(limits.at.member()), mm(ends, arcmin))
+            (Quantity::LostMotion(limits.at), mm(ends, arcmin))
         });
         lengths.chain(angle).collect()
     }

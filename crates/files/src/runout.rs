@@ -1,13 +1,12 @@
 //! `[runout]`: how far the teeth stand from the rotation axis.
 
-use super::problems::Problems;
 use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use super::spec::{ReadingPlace, RunoutSpec};
 use super::table::Table;
 use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutStatement};
 
 /// Runout `F_r` and the tooth towards which the teeth are displaced.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Runout {
     /// As in the pair file; of readings 0 until they are fitted.
     pub spec: RunoutSpec,
@@ -19,24 +18,18 @@ pub struct Runout {
 
 impl Runout {
     /// Reads what `spec`, the table of the gear's table `gear`, says.
-    pub fn read(
-        gear: &Table,
-        spec: RunoutSpec,
-        teeth: Option<u32>,
-        problems: &mut Problems,
-    ) -> Option<Runout> {
+    pub fn read(gear: &Table, spec: RunoutSpec, teeth: Option<u32>) -> Option<Runout> {
         let table = gear.below("runout");
         let beyond = |tooth: &f64| teeth.is_some_and(|teeth| *tooth >= f64::from(teeth) + 1.0);
         if let (Some(_), Some(teeth)) = (spec.high_tooth.filter(beyond), teeth) {
-            problems.add(table.problem(
+            return table.refuse(
                 "high_tooth",
                 format!(
                     "out of range, allowed is 1 up to, but not including, {}",
                     teeth + 1
                 ),
                 "give the number of the tooth at the highest reading",
-            ));
-            return None;
+            );
         }
         let Some(at) = spec.at else {
             return Some(Runout {
@@ -45,27 +38,25 @@ impl Runout {
             });
         };
         if at == ReadingPlace::Tooth && spec.ball_mm.is_some() {
-            problems.add(table.problem(
+            return table.refuse(
                 "ball_mm",
                 "goes with at = \"space\": no ball stands at a tooth's centre line",
                 "remove it, or write at = \"space\"",
-            ));
-            return None;
+            );
         }
         let wanted = Wanted {
             columns: &[Column::Runout],
             teeth,
             coverage: Coverage::EveryTooth,
         };
-        let sheet = Sheet::read(&table, &wanted, problems)?;
+        let sheet = Sheet::read(&table, &wanted)?;
         if at == ReadingPlace::Tooth && sheet.origin.as_ref().is_some_and(|origin| origin.by_space)
         {
-            problems.add(table.problem(
+            return table.refuse(
                 "at",
                 "the readings of the file are numbered by spaces",
                 "write at = \"space\"",
-            ));
-            return None;
+            );
         }
         Some(Runout {
             readings: Some(ProbeReadings {

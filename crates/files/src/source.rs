@@ -3,7 +3,7 @@
 use super::location::syntax_errors;
 use super::node::{LONGEST, Node};
 use super::numbers::ascii;
-use super::problems::Problems;
+use super::reading::Reading;
 use crate::characters::cut;
 use crate::error::Problem;
 use std::fs::File;
@@ -174,21 +174,19 @@ pub fn is_json(path: &Path, text: &str) -> bool {
 
 /// The keys and values of a pair file: TOML or JSON by its extension, by its first character when that says neither.
 ///
-/// What is wrong is added to `problems`, under an empty key: every syntax error of TOML, the first of JSON, with line and column.
-pub fn parse(path: &Path, text: &str, problems: &mut Problems) -> Option<Vec<(String, Node)>> {
-    let node = match is_json(path, text) {
-        true => problems.keep(of_json(text))?,
-        false => problems.of_list_at("", |bad| of_toml(text, bad))?,
+/// Problems have an empty key: every syntax error of TOML, the first of JSON, with line and column.
+pub fn parse(path: &Path, text: &str, reading: &Reading) -> Option<Vec<(String, Node)>> {
+    let node = if is_json(path, text) {
+        reading.keep(of_json(text))?
+    } else {
+        reading.list("", || of_toml(text, reading))?
     };
     match node {
         Node::Table(entries) => Some(entries),
-        other => {
-            problems.add(Problem::of_file(
-                format!("holds {}, allowed is an object of keys", other.kind()),
-                "write { \"wheel\": { … }, … }",
-            ));
-            None
-        }
+        other => reading.refuse(Problem::of_file(
+            format!("holds {}, allowed is an object of keys", other.kind()),
+            "write { \"wheel\": { … }, … }",
+        )),
     }
 }
 
@@ -201,14 +199,13 @@ fn of_json(text: &str) -> Result<Node, Problem> {
     })
 }
 
-fn of_toml(text: &str, problems: &mut Problems) -> Option<Node> {
+fn of_toml(text: &str, reading: &Reading) -> Option<Node> {
     let marks = text.bytes().filter(|b| b"=,[{.".contains(b)).count();
     if marks > MOST_MARKS {
-        problems.add(Problem::of_file(
+        return reading.refuse(Problem::of_file(
             format!("has some {marks} keys and values, allowed are up to {MOST_MARKS} in TOML"),
             "check that this is the file you mean, or put long lists into files of their own",
         ));
-        return None;
     }
     match toml::from_str(text) {
         Ok(table) => Some(toml::Value::Table(table).into()),
@@ -218,10 +215,9 @@ fn of_toml(text: &str, problems: &mut Problems) -> Option<Node> {
                 errors.push(error);
             }
             for error in &errors {
-                match problems.is_full() {
-                    // Its line would be counted from the start of the text again.
-                    true => problems.count_one(),
-                    false => problems.add(not_toml(text, error)),
+                // The line of one that is only counted is not looked for.
+                if !reading.only_counts() {
+                    reading.add(not_toml(text, error));
                 }
             }
             None

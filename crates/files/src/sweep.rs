@@ -2,7 +2,6 @@
 
 use super::check::Checked;
 use super::node::Node;
-use super::problems::Problems;
 use super::spec::{DEFAULT_STEPS, ExtremePhases, Revolutions, SweepSpec};
 use crate::error::Problem;
 use gearlash::pair::SweepPlan;
@@ -17,30 +16,27 @@ pub struct Sweep {
 
 impl Sweep {
     /// Reads `[sweep]`; when it is not there, one wheel revolution.
-    pub fn read(
-        file: &Checked,
-        teeth: (Option<u32>, Option<u32>),
-        problems: &mut Problems,
-    ) -> Option<Sweep> {
+    pub fn read(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<Sweep> {
         let matings = file.table().get("sweep.mating").map_or(&[][..], Node::list);
-        problems.of_list_at("sweep.mating", |bad| {
+        let reading = file.table().reading();
+        reading.list("sweep.mating", || {
             // A mating that is wrong in itself is reported.
             let each = (1..).zip(matings);
             let good =
                 each.filter_map(|(place, one)| Some((place, <[u32; 2]>::deserialize(one).ok()?)));
             for (place, mating) in good {
                 let place = format!("value {place} of the list: ");
-                bad.extend(beyond_gear("sweep.mating", mating, teeth, &place));
+                beyond_gear("sweep.mating", mating, teeth, &place)
+                    .map(|problem| reading.add(problem));
             }
             Some(())
         })?;
-        let start = file.read("sweep.start", problems).flatten();
+        let start = file.read("sweep.start").flatten();
         if let Some(problem) = start.and_then(|start| beyond_gear("sweep.start", start, teeth, ""))
         {
-            problems.add(problem);
-            return None;
+            return reading.refuse(problem);
         }
-        let stated = file.read::<SweepSpec>("sweep", problems)?;
+        let stated = file.read::<SweepSpec>("sweep")?;
         let teeth = (teeth.0?, teeth.1?);
         let several = SweepPlan::phase_count(teeth.0, teeth.1) > 1;
         let spec = stated.unwrap_or_else(|| SweepSpec {

@@ -1,24 +1,25 @@
 //! The keys and values of one table of a checked file, by their dotted paths.
 
 use super::node::Node;
-use super::place::Place;
+use super::reading::Reading;
 use crate::error::Problem;
+use std::fmt::Display;
+use std::rc::Rc;
 
 /// A table and the dotted path it stands under, empty for the whole file.
 #[derive(Debug, Clone)]
 pub struct Table<'a> {
     path: String,
-    /// The pair file's: where the files it names are.
-    place: &'a Place,
+    reading: &'a Rc<Reading>,
     entries: &'a [(String, Node)],
 }
 
 impl<'a> Table<'a> {
-    /// The table at `path` of a pair file in `place`.
-    pub fn new(path: &str, place: &'a Place, entries: &'a [(String, Node)]) -> Table<'a> {
+    /// The table at `path` of a file.
+    pub fn new(path: &str, reading: &'a Rc<Reading>, entries: &'a [(String, Node)]) -> Table<'a> {
         Table {
             path: path.to_owned(),
-            place,
+            reading,
             entries,
         }
     }
@@ -26,12 +27,12 @@ impl<'a> Table<'a> {
     /// The table at the dotted `path` below this one, empty where it is not there.
     pub fn below(&self, path: &str) -> Table<'a> {
         let entries = self.get(path).map_or(&[][..], Node::entries);
-        Table::new(&self.path_of(path), self.place, entries)
+        Table::new(&self.path_of(path), self.reading, entries)
     }
 
-    /// Where the pair file lies.
-    pub fn place(&self) -> &'a Place {
-        self.place
+    /// The reading of the file.
+    pub fn reading(&self) -> &'a Rc<Reading> {
+        self.reading
     }
 
     /// Keys and values.
@@ -66,17 +67,33 @@ impl<'a> Table<'a> {
     }
 
     /// A problem with the value at the dotted `path` below this table, given or not.
-    pub fn problem(
-        &self,
-        path: &str,
-        reason: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Problem {
+    pub fn problem(&self, path: &str, reason: impl Display, help: impl Display) -> Problem {
         Problem {
             key: self.path_of(path),
             value: self.get(path).map(Node::shown),
-            reason: reason.into(),
-            help: help.into(),
+            reason: reason.to_string(),
+            help: help.to_string(),
         }
+    }
+
+    /// Adds such a problem.
+    pub fn add(&self, path: &str, reason: impl Display, help: impl Display) {
+        self.reading.add(self.problem(path, reason, help));
+    }
+
+    /// Adds such a problem; always `None`.
+    pub fn refuse<T>(&self, path: &str, reason: impl Display, help: impl Display) -> Option<T> {
+        self.reading.refuse(self.problem(path, reason, help))
+    }
+
+    /// The value; `None` with its error added as such a problem.
+    pub fn keep<T, E: Display>(
+        &self,
+        path: &str,
+        result: Result<T, E>,
+        help: impl Display,
+    ) -> Option<T> {
+        let added = |error: E| self.add(path, error, help);
+        result.map_err(added).ok()
     }
 }

@@ -2,7 +2,6 @@
 
 use super::gear::GearPart;
 use super::numbers::{ascii, rounded, shortest};
-use super::problems::Problems;
 use super::spec::AssemblySpec;
 use super::table::Table;
 use gearlash::analysis::study::Material;
@@ -28,7 +27,6 @@ impl Temperature {
         file: &Table,
         assembly: &AssemblySpec,
         gears: [&GearPart; 2],
-        problems: &mut Problems,
     ) -> Option<Option<Temperature>> {
         let [wheel, pinion] = gears.map(|gear| gear.expansion_per_k);
         let stated = [
@@ -48,7 +46,7 @@ impl Temperature {
                     unused.join(", ")
                 )
             });
-            file.place().add_remark(remark);
+            file.reading().add_remark(remark);
             return Some(None);
         };
         let mut missing = Vec::new();
@@ -59,7 +57,7 @@ impl Temperature {
         let [wheel, pinion, _] = factors;
         let apart = (wheel - pinion).abs();
         if missing.is_empty() && apart > MOST_UNEQUAL * wheel.max(pinion) {
-            problems.add(file.problem(
+            return file.refuse(
                 "assembly.temperature_c",
                 format!(
                     "lets the modules of wheel and pinion differ by {} %, allowed is up to {} %",
@@ -67,8 +65,7 @@ impl Temperature {
                     100.0 * MOST_UNEQUAL
                 ),
                 "check the temperature and the coefficients of expansion",
-            ));
-            return None;
+            );
         }
         if missing.is_empty() {
             return Some(Some(Temperature {
@@ -76,12 +73,11 @@ impl Temperature {
                 factors,
             }));
         }
-        problems.add(file.problem(
+        file.refuse(
             "assembly.temperature_c",
             format!("given without {}", missing.join(", ")),
             "add the coefficients of thermal expansion in 1/K: of steel some 11.5e-6, of aluminium 23e-6, of POM 110e-6; or remove the temperature",
-        ));
-        None
+        )
     }
 
     /// Lengths of the wheel and of the pinion, times so much.
@@ -100,20 +96,15 @@ impl Temperature {
         &self,
         file: &Table,
         materials: Vec<(Material, AsBuilt, AsBuilt)>,
-        problems: &mut Problems,
     ) -> Option<Vec<(Material, AsBuilt, AsBuilt)>> {
         let [wheel, pinion, _] = self.factors;
         let warm = materials.iter().map(|(material, first, second)| {
             Ok((*material, first.expanded(wheel)?, second.expanded(pinion)?))
         });
         let warm = warm.collect::<Result<_, gearlash::error::GearError>>();
-        problems.keep(warm.map_err(|error| {
-            file.problem(
-                "assembly.temperature_c",
-                format!("leaves no gear: {error}"),
-                "check the temperature and the coefficients of expansion",
-            )
-        }))
+        let warm = warm.map_err(|error| format!("leaves no gear: {error}"));
+        let help = "check the temperature and the coefficients of expansion";
+        file.keep("assembly.temperature_c", warm, help)
     }
 
     /// "80 °C: lengths of the wheel × 1.0006900, …".

@@ -1,13 +1,11 @@
 //! `[thickness]`: lists and tables of its statements beside the number of teeth, and what they mean to the metrology.
 
-use super::problems::Problems;
 use super::sheet::{Column, Coverage, Sheet, Wanted};
 use super::spec::{
-    BandSpec, BodyName, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, StatementSpec,
-    TableFileSpec, ThicknessSpec,
+    BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, StatementSpec, TableFileSpec,
+    ThicknessSpec,
 };
 use super::table::Table;
-use gearlash::gear::MeasuringBody;
 use gearlash::metrology::{self, ThicknessStatement, Toleranced};
 use std::collections::HashSet;
 
@@ -21,25 +19,24 @@ pub fn complete(
     gear: &Table,
     mut spec: ThicknessSpec,
     teeth: Option<u32>,
-    problems: &mut Problems,
 ) -> Option<ThicknessSpec> {
     let table = gear.below("thickness");
-    let statement = complete_statement(&table, &mut spec.statement, teeth, problems);
-    let per_tooth = per_tooth(&table, spec.per_tooth_um.take(), teeth, problems);
+    let statement = complete_statement(&table, &mut spec.statement, teeth);
+    let per_tooth = per_tooth(&table, spec.per_tooth_um.take(), teeth);
     let mut second = Some(());
     if let Some(check) = &mut spec.cross_check {
         let table = gear.below(CROSS_CHECK);
-        second = complete_statement(&table, &mut check.statement, teeth, problems);
+        second = complete_statement(&table, &mut check.statement, teeth);
         check.tolerance_um.get_or_insert(CROSS_CHECK_UM);
         if let Some(span) = &mut check.statement.span {
             span.per_tooth = None;
         }
         if table.has("span.per_tooth") {
-            problems.add(table.problem(
+            table.add(
                 "span.per_tooth",
                 "needless: a cross-check never changes a tooth",
                 "remove it",
-            ));
+            );
             second = None;
         }
     }
@@ -49,12 +46,7 @@ pub fn complete(
     Some(spec)
 }
 
-fn complete_statement(
-    table: &Table,
-    spec: &mut StatementSpec,
-    teeth: Option<u32>,
-    problems: &mut Problems,
-) -> Option<()> {
+fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32>) -> Option<()> {
     if let Some(field) = &mut spec.designation {
         // As a drawing writes it.
         *field = field
@@ -64,12 +56,11 @@ fn complete_statement(
     }
     if let Some(span) = &mut spec.span {
         if let Some(teeth) = teeth.filter(|teeth| span.teeth > *teeth) {
-            problems.add(table.problem(
+            return table.refuse(
                 "span.teeth",
                 format!("out of range, allowed is a whole number, 1 … {teeth}"),
                 "count the teeth spanned",
-            ));
-            return None;
+            );
         }
         let table = table.below("span");
         let (places, file) = (&mut span.first_tooth, &mut span.table);
@@ -78,7 +69,7 @@ fn complete_statement(
             places,
             file,
         };
-        places.complete(&table, Column::Span, &mut span.length, teeth, problems)?;
+        places.complete(&table, Column::Span, &mut span.length, teeth)?;
         if span.first_tooth.is_some() {
             span.per_tooth.get_or_insert(true);
         }
@@ -91,7 +82,7 @@ fn complete_statement(
             places,
             file,
         };
-        places.complete(&table, Column::OverPins, &mut pins.length, teeth, problems)?;
+        places.complete(&table, Column::OverPins, &mut pins.length, teeth)?;
     }
     Some(())
 }
@@ -111,7 +102,6 @@ impl Places<'_> {
         column: Column,
         length: &mut LengthSpec,
         teeth: Option<u32>,
-        problems: &mut Problems,
     ) -> Option<()> {
         if self.file.take().is_some() {
             let wanted = Wanted {
@@ -119,7 +109,7 @@ impl Places<'_> {
                 teeth,
                 coverage: Coverage::SomeTeeth,
             };
-            let sheet = Sheet::read(table, &wanted, problems)?;
+            let sheet = Sheet::read(table, &wanted)?;
             *self.places = Some(sheet.teeth());
             length.mm = Some(Either::Other(sheet.values(0)));
             return Some(());
@@ -129,10 +119,7 @@ impl Places<'_> {
         };
         let (key, teeth, readings) = (self.key, teeth?, mm.len());
         let help = "give the number of each reading, in the order of mm";
-        let mut wrong = |reason: String, help: String| {
-            problems.add(table.problem(key, reason, help));
-            None
-        };
+        let wrong = |reason: String, help: String| table.refuse(key, reason, help);
         let Some(places) = self.places else {
             if readings == teeth as usize {
                 *self.places = Some((1..=teeth).collect());
@@ -173,14 +160,9 @@ impl Places<'_> {
 }
 
 /// `per_tooth_um`, listed or in a file: empty or one value a tooth, µm.
-fn per_tooth(
-    table: &Table,
-    listed: Option<Vec<f64>>,
-    teeth: Option<u32>,
-    problems: &mut Problems,
-) -> Option<Vec<f64>> {
+fn per_tooth(table: &Table, listed: Option<Vec<f64>>, teeth: Option<u32>) -> Option<Vec<f64>> {
     if let Some(list) = listed {
-        return one_a_tooth(table, "per_tooth_um", list, teeth, problems);
+        return one_a_tooth(table, "per_tooth_um", list, teeth);
     }
     if !table.has("per_tooth_um") {
         return Some(Vec::new());
@@ -190,7 +172,7 @@ fn per_tooth(
         teeth,
         coverage: Coverage::EveryTooth,
     };
-    let sheet = Sheet::read(&table.below("per_tooth_um"), &wanted, problems)?;
+    let sheet = Sheet::read(&table.below("per_tooth_um"), &wanted)?;
     Some(sheet.values(0))
 }
 
@@ -200,17 +182,13 @@ pub fn one_a_tooth(
     name: &str,
     list: Vec<f64>,
     teeth: Option<u32>,
-    problems: &mut Problems,
 ) -> Option<Vec<f64>> {
     match teeth {
-        Some(teeth) if !list.is_empty() && list.len() != teeth as usize => {
-            problems.add(table.problem(
-                name,
-                format!("length {}, expected {teeth}: one value a tooth", list.len()),
-                "give them in ascending tooth number, tooth 1 first",
-            ));
-            None
-        }
+        Some(teeth) if !list.is_empty() && list.len() != teeth as usize => table.refuse(
+            name,
+            format!("length {}, expected {teeth}: one value a tooth", list.len()),
+            "give them in ascending tooth number, tooth 1 first",
+        ),
         _ => Some(list),
     }
 }
@@ -248,7 +226,7 @@ impl StatementSpec {
             };
         }
         if let Some(pins) = &self.over_pins {
-            let (body, pin_mm) = (body(pins.kind), pins.pin_mm);
+            let (body, pin_mm) = (pins.kind.unwrap_or_default(), pins.pin_mm);
             return match pins.length.readings(&pins.space) {
                 Some(readings) => ThicknessStatement::PinReadings {
                     body,
@@ -322,13 +300,5 @@ impl Either<f64, BandSpec> {
                 most: max,
             },
         }
-    }
-}
-
-/// The measuring body: a ball where none is stated.
-pub fn body(name: Option<BodyName>) -> MeasuringBody {
-    match name {
-        Some(BodyName::Pin) => MeasuringBody::Pin,
-        Some(BodyName::Ball) | None => MeasuringBody::Ball,
     }
 }

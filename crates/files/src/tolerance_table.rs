@@ -1,7 +1,6 @@
 //! `[tolerance]`: which keys go with which distribution.
 
 use super::check::Checked;
-use super::problems::Problems;
 use super::spec::{ScatterName, ScatterSpec, ToleranceSpec};
 
 /// Every distribution of the table.
@@ -16,18 +15,18 @@ const SCATTERS: [&str; 8] = [
     "pinion.per_tooth",
 ];
 /// Reads `[tolerance]`; `Some(None)` where the file has none.
-pub fn tolerance(file: &Checked, problems: &mut Problems) -> Option<Option<ToleranceSpec>> {
+pub fn tolerance(file: &Checked) -> Option<Option<ToleranceSpec>> {
     let mut good = Some(());
     for path in SCATTERS.map(|name| format!("tolerance.{name}")) {
-        let scatter = file.read::<ScatterSpec>(&path, problems).flatten();
+        let scatter = file.read::<ScatterSpec>(&path).flatten();
         if let Some((key, reason, help)) = scatter.and_then(|spec| fault(file, &path, spec.scatter))
         {
-            problems.add(file.table().problem(&key, reason, help));
+            file.table().add(&key, reason, help);
             good = None;
         }
     }
     good?;
-    file.read("tolerance", problems)
+    file.read("tolerance")
 }
 
 /// The fault of the keys of the distribution at `path`: where, why, and what to do.

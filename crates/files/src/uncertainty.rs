@@ -1,7 +1,6 @@
 //! `[uncertainty]`: what the measurements may be off, as the library takes it.
 
 use super::spec::{GearSpec, ThicknessSpec, UncertaintySpec};
-use super::thickness::body;
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::gear::{AsBuilt, thickness};
 
@@ -30,7 +29,7 @@ impl UncertaintySpec {
             let base = gear.gear().base_thickness();
             // A thousandth of a module: small against the curve, large against rounding.
             let step = 1e-3 * basic_data.module();
-            let body = body(pins.kind);
+            let body = pins.kind.unwrap_or_default();
             let over = |base| thickness::over_from_base(basic_data, body, pins.pin_mm, base);
             self.over_pins_um * 2.0 * step / (over(base + step) - over(base - step))
         } else if stated.base_thickness_mm.is_some() {

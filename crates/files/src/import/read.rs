@@ -3,25 +3,26 @@
 use super::table::{ImportedTable, Kind};
 use crate::check::Checked;
 use crate::data_file::DataFile;
-use crate::node::Node;
-use crate::place::Place;
-use crate::problems::Problems;
+use crate::error::Problem;
+use crate::reading::Problems;
 use crate::sheet::{self, Choice, Column, Content, Coverage, Origin, Request, Sheet, Wanted};
 use crate::spec::TABLE;
+use crate::table::Table;
 use gearlash::metrology::PitchKind;
 
-/// The tables of the file that the entries name, all or those of one kind; with `not_read` what is there but ambiguous.
+/// The tables of the file that `table` names, all or those of one kind; with `not_read` what is there but ambiguous.
 pub(super) fn tables(
-    (entries, place): (&[(String, Node)], &Place),
+    table: Table,
     bytes: Vec<u8>,
     only: Option<Kind>,
-    [problems, not_read]: [&mut Problems; 2],
+    not_read: &mut Vec<Problem>,
 ) -> Option<Vec<ImportedTable>> {
-    let checked = Checked::new(&TABLE, place, entries, problems);
+    let reading = table.reading();
+    let checked = Checked::new(&TABLE, table);
     checked.is_good("").then_some(())?;
     let table = checked.table();
     let (file, choice) = (DataFile::of(table)?, Choice::of(table));
-    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), table, &choice, problems)?;
+    let content = Content::read(&file, (bytes, sheet::MOST_CELLS), table, &choice)?;
     let from = From {
         file: &file,
         content: &content,
@@ -30,11 +31,7 @@ pub(super) fn tables(
     let mut tables = Vec::new();
     let is_asked = |kind| only.is_none_or(|only| only == kind);
     if is_asked(Kind::Pitch) {
-        from.pitch(
-            only.is_some(),
-            &mut tables,
-            [&mut *problems, &mut *not_read],
-        );
+        from.pitch(only.is_some(), &mut tables, not_read);
     }
     let singles = [
         (Kind::Runout, Column::Runout, "runout_um", "Runout F_r, µm"),
@@ -62,35 +59,32 @@ pub(super) fn tables(
         let columns = [column];
         let request = from.request(&columns, coverage);
         if is_asked(kind) && named && (only.is_some() || content.has(&request)) {
+            let (sheet, faults) = reading.apart(|| from.sheet(&request));
             // What is not asked for by its name hides nothing else.
-            let faults = match content.has_each(&request) || only.is_some() {
-                true => &mut *problems,
-                false => &mut *not_read,
-            };
-            if let Some(sheet) = from.sheet(&request, faults) {
-                tables.push(ImportedTable::of(kind, title.to_owned(), &[name], &sheet));
-            }
+            let is_wrong = content.has_each(&request) || only.is_some();
+            from.report(faults, is_wrong, not_read);
+            let table = |sheet| ImportedTable::of(kind, title.to_owned(), &[name], &sheet);
+            tables.extend(sheet.map(table));
         }
     }
     let columns = [Column::RollLength, Column::Deviation];
     let request = from.request(&columns, Coverage::Points { base_radius: None });
     if is_asked(Kind::Trace) && (only.is_some() || content.has(&request)) {
-        let traces = Sheet::of(&content, &request, problems);
+        let traces = Sheet::of(&content, &request);
         tables.extend(traces.as_ref().map(ImportedTable::of_traces));
     }
-    if tables.is_empty() && problems.is_empty() && content.is_p40() {
-        content.check_p40(&file, problems)?;
-        problems.add(file.problem(
+    if tables.is_empty() && reading.is_good() && content.is_p40() {
+        content.check_p40(&file)?;
+        return file.refuse(
             "has no pitch (linke, rechte Zahnflanke) and no profile trace (Profil:)",
             "name a file that has one of them",
-        ));
-        return None;
+        );
     }
-    if tables.is_empty() && problems.is_empty() && not_read.is_empty() {
-        problems.add(file.problem(
+    if tables.is_empty() && reading.is_good() && not_read.is_empty() {
+        file.add(
             "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile",
             "say what it holds and where, by letter or heading: --only pitch --header-row 1 --tooth-column A --left B --right C",
-        ));
+        );
     }
     Some(tables)
 }
@@ -116,12 +110,7 @@ impl From<'_> {
     }
 
     /// Cumulative and single pitch, or what a table has that does not say which.
-    fn pitch(
-        &self,
-        asked: bool,
-        tables: &mut Vec<ImportedTable>,
-        [problems, not_read]: [&mut Problems; 2],
-    ) {
+    fn pitch(&self, asked: bool, tables: &mut Vec<ImportedTable>, not_read: &mut Vec<Problem>) {
         let chosen = ["left", "right"].map(|key| self.choice.column(key));
         let chosen = chosen.iter().any(Option::is_some);
         let mut first: Option<Option<Origin>> = None;
@@ -135,8 +124,7 @@ impl From<'_> {
             if !self.content.has(&request) && !is_default {
                 continue;
             }
-            let mut bad = Problems::of_list();
-            let sheet = self.sheet(&request, &mut bad);
+            let (sheet, bad) = self.file.reading().apart(|| self.sheet(&request));
             let Some(sheet) = sheet.filter(|_| bad.is_empty()) else {
                 faults.push((bad, self.content.has_each(&request)));
                 continue;
@@ -179,17 +167,22 @@ impl From<'_> {
         }
         for (bad, has_each) in faults {
             // Beside the one kind, of which there is a column a flank, the other hides nothing.
-            let list = match has_each || first.is_none() {
-                true => &mut *problems,
-                false => &mut *not_read,
-            };
-            list.add_list(self.file.key(), bad);
+            self.report(bad, has_each || first.is_none(), not_read);
+        }
+    }
+
+    /// Reports `faults`, or adds them to what is not read.
+    fn report(&self, faults: Problems, is_wrong: bool, not_read: &mut Vec<Problem>) {
+        if is_wrong {
+            self.file.reading().add_list(self.file.key(), faults);
+        } else {
+            not_read.extend(faults.into_list());
         }
     }
 
     /// As many teeth as the file states, or as there are: one that is missing is reported.
-    fn sheet(&self, request: &Request, problems: &mut Problems) -> Option<Sheet> {
-        let sheet = Sheet::of(self.content, request, problems)?;
+    fn sheet(&self, request: &Request) -> Option<Sheet> {
+        let sheet = Sheet::of(self.content, request)?;
         if request.wanted.coverage != Coverage::EveryTooth {
             return Some(sheet);
         }
@@ -199,6 +192,6 @@ impl From<'_> {
             teeth,
             ..request.wanted
         };
-        Sheet::of(self.content, &Request { wanted, ..*request }, problems)
+        Sheet::of(self.content, &Request { wanted, ..*request })
     }
 }

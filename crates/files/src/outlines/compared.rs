@@ -2,10 +2,8 @@
 
 use super::gear::{self, OutlinePart};
 use super::pair::outline_table;
+use crate::Tree;
 use crate::check::Checked;
-use crate::node::Node;
-use crate::place::Place;
-use crate::problems::Problems;
 use crate::sources::Sources;
 use crate::spec::DRAWINGS;
 use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
@@ -54,27 +52,22 @@ impl TwoDrawings<'_> {
     }
 
     /// Reads and compares them, from their tables.
-    pub(crate) fn compared(
-        &self,
-        place: &Place,
-        entries: &[(String, Node)],
-        problems: &mut Problems,
-    ) -> Option<ComparedOutlines> {
-        let file = Checked::new(&DRAWINGS, place, entries, problems);
-        let [a, b] = NAMES.map(|name| gear::read(&file, name, problems));
+    pub(crate) fn compared(&self, tree: &Tree) -> Option<ComparedOutlines> {
+        let file = Checked::new(&DRAWINGS, tree.table());
+        let [a, b] = NAMES.map(|name| gear::read(&file, name));
         let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
         let difference = OutlineDifference::new(&a.gear, &b.gear, CHORD_MM);
         let difference = difference.map_err(|error| {
-            file.table()
-                .problem("b.outline.file", error.to_string(), gear::help(&error))
+            let help = gear::help(&error);
+            file.table().problem("b.outline.file", error, help)
         });
         Some(ComparedOutlines {
-            difference: problems.keep(difference)?,
+            difference: tree.reading.keep(difference)?,
             files: self.paths.map(|path| path.display().to_string()),
             centres: [a.read.centre, b.read.centre],
             gears: [a.gear, b.gear],
             remarks: [a.remarks, b.remarks],
-            sources: place.sources(),
+            sources: tree.reading.sources(),
         })
     }
 }

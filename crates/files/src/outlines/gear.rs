@@ -5,10 +5,10 @@ use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::drawing::{self, Options, Repeat};
 use crate::numbers::{fixed, um};
-use crate::problems::Problems;
 use crate::runout::Runout;
-use crate::spec::{CentreName, CentreSpec, FaceName, OutlineGearSpec, OutlineSpec, PointsKind};
+use crate::spec::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
 use crate::table::Table;
+use gearlash::gear::Face;
 use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
 use nalgebra::Point2;
 
@@ -39,32 +39,30 @@ pub(super) struct OutlinePart {
 }
 
 /// Reads the table `name` of a gear that is an outline.
-pub(super) fn read(file: &Checked, name: &str, problems: &mut Problems) -> Option<OutlinePart> {
+pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     let table = file.table().below(name);
-    let face = file.read::<FaceName>(&table.path_of("reference_face"), problems);
-    let spec = file.read(&table.path_of("outline"), problems).flatten();
-    let drawn = spec.and_then(|spec| drawn(&table, spec, problems));
+    let face = file.read::<Face>(&table.path_of("reference_face"));
+    let spec = file.read(&table.path_of("outline")).flatten();
+    let drawn = spec.and_then(|spec| drawn(&table, spec));
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
-    let runout = file.read(&table.path_of("runout"), problems);
-    let runout =
-        runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth, problems));
+    let runout = file.read(&table.path_of("runout"));
+    let runout = runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth));
     file.is_good(name).then_some(())?;
     let (spec, path, data) = drawn?;
     let (face, runout) = (face?.unwrap_or_default(), runout?);
     if runout.header.is_some() {
-        problems.add(table.problem(
+        return table.refuse(
             "runout.file",
             "readings of a runout need a gear by its data",
             "state total_um and high_tooth",
-        ));
-        return None;
+        );
     }
     let runout = runout.spec;
     let mut remarks = Vec::new();
-    let centre = centre(&table, &spec, &path, &mut remarks, problems)?;
+    let centre = centre(&table, &spec, &path, &mut remarks)?;
     let reading = OutlineReading {
         centre,
-        face: face.into(),
+        face,
         teeth: spec.teeth,
         first_tooth: spec.first_tooth_deg.map(f64::to_radians),
         bound: path.outline.bound_mm,
@@ -72,41 +70,36 @@ pub(super) fn read(file: &Checked, name: &str, problems: &mut Problems) -> Optio
     let segments = &path.outline.segments;
     let gear = OutlineGear::new(segments, &reading);
     let gear = gear.map_err(|error| data.problem(data.found(place(&path, &error)), help(&error)));
-    let gear = problems.keep(gear)?;
+    let gear = data.reading().keep(gear)?;
     if gear.teeth() > MOST_TEETH {
-        problems.add(data.problem(
+        return data.refuse(
             format!(
                 "{} teeth are found, allowed are up to {MOST_TEETH}",
                 gear.teeth()
             ),
             "choose the gear's outline with `layer` or `id`",
-        ));
-        return None;
+        );
     }
     let high_tooth = runout.high_tooth.unwrap_or(1.0);
     if runout.total_um > 0.0 && runout.high_tooth.is_none() {
-        problems.add(table.problem(
+        return table.refuse(
             "runout.high_tooth",
             "missing, an outline's runout needs its direction",
             "add `high_tooth`, the tooth towards which the teeth are displaced",
-        ));
-        return None;
+        );
     }
     if high_tooth >= f64::from(gear.teeth()) + 1.0 {
-        problems.add(table.problem(
+        return table.refuse(
             "runout.high_tooth",
             format!(
                 "out of range, allowed is 1 up to, but not including, {}",
                 gear.teeth() + 1
             ),
             "count from the first tooth of the drawing",
-        ));
-        return None;
+        );
     }
     let turned = gear.with_runout(runout.total_um / 2000.0, high_tooth);
-    let turned =
-        turned.map_err(|error| table.problem("runout.total_um", error.to_string(), help(&error)));
-    let gear = problems.keep(turned)?;
+    let gear = table.keep("runout.total_um", turned, "give the runout in µm")?;
     let kinks = match spec.kind {
         PointsKind::Smooth if !segments.is_empty() => kinks(segments),
         _ => String::new(),
@@ -149,11 +142,7 @@ pub(super) fn read(file: &Checked, name: &str, problems: &mut Problems) -> Optio
 }
 
 /// The drawing that `spec` names, of the gear's table `gear`.
-fn drawn(
-    gear: &Table,
-    spec: OutlineSpec,
-    problems: &mut Problems,
-) -> Option<(OutlineSpec, Path, DataFile)> {
+fn drawn(gear: &Table, spec: OutlineSpec) -> Option<(OutlineSpec, Path, DataFile)> {
     let table = gear.below("outline");
     let data = DataFile::of(&table)?;
     let ending = data
@@ -164,11 +153,10 @@ fn drawn(
         .to_lowercase();
     for (key, given, of) in [("layer", &spec.layer, "dxf"), ("id", &spec.id, "svg")] {
         if given.is_some() && ending != of {
-            problems.add(table.problem(key, format!("belongs to a .{of} file"), "remove it"));
-            return None;
+            return table.refuse(key, format!("belongs to a .{of} file"), "remove it");
         }
     }
-    let bytes = problems.keep(data.bytes())?;
+    let bytes = data.bytes()?;
     let options = Options {
         unit: spec.units,
         select: spec.layer.clone().or_else(|| spec.id.clone()),
@@ -184,14 +172,14 @@ fn drawn(
     };
     let read = drawing::read(data.path(), &bytes, &options);
     let read = read.map_err(|error| data.problem(data.found(error.to_string()), error.help()));
-    let path = outermost(problems.keep(read)?);
+    let path = outermost(data.reading().keep(read)?);
     let path = path.map_err(|reason| {
         data.problem(
             data.found(reason),
             "choose one with `layer` or `id`, or remove the others from the drawing",
         )
     });
-    Some((spec, problems.keep(path)?, data))
+    Some((spec, data.reading().keep(path)?, data))
 }
 
 /// The centre in the drawing, mm.
@@ -200,7 +188,6 @@ fn centre(
     spec: &OutlineSpec,
     path: &Path,
     remarks: &mut Vec<String>,
-    problems: &mut Problems,
 ) -> Option<Point2<f64>> {
     match spec.center_mm {
         CentreSpec::At([x, y]) => Some(Point2::new(x, y)),
@@ -208,30 +195,21 @@ fn centre(
             let circles: Vec<Point2<f64>> = path.inside.iter().filter_map(whole_circle).collect();
             match &circles[..] {
                 [bore] => Some(*bore),
-                others => {
-                    problems.add(gear.problem(
-                        "outline.center_mm",
-                        format!(
-                            "needs one circle inside the outline, {} are drawn{}",
-                            others.len(),
-                            centres(others)
-                        ),
-                        "state the centre as [x, y] in mm, or \"fit\"",
-                    ));
-                    None
-                }
+                others => gear.refuse(
+                    "outline.center_mm",
+                    format!(
+                        "needs one circle inside the outline, {} are drawn{}",
+                        others.len(),
+                        centres(others)
+                    ),
+                    "state the centre as [x, y] in mm, or \"fit\"",
+                ),
             }
         }
         CentreSpec::Found(CentreName::Fit) => {
             let fitted = fit_centre(&path.outline.segments);
-            let fitted = fitted.map_err(|error| {
-                gear.problem(
-                    "outline.center_mm",
-                    error.to_string(),
-                    "state the centre as [x, y] in mm",
-                )
-            });
-            let fitted = problems.keep(fitted)?;
+            let help = "state the centre as [x, y] in mm";
+            let fitted = gear.keep("outline.center_mm", fitted, help)?;
             remarks.push(format!(
                 "centre fitted to the tips: ({}, {}) mm, no tip off their circle by more than {} µm",
                 fixed(fitted.centre.x, 6),

@@ -2,11 +2,9 @@
 
 use super::gear::{self, OutlinePart};
 use super::pair::{OutlinePairFile, outline_table};
+use crate::Tree;
 use crate::check::Checked;
-use crate::node::Node;
 use crate::pair_file::names;
-use crate::place::Place;
-use crate::problems::Problems;
 use crate::sources::Sources;
 use crate::spec::{EitherGearSpec, GEAR};
 use gearlash::analysis::study::Material;
@@ -40,15 +38,10 @@ pub struct OutlineGearEntry {
 }
 
 /// Reads a gear file whose gear is an outline.
-pub(crate) fn read(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) -> Option<OutlineGearsFile> {
-    let file = Checked::new(&GEAR, place, entries, problems);
-    let (_, title) = names(&file, path, problems);
-    let OutlinePart { gear, remarks, .. } = gear::read(&file, "gear", problems)?;
+pub(crate) fn read(tree: &Tree) -> Option<OutlineGearsFile> {
+    let file = Checked::new(&GEAR, tree.table());
+    let (_, title) = names(&file, tree.path);
+    let OutlinePart { gear, remarks, .. } = gear::read(&file, "gear")?;
     Some(OutlineGearsFile {
         title: title?,
         gears: vec![OutlineGearEntry {
@@ -58,7 +51,7 @@ pub(crate) fn read(
         }],
         warnings: Vec::new(),
         remarks,
-        sources: place.sources(),
+        sources: tree.reading.sources(),
     })
 }
 

@@ -14,4 +14,4 @@ pub use gears::{OutlineGearEntry, OutlineGearsFile};
 pub(crate) use gears::{of_drawing, read as read_gear};
 pub(crate) use pair::read;
 pub use pair::{Drawings, OutlinePairFile};
-pub(crate) use refused::{has_outline, refused};
+pub(crate) use refused::{has_outline, refuse};

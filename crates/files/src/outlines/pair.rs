@@ -1,13 +1,11 @@
 //! A pair file with an outline: two gears, where they stand, and the study they make.
 
 use super::gear::{self, DrawingRead, OutlinePart};
+use crate::Tree;
 use crate::assembly;
 use crate::check::Checked;
 use crate::gear::GearPart;
-use crate::node::Node;
 use crate::pair_file::names;
-use crate::place::Place;
-use crate::problems::Problems;
 use crate::sources::Sources;
 use crate::spec::{
     AssemblySpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec, PAIR, RequireSpec, SweepSpec,
@@ -89,33 +87,26 @@ struct Part {
 }
 
 /// Reads the pair file at `path`, of which a gear is an outline.
-pub(crate) fn read(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) -> Option<OutlinePairFile> {
-    let file = Checked::new(&PAIR, place, entries, problems);
+pub(crate) fn read(tree: &Tree) -> Option<OutlinePairFile> {
+    let file = Checked::new(&PAIR, tree.table());
     let table = file.table();
-    let (stem, title) = names(&file, path, problems);
-    let mut left_out = Some(());
+    let (stem, title) = names(&file, tree.path);
     for (name, why) in LEFT_OUT {
         if table.has(name) {
-            problems.add(table.problem(
+            table.add(
                 name,
                 format!("a pair with an outline {why}"),
                 "remove the table",
-            ));
-            left_out = None;
+            );
         }
     }
-    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&file, name, problems));
+    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&file, name));
     let teeth = [&wheel, &pinion].map(|part| part.as_ref().map(|part| part.gears[0].1.teeth()));
-    let assembly = assembly::read(&file, true, problems);
-    let sweep = Sweep::read(&file, (teeth[0], teeth[1]), problems);
-    let require = required(&file, problems);
+    let assembly = assembly::read(&file, true);
+    let sweep = Sweep::read(&file, (teeth[0], teeth[1]));
+    let require = required(&file);
     let (assembly, sweep, require) = (assembly?, sweep?, require?);
-    let locked = assembly.locked.member();
+    let locked = assembly.locked;
     let refused = [
         (
             "face_offset_mm",
@@ -131,18 +122,17 @@ pub(crate) fn read(
         ),
     ];
     if table.has("sweep.extremes") {
-        problems.add(table.problem(
+        table.add(
             "sweep.extremes",
             "extremes of drawn gears are those of the phase of the listed poses",
             "leave it out",
-        ));
-        left_out = None;
+        );
     }
     for (key, _, reason, help) in refused.iter().filter(|(_, stated, ..)| *stated) {
-        problems.add(table.problem(&format!("assembly.{key}"), *reason, *help));
-        left_out = None;
+        table.add(&format!("assembly.{key}"), *reason, *help);
     }
-    let (wheel, pinion, ()) = (wheel?, pinion?, left_out?);
+    let (wheel, pinion) = (wheel?, pinion?);
+    tree.reading.is_good().then_some(())?;
     let mut distances = assembly.center_distance_mm.distances_mm();
     distances.sort_by(f64::total_cmp);
     for &distance in &distances {
@@ -153,12 +143,11 @@ pub(crate) fn read(
             locked,
         );
         if let Err(error) = pair {
-            problems.add(table.problem(
+            return table.refuse(
                 "assembly.center_distance_mm",
                 error.to_string(),
                 gear::help(&error),
-            ));
-            return None;
+            );
         }
     }
     let gears = materials(&wheel, &pinion);
@@ -185,19 +174,19 @@ pub(crate) fn read(
         study,
         warnings: [wheel.warnings, pinion.warnings].concat(),
         remarks: [wheel.remarks, pinion.remarks].concat(),
-        sources: place.sources(),
+        sources: tree.reading.sources(),
     })
 }
 
 /// `[require]`, of what an outline has.
-fn required(file: &Checked, problems: &mut Problems) -> Option<Option<RequireSpec>> {
-    let require = file.read("require", problems)?;
+fn required(file: &Checked) -> Option<Option<RequireSpec>> {
+    let require = file.read("require")?;
     let file = file.table();
     let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
     let given = given.iter().filter(|(key, _)| file.has(key));
     let refused = given.map(|(key, why)| {
         let help = "limit j_wt_um, lost_motion_arcmin or radial_clearance_mm";
-        problems.add(file.problem(key, *why, help));
+        file.add(key, *why, help);
     });
     match refused.count() {
         0 => Some(require),
@@ -205,14 +194,14 @@ fn required(file: &Checked, problems: &mut Problems) -> Option<Option<RequireSpe
     }
 }
 
-fn part(file: &Checked, name: &str, problems: &mut Problems) -> Option<Part> {
+fn part(file: &Checked, name: &str) -> Option<Part> {
     if file.table().has(&format!("{name}.outline")) {
         let OutlinePart {
             gear,
             read,
             spec,
             remarks,
-        } = gear::read(file, name, problems)?;
+        } = gear::read(file, name)?;
         return Some(Part {
             gears: vec![(Material::AsMeasured, gear)],
             read: Some(read),
@@ -221,7 +210,7 @@ fn part(file: &Checked, name: &str, problems: &mut Problems) -> Option<Part> {
             remarks,
         });
     }
-    let data = GearPart::read(file, name, problems);
+    let data = GearPart::read(file, name);
     let built = data.as_built?;
     Some(Part {
         gears: crate::gear::materials(&built, |gear| gear.into()),

@@ -1,9 +1,9 @@
 //! `trace` of `[profile]`: measured profiles, as lists or from tables.
 
 use super::Measured;
+use crate::data_file::DataFile;
 use crate::node::Node;
 use crate::numbers::ascii;
-use crate::problems::Problems;
 use crate::sheet::{Column, Coverage, Sheet, Wanted};
 use crate::spec::{Either, TraceSpec};
 use crate::table::Table;
@@ -22,7 +22,6 @@ pub fn read(
     stated: Option<Either<TraceSpec, Vec<TraceSpec>>>,
     own: Option<Flank>,
     gear: &Measured,
-    problems: &mut Problems,
 ) -> Option<FlankTraces> {
     let mut traces = FlankTraces::default();
     let (Some(entry), Some(stated)) = (table.get("trace"), stated) else {
@@ -40,8 +39,8 @@ pub fn read(
     };
     let mut good = Some(());
     for (path, node, spec) in each {
-        let below = Table::new(&path, table.place(), node.entries());
-        match read_one(&below, spec, own, gear, problems) {
+        let below = Table::new(&path, table.reading(), node.entries());
+        match read_one(&below, spec, own, gear) {
             Some(found) => {
                 for (all, more) in traces.iter_mut().zip(found) {
                     all.extend(more);
@@ -79,11 +78,11 @@ pub fn read(
             ),
             _ => continue,
         };
-        problems.add(table.problem(
+        table.add(
             "trace",
             reason,
             "keep one trace a tooth, each with its tooth, or one for all",
-        ));
+        );
         // Most often the other flank has the same.
         return None;
     }
@@ -95,24 +94,22 @@ fn read_one(
     stated: TraceSpec,
     own: Option<Flank>,
     gear: &Measured,
-    problems: &mut Problems,
 ) -> Option<FlankTraces> {
     let tooth = stated.tooth;
     let beyond = gear
         .teeth
         .filter(|teeth| tooth.is_some_and(|tooth| tooth > *teeth));
     if let Some(teeth) = beyond {
-        problems.add(table.problem(
+        return table.refuse(
             "tooth",
             format!("out of range, allowed is a whole number, 1 … {teeth}"),
             "give the number of the tooth that was measured",
-        ));
-        return None;
+        );
     }
     if stated.table.is_some() {
-        return of_file(table, tooth, own, gear, problems);
+        return of_file(table, tooth, own, gear);
     }
-    let points = of_lists(table, stated, gear, problems)?;
+    let points = of_lists(table, stated, gear)?;
     let trace = spec(tooth, &points);
     Some(match own {
         None => [vec![trace.clone()], vec![trace]],
@@ -130,12 +127,7 @@ fn spec(tooth: Option<u32>, points: &[Point]) -> TraceSpec {
     }
 }
 
-fn of_lists(
-    table: &Table,
-    stated: TraceSpec,
-    gear: &Measured,
-    problems: &mut Problems,
-) -> Option<Vec<Point>> {
+fn of_lists(table: &Table, stated: TraceSpec, gear: &Measured) -> Option<Vec<Point>> {
     let (name, by, at) = match (stated.roll_length_mm, stated.diameter_mm) {
         (None, Some(diameters)) => ("diameter_mm", Column::Diameter, diameters),
         (rolls, _) => (
@@ -146,7 +138,7 @@ fn of_lists(
     };
     let deviations = stated.deviation_um.unwrap_or_default();
     if at.len() != deviations.len() {
-        problems.add(table.problem(
+        return table.refuse(
             "deviation_um",
             format!(
                 "{} values beside {} of {name}, expected is one for each of two points or more",
@@ -154,8 +146,7 @@ fn of_lists(
                 at.len()
             ),
             "give the deviation at each point",
-        ));
-        return None;
+        );
     }
     let mut points = Vec::new();
     for (place, (at, um)) in (1..).zip(at.into_iter().zip(deviations)) {
@@ -170,8 +161,7 @@ fn of_lists(
         };
         if let Some((reason, help)) = fault {
             let reason = format!("value {place} of the list: {reason}");
-            problems.add(table.problem(name, reason, help));
-            return None;
+            return table.refuse(name, reason, help);
         }
     }
     Some(points)
@@ -218,7 +208,6 @@ fn of_file(
     tooth: Option<u32>,
     own: Option<Flank>,
     gear: &Measured,
-    problems: &mut Problems,
 ) -> Option<FlankTraces> {
     let base_radius = gear.basic_data.map(BasicGearData::base_radius);
     let wanted = Wanted {
@@ -226,24 +215,34 @@ fn of_file(
         teeth: gear.teeth,
         coverage: Coverage::Points { base_radius },
     };
-    let (file, read) = Sheet::read_file(table, &wanted, problems)?;
+    let (file, read) = Sheet::read_file(table, &wanted)?;
     let by = *read.columns.first()?;
     gear.headers.borrow_mut().push(read.header.clone());
-    let mut bad = Problems::of_list();
+    file.list(|| of_rows(&file, &read, by, (tooth, own), gear))
+}
+
+/// The traces in the rows of a table `by` roll length or diameter, in a table that names a `tooth` or its `own` flank.
+fn of_rows(
+    file: &DataFile,
+    read: &Sheet,
+    by: Column,
+    (tooth, own): (Option<u32>, Option<Flank>),
+    gear: &Measured,
+) -> Option<FlankTraces> {
     let first = read.rows.first()?;
     if let (Some(_), Some(_)) = (tooth, first.tooth) {
         let reason = "has a column tooth, and the key `tooth` stands beside the file: allowed is one of them";
-        bad.add(file.problem(reason, "remove one or the other"));
+        file.add(reason, "remove one or the other");
     }
     if let (Some(own), Some(_)) = (own, first.flank) {
         let reason = format!(
             "has a column flank, this table is of the {} flanks alone",
             own.name()
         );
-        bad.add(file.problem(
+        file.add(
             reason,
             "remove the column, or give the trace in the table of both flanks",
-        ));
+        );
     }
     // By flank and tooth; the line of each trace's last point.
     let mut traces: BTreeMap<(usize, Option<u32>), (u64, Vec<Point>)> = BTreeMap::new();
@@ -259,7 +258,7 @@ fn of_file(
             Ok(length) => length,
             Err(None) => return None,
             Err(Some((reason, help))) => {
-                bad.add(file.problem_at(row.line, file.found(reason), help));
+                file.add_at(row.line, file.found(reason), help);
                 continue;
             }
         };
@@ -273,7 +272,7 @@ fn of_file(
             *line = row.line;
         }
         if let Some((reason, help)) = fault {
-            bad.add(file.problem_at(row.line, reason, help));
+            file.add_at(row.line, reason, help);
         }
     }
     let mut reported = None;
@@ -281,14 +280,12 @@ fn of_file(
         if points.len() < 2 && reported.replace(*line) != Some(*line) {
             let whose = tooth.map_or(String::new(), |tooth| format!(" of tooth {tooth}"));
             let reason = format!("the trace{whose} has one point, allowed are two or more");
-            bad.add(file.problem_at(*line, file.found(reason), "give the whole trace"));
+            file.add_at(*line, file.found(reason), "give the whole trace");
         }
     }
-    let good = bad.is_empty();
-    problems.add_list(file.key(), bad);
     let mut found = FlankTraces::default();
     for ((flank, tooth), (_, points)) in traces {
         found[flank].push(spec(tooth, &points));
     }
-    good.then_some(found)
+    Some(found)
 }

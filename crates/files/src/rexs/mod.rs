@@ -19,8 +19,8 @@ pub use crate::gearbox_model::is_rexs;
 use crate::characters::{cut, plain};
 use crate::error::{InputError, Problem};
 use crate::node::LONGEST;
-use crate::place::Place;
-use crate::{source, with_bytes};
+use crate::reading::Reading;
+use crate::{Sources, source};
 use document::{Component, Document, problem};
 use fault::Fault;
 use stage::Stage;
@@ -41,7 +41,7 @@ pub struct RexsFile {
     /// Parts that were not read: kinds of components and how many, other parts of the file.
     pub left_out: Vec<(String, usize)>,
     /// The file itself.
-    pub sources: crate::Sources,
+    pub sources: Sources,
 }
 
 /// A stage.
@@ -76,14 +76,13 @@ pub struct RexsPair {
 /// [`InputError`] with the place of what is wrong with the file as a whole: a line and a column, or a component and an attribute. A fault
 /// of one stage is the reason of that stage.
 pub fn read(path: &Path) -> Result<RexsFile, InputError> {
-    with_bytes(path, |path, place, bytes, problems| {
-        let file = bytes.and_then(|bytes| of_bytes(path, place, bytes));
-        problems.keep(file)
-    })
+    let (name, sources) = (crate::named(path), Reading::of(path).sources());
+    let file = crate::bytes(path).and_then(|bytes| of_bytes(name, sources, bytes));
+    file.map_err(|problem| InputError::of(name, vec![problem]))
 }
 
 /// Reads `bytes`, called `path` in messages.
-fn of_bytes(path: &Path, place: &Place, bytes: Vec<u8>) -> Result<RexsFile, Problem> {
+fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, Problem> {
     let bytes = if bytes.starts_with(b"PK") {
         archive::unpacked(&bytes)?
     } else {
@@ -127,7 +126,7 @@ fn of_bytes(path: &Path, place: &Place, bytes: Vec<u8>) -> Result<RexsFile, Prob
         application: cut(&document.application, LONGEST),
         stages,
         left_out,
-        sources: place.sources(),
+        sources,
     })
 }
 

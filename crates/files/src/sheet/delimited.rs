@@ -4,7 +4,6 @@ use super::grid::{Cell, Grid, Line};
 use super::number::Decimal;
 use crate::data_file::{DataFile, line_of};
 use crate::error::Problem;
-use crate::problems::Problems;
 use encoding_rs::{Encoding, WINDOWS_1252};
 use std::borrow::Cow;
 
@@ -21,11 +20,7 @@ const SEPARATORS: [(char, Option<Decimal>); 3] = [
 ///
 /// Windows-1252 has a character for nearly every byte. Text in another encoding gets other characters, none of which is part of a
 /// number or of a known name.
-pub fn decode<'a>(
-    file: &DataFile,
-    bytes: &'a [u8],
-    problems: &mut Problems,
-) -> Option<Cow<'a, str>> {
+pub fn decode<'a>(file: &DataFile, bytes: &'a [u8]) -> Option<Cow<'a, str>> {
     let Some((encoding, mark)) = Encoding::for_bom(bytes) else {
         return Some(match std::str::from_utf8(bytes) {
             Ok(text) => Cow::Borrowed(text),
@@ -40,19 +35,14 @@ pub fn decode<'a>(
         let line = 1 + before.unwrap_or_default().matches('\n').count() as u64;
         let name = encoding.name();
         let reason = format!("not the {name} text that the byte order mark announces");
-        problems.add(file.problem_at(line, reason, "save it as UTF-8"));
+        file.add_at(line, reason, "save it as UTF-8");
     }
     text
 }
 
 /// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names. The limit of cells is `most`.
-pub fn read(
-    file: &DataFile,
-    text: &str,
-    most: usize,
-    problems: &mut Problems,
-) -> Option<Vec<Grid>> {
-    problems.keep(grids(file, text, most))
+pub fn read(file: &DataFile, text: &str, most: usize) -> Option<Vec<Grid>> {
+    file.reading().keep(grids(file, text, most))
 }
 
 fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem> {

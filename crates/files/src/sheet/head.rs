@@ -6,6 +6,7 @@ use super::grid::{Cell, Line, letter};
 use super::heading::{self, Meaning, Quantity};
 use crate::data_file::DataFile;
 use crate::error::Problem;
+use std::fmt::Display;
 
 /// Lines in which a header is looked for, and cells of such a line. Each cell takes some µs.
 const MOST_SEARCHED: usize = 1_000;
@@ -208,7 +209,7 @@ impl Head {
     }
 
     /// A problem of the header.
-    pub fn problem(&self, file: &DataFile, reason: String, help: impl Into<String>) -> Problem {
+    pub fn problem(&self, file: &DataFile, reason: String, help: impl Display) -> Problem {
         file.problem_at(self.line, reason, help)
     }
 }

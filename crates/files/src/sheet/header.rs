@@ -2,7 +2,6 @@
 
 use super::number::{self, Decimal, Written};
 use crate::data_file::DataFile;
-use crate::problems::Problems;
 use gearlash::gear::GearDesign;
 
 /// Labels, the key that states the same, and the usual number of the line. `*` is the umlaut, which the code pages of old machines
@@ -22,7 +21,7 @@ const INTERNAL: [&str; 2] = ["innen", "internal"];
 const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 
 /// The header lines of one protocol; a plain table has none.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Header {
     stated: Vec<Stated>,
     warnings: Vec<String>,
@@ -30,7 +29,7 @@ pub struct Header {
     unused: Option<(DataFile, String)>,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 struct Stated {
     file: DataFile,
     line: u64,
@@ -55,7 +54,7 @@ impl Header {
     /// Reads a line of a protocol. Lines that are not numbered header lines are passed over.
     ///
     /// `  22 :Zähnezahl.............: 44` or `21 Normalmodul 3.000 mm`: a number, a label, dots or a colon or neither, the value.
-    pub fn take(&mut self, file: &DataFile, line: u64, text: &str, problems: &mut Problems) {
+    pub fn take(&mut self, file: &DataFile, line: u64, text: &str) {
         let rest = text.trim_start();
         let behind_number = rest.trim_start_matches(|c: char| c.is_ascii_digit());
         let code = &rest[..rest.len() - behind_number.len()];
@@ -68,7 +67,7 @@ impl Header {
             .find_map(|(known, ..)| labelled(behind, known));
         let (label, rest) = behind.split_at(length.unwrap_or(behind.len()));
         let fields = rest.rsplit_once(':').map_or(rest, |(_, fields)| fields);
-        self.state(file, line, [code, label, fields], value_of(rest), problems);
+        self.state(file, line, [code, label, fields], value_of(rest));
     }
 
     /// Reads a header line with the number `code`, a label and fields, one of which is `value`.
@@ -78,10 +77,8 @@ impl Header {
         line: u64,
         [code, label, fields]: [&str; 3],
         value: &str,
-        problems: &mut Problems,
     ) {
-        let mut wrong =
-            |reason: String, help: &str| problems.add(file.problem_at(line, reason, help));
+        let wrong = |reason: String, help: &str| file.add_at(line, reason, help);
         let known = LABELS
             .iter()
             .find_map(|(known, key, _)| Some((&label[..labelled(label, known)?], *key)));
@@ -205,7 +202,7 @@ impl Header {
     }
 
     /// Reports what contradicts the pair file by more than the rounding of the printed value.
-    pub fn check(&self, drawn: &StatedGear, problems: &mut Problems) {
+    pub fn check(&self, drawn: &StatedGear) {
         let design = drawn.design;
         for said in &self.stated {
             let stated = match said.key {
@@ -221,11 +218,11 @@ impl Header {
             if (said.value - stated).abs() > allowed {
                 let (label, key) = (&said.label, said.key);
                 let value = said.file.bare(&said.value.to_string());
-                problems.add(said.file.problem_at(
+                said.file.add_at(
                     said.line,
                     format!("{label} is {value}, the pair file has {key} = {stated}"),
                     "check that this is the gear's protocol, and correct the pair file or the line",
-                ));
+                );
             }
         }
     }

@@ -21,7 +21,6 @@ mod rows;
 mod workbook;
 
 use super::data_file::DataFile;
-use super::problems::Problems;
 use super::table::Table;
 pub use choice::Choice;
 pub use column::Column;
@@ -46,7 +45,7 @@ const NOT_READ: [(&[u8], &str); 2] = [
 const OPEN_DOCUMENT: &[u8] = b"mimetypeapplication/vnd.oasis.opendocument";
 
 /// A table as read.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Sheet {
     /// Statements on the gear beside the rows.
     pub header: Header,
@@ -78,45 +77,40 @@ pub struct Origin {
 impl Sheet {
     /// Reads the file that `table` names under `file`, a relative path from the pair file's folder.
     ///
-    /// All problems are added to `problems`, under the key of `file` and with line numbers.
-    pub fn read(table: &Table, wanted: &Wanted, problems: &mut Problems) -> Option<Sheet> {
-        Sheet::read_file(table, wanted, problems).map(|(_, sheet)| sheet)
+    /// Problems stand under the key of `file`, with line numbers.
+    pub fn read(table: &Table, wanted: &Wanted) -> Option<Sheet> {
+        Sheet::read_file(table, wanted).map(|(_, sheet)| sheet)
     }
 
     /// As [`Sheet::read`], with the file.
-    pub fn read_file(
-        table: &Table,
-        wanted: &Wanted,
-        problems: &mut Problems,
-    ) -> Option<(DataFile, Sheet)> {
+    pub fn read_file(table: &Table, wanted: &Wanted) -> Option<(DataFile, Sheet)> {
         let file = DataFile::of(table)?;
         let choice = Choice::of(table);
-        let sheet = problems.of_list_at(file.key(), |bad| {
-            let bytes = bad.keep(file.bytes())?;
-            let content = Content::read(&file, (bytes, MOST_CELLS), table, &choice, bad)?;
+        let sheet = file.list(|| {
+            let content = Content::read(&file, (file.bytes()?, MOST_CELLS), table, &choice)?;
             let request = Request {
                 file: &file,
                 choice: &choice,
                 wanted: *wanted,
             };
-            Sheet::of(&content, &request, bad)
+            Sheet::of(&content, &request)
         })?;
         let origin = sheet
             .origin
             .as_ref()
             .and_then(|origin| origin.remark(&file));
-        table.place().add_remark(sheet.header.remark().or(origin));
+        table.reading().add_remark(sheet.header.remark().or(origin));
         Some((file, sheet))
     }
 
     /// Reads the table of a file.
-    pub fn of(content: &Content, request: &Request, problems: &mut Problems) -> Option<Sheet> {
+    pub fn of(content: &Content, request: &Request) -> Option<Sheet> {
         let Request { file, wanted, .. } = request;
         let mut columns = wanted.columns.to_vec();
         let (rows, header, origin) = match content {
             Content::Cells(grids) => {
-                let found = Found::find(request, grids, problems)?;
-                let rows = found.rows(request, problems)?;
+                let found = Found::find(request, grids)?;
+                let rows = found.rows(request)?;
                 columns = found
                     .places
                     .values
@@ -130,18 +124,17 @@ impl Sheet {
                 )
             }
             Content::Protocol(_) if wanted.is_points() => {
-                problems.add(file.problem(
+                return file.refuse(
                     "is a protocol of pitch, expected is a table of traces",
                     "name the columns roll_length_mm or diameter_mm, deviation_um, and tooth and flank where needed",
-                ));
-                return None;
+                );
             }
             Content::Protocol(text) => {
-                let (rows, header) = protocol::read(request, text, problems)?;
+                let (rows, header) = protocol::read(request, text)?;
                 (rows, header, None)
             }
             Content::P40(text) => {
-                let (rows, header) = p40::read(request, text, problems)?;
+                let (rows, header) = p40::read(request, text)?;
                 (rows, header, None)
             }
         };
@@ -235,7 +228,6 @@ impl Content {
         (bytes, most): (Vec<u8>, usize),
         table: &Table,
         choice: &Choice,
-        problems: &mut Problems,
     ) -> Option<Content> {
         let mut not_read = NOT_READ
             .iter()
@@ -248,36 +240,31 @@ impl Content {
         if let Some(name) =
             name.or(is_open_document.then_some("an OpenDocument file, such as .ods"))
         {
-            problems.add(file.problem(format!("is {name}"), "save it as .xlsx or CSV"));
-            return None;
+            return file.refuse(format!("is {name}"), "save it as .xlsx or CSV");
         }
         if workbook::is_one(file, &bytes) {
-            let grids = workbook::read(file, bytes, choice.sheet.as_deref(), problems)?;
+            let grids = workbook::read(file, bytes, choice.sheet.as_deref())?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
-        let mut remove =
-            |key: &str, words: &str| problems.add(table.problem(key, words, "remove it"));
+        let remove = |key: &str, words: &str| table.add(key, words, "remove it");
         if choice.sheet.is_some() {
             remove(
                 "sheet",
                 "the file is not a workbook, sheet is allowed only with .xlsx",
             );
         }
-        let text = delimited::decode(file, &bytes, problems)?;
+        let text = delimited::decode(file, &bytes)?;
         if p40::is_value_file(&text) {
-            problems.add(file.problem(
+            return file.refuse(
                 "is a value file (.mew): results by number, of which none is known for certain to be a span or a dimension over pins",
                 "name the curve file of the same measurement (.mka), or write the values into the pair file",
-            ));
-            return None;
+            );
         }
         let is_p40 = p40::is_one(&text);
         if !is_p40 && !protocol::is_one(&text) {
-            let grids = delimited::read(file, &text, most, problems)?;
+            let grids = delimited::read(file, &text, most)?;
             return Some(Content::Cells(below_header(grids, choice)));
         }
-        let mut remove =
-            |key: &str, words: &str| problems.add(table.problem(key, words, "remove it"));
         if choice.decimal == Some(Decimal::Comma) {
             remove(
                 "decimal",
@@ -313,7 +300,8 @@ impl Content {
     pub fn has_each(&self, request: &Request) -> bool {
         match self {
             Content::Cells(grids) => {
-                Found::find(request, grids, &mut Problems::of_list()).is_some()
+                let reading = request.file.reading();
+                reading.apart(|| Found::find(request, grids)).0.is_some()
             }
             Content::Protocol(_) | Content::P40(_) => true,
         }
@@ -325,9 +313,9 @@ impl Content {
     }
 
     /// Reports what is wrong with a curve file of a P40.
-    pub fn check_p40(&self, file: &DataFile, problems: &mut Problems) -> Option<()> {
+    pub fn check_p40(&self, file: &DataFile) -> Option<()> {
         match self {
-            Content::P40(text) => p40::parse(file, text, problems).map(|_| ()),
+            Content::P40(text) => p40::parse(file, text).map(|_| ()),
             Content::Cells(_) | Content::Protocol(_) => Some(()),
         }
     }

@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 
 use super::column::Column;
 use crate::data_file::DataFile;
-use crate::problems::Problems;
 
 /// Word processors turn a hyphen before a number into this sign.
 const MINUS: char = '\u{2212}';
@@ -153,7 +152,6 @@ pub fn check_decimal_sign(
     file: &DataFile,
     numbers: &[Placed],
     [stated, by_format]: [Option<Decimal>; 2],
-    problems: &mut Problems,
 ) -> Option<()> {
     let has = |sign| {
         numbers
@@ -179,7 +177,7 @@ pub fn check_decimal_sign(
             stated.map_or("", |_| " by the key `decimal`"),
         );
         let help = "write all numbers with one decimal sign and without thousands separators";
-        problems.add(file.problem_at(*line, reason, help));
+        file.add_at(*line, reason, help);
         good = None;
     }
     let with_sign = || {
@@ -204,7 +202,7 @@ pub fn check_decimal_sign(
             "state the decimal sign beside the file: decimal = \"{}\", and write numbers without thousands separators",
             sign.sign()
         );
-        problems.add(file.problem_at(*line, reason, help));
+        file.add_at(*line, reason, help);
         good = None;
     }
     good

@@ -8,8 +8,8 @@ use super::heading::Quantity;
 use super::request::Request;
 use crate::error::Problem;
 use crate::node::Node;
-use crate::problems::Problems;
 use gearlash::metrology::PitchKind;
+use std::fmt::Display;
 
 /// Places of the columns.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,12 +34,12 @@ impl Places {
 
 impl Request<'_> {
     /// The places of the tooth and the wanted columns that `head`, one of `lines`, names, or the pair file.
-    pub fn places(&self, head: &Head, lines: &[Line], problems: &mut Problems) -> Option<Places> {
+    pub fn places(&self, head: &Head, lines: &[Line]) -> Option<Places> {
         if self.wanted.is_points() {
-            return self.places_of_points(head, problems);
+            return self.places_of_points(head);
         }
         let tooth = if self.wanted.is_by_tooth() {
-            problems.keep(self.tooth(head, lines).map(Some))
+            self.file.reading().keep(self.tooth(head, lines).map(Some))
         } else {
             Some(None)
         };
@@ -52,15 +52,14 @@ impl Request<'_> {
             .then(|| repeated_header(head, lines))
             .flatten();
         if let Some(line) = again {
-            problems.add(self.file.problem_at(
+            return self.file.refuse_at(
                 line,
                 format!(
                     "names columns again, as line {} does: a table in two blocks, one below the other, is not read",
                     head.line
                 ),
                 "put the blocks side by side: a row a tooth, with a column for each flank",
-            ));
-            return None;
+            );
         }
         if columns.len() > 1 && missing == columns.len() {
             let join = |texts: Vec<String>, by: &str| texts.join(by);
@@ -80,13 +79,12 @@ impl Request<'_> {
             let keys = join(keys, ", ");
             let help =
                 format!("name them there, or say which they are, by heading or letter: {keys}");
-            problems.add(head.problem(self.file, reason, help));
-            return None;
+            return self.refuse(head, reason, help);
         }
         let values = columns.iter().map(|column| {
             let places = dedup_equal(head, lines, head.places_of(*column, self.choice));
             let place = self.one(head, *column, &in_unit(head, *column, places));
-            Some((*column, problems.keep(place)?))
+            Some((*column, self.file.reading().keep(place)?))
         });
         // All problems are reported before the first ends it.
         let values: Vec<Option<_>> = values.collect();
@@ -97,19 +95,28 @@ impl Request<'_> {
             source: source.filter(|_| self.wanted.is_results()),
             values,
         };
-        problems.keep(self.check_same_kind(head, &places))?;
-        problems.keep(self.check_distinct(head, &places))?;
+        self.file
+            .reading()
+            .keep(self.check_same_kind(head, &places))?;
+        self.file
+            .reading()
+            .keep(self.check_distinct(head, &places))?;
         Some(places)
     }
 
+    fn refuse<T>(&self, head: &Head, reason: String, help: impl Display) -> Option<T> {
+        let problem = head.problem(self.file, reason, help);
+        self.file.reading().refuse(problem)
+    }
+
     /// Points have a tooth or none, a flank or none, and a roll length or a diameter.
-    fn places_of_points(&self, head: &Head, problems: &mut Problems) -> Option<Places> {
-        let mut optional = |name: &str, places: Vec<usize>| match *places {
+    fn places_of_points(&self, head: &Head) -> Option<Places> {
+        let optional = |name: &str, places: Vec<usize>| match *places {
             [] => Some(None),
             [place] => Some(Some(place)),
             _ => {
-                problems.add(self.several(head, name, TOOTH, &places));
-                None
+                let several = self.several(head, name, TOOTH, &places);
+                self.file.reading().refuse(several)
             }
         };
         let tooth = optional("tooth", head.teeth(&[], self.choice));
@@ -119,8 +126,7 @@ impl Request<'_> {
             .map(|column| head.places_of(column, self.choice));
         if !roll.is_empty() && !diameter.is_empty() {
             let reason = "columns roll length and diameter, allowed is one of them".to_owned();
-            problems.add(head.problem(self.file, reason, "remove one: they say the same"));
-            return None;
+            return self.refuse(head, reason, "remove one: they say the same");
         }
         let (by, at) = if diameter.is_empty() {
             (Column::RollLength, roll)
@@ -128,8 +134,11 @@ impl Request<'_> {
             (Column::Diameter, diameter)
         };
         let deviation = head.places_of(Column::Deviation, self.choice);
-        let at = problems.keep(self.one(head, by, &at));
-        let deviation = problems.keep(self.one(head, Column::Deviation, &deviation));
+        let at = self.file.reading().keep(self.one(head, by, &at));
+        let deviation = self
+            .file
+            .reading()
+            .keep(self.one(head, Column::Deviation, &deviation));
         let values = vec![(by, at?), (Column::Deviation, deviation?)];
         Some(Places {
             tooth: tooth?,

@@ -12,7 +12,6 @@ use super::request::{Request, Wanted};
 use super::rows::{Row, ordered};
 use crate::data_file::DataFile;
 use crate::numbers::ascii;
-use crate::problems::Problems;
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 use std::collections::HashMap;
@@ -146,24 +145,17 @@ pub fn has(text: &str, column: Column) -> bool {
 }
 
 /// The wanted columns, by ascending tooth, and the header lines.
-pub fn read(request: &Request, text: &str, problems: &mut Problems) -> Option<(Vec<Row>, Header)> {
-    let (blocks, header) = parse(request.file, text, problems)?;
+pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
+    let (blocks, header) = parse(request.file, text)?;
     let teeth = request.wanted.teeth.or(header.teeth());
     let wanted = Wanted {
         teeth,
         ..request.wanted
     };
-    Some((
-        blocks.rows(&Request { wanted, ..*request }, problems)?,
-        header,
-    ))
+    Some((blocks.rows(&Request { wanted, ..*request })?, header))
 }
 
-fn parse<'a>(
-    file: &DataFile,
-    text: &'a str,
-    problems: &mut Problems,
-) -> Option<(Blocks<'a>, Header)> {
+fn parse<'a>(file: &DataFile, text: &'a str) -> Option<(Blocks<'a>, Header)> {
     let mut header = Header::default();
     let mut blocks = Blocks::default();
     let (mut is_open, mut after_blank) = (false, false);
@@ -184,7 +176,7 @@ fn parse<'a>(
             taken = blocks.take(file, line, text, Unmeasured::default());
         }
         if let Err(wrong) = taken {
-            problems.add(file.problem_at(line, wrong.reason, wrong.help));
+            file.add_at(line, wrong.reason, wrong.help);
             good = None;
             is_open &= !wrong.ends_block;
             if blocks.is_full() {
@@ -192,7 +184,7 @@ fn parse<'a>(
             }
         }
         if !is_open {
-            header.take(file, line, text, problems);
+            header.take(file, line, text);
         }
         after_blank = false;
     }
@@ -273,17 +265,16 @@ impl<'a> Blocks<'a> {
     }
 
     /// The wanted columns, by ascending tooth.
-    pub fn rows(&self, request: &Request, problems: &mut Problems) -> Option<Vec<Row>> {
+    pub fn rows(&self, request: &Request) -> Option<Vec<Row>> {
         let Request { file, wanted, .. } = request;
         let columns = wanted.columns.iter().map(|column| {
             let values = match *column {
-                Column::Right(kind) => self.pitch(file, Side::Right, kind, problems),
-                Column::Left(kind) => self.pitch(file, Side::Left, kind, problems),
-                Column::Runout => self.runout(file, problems),
+                Column::Right(kind) => self.pitch(file, Side::Right, kind),
+                Column::Left(kind) => self.pitch(file, Side::Left, kind),
+                Column::Runout => self.runout(file),
                 other => {
                     let reason = format!("is a pitch protocol, which has no {}", other.name());
-                    problems.add(file.problem(reason, "name a table that has it"));
-                    None
+                    file.refuse(reason, "name a table that has it")
                 }
             };
             let row = |(line, tooth, value): (u64, u32, Written)| Row {
@@ -292,12 +283,7 @@ impl<'a> Blocks<'a> {
                 flank: None,
                 values: vec![value.value],
             };
-            ordered(
-                file,
-                values?.into_iter().map(row).collect(),
-                *wanted,
-                problems,
-            )
+            ordered(file, values?.into_iter().map(row).collect(), *wanted)
         });
         // All columns are read before the first bad one ends it.
         let columns: Vec<Option<Vec<Row>>> = columns.collect();
@@ -309,7 +295,7 @@ impl<'a> Blocks<'a> {
             .any(|column| *column != Column::Runout)
         {
             for block in &self.blocks {
-                block.check_kinds_agree(file, problems);
+                block.check_kinds_agree(file);
             }
         }
         let mut rows = columns.next()?;
@@ -329,7 +315,6 @@ impl<'a> Blocks<'a> {
         file: &DataFile,
         side: Side,
         kind: PitchKind,
-        problems: &mut Problems,
     ) -> Option<Vec<(u64, u32, Written<'a>)>> {
         let Some(block) = self.blocks.iter().find(|block| block.side == side) else {
             let head = if side == Side::Left {
@@ -338,8 +323,7 @@ impl<'a> Blocks<'a> {
                 "rechte"
             };
             let reason = format!("has no block {head} Zahnflanke");
-            problems.add(file.problem(reason, "give a protocol of both flanks"));
-            return None;
+            return file.refuse(reason, "give a protocol of both flanks");
         };
         let values = block.column(name_of(kind));
         if values.is_none() {
@@ -349,28 +333,19 @@ impl<'a> Blocks<'a> {
                 "Fp"
             };
             let help = "give the other kind, or a protocol that has it";
-            problems.add(file.problem_at(
-                block.line,
-                format!("the block has no column {name}"),
-                help,
-            ));
+            file.add_at(block.line, format!("the block has no column {name}"), help);
         }
         values
     }
 
     /// `Fr` of the blocks that have it; both must state the same.
-    fn runout(
-        &self,
-        file: &DataFile,
-        problems: &mut Problems,
-    ) -> Option<Vec<(u64, u32, Written<'a>)>> {
+    fn runout(&self, file: &DataFile) -> Option<Vec<(u64, u32, Written<'a>)>> {
         let mut columns = self
             .blocks
             .iter()
             .filter_map(|block| block.column(Name::Runout));
         let Some(first) = columns.next() else {
-            problems.add(file.problem("has no column Fr", "give a protocol that has it"));
-            return None;
+            return file.refuse("has no column Fr", "give a protocol that has it");
         };
         // The first of two rows of one tooth: that there are two is reported elsewhere.
         let by_tooth = first
@@ -382,11 +357,11 @@ impl<'a> Blocks<'a> {
         for (line, tooth, value) in columns.flatten() {
             if by_tooth.get(&tooth) != Some(&value.value) {
                 let value = file.bare(value.text);
-                problems.add(file.problem_at(
+                file.add_at(
                     line,
                     format!("Fr of tooth {tooth} is {value} here, but not in the block of the other flank"),
                     "find the right one, and remove column Fr from the other block of a copy",
-                ));
+                );
                 good = None;
             }
         }
@@ -406,7 +381,7 @@ impl<'a> Block<'a> {
 
     /// Checks that single and cumulative pitch agree: `f_i = F_i − F_{i−1}`, within half a unit of the last printed digit of each of
     /// the three. The block has every tooth once.
-    fn check_kinds_agree(&self, file: &DataFile, problems: &mut Problems) {
+    fn check_kinds_agree(&self, file: &DataFile) {
         let [Some(mut single), Some(mut cumulative)] =
             [Name::Single, Name::Cumulative].map(|name| self.column(name))
         else {
@@ -431,7 +406,7 @@ impl<'a> Block<'a> {
                 );
                 let help =
                     "find the wrong one, or remove the other column from a copy of the protocol";
-                problems.add(file.problem_at(line, reason, help));
+                file.add_at(line, reason, help);
             }
             before = now;
         }

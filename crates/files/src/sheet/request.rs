@@ -6,7 +6,6 @@ use super::grid::{Grid, MOST_NAMED};
 use super::head::Head;
 use crate::data_file::DataFile;
 use crate::error::Problem;
-use crate::problems::Problems;
 
 /// Columns and rows that a reader needs.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +59,7 @@ pub struct Request<'a> {
 
 impl Request<'_> {
     /// Finds the header in `grids`: the line that names a tooth column and a wanted one.
-    pub fn head<'g>(&self, grids: &'g [Grid], problems: &mut Problems) -> Option<(&'g Grid, Head)> {
+    pub fn head<'g>(&self, grids: &'g [Grid]) -> Option<(&'g Grid, Head)> {
         let has_wanted = self.is_there(grids);
         let columns = self.wanted.columns.iter();
         let others: Vec<Column> = columns.map(|column| column.of_other_kind()).collect();
@@ -68,7 +67,7 @@ impl Request<'_> {
         let is_head = |head: &Head| {
             self.is_head(head, self.wanted.columns) || (!has_wanted && self.is_head(head, &others))
         };
-        self.one_of(grids, is_head, problems)
+        self.one_of(grids, is_head)
     }
 
     /// Whether one of `grids` has a header of a tooth column and a wanted one.
@@ -117,7 +116,6 @@ impl Request<'_> {
         &self,
         grids: &'g [Grid],
         is_head: impl Fn(&Head) -> bool,
-        problems: &mut Problems,
     ) -> Option<(&'g Grid, Head)> {
         let choice = self.choice;
         let in_grid = |grid: &'g Grid| Some((grid, Head::find(&grid.lines, choice, &is_head)?));
@@ -152,8 +150,7 @@ impl Request<'_> {
         if found.len() == 1 {
             return found.pop();
         }
-        problems.add(self.not_one(grids, &found));
-        None
+        self.file.reading().refuse(self.not_one(grids, &found))
     }
 
     /// The problem of no grid, or several, with a header.

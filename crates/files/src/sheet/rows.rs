@@ -9,7 +9,6 @@ use super::places::Places;
 use super::request::{Coverage, Request, Wanted};
 use crate::data_file::DataFile;
 use crate::limits::whole_in;
-use crate::problems::Problems;
 use gearlash::gear::{Flank, Side};
 use std::ops::RangeBounds;
 
@@ -53,25 +52,20 @@ impl<'a> Found<'a> {
     /// Finds the table that `request` asks for in `grids`.
     ///
     /// Comments, statistics, lines above the header and remarks below the last row are left out.
-    pub fn find(
-        request: &Request,
-        grids: &'a [Grid],
-        problems: &mut Problems,
-    ) -> Option<Found<'a>> {
+    pub fn find(request: &Request, grids: &'a [Grid]) -> Option<Found<'a>> {
         let file = request.file;
-        let (grid, head) = request.head(grids, problems)?;
-        let places = request.places(&head, &grid.lines, problems)?;
+        let (grid, head) = request.head(grids)?;
+        let places = request.places(&head, &grid.lines)?;
         let used = places.numbers();
         let mut left_out = LeftOut::default();
         for (at, line) in grid.lines[..head.at].iter().enumerate() {
             let is_number = |place: &usize| line.cell(*place).number().is_some();
             if used.first().is_some_and(is_number) && used.iter().skip(1).any(is_number) {
-                problems.add(file.problem_at(
+                return file.refuse_at(
                     line.number,
                     format!("has numbers like a row of the table, but stands above its header in line {}", head.line),
                     "move it below the header, or remove it",
-                ));
-                return None;
+                );
             }
             if !(head.has_groups && at + 1 == head.at) {
                 left_out.lines.push((line.number, String::new()));
@@ -80,12 +74,11 @@ impl<'a> Found<'a> {
         let mut rows = Vec::new();
         for line in &grid.lines[head.at + 1 + usize::from(head.has_units)..] {
             if grid.sheet.is_none() && line.cells.iter().any(Cell::is_torn) {
-                problems.add(file.problem_at(
+                return file.refuse_at(
                     line.number,
                     "a cell of several lines that hold separators, as if a quotation mark were missing or left over",
                     "correct the quotation marks",
-                ));
-                return None;
+                );
             }
             if is_statistic(line, &used) {
                 left_out
@@ -123,18 +116,18 @@ impl<'a> Found<'a> {
     }
 
     /// The rows as numbers: by ascending tooth, or points in the order of their lines.
-    pub fn rows(&self, request: &Request, problems: &mut Problems) -> Option<Vec<Row>> {
+    pub fn rows(&self, request: &Request) -> Option<Vec<Row>> {
         let mut numbers = Vec::new();
         // All lines are read before the first bad one ends it.
         let rows = self
             .lines
             .iter()
-            .map(|line| self.row(request, line, &mut numbers, problems));
+            .map(|line| self.row(request, line, &mut numbers));
         let rows: Vec<Option<Row>> = rows.collect();
         let rows: Vec<Row> = rows.into_iter().collect::<Option<_>>()?;
         let signs = [request.choice.decimal, self.grid.decimal];
-        check_decimal_sign(request.file, &numbers, signs, problems)?;
-        ordered(request.file, rows, request.wanted, problems)
+        check_decimal_sign(request.file, &numbers, signs)?;
+        ordered(request.file, rows, request.wanted)
     }
 
     /// The sources of the rows, where the table names them.
@@ -148,7 +141,7 @@ impl<'a> Found<'a> {
     }
 
     /// Checks that a row is as wide as the header, as a text's must be, and has no number that slipped out of its column.
-    fn check_width(&self, file: &DataFile, line: &Line, problems: &mut Problems) -> Option<()> {
+    fn check_width(&self, file: &DataFile, line: &Line) -> Option<()> {
         let (columns, found) = (self.head.headings.len(), line.cells.len());
         if self.grid.sheet.is_none() && found != columns {
             let help = if self.grid.decimal == Some(Decimal::Point) {
@@ -157,8 +150,7 @@ impl<'a> Found<'a> {
                 "give every column one value, and nothing else"
             };
             let reason = format!("{found} values, the header names {columns} columns");
-            problems.add(file.problem_at(line.number, reason, help));
-            return None;
+            return file.refuse_at(line.number, reason, help);
         }
         let is_named = |place: usize| {
             let heading = self.head.headings.get(place);
@@ -169,7 +161,7 @@ impl<'a> Found<'a> {
             if cell.number().is_some() && !is_named(place) && is_named(place - 1) {
                 let (shown, letter) = (cell.shown(file), letter(place));
                 let reason = format!("{shown} is in column {letter}, which has no name");
-                problems.add(file.problem_at(line.number, reason, "remove it, or name its column"));
+                file.add_at(line.number, reason, "remove it, or name its column");
                 good = None;
             }
         }
@@ -177,15 +169,9 @@ impl<'a> Found<'a> {
     }
 
     /// One line as a row; its numbers as written are added to `numbers`.
-    fn row(
-        &self,
-        request: &Request,
-        line: &'a Line,
-        numbers: &mut Vec<Placed<'a>>,
-        problems: &mut Problems,
-    ) -> Option<Row> {
+    fn row(&self, request: &Request, line: &'a Line, numbers: &mut Vec<Placed<'a>>) -> Option<Row> {
         let file = request.file;
-        self.check_width(file, line, problems)?;
+        self.check_width(file, line)?;
         let mut good = Some(());
         let mut wrong = |name: &str, cell: &Cell, allowed: &str| {
             let lost = match cell {
@@ -200,7 +186,7 @@ impl<'a> Found<'a> {
                 "correct the line"
             };
             let reason = format!("{name} is {}{lost}, allowed is {allowed}", cell.shown(file));
-            problems.add(file.problem_at(line.number, reason, help));
+            file.add_at(line.number, reason, help);
             good = None;
         };
         let teeth = 1..=request.wanted.teeth.unwrap_or(10_000);
@@ -326,23 +312,17 @@ fn is_row(line: &Line, used: &[usize]) -> bool {
 }
 
 /// `rows` by ascending tooth; a tooth that the gear does not have, that is given twice or missing is a problem.
-pub fn ordered(
-    file: &DataFile,
-    mut rows: Vec<Row>,
-    wanted: Wanted,
-    problems: &mut Problems,
-) -> Option<Vec<Row>> {
+pub fn ordered(file: &DataFile, mut rows: Vec<Row>, wanted: Wanted) -> Option<Vec<Row>> {
     let Some(last) = rows.iter().map(|row| row.line).max() else {
         let each = match wanted.coverage {
             Coverage::Points { .. } => "point",
             Coverage::Results { .. } => "result",
             Coverage::EveryTooth | Coverage::SomeTeeth => "tooth",
         };
-        problems.add(file.problem(
+        return file.refuse(
             "no rows below the header",
             format!("add a row for each {each}"),
-        ));
-        return None;
+        );
     };
     if !wanted.is_by_tooth() {
         return Some(rows);
@@ -351,7 +331,7 @@ pub fn ordered(
     rows.sort_by_key(|row| row.tooth);
     let mut good = Some(());
     let mut wrong = |line: u64, reason: String, help: &str| {
-        problems.add(file.problem_at(line, reason, help));
+        file.add_at(line, reason, help);
         good = None;
     };
     let teeth = wanted.teeth.unwrap_or(u32::MAX);

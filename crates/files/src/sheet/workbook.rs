@@ -9,7 +9,6 @@
 use super::grid::{Cell, Grid, Line, MOST_CELLS, MOST_NAMED};
 use crate::data_file::DataFile;
 use crate::node::Node;
-use crate::problems::Problems;
 use calamine::{DataRef, Reader as _, SheetType, Xlsx};
 use quick_xml::Reader;
 use quick_xml::events::Event;
@@ -46,22 +45,18 @@ pub fn is_one(file: &DataFile, bytes: &[u8]) -> bool {
 }
 
 /// The cells of the sheet called `name`, or of all sheets with content.
-pub fn read(
-    file: &DataFile,
-    bytes: Vec<u8>,
-    name: Option<&str>,
-    problems: &mut Problems,
-) -> Option<Vec<Grid>> {
+pub fn read(file: &DataFile, bytes: Vec<u8>, name: Option<&str>) -> Option<Vec<Grid>> {
     let unreadable = |error: String| {
         file.problem(
             format!("cannot be read as an .xlsx workbook: {error}"),
             "open it in a spreadsheet and save it again as .xlsx or CSV",
         )
     };
-    problems.keep(check_archive(file, &bytes).map_err(unreadable))?;
+    file.reading()
+        .keep(check_archive(file, &bytes).map_err(unreadable))?;
     let workbook = Workbook::new(Cursor::new(bytes));
     let workbook = workbook.map_err(|error| unreadable(file.bare(&error.to_string())));
-    let mut workbook = problems.keep(workbook)?;
+    let mut workbook = file.reading().keep(workbook)?;
     // Charts on sheets of their own hold no cells.
     let sheets = workbook.sheets_metadata().iter();
     let sheets = sheets.filter(|sheet| sheet.typ == SheetType::WorkSheet);
@@ -76,8 +71,7 @@ pub fn read(
             ""
         };
         let reason = format!("has no sheet {shown}, its sheets are {listed}{more}");
-        problems.add(file.problem(reason, "correct the name"));
-        return None;
+        return file.refuse(reason, "correct the name");
     }
     let mut filled = Vec::new();
     let mut reader = CellReader {
@@ -88,12 +82,11 @@ pub fn read(
     for sheet in names {
         if name.is_none_or(|name| name == sheet) {
             let cells = reader.cells(&mut workbook, &sheet).map_err(unreadable);
-            filled.extend(grid(sheet, problems.keep(cells)?));
+            filled.extend(grid(sheet, file.reading().keep(cells)?));
         }
     }
     if filled.is_empty() {
-        problems.add(file.problem("is empty", "give a header and a row for each tooth"));
-        return None;
+        return file.refuse("is empty", "give a header and a row for each tooth");
     }
     Some(filled)
 }

@@ -28,7 +28,7 @@ pub struct AssemblySpec {
     pub center_distance_mm: CenterDistanceSpec,
     /// The gear that stands still, "wheel" or "pinion"; the other is turned.
     #[serde(default)]
-    pub locked: GearName,
+    pub locked: Member,
     /// Radial play of each gear on its axis, mm.
     #[serde(default, deserialize_with = "both_or_each")]
     #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
@@ -240,28 +240,6 @@ fn both_or_each<'de, D: Deserializer<'de>>(from: D) -> Result<BearingClearanceSp
         },
         Either::Other(each) => each,
     })
-}
-
-/// A gear of the pair.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum GearName {
-    /// Gear 1.
-    #[default]
-    Wheel,
-    /// Gear 2.
-    Pinion,
-}
-
-impl GearName {
-    /// The gear that it names.
-    pub fn member(self) -> Member {
-        match self {
-            GearName::Wheel => Member::Wheel,
-            GearName::Pinion => Member::Pinion,
-        }
-    }
 }
 
 /// Measured backlash to set beside the simulation.

@@ -5,6 +5,8 @@ use super::rules::{
     without,
 };
 use super::value::TableFileSpec;
+use gearlash::gear::PitchAxis;
+use gearlash::metrology::{EccentricitySource, PitchKind, PitchSense};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +46,7 @@ pub enum ReadingPlace {
 }
 
 /// Pitch deviation of both flanks, one value a tooth.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = pitch_keys, transform = columns("tooth, left, right (µm)"))]
 pub struct PitchSpec {
     /// What the values are.
@@ -76,73 +78,6 @@ pub struct PitchSpec {
     /// Both flanks from a table.
     #[serde(flatten)]
     pub table: Option<TableFileSpec>,
-}
-
-/// What a pitch value counts from.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum PitchKind {
-    /// F_p, from the first tooth, or any one place.
-    #[default]
-    Cumulative,
-    /// f_p, from the tooth before.
-    Single,
-}
-
-impl PitchKind {
-    /// As a pair file writes it.
-    pub fn name(self) -> &'static str {
-        match self {
-            PitchKind::Cumulative => "cumulative",
-            PitchKind::Single => "single",
-        }
-    }
-}
-
-/// About which axis pitch was measured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum PitchAxis {
-    /// The gear's own.
-    #[default]
-    Own,
-    /// The rotation axis.
-    Datum,
-}
-
-impl PitchAxis {
-    /// As a pair file writes it.
-    pub fn name(self) -> &'static str {
-        match self {
-            PitchAxis::Own => "own",
-            PitchAxis::Datum => "datum",
-        }
-    }
-}
-
-/// What a positive pitch value means.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum PitchSense {
-    /// Along ascending numbers.
-    #[default]
-    Numbers,
-    /// More material.
-    Material,
-}
-
-/// Which eccentricity counts where pitch and runout both state one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum EccentricitySource {
-    /// The one that datum-axis pitch holds.
-    Pitch,
-    /// That of the runout.
-    Runout,
 }
 
 fn runout_keys(schema: &mut Schema) {

@@ -27,7 +27,7 @@ pub struct GearSpec {
     pub helix_angle_deg: Option<f64>,
     /// Which way helical teeth wind, "left" or "right"; the mate's wind the other way.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub hand: Option<HandName>,
+    pub hand: Option<Hand>,
     /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
@@ -47,7 +47,7 @@ pub struct GearSpec {
     pub grade: Option<u32>,
     /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Of gears face to face one is front, the other back: consecutive numbers mate.
     #[serde(default)]
-    pub reference_face: FaceName,
+    pub reference_face: Face,
     /// Tip diameter d_a, mm; default from addendum and profile shift.
     #[serde(default)]
     #[schemars(transform = length())]
@@ -86,9 +86,7 @@ impl GearSpec {
                 _ => None,
             })
     }
-}
 
-impl GearSpec {
     /// Whether its teeth wind about its axis.
     pub fn is_helical(&self) -> bool {
         self.helix_angle_deg.is_some()
@@ -99,85 +97,6 @@ impl GearSpec {
 fn face_width(schema: &mut Schema) {
     at_most_one(schema, &[&["face_mm"], &["face_width_mm"]]);
     no_default(schema, "tip_diameter_mm");
-}
-
-/// Which way helical teeth wind.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum HandName {
-    /// As on a left-hand screw.
-    Left,
-    /// As on a right-hand screw.
-    Right,
-}
-
-impl HandName {
-    /// As a pair file writes it.
-    pub fn name(self) -> &'static str {
-        match self {
-            HandName::Left => "left",
-            HandName::Right => "right",
-        }
-    }
-}
-
-impl From<HandName> for Hand {
-    fn from(name: HandName) -> Hand {
-        match name {
-            HandName::Left => Hand::Left,
-            HandName::Right => Hand::Right,
-        }
-    }
-}
-
-impl From<Hand> for HandName {
-    fn from(hand: Hand) -> HandName {
-        match hand {
-            Hand::Left => HandName::Left,
-            Hand::Right => HandName::Right,
-        }
-    }
-}
-
-/// A face of a gear.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum FaceName {
-    /// Its numbers run clockwise in the picture.
-    #[default]
-    Front,
-    /// Its numbers run counter-clockwise in the picture.
-    Back,
-}
-
-impl FaceName {
-    /// As a pair file writes it.
-    pub fn name(self) -> &'static str {
-        match self {
-            FaceName::Front => "front",
-            FaceName::Back => "back",
-        }
-    }
-}
-
-impl From<FaceName> for Face {
-    fn from(name: FaceName) -> Face {
-        match name {
-            FaceName::Front => Face::Front,
-            FaceName::Back => Face::Back,
-        }
-    }
-}
-
-impl From<Face> for FaceName {
-    fn from(face: Face) -> FaceName {
-        match face {
-            Face::Front => FaceName::Front,
-            Face::Back => FaceName::Back,
-        }
-    }
 }
 
 /// Basic rack, in modules.

@@ -22,16 +22,13 @@ mod value;
 pub use crate::sheet::number::Decimal as DecimalSign;
 pub use assembly::{
     AccuracySpec, AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, CompareSpec,
-    DesignatedDistanceSpec, DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions,
-    SweepSpec,
+    DesignatedDistanceSpec, DistanceBandSpec, MeasuredSpec, Phases, Revolutions, SweepSpec,
 };
 pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
 pub use explained::explained;
 pub(crate) use explained::in_a_row;
-pub use flanks::{
-    EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
-};
-pub use gear::{FaceName, GearSpec, HandName, RackSpec};
+pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
+pub use gear::{GearSpec, RackSpec};
 pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
 pub use pair::{EitherGearSpec, GearFileSpec, OutlinePairSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
@@ -40,7 +37,7 @@ pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{
-    BodyName, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
+    CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
 pub use tolerance::{
     GearToleranceSpec, PhaseName, PitchScatterSpec, ScatterName, ScatterSpec, ToleranceSpec,

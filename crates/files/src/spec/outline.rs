@@ -1,9 +1,10 @@
 //! A gear by its outline: the drawing, and how to read it.
 
+use super::RunoutSpec;
 use super::rules::{whole, within};
 use super::value::Either;
-use super::{FaceName, RunoutSpec};
 use crate::drawing::{JOIN_MM, Unit};
+use gearlash::gear::Face;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,7 +15,7 @@ pub struct OutlineGearSpec {
     pub outline: OutlineSpec,
     /// Which face the picture shows; the drawing shows the reference face, on which teeth are numbered clockwise.
     #[serde(default)]
-    pub reference_face: FaceName,
+    pub reference_face: Face,
     /// Radial runout; none: 0.
     #[serde(default)]
     pub runout: RunoutSpec,

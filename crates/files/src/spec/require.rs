@@ -1,7 +1,7 @@
 //! `[require]`: what the pair must keep.
 
-use super::assembly::GearName;
 use super::rules::within;
+use gearlash::pair::Member;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -58,5 +58,5 @@ pub struct AngleLimitsSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
     /// The gear whose lost motion it is, wheel or pinion, its mate locked.
-    pub at: GearName,
+    pub at: Member,
 }

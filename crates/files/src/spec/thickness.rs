@@ -5,6 +5,7 @@ use super::rules::{
     list_length, within,
 };
 use super::value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
+use gearlash::gear::MeasuringBody;
 use schemars::{JsonSchema, Schema};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -145,18 +146,6 @@ pub struct LengthSpec {
     pub max_mm: Option<f64>,
 }
 
-/// What lies in the spaces of a helical gear.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum BodyName {
-    /// Balls, their centres in one transverse section.
-    #[default]
-    Ball,
-    /// Cylindrical pins along the spaces.
-    Pin,
-}
-
 /// Dimension over two pins, or balls.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
@@ -167,7 +156,7 @@ pub struct OverPinsSpec {
     /// What was measured over; the same on a spur gear.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = "ball"))]
-    pub kind: Option<BodyName>,
+    pub kind: Option<MeasuringBody>,
     /// What was measured.
     #[serde(flatten)]
     pub length: LengthSpec,

@@ -3,9 +3,8 @@
 use super::bands::middle;
 use super::gear_names::{duplicates, named};
 use crate::numbers::shortest;
-use crate::place::Place;
-use crate::problems::Problems;
 use crate::read::GearsFile;
+use crate::reading::Reading;
 use crate::said_once::SaidOnce;
 use crate::spec::GearSpec;
 use crate::table::Table;
@@ -32,13 +31,11 @@ pub fn gears(
     names: &[String],
     member: Member,
     (file, key): (&Table, &str),
-    problems: &mut Problems,
 ) -> Option<(Vec<MeasuredGear>, Vec<String>)> {
-    let mut bad = Problems::of_list();
-    let mut wrong = |reason: String, help: &str| bad.add(file.problem(key, reason, help));
+    let wrong = |reason: String, help: &str| file.add(key, reason, help);
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for name in names {
-        let found = named(file.place().folder(), name);
+        let found = named(file.reading().folder(), name);
         if found.files.is_empty() && found.faults.is_empty() {
             let beside = found.left_out.iter().take(MOST_WARNINGS);
             let beside: String = beside.map(|left_out| format!("; {left_out}")).collect();
@@ -65,7 +62,7 @@ pub fn gears(
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
     let mut said = SaidOnce::default();
     for path in files {
-        match one(&path, member, file.place()) {
+        match one(&path, member, file.reading()) {
             Ok((gear, has_band, warned)) => {
                 gears.push(gear);
                 said.add(&path, &warned);
@@ -91,9 +88,7 @@ pub fn gears(
     }
     let said = said.lines().into_iter();
     warnings.extend(said.map(|line| format!("{key}: {line}")));
-    let good = bad.is_empty();
-    problems.add_list(key, bad);
-    good.then_some((gears, shortened(warnings, key)))
+    Some((gears, shortened(warnings, key)))
 }
 
 /// The first dozen of `warnings`, and how many more there are.
@@ -110,7 +105,7 @@ fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
 fn one(
     path: &Path,
     member: Member,
-    place: &Place,
+    reading: &Reading,
 ) -> Result<(MeasuredGear, bool, Vec<String>), String> {
     // What stands in the file is not quoted: it may lie outside the pair file's folder.
     let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
@@ -123,7 +118,7 @@ fn one(
             shortest(celsius)
         ));
     }
-    place.read_too(&file.sources);
+    reading.read_too(&file.sources);
     let own = |name: &str| name == "gear" || name == member.name();
     let gear = file.gears.into_iter().find(|gear| own(gear.name));
     let gear = gear.ok_or("has no such gear")?;

@@ -1,7 +1,5 @@
 //! Distributions of a pair file as the library takes them.
 
-use crate::error::Problem;
-use crate::problems::Problems;
 use crate::spec::{ScatterName, ScatterSpec};
 use crate::table::Table;
 use gearlash::population::{Scatter, ScatterError};
@@ -13,9 +11,7 @@ pub fn scatter(
     spec: &ScatterSpec,
     band: Option<[f64; 2]>,
     (file, key): (&Table, &str),
-    problems: &mut Problems,
 ) -> Option<Scatter> {
-    let wrong = |reason: String, help: &str| -> Problem { file.problem(key, reason, help) };
     let limits = match (spec.lower_um, spec.upper_um) {
         (Some(low), Some(high)) => Some([low * MM, high * MM]),
         _ => band,
@@ -48,20 +44,15 @@ pub fn scatter(
         }),
     };
     let Some(made) = made else {
-        problems.add(wrong(
-            "has no limits, and the pair file states no band that they could be".to_owned(),
-            "give lower_um and upper_um",
-        ));
-        return None;
+        let reason = "has no limits, and the pair file states no band that they could be";
+        return file.refuse(key, reason, "give lower_um and upper_um");
     };
     // The library speaks of mm: the numbers in the message would be those of another unit.
-    problems.keep(made.map_err(|error| {
-        let reason = match error {
-            ScatterError::Limits { .. } => "the lower limit lies above the upper one".to_owned(),
-            ScatterError::Outside { what, .. } => format!("{what} lies outside the limits"),
-            ScatterError::NotPositive { what, .. } => format!("{what} is not above 0"),
-            other => other.to_string(),
-        };
-        wrong(reason, "correct the numbers of this distribution")
-    }))
+    let made = made.map_err(|error| match error {
+        ScatterError::Limits { .. } => "the lower limit lies above the upper one".to_owned(),
+        ScatterError::Outside { what, .. } => format!("{what} lies outside the limits"),
+        ScatterError::NotPositive { what, .. } => format!("{what} is not above 0"),
+        other => other.to_string(),
+    });
+    file.keep(key, made, "correct the numbers of this distribution")
 }

@@ -4,12 +4,10 @@ use super::bands::{left_out, middle, thickness_band};
 use super::gears::{MeasuredGear, gears};
 use super::mm::scatter;
 use crate::error::InputError;
-use crate::pair_file::PairTables;
-use crate::problems::Problems;
 use crate::read::PairFile;
 use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
 use crate::table::Table;
-use crate::{outlines, with_entries};
+use crate::{pair_by_data, with_tree};
 use gearlash::analysis::phases::phase;
 use gearlash::gear::{AsBuilt, Face, GradedQuantity, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
@@ -40,32 +38,23 @@ pub struct ToleranceFile {
 /// # Errors
 /// As [`crate::read`].
 pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
-    with_entries(path, |path, place, entries, problems| {
-        if outlines::has_outline(entries) {
-            outlines::refused(path, place, entries, problems);
-            return None;
-        }
-        let file = Table::new("", place, entries);
-        let pair = PairTables::read(path, place, entries, problems).study(problems)?;
-        understood(pair, &file, problems)
-    })
+    with_tree(path, |tree| understood(pair_by_data(tree)?, &tree.table()))
 }
 
-fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<ToleranceFile> {
+fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let Some(tolerance) = pair.spec.tolerance.clone() else {
-        problems.add(file.problem(
+        return file.refuse(
             "tolerance",
             "missing: it says how the numbers of the pair scatter",
             "add [tolerance], such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
-        ));
-        return None;
+        );
     };
-    let own = own_pair(&pair, file, problems);
+    let own = own_pair(&pair, file);
     let distance = pair.spec.assembly.center_distance_mm.nominal_mm();
     let distance_band = pair.study.band.zip(distance);
     let distance_band = distance_band.map(|(band, nominal)| band.map(|mm| mm - nominal));
-    let mut one = |spec: &Option<ScatterSpec>, key: &str, band| match spec {
-        Some(spec) => scatter(spec, band, (file, key), problems).map(Some),
+    let one = |spec: &Option<ScatterSpec>, key: &str, band| match spec {
+        Some(spec) => scatter(spec, band, (file, key)).map(Some),
         None => Some(None),
     };
     let center_distance = one(
@@ -75,7 +64,7 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
     );
     let bearing_play = one(&tolerance.bearing_play, "tolerance.bearing_play", None);
     let mut warnings = left_out(&pair, &tolerance);
-    let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings), problems);
+    let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings));
     let wheel = gear(&tolerance.wheel, Member::Wheel);
     let pinion = gear(&tolerance.pinion, Member::Pinion);
     let ((wheel, wheels), (pinion, pinions)) = (wheel?, pinion?);
@@ -90,7 +79,7 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
     let own = own?;
     let first = marked(&pair, &own);
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
-    let population = problems.keep(population)?;
+    let population = file.reading().keep(population)?;
     let clearance = pair.study.bearing_clearance;
     let requirement = Requirement::of(&pair.study.requirements);
     Some(ToleranceFile {
@@ -102,40 +91,34 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
         measured: [wheels, pinions],
         warnings,
         pair: PairFile {
-            sources: file.place().sources(),
+            sources: file.reading().sources(),
             ..pair
         },
     })
 }
 
 /// The pair about which the numbers scatter: the middle of thickness bands, the nominal centre distance.
-fn own_pair(pair: &PairFile, file: &Table, problems: &mut Problems) -> Option<GearPair> {
+fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
     let spec = &pair.spec.assembly;
     if spec.temperature_c.is_some_and(|celsius| celsius != 20.0) {
-        problems.add(file.problem(
+        return file.refuse(
             "assembly.temperature_c",
             "given together with tolerance, whose numbers are those of 20 °C",
             "remove the temperature",
-        ));
-        return None;
+        );
     }
     let Some(distance) = spec.center_distance_mm.nominal_mm() else {
-        problems.add(file.problem(
+        return file.refuse(
             "assembly.center_distance_mm",
             "several distances, tolerance needs the one about which it scatters",
             "give one, or { nominal_mm = …, tolerance_um = … }",
-        ));
-        return None;
+        );
     };
     let materials = &pair.study.materials;
     let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
     let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
     let made = wheel.and_then(|wheel| pair.study.pair(&wheel, &pinion?, distance));
-    let made = made.map_err(|error| {
-        let help = "correct the gears, or their distance";
-        file.problem("tolerance", error.to_string(), help)
-    });
-    problems.keep(made)
+    file.keep("tolerance", made, "correct the gears, or their distance")
 }
 
 fn gear(
@@ -143,15 +126,14 @@ fn gear(
     member: Member,
     pair: &PairFile,
     (file, warnings): (&Table, &mut Vec<String>),
-    problems: &mut Problems,
 ) -> Option<(GearScatter, Vec<MeasuredGear>)> {
     let Some(spec) = spec else {
         return Some((GearScatter::default(), Vec::new()));
     };
     let key = |name: &str| format!("tolerance.{}.{name}", member.name());
-    let mut one = |spec: &Option<ScatterSpec>, name: &str, band| -> Option<Option<Scatter>> {
+    let one = |spec: &Option<ScatterSpec>, name: &str, band| -> Option<Option<Scatter>> {
         match spec {
-            Some(spec) => scatter(spec, band, (file, &key(name)), problems).map(Some),
+            Some(spec) => scatter(spec, band, (file, &key(name))).map(Some),
             None => Some(None),
         }
     };
@@ -170,9 +152,8 @@ fn gear(
             (None, Some(grade)) => {
                 let found = GradedQuantity::SinglePitch.tolerance(basic_data, grade);
                 let help = "give sigma_um in place of the grade";
-                let found =
-                    found.map_err(|error| file.problem(&key("pitch"), error.to_string(), help));
-                problems.keep(found).map(|tolerance| Some(tolerance / 3.0))
+                let found = file.keep(&key("pitch"), found, help);
+                found.map(|tolerance| Some(tolerance / 3.0))
             }
             (None, None) => Some(None),
         },
@@ -180,7 +161,10 @@ fn gear(
     let measured = match &spec.gears {
         None => Some(Vec::new()),
         Some(names) => {
-            let found = gears(names, member, (file, &key("gears")), problems);
+            let key = key("gears");
+            let found = file
+                .reading()
+                .list(&key, || gears(names, member, (file, &key)));
             found.map(|(gears, further)| {
                 warnings.extend(further);
                 gears
@@ -190,8 +174,7 @@ fn gear(
     let mut others = measured.iter();
     if let Some(other) = others.find_map(|one| unlike(&one.spec, pair, member)) {
         let help = "name gears whose teeth wind and end as those of the pair";
-        problems.add(file.problem(&key("gears"), other, help));
-        return None;
+        return file.refuse(&key("gears"), other, help);
     }
     let face = face(pair, member);
     let turned = |one: &MeasuredGear| placed(one.gear.facing(face), pair, member);

@@ -6,6 +6,7 @@
 use super::run::ToleranceRun;
 use crate::error::{InputError, Problem};
 use gearlash::population::{OutcomeKind, Overflow, Row, Tally};
+use std::fmt::Display;
 use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind};
 use std::ops::Range;
@@ -375,7 +376,7 @@ fn unreadable(source: &str, error: &std::io::Error) -> InputError {
     wrong(source, reason, HELP)
 }
 
-fn wrong(source: &str, reason: impl Into<String>, help: &str) -> InputError {
+fn wrong(source: &str, reason: impl Display, help: &str) -> InputError {
     InputError::of(Path::new(source), vec![Problem::of_file(reason, help)])
 }
 

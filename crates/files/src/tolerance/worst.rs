@@ -2,9 +2,8 @@
 
 use super::population::ToleranceFile;
 use crate::spec::{
-    BearingClearanceSpec, CenterDistanceSpec, Either, FaceName, GearSpec, PairSpec, PitchAxis,
-    PitchKind, PitchSense, PitchSpec, Revolutions, RunoutSpec, StatementSpec, SweepSpec,
-    ThicknessSpec,
+    BearingClearanceSpec, CenterDistanceSpec, Either, GearSpec, PairSpec, PitchSpec, Revolutions,
+    RunoutSpec, StatementSpec, SweepSpec, ThicknessSpec,
 };
 use gearlash::error::Error;
 use gearlash::gear::thickness::span_from_base;
@@ -168,7 +167,7 @@ impl ToleranceFile {
         // As a span over one tooth: in the normal section.
         let base = span_from_base(gear.gear().basic_data(), 1, gear.gear().base_thickness());
         GearSpec {
-            reference_face: FaceName::from(gear.face()),
+            reference_face: gear.face(),
             thickness: ThicknessSpec {
                 statement: StatementSpec {
                     base_thickness_mm: Some(Either::One(base)),
@@ -186,15 +185,9 @@ impl ToleranceFile {
                 ..RunoutSpec::default()
             },
             pitch: deviates.then_some(PitchSpec {
-                kind: PitchKind::Cumulative,
-                axis: PitchAxis::Own,
-                sense: PitchSense::Numbers,
                 right_um: Some(right),
                 left_um: Some(left),
-                left: None,
-                right: None,
-                eccentricity: None,
-                table: None,
+                ..PitchSpec::default()
             }),
             ..own.clone()
         }

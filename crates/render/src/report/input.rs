@@ -7,10 +7,10 @@ use super::stated::{high_tooth, pitch, profile, runout, thickness};
 use super::table::{Table, cells, columns};
 use super::{grades, notes};
 use crate::chart::PictureError;
-use gearlash::gear::{AsBuilt, BasicGearData, Inspection};
+use gearlash::gear::{AsBuilt, BasicGearData, Hand, Inspection};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
-use gearlash_files::spec::{AssemblySpec, GearSpec, HandName, PairSpec};
+use gearlash_files::spec::{AssemblySpec, GearSpec, PairSpec};
 use maud::{Markup, Render, html};
 
 /// A property of a gear as built: symbol, name and unit of spur gears; those of helical gears where they differ; decimals; value.
@@ -230,11 +230,7 @@ fn properties(page: &Page, list: &[Property]) -> Vec<(&'static str, [String; 2])
 
 /// Which way the teeth wind.
 fn hand(gear: &GearSpec) -> String {
-    match gear.hand {
-        Some(HandName::Left) => "left".to_owned(),
-        Some(HandName::Right) => "right".to_owned(),
-        None => String::new(),
-    }
+    gear.hand.map_or("", Hand::name).to_owned()
 }
 
 fn own_face(gear: &GearSpec) -> String {

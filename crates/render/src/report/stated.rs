@@ -1,8 +1,9 @@
 //! What a pair file states of a gear, in words.
 
+use gearlash::gear::MeasuringBody;
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::{
-    BandSpec, BodyName, Either, FlankProfileSpec, LengthSpec, PitchSpec, ProfileSpec, ReliefShape,
+    BandSpec, Either, FlankProfileSpec, LengthSpec, PitchSpec, ProfileSpec, ReliefShape,
     RunoutSpec, ThicknessSpec,
 };
 
@@ -43,7 +44,7 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     if let Some(pins) = &statement.over_pins {
         let mm = measured(&pins.length);
         let name = match pins.kind {
-            Some(BodyName::Ball) => "balls",
+            Some(MeasuringBody::Ball) => "balls",
             _ => "pins",
         };
         parts.push(format!(

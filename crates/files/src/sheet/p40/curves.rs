@@ -4,7 +4,6 @@
 
 use super::{CORRECT, FlankTrace, P40, PROFILES};
 use crate::data_file::DataFile;
-use crate::problems::Problems;
 use crate::sheet::number::{tooth as tooth_number, without_zero};
 use crate::sheet::protocol;
 use gearlash::gear::Flank;
@@ -97,14 +96,9 @@ impl<'f> Data<'f> {
     }
 
     /// Reads a line.
-    pub fn take<'a>(
-        &mut self,
-        p40: &mut P40<'a>,
-        (line, text): (u64, &'a str),
-        problems: &mut Problems,
-    ) {
+    pub fn take<'a>(&mut self, p40: &mut P40<'a>, (line, text): (u64, &'a str)) {
         let file = self.file;
-        let mut wrong = |reason: String| problems.add(file.problem_at(line, reason, CORRECT));
+        let mut wrong = |reason: String| file.add_at(line, reason, CORRECT);
         let is_head = protocol::side(text).is_some()
             || Title::of(text).is_some()
             || text.starts_with(ZAHN)

@@ -14,7 +14,6 @@ use super::protocol::{Blocks, Unmeasured};
 use super::request::{Coverage, Request, Wanted};
 use super::rows::Row;
 use crate::data_file::DataFile;
-use crate::problems::Problems;
 use curves::Data;
 use gearlash::gear::Flank;
 use std::collections::{BTreeMap, HashSet};
@@ -79,22 +78,21 @@ fn is_of_kind(text: &str, kind: &str) -> bool {
 }
 
 /// The rows that are wanted, and the header lines.
-pub fn read(request: &Request, text: &str, problems: &mut Problems) -> Option<(Vec<Row>, Header)> {
+pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
     let (file, wanted) = (request.file, request.wanted);
-    let p40 = parse(file, text, problems)?;
+    let p40 = parse(file, text)?;
     if let Coverage::Points { base_radius } = wanted.coverage {
-        return profiles::read(file, &p40, (wanted.teeth, base_radius), problems);
+        return profiles::read(file, &p40, (wanted.teeth, base_radius));
     }
     if wanted.columns.contains(&Column::Thickness) {
-        problems.add(file.problem(
+        return file.refuse(
             "is a curve file: thickness is not taken from the probe's positions",
             "name a table of the thickness of each tooth, or state the thickness by span or over_pins",
-        ));
-        return None;
+        );
     }
     let teeth = wanted.teeth.or(p40.header.teeth());
     let wanted = Wanted { teeth, ..wanted };
-    let rows = p40.blocks.rows(&Request { wanted, ..*request }, problems)?;
+    let rows = p40.blocks.rows(&Request { wanted, ..*request })?;
     let mut header = p40.header.clone();
     header.left_unused(file, &p40.unused(PITCH));
     Some((rows, header))
@@ -106,11 +104,11 @@ pub fn has_profiles(text: &str) -> bool {
 }
 
 /// Reads all lines of `text`; a line that is not understood is a problem.
-pub fn parse<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {
-    problems.of_list_at(file.key(), |bad| lines(file, text, bad))
+pub fn parse<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
+    file.list(|| lines(file, text))
 }
 
-fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<P40<'a>> {
+fn lines<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
     let mut p40 = P40 {
         header: Header::default(),
         numbered: Vec::new(),
@@ -130,22 +128,22 @@ fn lines<'a>(file: &DataFile, text: &'a str, problems: &mut Problems) -> Option<
             continue;
         }
         rows += 1;
-        if !in_body && p40.take_header(file, line, text, problems)? {
+        if !in_body && p40.take_header(file, line, text)? {
             continue;
         }
         in_body = true;
-        data.take(&mut p40, (line, text), problems);
-        if problems.is_full() {
+        data.take(&mut p40, (line, text));
+        if file.reading().is_full() {
             return None;
         }
     }
     let whole = "name a file that is whole";
     if let Some(reason) = data.cut_short() {
-        problems.add(file.problem_at(last, format!("the file ends here, {reason}"), whole));
+        file.add_at(last, format!("the file ends here, {reason}"), whole);
     }
     if !in_body {
         let reason = format!("the file ends here without data ({rows} lines of header)");
-        problems.add(file.problem_at(last, reason, whole));
+        file.add_at(last, reason, whole);
     }
     Some(p40)
 }
@@ -172,23 +170,16 @@ impl<'a> P40<'a> {
     }
 
     /// Reads a line of the preamble or of the header; `Some(false)` where it is neither, `None` where it ends the reading.
-    fn take_header(
-        &mut self,
-        file: &DataFile,
-        line: u64,
-        text: &'a str,
-        problems: &mut Problems,
-    ) -> Option<bool> {
+    fn take_header(&mut self, file: &DataFile, line: u64, text: &'a str) -> Option<bool> {
         let digits = text.bytes().take_while(u8::is_ascii_digit).count();
         let (code, behind) = text.split_at(digits);
         if let (1..=3, Some(rest)) = (digits, behind.trim_start().strip_prefix(':')) {
             if !code.parse().is_ok_and(|code| self.codes.insert(code)) {
                 let reason = format!("the number {} stands twice", file.bare(code));
-                problems.add(file.problem_at(line, reason, CORRECT));
-                return None;
+                return file.refuse_at(line, reason, CORRECT);
             }
             let (label, fields) = rest.split_once(':').unwrap_or((rest, ""));
-            self.take_numbered(file, line, [code, label.trim_start(), fields], problems);
+            self.take_numbered(file, line, [code, label.trim_start(), fields]);
             return Some(true);
         }
         let body = text.split('!').next().unwrap_or_default().trim();
@@ -217,18 +208,12 @@ impl<'a> P40<'a> {
         };
         if let Some(allowed) = allowed {
             let reason = format!("{key} is {}, allowed is {allowed}", file.quote(value));
-            problems.add(file.problem_at(line, reason, CORRECT));
+            file.add_at(line, reason, CORRECT);
         }
         Some(true)
     }
 
-    fn take_numbered(
-        &mut self,
-        file: &DataFile,
-        line: u64,
-        [code, label, fields]: [&str; 3],
-        problems: &mut Problems,
-    ) {
+    fn take_numbered(&mut self, file: &DataFile, line: u64, [code, label, fields]: [&str; 3]) {
         let words = fields
             .split([' ', '\t', ':'])
             .filter(|word| !word.is_empty());
@@ -239,8 +224,7 @@ impl<'a> P40<'a> {
             None if first.starts_with('.') => format!("0{first}"),
             _ => first.to_owned(),
         };
-        self.header
-            .state(file, line, [code, label, fields], &first, problems);
+        self.header.state(file, line, [code, label, fields], &first);
         let numbers = words.filter_map(without_zero).map(|number| number.value);
         let (label, numbers) = (label.to_lowercase(), numbers.collect());
         self.numbered.push(Numbered {

@@ -3,7 +3,6 @@
 use super::{P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::numbers::ascii;
-use crate::problems::Problems;
 use crate::sheet::header::Header;
 use crate::sheet::rows::Row;
 
@@ -26,17 +25,12 @@ pub fn read(
     file: &DataFile,
     p40: &P40,
     (teeth, base): (Option<u32>, Option<f64>),
-    problems: &mut Problems,
 ) -> Option<(Vec<Row>, Header)> {
     let help = "give the traces in a table";
     let Some(first) = p40.profiles.first() else {
-        problems.add(file.problem("has no profile trace (Profil:)", help));
-        return None;
+        return file.refuse("has no profile trace (Profil:)", help);
     };
-    let mut wrong = |line, reason: String, help: &str| {
-        problems.add(file.problem_at(line, reason, help));
-        None
-    };
+    let wrong = |line, reason: String, help: &str| file.refuse_at(line, reason, help);
     let by = p40.profile_by.unwrap_or("diameter");
     if by != "diameter" {
         let reason = format!("PROFILE is {}, understood is diameter", file.quote(by));

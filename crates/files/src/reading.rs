@@ -1,0 +1,185 @@
+//! One reading of a file: the folder of the files that it names, what was read, and what was found wrong or worth a remark.
+
+use crate::error::Problem;
+use crate::sources::Sources;
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+/// Problems of one list that are reported one by one; the rest is counted. Tuned: they fit a screen beside others.
+const MOST_OF_A_LIST: usize = 12;
+
+/// The reading of a file and of the files that it names.
+#[derive(Debug)]
+pub struct Reading {
+    folder: PathBuf,
+    /// No result may be written over these.
+    sources: RefCell<Sources>,
+    remarks: RefCell<Vec<String>>,
+    problems: RefCell<Problems>,
+}
+
+impl Reading {
+    /// The reading of the file at `path`, which is itself the first source; of standard input: at the working folder.
+    pub fn of(path: &Path) -> Reading {
+        let reading = Reading::of_working_folder();
+        let standard_input = path == Path::new(crate::STANDARD_INPUT);
+        // On Unix a link to the file that it is.
+        let source = if standard_input {
+            Path::new("/dev/stdin")
+        } else {
+            path
+        };
+        reading.sources.borrow_mut().add(source);
+        Reading {
+            folder: path.parent().unwrap_or(Path::new("")).to_path_buf(),
+            ..reading
+        }
+    }
+
+    /// The reading of a text whose files are looked for in the working folder.
+    pub fn of_working_folder() -> Reading {
+        Reading {
+            folder: PathBuf::new(),
+            sources: RefCell::default(),
+            remarks: RefCell::default(),
+            problems: RefCell::default(),
+        }
+    }
+
+    /// The folder that relative paths start from.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Resolves `name` and records it as a source.
+    pub fn file(&self, name: &str) -> PathBuf {
+        let path = self.folder.join(name);
+        self.sources.borrow_mut().add(&path);
+        path
+    }
+
+    /// Records other sources.
+    pub fn read_too(&self, others: &Sources) {
+        self.sources.borrow_mut().extend(others);
+    }
+
+    /// All sources so far.
+    pub fn sources(&self) -> Sources {
+        self.sources.borrow().clone()
+    }
+
+    /// Adds a remark.
+    pub fn add_remark(&self, remark: Option<String>) {
+        self.remarks.borrow_mut().extend(remark);
+    }
+
+    /// The remarks since the last call.
+    pub fn take_remarks(&self) -> Vec<String> {
+        self.remarks.take()
+    }
+
+    /// Adds a problem.
+    pub fn add(&self, problem: Problem) {
+        self.problems.borrow_mut().add(problem);
+    }
+
+    /// Adds a problem; always `None`.
+    pub fn refuse<T>(&self, problem: Problem) -> Option<T> {
+        self.add(problem);
+        None
+    }
+
+    /// The value, or `None` with its problem added.
+    pub fn keep<T>(&self, result: Result<T, Problem>) -> Option<T> {
+        result.map_err(|problem| self.add(problem)).ok()
+    }
+
+    /// The result of `read` for the list at `key`; `None` where it adds a problem. Only the first dozen are reported.
+    pub fn list<T>(&self, key: &str, read: impl FnOnce() -> Option<T>) -> Option<T> {
+        let (read, problems) = self.apart(read);
+        let is_good = problems.is_empty();
+        self.add_list(key, problems);
+        read.filter(|_| is_good)
+    }
+
+    /// The result of `read`, and the problems that it adds: those of one list.
+    pub fn apart<T>(&self, read: impl FnOnce() -> T) -> (T, Problems) {
+        let inner = Problems {
+            is_list: true,
+            ..Problems::default()
+        };
+        let outer = self.problems.replace(inner);
+        let read = read();
+        (read, self.problems.replace(outer))
+    }
+
+    /// Adds the problems of the list at `key`.
+    pub fn add_list(&self, key: &str, list: Problems) {
+        let mut problems = self.problems.borrow_mut();
+        problems.listed.extend(list.listed);
+        if list.more > 0 {
+            problems.listed.push(Problem {
+                key: key.to_owned(),
+                value: None,
+                reason: format!("{} more problems like the last one", list.more),
+                help: "fix those first".to_owned(),
+            });
+        }
+    }
+
+    /// Whether the next problem will only be counted: then it is counted.
+    pub fn only_counts(&self) -> bool {
+        let mut problems = self.problems.borrow_mut();
+        let is_full = problems.is_full();
+        problems.more += usize::from(is_full);
+        is_full
+    }
+
+    /// Whether the list has as many problems as are reported.
+    pub fn is_full(&self) -> bool {
+        self.problems.borrow().is_full()
+    }
+
+    /// Whether there is no problem.
+    pub fn is_good(&self) -> bool {
+        self.problems.borrow().is_empty()
+    }
+
+    /// All problems since the last call.
+    pub fn take_problems(&self) -> Vec<Problem> {
+        self.problems.take().listed
+    }
+}
+
+/// Problems in the order in which they were met.
+#[derive(Debug, Default)]
+pub struct Problems {
+    listed: Vec<Problem>,
+    is_list: bool,
+    /// Problems of a list beyond those that are reported.
+    more: usize,
+}
+
+impl Problems {
+    fn add(&mut self, problem: Problem) {
+        if self.is_full() {
+            self.more += 1;
+        } else {
+            self.listed.push(problem);
+        }
+    }
+
+    fn is_full(&self) -> bool {
+        self.is_list && self.listed.len() >= MOST_OF_A_LIST
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.listed.is_empty()
+    }
+
+    /// Those that are reported.
+    pub fn into_list(self) -> Vec<Problem> {
+        self.listed
+    }
+}

@@ -34,7 +34,7 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
     let (drawing, units) = match drawing {
         Ok(read) => read,
         Err(error) => {
-            assert!(!error.to_string().is_empty() && !error.help().is_empty());
+            assert!(!error.to_string().is_empty() && !error.help.is_empty());
             return Corpus::Keep;
         }
     };

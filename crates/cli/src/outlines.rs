@@ -1,5 +1,6 @@
 //! Drawings on the command line.
 
+use gearlash_files::drawing::Format;
 use std::path::Path;
 
 /// How drawings on the command line are read.
@@ -22,8 +23,5 @@ impl DrawnArgs {
 
 /// Whether a file is a drawing, by its ending.
 pub(super) fn is_drawing(path: &Path) -> bool {
-    let ending = path.extension().unwrap_or_default();
-    ["dxf", "svg", "csv", "txt", "xyz"]
-        .iter()
-        .any(|drawn| ending.eq_ignore_ascii_case(drawn))
+    Format::of(path).is_some()
 }

@@ -4,8 +4,10 @@
 //! between two others stays what it is. Ends are looked up in a grid of squares of that size, so that n pieces take O(n).
 
 use super::DrawingError;
+use super::error::at;
 use super::limits::SAME_MM;
 use super::piece::Piece;
+use crate::numbers::ascii;
 use gearlash::outline::PathSegment;
 use nalgebra::Point2;
 use std::collections::HashMap;
@@ -74,14 +76,16 @@ impl Open {
             self.ends[0],
             f64::INFINITY,
         ));
-        DrawingError::Open {
-            place: self.place.clone(),
-            elements: self.pieces,
-            ends: self.ends,
-            end,
-            nearest,
-            gap_mm,
-        }
+        let reason = format!(
+            "{}: the path from {} to {}, of {} drawn elements, is open: from its {end} the nearest other end is {} mm away, at {}",
+            self.place,
+            at(&self.ends[0]),
+            at(&self.ends[1]),
+            self.pieces,
+            ascii(gap_mm, 6),
+            at(&nearest)
+        );
+        DrawingError::open(reason, gap_mm)
     }
 }
 
@@ -165,10 +169,7 @@ fn mate(
     tolerance: f64,
     pieces: &[Piece],
 ) -> Result<(), DrawingError> {
-    let branch = |end: usize| DrawingError::Branch {
-        place: pieces[end / 2].place.clone(),
-        point: ends[end],
-    };
+    let branch = |end: usize| DrawingError::branch(&pieces[end / 2].place, &ends[end]);
     let square = |point: &Point2<f64>| {
         let index = |x: f64| (x / tolerance).floor() as i64;
         (index(point.x), index(point.y))

@@ -28,11 +28,7 @@ type Stated = Option<(Unit, usize)>;
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
     let text = decode(bytes)?;
     if let Some(name) = &options.select {
-        return Err(DrawingError::NotThere {
-            what: "layer or id",
-            name: name.clone(),
-            known: Vec::new(),
-        });
+        return Err(DrawingError::not_there("layer or id", name, &[]));
     }
     let (rows, stated) = rows(&text)?;
     one_decimal_sign(&rows)?;
@@ -52,9 +48,10 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         points.pop();
     }
     if points.len() < 3 {
-        return Err(DrawingError::NoLoop {
-            reason: format!("{} different points, expected at least three", points.len()),
-        });
+        return Err(DrawingError::no_loop(format!(
+            "{} different points, expected at least three",
+            points.len()
+        )));
     }
     let part = options
         .repeat
@@ -96,7 +93,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
     for (index, text) in text.split('\n').enumerate() {
         let (line, text) = (index + 1, text.trim());
         let wrong = |reason: String| {
-            Err(DrawingError::syntax(
+            Err(DrawingError::at(
                 format!("line {line}"),
                 reason,
                 TWO_NUMBERS,
@@ -138,10 +135,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
             }
         }
         if rows.len() == MOST_SEGMENTS {
-            return Err(DrawingError::TooLarge {
-                what: "points",
-                most: MOST_SEGMENTS,
-            });
+            return Err(DrawingError::too_large("points", MOST_SEGMENTS));
         }
         match (written(x), written(y)) {
             (Some(x), Some(y)) => rows.push(Row {
@@ -199,7 +193,7 @@ fn named<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
 fn state(stated: &mut Stated, name: &str, line: usize) -> Result<(), DrawingError> {
     let wrong = |reason: String| {
         let help = "state one unit: mm, inch, cm, m or um";
-        Err(DrawingError::syntax(format!("line {line}"), reason, help))
+        Err(DrawingError::at(format!("line {line}"), reason, help))
     };
     let Some(unit) = Unit::named(name) else {
         return wrong(format!("unit \"{}\" is not known", cut(name, LONGEST_NAME)));
@@ -234,13 +228,13 @@ fn one_decimal_sign(rows: &[Row]) -> Result<(), DrawingError> {
             sign.name()
         );
         let help = "write all numbers with one decimal sign and without thousands separators";
-        return Err(DrawingError::syntax(format!("line {line}"), reason, help));
+        return Err(DrawingError::at(format!("line {line}"), reason, help));
     }
     // A point is taken for what it is in every program that writes coordinates.
     let unsure = sign == Decimal::Comma
         && numbers().all(|(_, number)| number.decimal.is_none() || number.may_be_thousands);
     match unsure {
-        true => Err(DrawingError::syntax(
+        true => Err(DrawingError::at(
             format!("line {line}"),
             format!(
                 "\"{}\" is ambiguous: decimal comma or thousands separator",

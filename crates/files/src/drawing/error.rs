@@ -1,169 +1,90 @@
 //! Why a drawing cannot be read: what, where, and what helps.
 
-use super::Unit;
 use super::limits::{MOST_NAMED, SAME_MM};
 use crate::characters::cut;
 use crate::numbers::{ascii, rounded};
 use nalgebra::Point2;
-use std::path::PathBuf;
+use std::fmt::Display;
 
 /// Below this gap ends were probably meant to meet, mm.
 const MEANT_TO_MEET_MM: f64 = 10.0;
 /// Characters of a name that a message shows.
 pub const LONGEST_NAME: usize = 60;
 
-/// What is wrong with a drawing. Points are in mm.
+/// A fault of a drawing, in words. Points are in mm.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum DrawingError {
-    /// The ending of the name is of no format that is read.
-    #[error("{}: unknown kind of drawing, expected a name that ends in .dxf, .svg, .csv or .txt", .0.display())]
-    Ending(PathBuf),
-    /// More than a gear needs.
-    #[error("has more than {most} {what}")]
-    TooLarge {
-        /// What there is too much of.
-        what: &'static str,
-        /// How many are allowed.
-        most: usize,
-    },
-    /// Not of the format, or not whole.
-    #[error("{place}: {reason}")]
-    Syntax {
-        /// Where in the file.
-        place: String,
-        /// What is wrong and what was expected.
-        reason: String,
-        /// What helps.
-        help: String,
-    },
-    /// Neither the file nor the user states the unit.
-    #[error("the unit is not stated: {why}")]
-    NoUnit {
-        /// What the file does not say.
-        why: String,
-    },
-    /// The unit of the file is another than the one given.
-    #[error("the file states {stated}, the pair file \"{given}\"")]
-    OtherUnit {
-        /// As the file states it.
-        stated: String,
-        /// As given.
-        given: Unit,
-    },
-    /// Something that this reader does not support.
-    #[error("{place}: not supported: {kind}")]
-    Refused {
-        /// Where in the file.
-        place: String,
-        /// What it is.
-        kind: String,
-        /// What helps.
-        help: String,
-    },
-    /// A number that is not finite, or that no gear has.
-    #[error("{place}: {reason}")]
-    Number {
-        /// Where in the file.
-        place: String,
-        /// Which number, and what is allowed.
-        reason: String,
-    },
-    /// A path whose ends do not meet.
-    #[error("{place}: the path from {} to {}, of {elements} drawn elements, is open: from its {end} the nearest other end is {} mm away, at {}",
-        at(&ends[0]), at(&ends[1]), ascii(*gap_mm, 6), at(nearest))]
-    Open {
-        /// Where in the file it begins.
-        place: String,
-        /// How many elements of the file it has.
-        elements: usize,
-        /// Its ends.
-        ends: [Point2<f64>; 2],
-        /// From which end the nearest other is measured: `start` or `end`.
-        end: &'static str,
-        /// That other end.
-        nearest: Point2<f64>,
-        /// How far it is away, mm.
-        gap_mm: f64,
-    },
-    /// A point where more than two ends meet.
-    #[error("{place}: more than two ends meet at {}", at(point))]
-    Branch {
-        /// Where in the file one of them is.
-        place: String,
-        /// The point.
-        point: Point2<f64>,
-    },
-    /// Nothing closed is drawn.
-    #[error("no closed loop: {reason}")]
-    NoLoop {
-        /// What there is instead.
-        reason: String,
-    },
-    /// A layer or id that the file does not have.
-    #[error("has no {what} \"{}\", {}", cut(name, LONGEST_NAME), has(known))]
-    NotThere {
-        /// `layer` or `id`.
-        what: &'static str,
-        /// The one asked for.
-        name: String,
-        /// Those with something drawn.
-        known: Vec<String>,
-    },
+#[error("{reason}")]
+pub struct DrawingError {
+    /// Its place in the file, what is wrong, and what was expected.
+    pub reason: String,
+    /// The way out.
+    pub help: String,
 }
 
 impl DrawingError {
-    /// [`DrawingError::Syntax`].
-    pub(super) fn syntax(
-        place: impl Into<String>,
-        reason: impl Into<String>,
-        help: &str,
-    ) -> DrawingError {
-        DrawingError::Syntax {
-            place: place.into(),
-            reason: reason.into(),
-            help: help.to_owned(),
+    /// A fault without a place in the file.
+    pub(super) fn new(reason: impl Display, help: impl Display) -> DrawingError {
+        DrawingError {
+            reason: reason.to_string(),
+            help: help.to_string(),
         }
     }
 
-    /// [`DrawingError::Refused`].
-    pub(super) fn refused(
-        place: impl Into<String>,
-        kind: impl Into<String>,
-        help: &str,
-    ) -> DrawingError {
-        DrawingError::Refused {
-            place: place.into(),
-            kind: kind.into(),
-            help: help.to_owned(),
-        }
+    /// A fault at `place`.
+    pub(super) fn at(place: impl Display, reason: impl Display, help: &str) -> DrawingError {
+        DrawingError::new(format!("{place}: {reason}"), help)
     }
 
-    /// What helps.
-    pub fn help(&self) -> String {
-        match self {
-            DrawingError::Ending(_) => "export the outline as DXF, SVG or CSV".to_owned(),
-            DrawingError::TooLarge { .. } => "export one gear alone, with a coarser tolerance".to_owned(),
-            DrawingError::Syntax { help, .. } | DrawingError::Refused { help, .. } => help.clone(),
-            DrawingError::NoUnit { .. } => {
-                let names = Unit::NAMED.map(|(name, _)| format!("\"{name}\""));
-                format!("state the length of a unit of the drawing: units = {}", names.join(" | "))
-            }
-            DrawingError::OtherUnit { .. } => "correct `units`, or leave it out".to_owned(),
-            DrawingError::Number { .. } => "correct the number, or export the drawing again".to_owned(),
-            &DrawingError::Open { gap_mm, .. } if gap_mm < MEANT_TO_MEET_MM => format!(
+    /// Something at `place` that is not supported.
+    pub(super) fn refused(place: impl Display, kind: impl Display, help: &str) -> DrawingError {
+        DrawingError::at(place, format!("not supported: {kind}"), help)
+    }
+
+    /// More than a gear needs.
+    pub(super) fn too_large(what: &str, most: usize) -> DrawingError {
+        let help = "export one gear alone, with a coarser tolerance";
+        DrawingError::new(format!("has more than {most} {what}"), help)
+    }
+
+    /// A number that is not finite, or that no gear has.
+    pub(super) fn number(place: &str, reason: String) -> DrawingError {
+        let help = "correct the number, or export the drawing again";
+        DrawingError::at(place, reason, help)
+    }
+
+    /// Nothing closed is drawn.
+    pub(super) fn no_loop(reason: String) -> DrawingError {
+        let help = "draw the outline as one closed path";
+        DrawingError::new(format!("no closed loop: {reason}"), help)
+    }
+
+    /// A layer or id (`what`) that the file does not have, beside those that it has.
+    pub(super) fn not_there(what: &str, name: &str, known: &[String]) -> DrawingError {
+        let name = cut(name, LONGEST_NAME);
+        let reason = format!("has no {what} \"{name}\", {}", has(known));
+        DrawingError::new(reason, "give one of these, or leave it out")
+    }
+
+    /// A point where more than two ends meet.
+    pub(super) fn branch(place: &str, point: &Point2<f64>) -> DrawingError {
+        DrawingError::at(
+            place,
+            format!("more than two ends meet at {}", at(point)),
+            "delete what is drawn twice and what is not outline, name the `layer` or `id` of the outline alone, or give a smaller join_mm",
+        )
+    }
+
+    /// A path whose ends do not meet, `gap_mm` apart where they come nearest.
+    pub(super) fn open(reason: String, gap_mm: f64) -> DrawingError {
+        let help = match gap_mm < MEANT_TO_MEET_MM {
+            true => format!(
                 "close the gap in the drawing, or state that ends so near are one point: join_mm = {}",
                 above(gap_mm)
             ),
-            DrawingError::Open { .. } => {
-                "close the path, delete it, or name the `layer` or `id` of the outline alone".to_owned()
-            }
-            DrawingError::Branch { .. } => {
-                "delete what is drawn twice and what is not outline, name the `layer` or `id` of the outline alone, or give a smaller join_mm"
-                    .to_owned()
-            }
-            DrawingError::NoLoop { .. } => "draw the outline as one closed path".to_owned(),
-            DrawingError::NotThere { .. } => "give one of these, or leave it out".to_owned(),
-        }
+            false => "close the path, delete it, or name the `layer` or `id` of the outline alone"
+                .to_owned(),
+        };
+        DrawingError::new(reason, help)
     }
 }
 

@@ -32,6 +32,30 @@ pub use repeat::Repeat;
 use std::path::Path;
 pub use unit::Unit;
 
+/// A kind of drawing, by the ending of its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Format {
+    /// AutoCAD's exchange format, ASCII.
+    Dxf,
+    /// Scalable vector graphics.
+    Svg,
+    /// A list of points.
+    Points,
+}
+
+impl Format {
+    /// The kind of the file `name`; `None`: no drawing.
+    pub fn of(name: &Path) -> Option<Format> {
+        let ending = name.extension()?.to_str()?.to_ascii_lowercase();
+        match &ending[..] {
+            "dxf" => Some(Format::Dxf),
+            "svg" => Some(Format::Svg),
+            "csv" | "txt" | "xyz" => Some(Format::Points),
+            _ => None,
+        }
+    }
+}
+
 /// Reads the drawing `bytes`; the ending of `name` decides its format.
 ///
 /// x points right and y up, the origin is the drawing's own; in an SVG, whose y points down, y is reversed so that the drawing
@@ -41,18 +65,19 @@ pub use unit::Unit;
 /// [`DrawingError`], each with its place and what helps.
 pub fn read(name: &Path, bytes: &[u8], options: &Options) -> Result<Drawing, DrawingError> {
     if bytes.len() > MOST_BYTES {
-        return Err(DrawingError::TooLarge {
-            what: "bytes",
-            most: MOST_BYTES,
-        });
+        return Err(DrawingError::too_large("bytes", MOST_BYTES));
     }
     let mut pieces = Pieces::default();
-    let ending = name.extension().and_then(|ending| ending.to_str());
-    match ending.map(str::to_ascii_lowercase).as_deref() {
-        Some("dxf") => dxf::read(bytes, options, &mut pieces)?,
-        Some("svg") => svg::read(bytes, options, &mut pieces)?,
-        Some("csv" | "txt" | "xyz") => csv::read(bytes, options, &mut pieces)?,
-        _ => return Err(DrawingError::Ending(name.to_owned())),
+    match Format::of(name) {
+        Some(Format::Dxf) => dxf::read(bytes, options, &mut pieces)?,
+        Some(Format::Svg) => svg::read(bytes, options, &mut pieces)?,
+        Some(Format::Points) => csv::read(bytes, options, &mut pieces)?,
+        None => {
+            let reason =
+                "unknown kind of drawing, expected a name that ends in .dxf, .svg, .csv or .txt";
+            let help = "export the outline as DXF, SVG or CSV";
+            return Err(DrawingError::at(name.display(), reason, help));
+        }
     }
     pieces.drawing(options)
 }

@@ -41,16 +41,24 @@ impl Options {
         match (stated, self.unit) {
             // Printed with at least six digits by every program.
             (Some((words, mm)), Some(given)) if (mm / given.mm() - 1.0).abs() > 1e-6 => {
-                Err(DrawingError::OtherUnit {
-                    stated: words,
-                    given,
-                })
+                let reason = format!("the file states {words}, the pair file \"{given}\"");
+                Err(DrawingError::new(
+                    reason,
+                    "correct `units`, or leave it out",
+                ))
             }
             (_, Some(given)) => Ok(given.mm()),
             (Some((_, mm)), None) => Ok(mm),
-            (None, None) => Err(DrawingError::NoUnit {
-                why: why_not.to_owned(),
-            }),
+            (None, None) => {
+                let names = Unit::NAMED.map(|(name, _)| format!("\"{name}\""));
+                Err(DrawingError::new(
+                    format!("the unit is not stated: {why_not}"),
+                    format!(
+                        "state the length of a unit of the drawing: units = {}",
+                        names.join(" | ")
+                    ),
+                ))
+            }
         }
     }
 }

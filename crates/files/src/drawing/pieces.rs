@@ -55,10 +55,7 @@ impl Pieces {
         piece.segments.retain(|segment| segment.length() > 0.0);
         self.segments += piece.segments.len();
         if self.segments > MOST_SEGMENTS {
-            return Err(DrawingError::TooLarge {
-                what: "segments",
-                most: MOST_SEGMENTS,
-            });
+            return Err(DrawingError::too_large("segments", MOST_SEGMENTS));
         }
         if piece.segments.is_empty() {
             self.leave_out("zero length", &piece.place);
@@ -137,9 +134,7 @@ impl Pieces {
         if loops.is_empty() {
             return Err(match all_open.first() {
                 Some((_, open)) => open[0].error(open),
-                None => DrawingError::NoLoop {
-                    reason: "no line and no curve is drawn".to_owned(),
-                },
+                None => DrawingError::no_loop("no line and no curve is drawn".to_owned()),
             });
         }
         let left_out = self.left_out.iter().map(|left| {
@@ -204,11 +199,9 @@ fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
         };
     match good {
         true => Ok(()),
-        false => Err(DrawingError::Number {
-            place: place.to_owned(),
-            reason: format!(
-                "a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm"
-            ),
-        }),
+        false => Err(DrawingError::number(
+            place,
+            format!("a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm"),
+        )),
     }
 }

@@ -39,21 +39,18 @@ impl Repeat {
         // A path over a whole pitch ends where the next begins, but for rounding.
         let rounding = SAME_MM / start.norm().min(end.norm());
         if !(angle.abs() <= pitch + rounding) {
-            return Err(DrawingError::Number {
-                place: tooth.place.clone(),
-                reason: format!(
+            return Err(DrawingError::number(
+                &tooth.place,
+                format!(
                     "the path takes {:.3}° about the centre, one of {} teeth has {:.3}°",
                     angle.abs().to_degrees(),
                     self.teeth,
                     pitch.to_degrees()
                 ),
-            });
+            ));
         }
         if tooth.segments.len().saturating_mul(self.teeth as usize) > MOST_SEGMENTS {
-            return Err(DrawingError::TooLarge {
-                what: "segments",
-                most: MOST_SEGMENTS,
-            });
+            return Err(DrawingError::too_large("segments", MOST_SEGMENTS));
         }
         let (mut segments, mut bound): (Vec<PathSegment>, f64) = (Vec::new(), 0.0);
         for index in 0..self.teeth {

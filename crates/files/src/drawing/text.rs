@@ -8,7 +8,7 @@ use std::borrow::Cow;
 pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Err(DrawingError::syntax("line 1", "UTF-16", "save it as UTF-8"));
+        return Err(DrawingError::at("line 1", "UTF-16", "save it as UTF-8"));
     }
     Ok(match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),

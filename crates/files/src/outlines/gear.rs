@@ -3,7 +3,7 @@
 use super::paths::{Path, coordinates, outermost, whole_circle};
 use crate::check::Checked;
 use crate::data_file::DataFile;
-use crate::drawing::{self, Options, Repeat};
+use crate::drawing::{self, Format, Options, Repeat};
 use crate::numbers::{fixed, um};
 use crate::runout::Runout;
 use crate::spec::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
@@ -145,14 +145,12 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
 fn drawn(gear: &Table, spec: OutlineSpec) -> Option<(OutlineSpec, Path, DataFile)> {
     let table = gear.below("outline");
     let data = DataFile::of(&table)?;
-    let ending = data
-        .path()
-        .extension()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .to_lowercase();
-    for (key, given, of) in [("layer", &spec.layer, "dxf"), ("id", &spec.id, "svg")] {
-        if given.is_some() && ending != of {
+    let format = Format::of(data.path());
+    for (key, given, of, only) in [
+        ("layer", &spec.layer, "dxf", Format::Dxf),
+        ("id", &spec.id, "svg", Format::Svg),
+    ] {
+        if given.is_some() && format != Some(only) {
             return table.refuse(key, format!("belongs to a .{of} file"), "remove it");
         }
     }
@@ -171,7 +169,7 @@ fn drawn(gear: &Table, spec: OutlineSpec) -> Option<(OutlineSpec, Path, DataFile
         smooth: spec.kind == PointsKind::Smooth,
     };
     let read = drawing::read(data.path(), &bytes, &options);
-    let read = read.map_err(|error| data.problem(data.found(error.to_string()), error.help()));
+    let read = read.map_err(|error| data.problem(data.found(error.to_string()), error.help));
     let path = outermost(data.reading().keep(read)?);
     let path = path.map_err(|reason| {
         data.problem(

@@ -51,19 +51,16 @@ fn small_gaps_are_closed_and_told() {
     assert!((one.bound_mm - 0.0002).abs() < 1e-15);
     assert!((one.segments[1].length() - 0.0004).abs() < 1e-15);
     let error = drawn("dxf", &gapped(0.004), &in_mm()).unwrap_err();
-    let DrawingError::Open {
-        ends,
-        gap_mm,
-        elements,
-        ..
-    } = &error
-    else {
-        panic!("{error}")
-    };
-    assert!((gap_mm - 0.004).abs() < 1e-15 && *elements == 3);
-    assert_eq!(ends.map(|end| end.x), [5.004, 5.0]);
-    let join_mm: f64 = error.help().split(" = ").nth(1).unwrap().parse().unwrap();
-    assert!(join_mm >= *gap_mm && join_mm < 0.0042, "{join_mm}");
+    for words in [
+        "from (5.004000, ",
+        " to (5.000000, ",
+        " of 3 drawn elements, is open",
+        " 0.004000 mm away",
+    ] {
+        assert!(error.reason.contains(words), "{error}");
+    }
+    let join_mm: f64 = error.help.split(" = ").nth(1).unwrap().parse().unwrap();
+    assert!((0.004..0.0042).contains(&join_mm), "{join_mm}");
     let drawing = drawn("dxf", &gapped(0.004), &Options { join_mm, ..in_mm() }).unwrap();
     assert!((drawing.loops[0].bound_mm - 0.002).abs() < 1e-15);
 }
@@ -82,10 +79,8 @@ fn branches_are_reported_with_their_point() {
     let mut touching = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
     touching.extend(lines(&[[0.0, 0.0], [-5.0, 0.0], [0.0, -5.0]]));
     let error = drawn("dxf", &dxf(&touching), &in_mm()).unwrap_err();
-    assert!(
-        matches!(error, DrawingError::Branch { point, .. } if point == Point2::origin()),
-        "{error}"
-    );
+    let words = "more than two ends meet at (0.000000, 0.000000) mm";
+    assert!(error.reason.ends_with(words), "{error}");
     let mut whisker = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
     whisker.push(line([5.0, 0.0], [9.0, 9.0]));
     let error = drawn("dxf", &dxf(&whisker), &in_mm()).unwrap_err();
@@ -95,7 +90,7 @@ fn branches_are_reported_with_their_point() {
             .contains("more than two ends meet at (5.000000, 0.000000) mm"),
         "{error}"
     );
-    assert!(error.help().contains("drawn twice"));
+    assert!(error.help.contains("drawn twice"));
 }
 
 /// Centre lines are left out, on a layer of their own and among the teeth. A broken outline is an error.
@@ -126,7 +121,7 @@ fn construction_lines_are_left_out() {
     entities.remove(20);
     entities.push("CIRCLE 8 TEETH 10 0 20 0 40 3".to_owned());
     let error = drawn("dxf", &dxf(&entities), &in_mm()).unwrap_err();
-    assert!(matches!(error, DrawingError::Open { .. }), "{error}");
+    assert!(error.reason.contains(" is open: "), "{error}");
     assert!(error.to_string().starts_with("line "), "{error}");
 }
 
@@ -171,9 +166,7 @@ fn a_hundred_thousand_ends_take_no_time() {
     let crowd = (0..80_000).map(|y| format!("<path d=\"M 0 0 L 1 {y}\"/>\n"));
     let crowd = made::svg(&crowd.collect::<String>());
     let start = Instant::now();
-    assert!(matches!(
-        drawn("svg", &crowd, &in_mm()),
-        Err(DrawingError::Branch { .. })
-    ));
+    let error = drawn("svg", &crowd, &in_mm()).unwrap_err();
+    assert!(error.reason.contains("more than two ends meet"), "{error}");
     assert!(start.elapsed().as_secs_f64() < 5.0);
 }

@@ -198,7 +198,11 @@ fn measurement_states_metric_units() {
         )
     };
     assert_eq!(with(1).unwrap().unit_mm, 1.0);
-    assert!(matches!(with(0), Err(DrawingError::NoUnit { .. })));
+    let error = with(0).unwrap_err();
+    assert!(
+        error.reason.starts_with("the unit is not stated"),
+        "{error}"
+    );
 }
 
 /// A clone is drawn where it is moved to, by its own place and its transform.

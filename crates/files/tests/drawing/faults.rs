@@ -7,7 +7,7 @@ use made::{dxf, in_units, line, polyline, spline, svg};
 fn check(ending: &str, text: &str, options: &Options, words: &str, help: &str) {
     let error = drawn(ending, text, options).expect_err(words);
     assert_eq!(error.to_string(), words);
-    assert!(error.help().contains(help), "{}", error.help());
+    assert!(error.help.contains(help), "{}", error.help);
 }
 
 #[test]
@@ -125,11 +125,11 @@ fn what_is_not_read_is_refused_by_name() {
     ] {
         let page = svg("<circle r=\"1\"/>").replace("<svg", &format!("<svg {words}"));
         let error = drawn("svg", &page, &in_mm()).unwrap_err();
-        assert!(matches!(error, DrawingError::Refused { .. }), "{error}");
+        assert!(error.reason.contains("not supported: "), "{error}");
     }
     let doctype = format!("<!DOCTYPE svg>{}", "<svg/>");
     let error = drawn("svg", &doctype, &in_mm()).unwrap_err();
-    assert!(error.help().contains("DOCTYPE"), "{error}");
+    assert!(error.help.contains("DOCTYPE"), "{error}");
     let binary = read(
         Path::new("a.DXF"),
         b"AutoCAD Binary DXF\r\n\x1a\0",
@@ -137,10 +137,8 @@ fn what_is_not_read_is_refused_by_name() {
     )
     .unwrap_err();
     assert_eq!(binary.to_string(), "byte 1: not supported: a binary DXF");
-    assert!(matches!(
-        read(Path::new("a.dwg"), b"", &in_mm()),
-        Err(DrawingError::Ending(_))
-    ));
+    let error = read(Path::new("a.dwg"), b"", &in_mm()).unwrap_err();
+    assert!(error.reason.starts_with("a.dwg: unknown kind"), "{error}");
 }
 
 /// What the crate would take for zero, or pass over.
@@ -204,7 +202,7 @@ fn entities_must_be_whole() {
         let error = drawn("dxf", &dxf(&[entity]), &in_mm()).unwrap_err();
         let text = error.to_string();
         assert!(text.ends_with(words) && text.starts_with("line "), "{text}");
-        assert!(!error.help().is_empty());
+        assert!(!error.help.is_empty());
     }
 }
 
@@ -284,7 +282,7 @@ fn what_is_cut_off_or_too_large_is_reported() {
     assert_eq!(error.to_string(), "has more than 67108864 bytes");
     let many = "0 1 1 0 ".repeat(300_000);
     let error = drawn("svg", &svg(&format!("<path d=\"M {many}\"/>")), &in_mm()).unwrap_err();
-    assert!(matches!(error, DrawingError::Open { .. }), "{error}");
+    assert!(error.reason.contains(" is open: "), "{error}");
     let error = drawn(
         "svg",
         &svg(&format!("<path d=\"M {many} L {many}\"/>")),

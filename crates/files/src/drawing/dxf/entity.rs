@@ -140,7 +140,7 @@ impl<'a> Entity<'a> {
     /// Checks that it says what its kind needs, and says it once.
     pub fn check(&self) -> Result<(), DrawingError> {
         let wrong = |place: String, reason: String| {
-            Err(DrawingError::syntax(
+            Err(DrawingError::at(
                 place,
                 reason,
                 "export it again as DXF, from another program if need be",

@@ -52,16 +52,12 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
             _ => {
                 let reason = "expected 0 and SECTION, or 0 and EOF";
                 let place = format!("line {}", pair.line);
-                return Err(DrawingError::syntax(place, reason, EXPORT));
+                return Err(DrawingError::at(place, reason, EXPORT));
             }
         }
     }
     if let (Some(name), true) = (sheet.select, sheet.kept.is_empty()) {
-        return Err(DrawingError::NotThere {
-            what: "layer",
-            name: name.to_owned(),
-            known: sheet.layers,
-        });
+        return Err(DrawingError::not_there("layer", name, &sheet.layers));
     }
     let scale = options.unit_mm(sheet.unit()?, "no $INSUNITS in the DXF")?;
     pieces.unit_mm = scale;
@@ -108,7 +104,7 @@ impl<'a> Sheet<'a> {
         let name = pairs.next()?;
         if name.code != 2 {
             let reason = "section without a name";
-            return Err(DrawingError::syntax(name.place(), reason, EXPORT));
+            return Err(DrawingError::at(name.place(), reason, EXPORT));
         }
         let drawn = matches!(name.value, "ENTITIES" | "BLOCKS");
         let (mut variable, mut entity): (&str, Option<Entity<'a>>) = ("", None);
@@ -133,7 +129,7 @@ impl<'a> Sheet<'a> {
                 (0, "ENDSEC", _) => break,
                 (0, "EOF" | "SECTION", _) => {
                     let reason = format!("section {} does not end before this", name.value);
-                    return Err(DrawingError::syntax(pair.place(), reason, EXPORT));
+                    return Err(DrawingError::at(pair.place(), reason, EXPORT));
                 }
                 (9, value, _) => variable = value,
                 (70, value, _) if name.value == "HEADER" => match variable {
@@ -165,7 +161,7 @@ impl<'a> Sheet<'a> {
         let whole = value.parse::<i32>().ok();
         let known = UNITS.iter().find(|unit| Some(unit.0) == whole);
         let Some((_, unit)) = known else {
-            return Err(DrawingError::syntax(
+            return Err(DrawingError::at(
                 place,
                 format!("$INSUNITS = {value}, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)"),
                 "export the drawing in mm",
@@ -191,7 +187,7 @@ impl<'a> Sheet<'a> {
             (Some(polyline), _) => Err(without_end(&polyline)),
             (None, "VERTEX") => {
                 let reason = "a VERTEX without a POLYLINE";
-                Err(DrawingError::syntax(entity.place(), reason, EXPORT))
+                Err(DrawingError::at(entity.place(), reason, EXPORT))
             }
             // The end of the attributes of an INSERT.
             (None, "SEQEND") => Ok(()),
@@ -237,10 +233,7 @@ impl<'a> Sheet<'a> {
     fn counted(&mut self) -> Result<(), DrawingError> {
         self.count += 1;
         if self.count > MOST_SEGMENTS {
-            return Err(DrawingError::TooLarge {
-                what: "entities",
-                most: MOST_SEGMENTS,
-            });
+            return Err(DrawingError::too_large("entities", MOST_SEGMENTS));
         }
         Ok(())
     }
@@ -346,5 +339,5 @@ impl<'a> Sheet<'a> {
 }
 
 fn without_end(polyline: &Entity) -> DrawingError {
-    DrawingError::syntax(polyline.place(), "a POLYLINE without SEQEND", EXPORT)
+    DrawingError::at(polyline.place(), "a POLYLINE without SEQEND", EXPORT)
 }

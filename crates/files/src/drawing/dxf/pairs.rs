@@ -61,7 +61,7 @@ impl<'a> Pairs<'a> {
         loop {
             let line = self.line + 1;
             let (Some(code), Some(value)) = (self.lines.next(), self.lines.next()) else {
-                return Err(DrawingError::syntax(
+                return Err(DrawingError::at(
                     format!("line {line}"),
                     "the file ends without EOF: it is truncated",
                     EXPORT,
@@ -72,7 +72,7 @@ impl<'a> Pairs<'a> {
             let known = code.trim().parse::<u16>().ok().filter(|code| *code <= 1071);
             let Some(code) = known else {
                 let reason = "not a group code, expected a whole number from 0 to 1071";
-                return Err(DrawingError::syntax(format!("line {line}"), reason, EXPORT));
+                return Err(DrawingError::at(format!("line {line}"), reason, EXPORT));
             };
             // 999 is a comment.
             if code != 999 {

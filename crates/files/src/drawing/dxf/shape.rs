@@ -11,6 +11,7 @@ use crate::drawing::pieces::Pieces;
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Point3, Vector2};
 use std::f64::consts::TAU;
+use std::fmt::Display;
 
 /// Bits of the flags of polylines and of their vertices.
 const CLOSED: i32 = 1;
@@ -90,7 +91,7 @@ struct Space {
 }
 
 impl Space {
-    fn refused(&self, kind: impl Into<String>) -> DrawingError {
+    fn refused(&self, kind: impl Display) -> DrawingError {
         DrawingError::refused(&self.place, kind, FLAT)
     }
 
@@ -170,10 +171,10 @@ impl Space {
         let centre = self.point(entity.point(10));
         let radius = entity.number(40, 0.0);
         if !(radius > 0.0) {
-            return Err(DrawingError::Number {
-                place: self.place.clone(),
-                reason: format!("radius {radius}, allowed is above 0"),
-            });
+            return Err(DrawingError::number(
+                &self.place,
+                format!("radius {radius}, allowed is above 0"),
+            ));
         }
         let radius = radius * self.scale;
         let side = if self.mirrored { -radius } else { radius };

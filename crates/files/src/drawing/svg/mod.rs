@@ -17,6 +17,7 @@ use super::{DrawingError, Options};
 use crate::characters::cut;
 use roxmltree::{Document, Node};
 use std::collections::HashMap;
+use std::fmt::Display;
 use std::str::FromStr;
 use svgtypes::{Align, AspectRatio, Length, ViewBox};
 
@@ -70,7 +71,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
             }
             _ => "export it again as SVG",
         };
-        DrawingError::syntax(place, error.to_string(), help)
+        DrawingError::at(place, error.to_string(), help)
     })?;
     let root = document.root_element();
     let with_id = root
@@ -86,7 +87,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         pieces,
     };
     if root.tag_name().name() != "svg" {
-        return Err(DrawingError::syntax(
+        return Err(DrawingError::at(
             page.place(root),
             "not an SVG: the root element is not svg",
             PLAIN,
@@ -110,11 +111,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     };
     page.children(root, within)?;
     match page.select {
-        Some(name) if !page.found => Err(DrawingError::NotThere {
-            what: "id",
-            name: name.to_owned(),
-            known: page.ids,
-        }),
+        Some(name) if !page.found => Err(DrawingError::not_there("id", name, &page.ids)),
         _ => Ok(()),
     }
 }
@@ -160,12 +157,12 @@ impl Page<'_> {
         )
     }
 
-    fn syntax(&self, node: Node, reason: impl Into<String>) -> DrawingError {
-        DrawingError::syntax(self.place(node), reason, PLAIN)
+    fn syntax(&self, node: Node, reason: impl Display) -> DrawingError {
+        DrawingError::at(self.place(node), reason, PLAIN)
     }
 
     /// An attribute as `T`; `None` where it is not there.
-    fn parsed<T: FromStr<Err: std::fmt::Display>>(
+    fn parsed<T: FromStr<Err: Display>>(
         &self,
         node: Node,
         name: &str,
@@ -234,10 +231,7 @@ impl Page<'_> {
         }
         self.visited += 1;
         if self.visited > MOST_SEGMENTS {
-            return Err(DrawingError::TooLarge {
-                what: "elements",
-                most: MOST_SEGMENTS,
-            });
+            return Err(DrawingError::too_large("elements", MOST_SEGMENTS));
         }
         let group = matches!(name, "g" | "a" | "svg" | "use");
         if within.asked || group {

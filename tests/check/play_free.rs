@@ -9,7 +9,7 @@ use gearlash::analysis::diagnosis::{non_involute_onset, zero_distance};
 use gearlash::contact::{ExactKernel, PoseClass, Status};
 use gearlash::pair::{GearPair, Mating, Pose};
 
-/// Of drawn pairs those that tell the program from one with a small mistake in it (`tests/MUTANTS.md`).
+/// Drawn pairs that tell the program from one with a small mistake in it (a mutant: `tests/README.md`).
 const PLAY_FREE: [u64; 9] = [0, 2, 4, 7, 8, 9, 10, 11, 13];
 const ONSET: [u64; 3] = [0, 7, 17];
 

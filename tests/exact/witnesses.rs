@@ -1,8 +1,8 @@
 //! Poses that tell the program from one with a small mistake in it.
 //!
-//! Of thousands drawn each is the first at which some one-line change of `src/contact` came to a wrong contact, or a wrong verdict, that a method without
-//! the change refuses ("With one build" of `tests/MUTANTS.md`). Campaigns of a few thousand poses meet most of them by chance; these are few enough to
-//! be run through every referee.
+//! Each is the first of thousands of random poses at which some one-line change of `src/contact` (a mutant: `tests/README.md`) gave a wrong contact or a
+//! wrong verdict. A method without the change refuses it. Campaigns of a few thousand poses meet most of them by chance. These are few enough for every
+//! referee.
 
 use crate::clearance;
 use crate::modified;

@@ -41,7 +41,7 @@ mod verdict;
 mod worst;
 
 use crate::error::Error;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use console::{printed, tell, tell_lines};
 use gearlash_files::characters::plain;
 use std::ffi::OsString;
@@ -124,6 +124,13 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
             ExitCode::from(error.exit_code())
         }
     }
+}
+
+/// The definition of the command line; commands have their full names and what they share.
+pub fn command_line() -> clap::Command {
+    let mut program = Cli::command();
+    program.build();
+    program
 }
 
 fn command(command: Command) -> Result<ExitCode, Error> {

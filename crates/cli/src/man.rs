@@ -1,9 +1,7 @@
 //! `gearlash man`: manual pages, made from the definition of the command line.
 
-use super::Cli;
 use super::console::print;
 use crate::error::Error;
-use clap::CommandFactory;
 use std::process::ExitCode;
 
 /// Print a manual page
@@ -17,9 +15,7 @@ pub(super) struct Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let mut program = Cli::command();
-    // Commands then have their full names and what they share.
-    program.build();
+    let program = super::command_line();
     let page = match &args.command {
         None => program,
         Some(name) => program.find_subcommand(name).cloned().ok_or_else(|| {

@@ -102,7 +102,7 @@ def test_the_examples_in_docstrings_and_pages_run() -> None:
 
     for module in (gearlash, _gear):
         assert doctest.testmod(module).failed == 0
-    page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "how-to" / "python.md").read_text(encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     here = os.getcwd()
     for text, folder in ((page, ROOT / "docs"), (readme, ROOT)):

@@ -277,6 +277,12 @@ impl<R: Row> Columns<R> {
         }
     }
 
+    /// The name of each column: its key in JSON, else its name in CSV.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let columns = self.columns.iter();
+        columns.filter_map(|column| column.key.as_deref().or(column.csv.as_deref()))
+    }
+
     /// The names of the columns in CSV.
     pub fn csv_names(&self) -> impl Iterator<Item = &str> {
         let names = self.csv.iter();

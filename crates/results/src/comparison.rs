@@ -245,7 +245,7 @@ impl ComparedPair<'_> {
 }
 
 /// A run beside the formulas.
-struct ComparedRow {
+pub(crate) struct ComparedRow {
     run: RunTally,
     passed: bool,
     summary: Summary,

@@ -40,6 +40,21 @@ pub mod verdict;
 mod verdict_json;
 mod written;
 
+use column::Row;
+
+/// The keys of poses, runs, extremes, checks, comparisons and assignments in results; of a column without a key, its name in CSV.
+pub fn keys() -> impl Iterator<Item = &'static str> {
+    fn of<R: Row>() -> impl Iterator<Item = &'static str> {
+        R::columns().names()
+    }
+    of::<pose::PoseRow>()
+        .chain(of::<run::RunRow>())
+        .chain(of::<extreme::ExtremeRow>())
+        .chain(of::<check::CheckRow>())
+        .chain(of::<comparison::ComparedRow>())
+        .chain(of::<matching::AssignmentRow>())
+}
+
 pub use checks::{backlash_map_csv, checked, map_csv};
 pub use column::{Shown, Unit};
 pub use comparison::ComparedPair;

@@ -10,7 +10,7 @@ use serde_json::json;
 use std::sync::LazyLock;
 
 /// A wheel with a pinion in its best phase.
-struct AssignmentRow {
+pub(crate) struct AssignmentRow {
     wheel: String,
     pinion: String,
     found: PairFit,

@@ -2,11 +2,30 @@
 
 use super::gearlash;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn docs() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")
+pub(super) fn docs() -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    root.canonicalize().unwrap().join("docs")
+}
+
+/// README and every page of `docs/`.
+fn pages() -> Vec<PathBuf> {
+    let mut pages = vec![docs().join("../README.md")];
+    let mut folders = vec![docs()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "md") {
+                pages.push(path);
+            }
+        }
+    }
+    pages
 }
 
 /// Language and text of each fenced block.
@@ -19,16 +38,14 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A folder with a copy of the files that the commands of `page` read.
-fn copy(page: &Path) -> tempfile::TempDir {
+/// A folder with copies of `docs/files` and `fixtures`, which commands read.
+fn copy() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let read = folder.path().join(if page.starts_with(docs()) {
-        "files"
-    } else {
-        "docs/files"
-    });
-    fs::create_dir_all(read.parent().unwrap()).unwrap();
-    copied(&docs().join("files"), &read);
+    for name in ["docs/files", "fixtures"] {
+        let to = folder.path().join(name);
+        fs::create_dir_all(to.parent().unwrap()).unwrap();
+        copied(&docs().join("..").join(name), &to);
+    }
     folder
 }
 
@@ -37,9 +54,10 @@ fn copied(from: &Path, to: &Path) {
     for entry in fs::read_dir(from).unwrap() {
         let from = entry.unwrap().path();
         let to = to.join(from.file_name().unwrap());
-        match from.is_dir() {
-            true => copied(&from, &to),
-            false => drop(fs::copy(&from, to).unwrap()),
+        if from.is_dir() {
+            copied(&from, &to);
+        } else {
+            fs::copy(&from, to).unwrap();
         }
     }
 }
@@ -47,7 +65,12 @@ fn copied(from: &Path, to: &Path) {
 /// Runs the commands of a page, each ending with `# exit N` where it is not 0; a block of text shows parts of what the last ones print, `…` for the rest.
 fn check(page: &Path) -> usize {
     let text = fs::read_to_string(page).unwrap();
-    let folder = copy(page);
+    let copy = copy();
+    let folder = if page.parent().is_some_and(|folder| folder.ends_with("..")) {
+        copy.path().to_owned()
+    } else {
+        copy.path().join("docs")
+    };
     let (mut ran, mut printed) = (0, String::new());
     for (language, block) in blocks(&text) {
         match language {
@@ -57,7 +80,7 @@ fn check(page: &Path) -> usize {
                     let (command, exit) = line.split_once(" # exit ").unwrap_or((line, "0"));
                     let words: Vec<&str> = command.split_whitespace().collect();
                     assert_eq!(words[0], "gearlash", "{page:?}: {line}");
-                    let output = gearlash(folder.path()).args(&words[1..]).output().unwrap();
+                    let output = gearlash(&folder).args(&words[1..]).output().unwrap();
                     let all = [output.stdout, output.stderr].concat();
                     printed += &words_of(&all);
                     let code = output.status.code().unwrap().to_string();
@@ -74,7 +97,7 @@ fn check(page: &Path) -> usize {
                 }
             }
             // Python is run by crates/python/tests; what schedulers start was tried by hand.
-            "toml" | "yaml" | "python" | "bash" | "rust" => {}
+            "toml" | "yaml" | "python" | "bash" | "rust" | "console" => {}
             other => panic!("{page:?}: a block of {other}"),
         }
     }
@@ -87,29 +110,37 @@ fn words_of(output: &[u8]) -> String {
 
 #[test]
 fn every_page_runs_as_written() {
-    let pages = fs::read_dir(docs()).unwrap();
-    let pages = pages.map(|entry| entry.unwrap().path());
-    let mut pages: Vec<PathBuf> = pages
-        .filter(|path| path.extension().is_some_and(|ending| ending == "md"))
-        .collect();
-    assert!(pages.len() > 6);
-    pages.push(docs().join("../README.md").canonicalize().unwrap());
-    let ran: usize = pages.par_iter().map(|page| check(page)).sum();
-    assert!(ran > 15, "{ran}");
+    let ran: usize = pages().par_iter().map(|page| check(page)).sum();
+    assert!(ran > 60, "{ran}");
 }
 
-/// The index links every page, and only those.
+/// The files that the links of a page name.
+fn links(page: &Path) -> Vec<PathBuf> {
+    let text = fs::read_to_string(page).unwrap();
+    let targets = text
+        .split("](")
+        .skip(1)
+        .map(|link| link.split(')').next().unwrap());
+    let files = targets.filter(|target| !target.starts_with("http"));
+    files
+        .map(|target| page.with_file_name(target.split('#').next().unwrap()))
+        .collect()
+}
+
 #[test]
-fn the_index_has_every_page() {
-    let index = fs::read_to_string(docs().join("README.md")).unwrap();
-    for entry in fs::read_dir(docs()).unwrap() {
-        let name = entry.unwrap().file_name().into_string().unwrap();
-        if name.ends_with(".md") && name != "README.md" {
-            assert!(index.contains(&format!("({name})")), "{name}");
+fn every_link_leads_to_a_file() {
+    for page in pages() {
+        for file in links(&page) {
+            assert!(file.exists(), "{page:?}: {file:?}");
         }
     }
-    for link in index.split("](").skip(1) {
-        let target = link.split(')').next().unwrap();
-        assert!(docs().join(target).exists(), "{target}");
-    }
+}
+
+/// mdBook renders the pages of the summary alone.
+#[test]
+fn the_summary_has_every_page() {
+    let summary = docs().join("SUMMARY.md");
+    let linked: BTreeSet<PathBuf> = links(&summary).into_iter().collect();
+    let pages = pages().into_iter().skip(1).filter(|page| *page != summary);
+    assert_eq!(linked, pages.collect::<BTreeSet<_>>());
 }

@@ -3,7 +3,7 @@
 use super::{empty_folder, files, run};
 use std::path::Path;
 
-/// The pairs of docs/helical-gears.md in a folder of their own: common face −24 … 24 mm.
+/// The pairs of docs/explanation/helical-gears.md in a folder of their own: common face −24 … 24 mm.
 fn folder() -> tempfile::TempDir {
     let folder = empty_folder();
     let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/files");

@@ -25,6 +25,7 @@ mod pair_86_21;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
 mod pictures;
+mod reference;
 mod refused;
 mod remedies;
 mod rexs;

@@ -342,7 +342,8 @@ fn a_cross_check_of_the_same_kind() {
 #[test]
 fn good_pairs_are_not_suspected() {
     let page = fs::read_to_string(
-        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs/pair-file.md"),
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+            .join("docs/reference/pair-file.md"),
     )
     .unwrap();
     let example = page

@@ -17,7 +17,7 @@ fn gear(name: &str, further: &str) -> String {
     )
 }
 
-/// 27/51, the pair of docs/helical-gears.md, with its measuring planes apart and all that can scatter of helical gears.
+/// 27/51, the pair of docs/explanation/helical-gears.md, with its measuring planes apart and all that can scatter of helical gears.
 fn pair() -> String {
     let wheel = gear(
         "wheel",

@@ -1,4 +1,4 @@
-"""The tables of gear and pair files, as dicts: keys and units as README lists them."""
+"""The tables of gear and pair files, as dicts: keys and units as docs/reference/pair-file.md lists them."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, TypedDict

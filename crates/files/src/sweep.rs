@@ -26,8 +26,9 @@ impl Sweep {
                 each.filter_map(|(place, one)| Some((place, <[u32; 2]>::deserialize(one).ok()?)));
             for (place, mating) in good {
                 let place = format!("value {place} of the list: ");
-                beyond_gear("sweep.mating", mating, teeth, &place)
-                    .map(|problem| reading.add(problem));
+                if let Some(problem) = beyond_gear("sweep.mating", mating, teeth, &place) {
+                    reading.add(problem);
+                }
             }
             Some(())
         })?;

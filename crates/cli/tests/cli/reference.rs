@@ -273,7 +273,9 @@ fn explained(argument: &Arg) -> String {
     } else {
         format!(" ({})", choices.join("/"))
     };
+    // Markdown takes <…> for HTML.
     let help = argument.get_help().unwrap().to_string();
+    let help = help.replace('<', "\\<");
     let default = match argument.get_default_values() {
         [default] if takes_value && !argument.is_hide_default_value_set() => {
             format!(" [default: {}]", default.to_string_lossy())

@@ -45,10 +45,11 @@ impl AssemblesFrom {
             let at = assembly.at(at).ok();
             at.map_or(f64::NAN, |at| 2.0 * at.operating_pressure_angle().tan())
         };
+        let kernel = ExactKernel::new(assembly);
         let mut tight: Vec<Mating> = Vec::new();
         let value = |at: f64| -> Result<Option<(f64, Option<Extreme>)>, Error> {
             let pair = assembly.at(at)?;
-            let kernel = ExactKernel::new(&pair);
+            let kernel = kernel.at(&pair);
             if let Some(there) = interference(&kernel, &pair, &tight)? {
                 return Ok(Some((there, None)));
             }

@@ -73,9 +73,9 @@ impl Planned {
             }
         };
         let effort = &self.effort(assembly);
-        let greatest = |pair: &GearPair| {
+        let greatest = |pair: &GearPair, kernel: &ExactKernel| {
             let over = (self.first, self.distinct);
-            ExactKernel::new(pair).greatest(pair, over, WIDTH, effort)
+            kernel.greatest(pair, over, WIDTH, effort)
         };
         if is_open(assembly) {
             let all = self.any_direction(assembly, effort)?;
@@ -315,8 +315,9 @@ fn any_direction(
 ) -> Result<AnyDirection, Error> {
     // The bracket holds that of a search and what the direction adds.
     let width = 0.4 * width;
-    let least = |pair: &GearPair| ExactKernel::new(pair).least(pair, over, width, effort);
-    let greatest = |pair: &GearPair| ExactKernel::new(pair).greatest(pair, over, width, effort);
+    let least = |pair: &GearPair, kernel: &ExactKernel| kernel.least(pair, over, width, effort);
+    let greatest =
+        |pair: &GearPair, kernel: &ExactKernel| kernel.greatest(pair, over, width, effort);
     directions::extremes(pair, &least, &greatest)
 }
 

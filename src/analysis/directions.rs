@@ -37,7 +37,7 @@ const LARGEST_SHARE: f64 = 0.25;
 const NEAREST: f64 = 1e-6;
 
 /// A search for one extreme of a pair.
-pub(super) type Search<'a> = dyn Fn(&GearPair) -> Result<Extremes, Error> + 'a;
+pub(super) type Search<'a> = dyn Fn(&GearPair, &ExactKernel) -> Result<Extremes, Error> + 'a;
 
 /// Poses, and the pair in them: its high teeth where they are worst.
 #[derive(Debug, Clone)]
@@ -77,8 +77,10 @@ pub(super) fn extremes(
     least: &Search<'_>,
     greatest: &Search<'_>,
 ) -> Result<AnyDirection, Error> {
-    let near = End::new(assembly, true, least)?;
-    let far = End::new(assembly, false, greatest)?;
+    // Neither a distance nor a direction changes a tooth.
+    let kernel = ExactKernel::new(assembly);
+    let near = End::new(assembly, &kernel, true, least)?;
+    let far = End::new(assembly, &kernel, false, greatest)?;
     let status = match (near.found.status, far.found.status) {
         (Status::Jammed, _) => Status::Jammed,
         (_, Status::NoContact) => Status::NoContact,
@@ -128,6 +130,8 @@ struct Attained {
 /// All high teeth towards the mate, or away from it.
 struct End<'a> {
     assembly: &'a GearPair,
+    /// Its kernel.
+    kernel: &'a ExactKernel,
     /// `e` of the free gear, mm: behind its axis, or before it.
     off: f64,
     centred: GearPair,
@@ -137,7 +141,12 @@ struct End<'a> {
 }
 
 impl<'a> End<'a> {
-    fn new(assembly: &'a GearPair, facing: bool, search: &'a Search<'a>) -> Result<End<'a>, Error> {
+    fn new(
+        assembly: &'a GearPair,
+        kernel: &'a ExactKernel,
+        facing: bool,
+        search: &'a Search<'a>,
+    ) -> Result<End<'a>, Error> {
         let sign = if facing { 1.0 } else { -1.0 };
         let off = |member| sign * open_eccentricity(assembly.gear(member));
         let gear = |member| assembly.gear(member).centred();
@@ -148,12 +157,13 @@ impl<'a> End<'a> {
         let distance = wanted.max(base * (1.0 + NEAREST));
         let centred = GearPair::with_locked(wheel, pinion, distance, assembly.locked())?
             .with_face(assembly.face())?;
-        let mut found = search(&centred)?;
+        let mut found = search(&centred, &kernel.at(&centred))?;
         if let Some(least) = found.least.as_mut().filter(|_| wanted < distance) {
             (least.low, least.doubt) = (f64::NEG_INFINITY, Some(Doubt::Unbounded));
         }
         Ok(End {
             assembly,
+            kernel,
             off: off(assembly.free()),
             found,
             centred,
@@ -176,7 +186,8 @@ impl<'a> End<'a> {
             && let Some([right, left]) = self.contacts(extreme.mating)?
         {
             let turn = left - right;
-            let found = (self.search)(&self.with_left_flanks_on(turn)?)?;
+            let turned = self.with_left_flanks_on(turn)?;
+            let found = (self.search)(&turned, &ExactKernel::new(&turned))?;
             let other = if is_least {
                 found.least
             } else {
@@ -205,7 +216,8 @@ impl<'a> End<'a> {
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
         let per_radian = assembly.operating_pitch_radius(free);
         let [low, high] = [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian);
-        let seen = ExactKernel::new(&assembly).lost_motion_at(&assembly, mating)?;
+        let kernel = self.kernel.at(&assembly);
+        let seen = kernel.lost_motion_at(&assembly, mating)?;
         let seen = seen.and_then(|found| found.angle().zip(found.error()));
         let seen = seen.map(|(angle, error)| Attained {
             low: (angle - error) * per_radian,
@@ -238,7 +250,8 @@ impl<'a> End<'a> {
     /// Rotations of the free gear where its right and its left flanks touch, at a mating of the centred pair.
     fn contacts(&self, mating: Mating) -> Result<Option<[f64; 2]>, Error> {
         let (assembly, mating) = self.directed(mating, None)?;
-        let found = ExactKernel::new(&assembly).lost_motion_at(&assembly, mating)?;
+        let kernel = self.kernel.at(&assembly);
+        let found = kernel.lost_motion_at(&assembly, mating)?;
         Ok(found.and_then(|found| Some([found.right?.rotation, found.left?.rotation])))
     }
 

@@ -44,6 +44,7 @@ impl MeshesTo {
         let (mut low, mut high, mut doubt) = (nearest, assembly.center_distance(), None);
         let mut apart = vec![lost];
         let mut at = low;
+        let kernel = ExactKernel::new(assembly);
         for _ in 0..STEPS {
             if !(low < high) {
                 return Ok(None);
@@ -53,10 +54,11 @@ impl MeshesTo {
                 break;
             }
             let pair = assembly.at(at)?;
-            if passes(&pair, &apart)? {
+            let kernel = kernel.at(&pair);
+            if passes(&pair, &kernel, &apart)? {
                 high = at;
             } else {
-                let there = search(&pair)?;
+                let there = search(&pair, &kernel)?;
                 match there.greatest {
                     None => {
                         high = at;
@@ -78,8 +80,7 @@ impl MeshesTo {
 }
 
 /// Whether the pair is out of mesh at one of `matings`.
-fn passes(pair: &GearPair, matings: &[Mating]) -> Result<bool, Error> {
-    let kernel = ExactKernel::new(pair);
+fn passes(pair: &GearPair, kernel: &ExactKernel, matings: &[Mating]) -> Result<bool, Error> {
     for mating in matings {
         let found = kernel.lost_motion_at(pair, *mating)?;
         if found.is_some_and(|found| found.status() == Status::NoContact) {

@@ -246,7 +246,11 @@ impl Search<'_> {
     pub fn run(&self, ranked: &mut Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
         let mut open = BinaryHeap::from(std::mem::take(&mut ranked.open));
         let proof = self.settle(&mut open, ranked, found)?;
-        ranked.near.extend(open.into_iter().map(|open| open.cell));
+        // Of an extreme that is not proven no place is known to be equal.
+        match proof.1 {
+            None => ranked.near.extend(open.into_iter().map(|open| open.cell)),
+            Some(_) => ranked.near.clear(),
+        }
         Ok(proof)
     }
 

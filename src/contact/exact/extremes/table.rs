@@ -160,6 +160,11 @@ impl Table {
         self.sides.iter().any(|side| side.may_dip)
     }
 
+    /// Whether a step of a side is on the line of action all through a part.
+    pub fn covers(&self, side: usize, part: usize, step: i64) -> bool {
+        self.sides[side].covering[part].contains(&step)
+    }
+
     pub fn matings(&self) -> u64 {
         self.matings
     }

@@ -265,7 +265,7 @@ impl Search<'_> {
         // How promising the best of the cells is that are too narrow to cut.
         let mut narrow = f64::NEG_INFINITY;
         for _ in 0..MOST_CELLS {
-            if self.course.effort.left() < self.spare {
+            if self.course.effort.left() <= self.spare {
                 break;
             }
             let Some(next) = open.pop() else {
@@ -356,7 +356,7 @@ impl Search<'_> {
         for cell in near {
             let own = self.teeth(cell.mating);
             let is_later = own > teeth || own == teeth && cell.from >= named.fraction;
-            if is_later || self.course.effort.left() < self.spare {
+            if is_later || self.course.effort.left() <= self.spare {
                 break;
             }
             let holds_named = own == teeth && named.fraction <= cell.to;

@@ -283,6 +283,13 @@ impl Search<'_> {
                 continue;
             }
             let cell = next.cell.bounded(self.course, self.table);
+            let key = self.key(cell.low, cell.high);
+            // No pose of it is better.
+            if key <= self.best(found) {
+                bound = bound.max(key);
+                ranked.near.push(cell);
+                continue;
+            }
             let at = self.expected(&cell);
             if cell.seen != Some(at) {
                 found.look(self.course, self.course.mating(cell.mating, at))?;
@@ -295,9 +302,7 @@ impl Search<'_> {
                 // There is no bound of what has no value.
                 return Ok((self.value(self.best(found)), None));
             }
-            let key = self.key(cell.low, cell.high);
-            let enough = self.best(found) + self.width;
-            if key <= enough {
+            if key <= self.best(found) + self.width {
                 bound = bound.max(key);
                 ranked.near.push(cell);
                 continue;

@@ -193,3 +193,95 @@ impl OnLine {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::ExactKernel;
+    use super::super::cell::Cell;
+    use super::super::course::{Course, PARTS};
+    use super::super::table::Table;
+    use super::*;
+    use crate::contact::Effort;
+    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch};
+    use crate::pair::{GearPair, Mating};
+
+    fn pair(eccentricities: [f64; 2], pitch: f64) -> GearPair {
+        let gear = |teeth: u32, k: usize, face| {
+            let curve = |start: u32| -> Vec<f64> {
+                let each = (0..teeth).map(|i| pitch * f64::from((i * 37 + start) % 11) / 11.0);
+                each.collect()
+            };
+            let deviations = Deviations {
+                pitch: Some(Pitch::from_cumulative(&curve(3), &curve(8))),
+                eccentricity: eccentricities[k],
+                high_tooth: 3.7,
+                ..Deviations::default()
+            };
+            let gear = Gear::nominal(GearDesign::plain(teeth, 1.0)).unwrap();
+            AsBuilt::new(gear, face, &deviations).unwrap()
+        };
+        let (wheel, pinion) = (gear(20, 0, Face::Front), gear(40, 1, Face::Back));
+        GearPair::new(wheel, pinion, 30.1).unwrap()
+    }
+
+    /// No pose lies outside the bounds of its part, and where pairs on the line of action alone bound it the bounds are those of the poses, but for the
+    /// poses' own distance. Source: poses of the exact method.
+    #[test]
+    fn bounds_of_parts_hold_their_poses_and_are_near() {
+        for (eccentricities, pitch) in [([0.009, 0.011], 0.0), ([0.05, 0.02], 0.006)] {
+            let pair = pair(eccentricities, pitch);
+            let kernel = ExactKernel::new(&pair);
+            let effort = Effort::endless();
+            let course = Course::new(&kernel, &pair, (Mating::FIRST, 40), &effort);
+            let table = Table::new(&course);
+            let (mut near, mut all) = (0, 0);
+            for mating in (0..40).step_by(3) {
+                for part in 0..PARTS {
+                    let cell = Cell::of_part(mating, part).bounded(&course, &table);
+                    let places =
+                        (0..=40).map(|k| cell.from + (cell.to - cell.from) * f64::from(k) / 40.0);
+                    let angles: Vec<f64> = places
+                        .map(|at| {
+                            let mating = course.mating(mating, at);
+                            let found = kernel.lost_motion_at(&pair, mating).unwrap().unwrap();
+                            found.angle().unwrap()
+                        })
+                        .collect();
+                    let low = angles.iter().copied().fold(f64::INFINITY, f64::min);
+                    let high = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                    let case = format!("{mating} {part}: {low} … {high}, {cell:?}");
+                    assert!(cell.low <= low && high <= cell.high, "{case}");
+                    all += 1;
+                    near += u32::from(low - cell.low < 2e-8 && cell.high - high < 2e-8);
+                }
+            }
+            assert!(near > all / 3, "{near} of {all}");
+        }
+    }
+
+    /// The third derivative of a gap stays within its bound, and comes within a fifth of it somewhere. Source: differences of gaps.
+    #[test]
+    fn no_gap_jerks_more_than_its_bound() {
+        for eccentricities in [[0.4, 0.0], [0.0, 0.4], [0.2, 0.3]] {
+            let pair = pair(eccentricities, 0.0);
+            let kernel = ExactKernel::new(&pair);
+            let effort = Effort::endless();
+            let course = Course::new(&kernel, &pair, (Mating::FIRST, 40), &effort);
+            let mut share = 0.0f64;
+            for (side, index) in [(0, 0), (1, 5), (0, 11), (1, 23), (0, 34)] {
+                let posed = course.posed(index)[side].flanks;
+                let gap = |x: f64| Separation::new(&posed.turned_on(x), 0, 0.0, true).gap;
+                for k in -20..20 {
+                    const H: f64 = 4e-3;
+                    let at = 0.05 * f64::from(k);
+                    let [a, b, c, d] = [-1.5, -0.5, 0.5, 1.5].map(|step| gap(at + step * H));
+                    let jerk = ((d - 3.0 * c + 3.0 * b - a) / (H * H * H)).abs();
+                    let bound = course.sides[side].jerk;
+                    assert!(jerk <= bound + 1e-6, "{index} {k}: {jerk} {bound}");
+                    share = share.max(jerk / bound);
+                }
+            }
+            assert!(share > 0.2, "{share}");
+        }
+    }
+}

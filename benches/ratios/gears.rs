@@ -3,9 +3,10 @@
 use gearlash::contact::CutPair;
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Modification,
-    Pitch, Relief, Side, Trace,
+    Pitch, Relief, Side, Trace, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash::population::{GearScatter, Population, Scatter, Scatters};
 
 fn gear(teeth: u32) -> Gear {
     Gear::nominal(GearDesign {
@@ -109,6 +110,35 @@ pub(super) fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
     let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
     let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
     GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
+}
+
+/// The drawing pair 20/40 of module 1: runouts of 18 and 22 µm in any direction, thickness 25cd, 30 js7. Thickness and distance scatter.
+pub(super) fn drawing() -> Population {
+    let gear = |teeth, runout: f64, face| {
+        let data = BasicGearData::new(teeth, 1.0, 20f64.to_radians()).unwrap();
+        let design = GearDesign::standard(data);
+        let nominal = design.nominal_base_thickness();
+        let base = thickness::base_from_allowance(&data, nominal, -0.057);
+        let deviations = Deviations {
+            eccentricity: 0.5 * runout,
+            any_direction: true,
+            high_tooth: 1.0,
+            ..Deviations::default()
+        };
+        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+    };
+    let (wheel, pinion) = (gear(20, 0.018, Face::Front), gear(40, 0.022, Face::Back));
+    let scatter = |cpk| GearScatter {
+        thickness: Some(Scatter::normal_within(-0.015, 0.015, 0.0, cpk).unwrap()),
+        ..GearScatter::default()
+    };
+    let scatters = Scatters {
+        wheel: scatter(1.0),
+        pinion: scatter(1.33),
+        center_distance: Some(Scatter::uniform(-0.0105, 0.0105).unwrap()),
+        ..Scatters::default()
+    };
+    Population::new(GearPair::new(wheel, pinion, 30.0).unwrap(), scatters).unwrap()
 }
 
 pub(super) fn cut(assembly: &GearPair) -> CutPair {

@@ -12,7 +12,8 @@ use gearlash::contact::{
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, of_gear};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use gears::{cut, helical, modified, pair, poses, traced};
+use gearlash::population::{Draw, Run};
+use gears::{cut, drawing, helical, modified, pair, poses, traced};
 use nalgebra::Point2;
 use newcomer::newcomer;
 use std::hint::black_box;
@@ -154,6 +155,19 @@ fn extremes(teeth: [u32; 2]) -> f64 {
     least
 }
 
+/// Seconds an assembly of the drawing pair.
+fn assembly() -> f64 {
+    let population = drawing();
+    let all = fastest(|| {
+        for number in 1..=100 {
+            let (seed, run) = (1, Run::Population);
+            let draw = Draw { seed, run, number };
+            black_box(population.assembly(draw).unwrap().outcome().unwrap());
+        }
+    });
+    all.as_secs_f64() / 100.0
+}
+
 fn main() {
     println!("{:<58} {:>14}     wanted", "what", "found");
     let (perfect, wild) = (pair([44, 44], true), pair([44, 44], false));
@@ -222,6 +236,12 @@ fn main() {
         let what = format!("extremes {wheel}/{pinion}, kernel included");
         row(&what, extremes(teeth) * per, unit, wanted);
     }
+    row(
+        "assembly 20/40, runouts in any direction",
+        assembly() * 1e6,
+        "µs",
+        "",
+    );
 
     let revolution = SweepPlan::wheel_revolution(&wild, 16, (1, 1)).matings(&wild);
     let method = Method::Exact { certify: true };

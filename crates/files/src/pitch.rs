@@ -1,6 +1,6 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
-use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
+use super::sheet::{Column, Header, Sheet};
 use super::spec::PitchSpec;
 use super::table::Table;
 use super::thickness::one_a_tooth;
@@ -22,12 +22,8 @@ impl PitchSheet {
         let table = gear.below("pitch");
         if spec.table.is_some() {
             let kind = spec.kind;
-            let wanted = Wanted {
-                columns: &[Column::Right(kind), Column::Left(kind)],
-                teeth,
-                coverage: Coverage::EveryTooth,
-            };
-            let sheet = Sheet::read(&table, &wanted)?;
+            let columns = [Column::Right(kind), Column::Left(kind)];
+            let sheet = Sheet::of_every_tooth(&table, &columns, teeth)?;
             return Some(Some(PitchSheet {
                 spec: PitchSpec {
                     right_um: Some(sheet.values(0)),

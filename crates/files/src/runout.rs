@@ -1,6 +1,6 @@
 //! `[runout]`: how far the teeth stand from the rotation axis.
 
-use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
+use super::sheet::{Column, Header, Sheet};
 use super::spec::{ReadingPlace, RunoutSpec};
 use super::table::Table;
 use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutStatement};
@@ -44,12 +44,7 @@ impl Runout {
                 "remove it, or write at = \"space\"",
             );
         }
-        let wanted = Wanted {
-            columns: &[Column::Runout],
-            teeth,
-            coverage: Coverage::EveryTooth,
-        };
-        let sheet = Sheet::read(&table, &wanted)?;
+        let sheet = Sheet::of_every_tooth(&table, &[Column::Runout], teeth)?;
         if at == ReadingPlace::Tooth && sheet.origin.as_ref().is_some_and(|origin| origin.by_space)
         {
             return table.refuse(

@@ -35,18 +35,3 @@ pub fn synonym<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let mut all = CALLED.iter().filter(|(_, names)| called(names));
     all.find_map(|(key, _)| known.iter().copied().find(|known| known == key))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::synonym;
-
-    #[test]
-    fn a_symbol_is_a_key_only_where_that_is_one() {
-        let gear = ["hand", "teeth", "profile_shift", "pressure_angle_deg"];
-        assert_eq!(synonym("z", &gear), Some("teeth"));
-        assert_eq!(synonym("x", &gear), Some("profile_shift"));
-        assert_eq!(synonym("alpha_n", &gear), Some("pressure_angle_deg"));
-        assert_eq!(synonym("foo", &gear), None);
-        assert_eq!(synonym("z", &["locked"]), None);
-    }
-}

@@ -109,7 +109,7 @@ impl Places<'_> {
                 teeth,
                 coverage: Coverage::SomeTeeth,
             };
-            let sheet = Sheet::read(table, &wanted)?;
+            let (_, sheet) = Sheet::read(table, &wanted)?;
             *self.places = Some(sheet.teeth());
             length.mm = Some(Either::Other(sheet.values(0)));
             return Some(());
@@ -167,12 +167,8 @@ fn per_tooth(table: &Table, listed: Option<Vec<f64>>, teeth: Option<u32>) -> Opt
     if !table.has("per_tooth_um") {
         return Some(Vec::new());
     }
-    let wanted = Wanted {
-        columns: &[Column::Thickness],
-        teeth,
-        coverage: Coverage::EveryTooth,
-    };
-    let sheet = Sheet::read(&table.below("per_tooth_um"), &wanted)?;
+    let table = table.below("per_tooth_um");
+    let sheet = Sheet::of_every_tooth(&table, &[Column::Thickness], teeth)?;
     Some(sheet.values(0))
 }
 

@@ -39,32 +39,3 @@ pub fn why(path: &str, name: &str) -> Option<(&'static str, &'static str)> {
     let (_, why) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
     Some((why, "remove it"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::why;
-
-    #[test]
-    fn words_of_leads_and_axes_are_known_and_others_are_not() {
-        for name in [
-            "lead_um",
-            "f_H_beta_um",
-            "crowning_um",
-            "helix_slope_deviation",
-        ] {
-            assert!(
-                why(name, name).is_some_and(|(why, _)| why.contains("lead")),
-                "{name}"
-            );
-        }
-        for name in ["shaft_angle_deg", "tilt_um", "axis_misalignment_um"] {
-            assert!(
-                why(name, name).is_some_and(|(why, _)| why.contains("parallel")),
-                "{name}"
-            );
-        }
-        for name in ["teeth", "misleading", "helix_angle", "module"] {
-            assert_eq!(why(name, name), None, "{name}");
-        }
-    }
-}

@@ -141,16 +141,7 @@ pub fn warm(temperature_c: Option<f64>) -> Option<Problem> {
 
 /// The key of the thickness of a gear that is called `name`.
 pub fn thickness_key(name: &str, gear: &GearSpec) -> String {
-    let statement = &gear.thickness.statement;
-    let keys = [
-        ("span", statement.span.is_some()),
-        ("over_pins", statement.over_pins.is_some()),
-        ("designation", statement.designation.is_some()),
-        ("allowance_um", statement.allowance_um.is_some()),
-        ("flank_offset_mm", statement.flank_offset_mm.is_some()),
-        ("base_thickness_mm", statement.base_thickness_mm.is_some()),
-    ];
-    let key = keys.iter().find(|(_, is_stated)| *is_stated);
-    let key = key.map_or(String::new(), |(key, _)| format!(".{key}"));
+    let key = gear.thickness.statement.key();
+    let key = key.map_or(String::new(), |key| format!(".{key}"));
     format!("{name}.thickness{key}")
 }

@@ -215,7 +215,7 @@ fn of_file(
         teeth: gear.teeth,
         coverage: Coverage::Points { base_radius },
     };
-    let (file, read) = Sheet::read_file(table, &wanted)?;
+    let (file, read) = Sheet::read(table, &wanted)?;
     let by = *read.columns.first()?;
     gear.headers.borrow_mut().push(read.header.clone());
     file.list(|| of_rows(&file, &read, by, (tooth, own), gear))

@@ -18,36 +18,12 @@ impl From<Problem> for Fault {
     }
 }
 
-/// The unit that the format gives a quantity.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Unit {
-    Millimetre,
-    Micrometre,
-    Degree,
-    None,
-}
-
-impl Unit {
-    /// Its names in the versions of the format, and the sign that `mum` stands for: U+00B5 or U+03BC.
-    fn names(self) -> &'static [&'static str] {
-        match self {
-            Unit::Millimetre => &["mm"],
-            Unit::Micrometre => &["mum", "µm", "μm"],
-            Unit::Degree => &["deg", "°"],
-            Unit::None => &["none", ""],
-        }
-    }
-
-    /// What a message calls it.
-    fn words(self) -> &'static str {
-        match self {
-            Unit::Millimetre => "mm",
-            Unit::Micrometre => "mum",
-            Unit::Degree => "deg or °",
-            Unit::None => "none",
-        }
-    }
-}
+/// A unit of the format: its names in the versions. The sign that `mum` stands for is U+00B5 or U+03BC.
+pub type Unit = &'static [&'static str];
+pub const MILLIMETRE: Unit = &["mm"];
+pub const MICROMETRE: Unit = &["mum", "µm", "μm"];
+pub const DEGREE: Unit = &["deg", "°"];
+pub const NUMBER: Unit = &["none", ""];
 
 /// The attributes of a component, those that were read kept in mind.
 pub struct Attributes<'a> {
@@ -89,9 +65,9 @@ impl<'a> Attributes<'a> {
             ..problem(&self.component.place_of(id), reason, help)
         };
         let stated = self.component.attribute(id).and_then(|a| a.unit.as_deref());
-        if let Some(other) = stated.filter(|stated| !unit.names().contains(stated)) {
-            let (other, words) = (shown(other), unit.words());
-            let reason = format!("in the unit {other}, the format has {words}");
+        if let Some(other) = stated.filter(|stated| !unit.contains(stated)) {
+            let (other, unit) = (shown(other), unit[0]);
+            let reason = format!("in the unit {other}, the format has {unit}");
             return Err(wrong(&reason, "convert it, or export the file again"));
         }
         // No exponent without digits, no "inf", no "nan": what the format's own number is.
@@ -117,7 +93,7 @@ impl<'a> Attributes<'a> {
     /// # Errors
     /// As [`Attributes::number`]; a fraction, zero or negative.
     pub fn count(&self, id: &str) -> Result<Option<u32>, Problem> {
-        let Some(number) = self.number(id, Unit::None)? else {
+        let Some(number) = self.number(id, NUMBER)? else {
             return Ok(None);
         };
         match number.fract() == 0.0 && (1.0..=1e9).contains(&number) {

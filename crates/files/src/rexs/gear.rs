@@ -1,7 +1,7 @@
 //! One external gear of a REXS stage: its data, tool and thickness.
 
 use super::document::{Document, Relation};
-use super::fault::{Attributes, Fault, Unit};
+use super::fault::{Attributes, DEGREE, Fault, MILLIMETRE, NUMBER, Unit};
 use super::generated::Generated;
 use super::thickness::{self, Thickness};
 use crate::error::Problem;
@@ -53,17 +53,17 @@ fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
         "ring_gear" => return left_out("is internal".to_owned()),
         _ => return left_out("is no cylindrical gear".to_owned()),
     }
-    let helix = match gear.number(HELIX, Unit::Degree)? {
+    let helix = match gear.number(HELIX, DEGREE)? {
         Some(0.0) => None,
         Some(angle) => Some(Helix {
             angle: angle.abs(),
             hand: if angle > 0.0 { Hand::Right } else { Hand::Left },
-            face_width: gear.need("face_width", Unit::Millimetre)?,
+            face_width: gear.need("face_width", MILLIMETRE)?,
         }),
         None => return left_out(format!("has no {HELIX}: only 0 makes it spur")),
     };
     if gear
-        .number("number_of_teeth", Unit::None)?
+        .number("number_of_teeth", NUMBER)?
         .is_some_and(|z| z < 0.0)
     {
         return left_out("is internal: number_of_teeth is negative".to_owned());
@@ -72,7 +72,7 @@ fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
     let Some(teeth) = teeth else {
         return left_out("has no number_of_teeth".to_owned());
     };
-    Ok((teeth, gear.need("normal_module", Unit::Millimetre)?, helix))
+    Ok((teeth, gear.need("normal_module", MILLIMETRE)?, helix))
 }
 
 impl<'a> Gear<'a> {
@@ -81,19 +81,19 @@ impl<'a> Gear<'a> {
         let (teeth, module, helix) = basics(&gear)?;
         let id = gear.component().id;
         let flanks = flanks(document, id)?;
-        let pressure_angle = shared(&flanks, "normal_pressure_angle", Unit::Degree)?;
+        let pressure_angle = shared(&flanks, "normal_pressure_angle", DEGREE)?;
         let Some(pressure_angle) = pressure_angle else {
             return Err(Fault::LeftOut(format!(
                 "the flanks of {} have no normal_pressure_angle",
                 gear.component().place()
             )));
         };
-        let mut shift = shared(&flanks, "addendum_modification_coefficient", Unit::None)?;
+        let mut shift = shared(&flanks, "addendum_modification_coefficient", NUMBER)?;
         if shift.is_none() {
-            let mm = shared(&flanks, "addendum_modification", Unit::Millimetre)?;
+            let mm = shared(&flanks, "addendum_modification", MILLIMETRE)?;
             shift = mm.map(|mm| mm / module);
         }
-        let addendum = shared(&flanks, "addendum_coefficient_basic_profile", Unit::None)?;
+        let addendum = shared(&flanks, "addendum_coefficient_basic_profile", NUMBER)?;
         let basic_data = BasicGearData::new(teeth, module, pressure_angle.to_radians());
         let basic_data = basic_data.and_then(|data| match helix {
             None => Ok(data),
@@ -112,7 +112,7 @@ impl<'a> Gear<'a> {
             &generated,
             &mut remarks,
         )?;
-        let tip = gear.number("tip_diameter", Unit::Millimetre)?;
+        let tip = gear.number("tip_diameter", MILLIMETRE)?;
         let mut read = Gear {
             teeth,
             module,
@@ -148,8 +148,8 @@ impl<'a> Gear<'a> {
             }
             let tool = Attributes::of(tool);
             racks.push(rack(&tool, self.module, addendum)?);
-            let amount = tool.number("protuberance_amount", Unit::Millimetre)?;
-            let factor = tool.number("protuberance_amount_factor", Unit::None)?;
+            let amount = tool.number("protuberance_amount", MILLIMETRE)?;
+            let factor = tool.number("protuberance_amount_factor", NUMBER)?;
             if [amount, factor].iter().flatten().any(|some| *some != 0.0) {
                 let tool = tool.component().place();
                 let left = format!("{tool} has a protuberance: the root is that without it");
@@ -215,11 +215,11 @@ fn rack(
 ) -> Result<Option<RackSpec>, Problem> {
     let in_modules = |coefficients: &[&str], length: &str| {
         for coefficient in coefficients {
-            if let Some(number) = tool.number(coefficient, Unit::None)? {
+            if let Some(number) = tool.number(coefficient, NUMBER)? {
                 return Ok(Some(number));
             }
         }
-        let mm = tool.number(length, Unit::Millimetre)?;
+        let mm = tool.number(length, MILLIMETRE)?;
         Ok::<_, Problem>(mm.map(|mm| mm / module))
     };
     let dedendum = in_modules(
@@ -235,7 +235,7 @@ fn rack(
     )?;
     let radius = match radius {
         None => tool
-            .number("tip_corner_radius_reference_profile", Unit::Millimetre)?
+            .number("tip_corner_radius_reference_profile", MILLIMETRE)?
             .map(|mm| mm / module),
         some => some,
     };

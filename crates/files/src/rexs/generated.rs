@@ -1,6 +1,6 @@
 //! The profile shift that a gear is generated with: the thickness as manufacturing states it.
 
-use super::fault::{Attributes, Fault, Unit};
+use super::fault::{Attributes, Fault, NUMBER};
 use crate::numbers::{rounded, shortest};
 use gearlash::gear::BasicGearData;
 use std::fmt;
@@ -34,10 +34,10 @@ impl Generated {
     ) -> Result<Generated, Fault> {
         let mut all: Vec<GeneratedShift> = Vec::new();
         for source in sources {
-            let Some(shift) = source.number(SHIFT, Unit::None)? else {
+            let Some(shift) = source.number(SHIFT, NUMBER)? else {
                 continue;
             };
-            let end = |end: &str| source.number(&format!("{SHIFT}_{end}_deviation"), Unit::None);
+            let end = |end: &str| source.number(&format!("{SHIFT}_{end}_deviation"), NUMBER);
             let place = source.component().place();
             let deviations = match (end("upper")?, end("lower")?) {
                 (Some(upper), Some(lower)) => [upper, lower],

@@ -1,7 +1,7 @@
 //! One stage of a REXS file: the pair that it is, or why it is none that can be read.
 
 use super::document::{Component, Document};
-use super::fault::{Attributes, Fault, Unit};
+use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE};
 use super::gear::Gear;
 use super::thickness::Thickness;
 use crate::characters::cut;
@@ -80,9 +80,9 @@ impl<'a> Stage<'a> {
         let [one, two] = gears(document, component)?;
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
         let stage = Attributes::of(component);
-        let distance = stage.need("center_distance", Unit::Millimetre)?;
-        let upper = stage.number("upper_center_distance_allowance", Unit::Micrometre)?;
-        let lower = stage.number("lower_center_distance_allowance", Unit::Micrometre)?;
+        let distance = stage.need("center_distance", MILLIMETRE)?;
+        let upper = stage.number("upper_center_distance_allowance", MICROMETRE)?;
+        let lower = stage.number("lower_center_distance_allowance", MICROMETRE)?;
         let field = FIELD.iter().find_map(|id| stage.count(id).transpose());
         let mut remarks = Vec::new();
         let band = match (upper, lower, field.transpose()?) {

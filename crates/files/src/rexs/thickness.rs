@@ -1,7 +1,7 @@
 //! What a REXS file states of the thickness of a tooth.
 
 use super::document::shown;
-use super::fault::{Attributes, Fault, Unit};
+use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE};
 use super::generated::{Generated, um_of_shift};
 use crate::numbers::{fixed, rounded};
 use gearlash::gear::{BasicGearData, MeasuringBody, ThicknessField};
@@ -179,8 +179,8 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
         stated.push(Thickness::Series(field));
     }
     let span = ["upper", "lower"].map(|end| format!("{end}_backlash_allowance_referenced_to_span"));
-    let upper = gear.number(&span[0], Unit::Micrometre)?;
-    let lower = gear.number(&span[1], Unit::Micrometre)?;
+    let upper = gear.number(&span[0], MICROMETRE)?;
+    let lower = gear.number(&span[1], MICROMETRE)?;
     match (upper, lower) {
         (Some(upper), Some(lower)) => {
             // W_k changes by A_sn cos α_n.
@@ -217,17 +217,17 @@ fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thicknes
             "{place} limits its thickness by {other} alone, which is not read: add its DIN 3967 series or the allowances of its span"
         )));
     }
-    if let Some(mm) = gear.number(SPAN, Unit::Millimetre)?
+    if let Some(mm) = gear.number(SPAN, MILLIMETRE)?
         && let Some(teeth) = gear.count(SPANNED)?
     {
         stated.push(Thickness::Span { teeth, mm });
     }
-    if let Some(pin) = gear.number(PIN, Unit::Millimetre)? {
+    if let Some(pin) = gear.number(PIN, MILLIMETRE)? {
         for (size, body) in SIZES {
             if size == DIAMETRAL && basic_data.hand().is_some() {
                 continue;
             }
-            if let Some(mm) = gear.number(size, Unit::Millimetre)? {
+            if let Some(mm) = gear.number(size, MILLIMETRE)? {
                 stated.push(Thickness::OverPins { body, pin, mm });
                 break;
             }

@@ -78,12 +78,7 @@ impl Sheet {
     /// Reads the file that `table` names under `file`, a relative path from the pair file's folder.
     ///
     /// Problems stand under the key of `file`, with line numbers.
-    pub fn read(table: &Table, wanted: &Wanted) -> Option<Sheet> {
-        Sheet::read_file(table, wanted).map(|(_, sheet)| sheet)
-    }
-
-    /// As [`Sheet::read`], with the file.
-    pub fn read_file(table: &Table, wanted: &Wanted) -> Option<(DataFile, Sheet)> {
+    pub fn read(table: &Table, wanted: &Wanted) -> Option<(DataFile, Sheet)> {
         let file = DataFile::of(table)?;
         let choice = Choice::of(table);
         let sheet = file.list(|| {
@@ -101,6 +96,16 @@ impl Sheet {
             .and_then(|origin| origin.remark(&file));
         table.reading().add_remark(sheet.header.remark().or(origin));
         Some((file, sheet))
+    }
+
+    /// Reads the `columns` of every tooth from the file that `table` names.
+    pub fn of_every_tooth(table: &Table, columns: &[Column], teeth: Option<u32>) -> Option<Sheet> {
+        let wanted = Wanted {
+            columns,
+            teeth,
+            coverage: Coverage::EveryTooth,
+        };
+        Sheet::read(table, &wanted).map(|(_, sheet)| sheet)
     }
 
     /// Reads the table of a file.

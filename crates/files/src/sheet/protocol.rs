@@ -42,28 +42,13 @@ const NAMES: [(&str, Name); 5] = [
 /// Numbers that stand for a value that was not measured: what machines print, whatever the preamble says.
 const KNOWN_UNMEASURED: [f64; 2] = [-2147483.648, -9999.0];
 
-/// The numbers that stand for a value that was not measured in one file.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Unmeasured {
-    /// `UNDEFINED` of the preamble.
-    declared: Option<f64>,
-}
-
-impl Unmeasured {
-    /// With the number that a preamble declares.
-    pub fn declared(number: f64) -> Unmeasured {
-        Unmeasured {
-            declared: Some(number),
-        }
-    }
-
-    /// Whether `value` is one of them, as far as its digits say; never by its size.
-    pub fn is(self, value: &Written) -> bool {
-        // Whole numbers at most: 1e7 has its last digit seven places above them.
-        let rounding = value.rounding.min(0.5);
-        let mut numbers = KNOWN_UNMEASURED.into_iter().chain(self.declared);
-        numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
-    }
+/// Whether `value` stands for one that was not measured, as far as its digits say, never by its size: a known number, or the one that the
+/// preamble `declared`.
+pub fn is_unmeasured(value: &Written, declared: Option<f64>) -> bool {
+    // Whole numbers at most: 1e7 has its last digit seven places above them.
+    let rounding = value.rounding.min(0.5);
+    let mut numbers = KNOWN_UNMEASURED.into_iter().chain(declared);
+    numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
 }
 
 /// The rows of one flank.
@@ -173,7 +158,7 @@ fn parse<'a>(file: &DataFile, text: &'a str) -> Option<(Blocks<'a>, Header)> {
         } else if is_open && after_blank && blocks.has_rows() && !is_row {
             is_open = false;
         } else if is_open {
-            taken = blocks.take(file, line, text, Unmeasured::default());
+            taken = blocks.take(file, line, text, None);
         }
         if let Err(wrong) = taken {
             file.add_at(line, wrong.reason, wrong.help);
@@ -235,7 +220,7 @@ impl<'a> Blocks<'a> {
         file: &DataFile,
         line: u64,
         text: &'a str,
-        unmeasured: Unmeasured,
+        unmeasured: Option<f64>,
     ) -> Result<(), Wrong> {
         let is_full = self.is_full();
         let Some(block) = self.blocks.last_mut() else {
@@ -436,7 +421,7 @@ fn row<'a>(
     file: &DataFile,
     text: &'a str,
     columns: &[Name],
-    unmeasured: Unmeasured,
+    unmeasured: Option<f64>,
 ) -> Result<(u32, Vec<Written<'a>>), String> {
     let mut words = text.split_whitespace();
     let (found, expected) = (words.clone().count(), columns.len());
@@ -451,8 +436,8 @@ fn row<'a>(
         ));
     };
     let values = words.map(|word| match without_zero(word) {
-        Some(written) if unmeasured.is(&written) => {
-            let source = if Unmeasured::default().is(&written) {
+        Some(written) if is_unmeasured(&written, unmeasured) => {
+            let source = if is_unmeasured(&written, None) {
                 ""
             } else {
                 ", as UNDEFINED of the preamble says"

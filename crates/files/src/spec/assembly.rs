@@ -11,6 +11,7 @@ use schemars::{JsonSchema, Schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
+use serde_with::skip_serializing_none;
 
 /// "30 js7".
 pub(crate) const DISTANCE_FIELD: &str = r"^[0-9.]+ *(js|JS)([5-9]|10)$";
@@ -20,6 +21,7 @@ pub(crate) const MOST_DISTANCES: usize = 10_000;
 pub(crate) const DEFAULT_STEPS: u32 = 16;
 
 /// How the gears are put together.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
@@ -34,15 +36,12 @@ pub struct AssemblySpec {
     #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
     /// Of helical gears: how far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer; none: 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_offset_mm: Option<f64>,
     /// Temperature of gears and housing, °C; all lengths are stated at 20 °C, but for the play of the bearings.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-200.0, 400.0))]
     pub temperature_c: Option<f64>,
     /// Coefficient of thermal expansion of the housing, 1/K: 23e-6 of aluminium.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(0.0, 3e-4))]
     pub housing_expansion_per_k: Option<f64>,
 }
@@ -166,6 +165,7 @@ impl<'de> Deserialize<'de> for DesignatedDistanceSpec {
 }
 
 /// A nominal distance with tolerance_um, or with upper_um and lower_um: least, nominal and greatest are run.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = band_keys)]
 pub struct DistanceBandSpec {
@@ -173,15 +173,12 @@ pub struct DistanceBandSpec {
     #[schemars(transform = length())]
     pub nominal_mm: f64,
     /// Symmetric tolerance, ± µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(0.0, 1e7))]
     pub tolerance_um: Option<f64>,
     /// Upper deviation, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
     /// Lower deviation, µm, at most the upper one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
 }
@@ -250,32 +247,26 @@ pub struct MeasuredSpec {
 }
 
 /// Which poses: one of mating, revolutions and phases.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = sweep_keys)]
 pub struct SweepSpec {
     /// In place of revolutions wheel tooth and pinion tooth: a pose at right and one at left flank each.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), transform = whole(1, 10_000))]
     pub mating: Option<Vec<[u32; 2]>>,
     /// Pitches beyond each mating.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1), transform = within(-1000.0, 1000.0))]
     pub fraction: Option<Vec<f64>>,
     /// How far the gears turn.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub revolutions: Option<Revolutions>,
     /// In place of revolutions every way to put the two together.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub phases: Option<Phases>,
     /// Assembly phases of verdict and extremes; without it those of the listed poses, without `sweep` all.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub extremes: Option<ExtremePhases>,
     /// Poses a pitch.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(1, 1000))]
     pub steps_per_pitch: Option<u32>,
     /// Wheel and pinion tooth that mate first.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = whole(1, 10_000))]
     pub start: Option<[u32; 2]>,
 }

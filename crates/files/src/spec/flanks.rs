@@ -9,8 +9,10 @@ use gearlash::gear::PitchAxis;
 use gearlash::metrology::{EccentricitySource, PitchKind, PitchSense};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
 
 /// Radial runout.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = runout_keys, transform = columns("tooth, runout (µm); their first harmonic is taken"))]
 pub struct RunoutSpec {
@@ -19,17 +21,14 @@ pub struct RunoutSpec {
     #[schemars(transform = at_least(0.0))]
     pub total_um: f64,
     /// Tooth that stands farthest out, towards which all are displaced; fractions allowed. Without it the verdict is over every direction.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = at_least(1.0))]
     pub high_tooth: Option<f64>,
     /// Readings all round from a table.
     #[serde(flatten)]
     pub table: Option<TableFileSpec>,
     /// Where a reading of the table belongs: the tooth (a fork astride it), or the space after it (a ball).
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<ReadingPlace>,
     /// Diameter of the ball that was read with, mm; without it one that touches at the reference circle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length())]
     pub ball_mm: Option<f64>,
 }
@@ -46,6 +45,7 @@ pub enum ReadingPlace {
 }
 
 /// Pitch deviation of both flanks, one value a tooth.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = pitch_keys, transform = columns("tooth, left, right (µm)"))]
 pub struct PitchSpec {
@@ -59,21 +59,16 @@ pub struct PitchSpec {
     #[serde(default)]
     pub sense: PitchSense,
     /// Right flanks, µm, tooth 1 first.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub right_um: Option<Vec<f64>>,
     /// Left flanks, µm, tooth 1 first.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub left_um: Option<Vec<f64>>,
     /// Column of the left flanks in the table, by heading or letter, where it is not found.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub left: Option<String>,
     /// Column of the right flanks in the table, by heading or letter, where it is not found.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub right: Option<String>,
     /// With axis = "datum" and a runout: which of them counts.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub eccentricity: Option<EccentricitySource>,
     /// Both flanks from a table.
     #[serde(flatten)]

@@ -7,8 +7,10 @@ use super::thickness::ThicknessSpec;
 use gearlash::gear::{BasicRack, Face, GRADES, Hand};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
 
 /// A gear: its drawing, and what was measured on it.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = face_width)]
 pub struct GearSpec {
@@ -22,19 +24,15 @@ pub struct GearSpec {
     #[schemars(transform = within(5.0, 45.0))]
     pub pressure_angle_deg: f64,
     /// Helix angle β at the reference circle, degrees; none: 0, a spur gear.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(0.0, 60.0))]
     pub helix_angle_deg: Option<f64>,
     /// Which way helical teeth wind, "left" or "right"; the mate's wind the other way.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub hand: Option<Hand>,
     /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_mm: Option<[f64; 2]>,
     /// Face width, mm, centred on the measuring plane: in place of face_mm.
     // What is read is echoed as face_mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length())]
     pub face_width_mm: Option<f64>,
     /// Profile shift coefficient x.
@@ -42,7 +40,6 @@ pub struct GearSpec {
     #[schemars(transform = within(-100.0, 100.0))]
     pub profile_shift: f64,
     /// Required accuracy grade, ISO 1328-1; the report sets it beside the one achieved.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
     /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Of gears face to face one is front, the other back: consecutive numbers mate.
@@ -53,7 +50,6 @@ pub struct GearSpec {
     #[schemars(transform = length())]
     pub tip_diameter_mm: f64,
     /// Coefficient of thermal expansion, 1/K: 11.5e-6 of steel; with assembly.temperature_c.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(0.0, 3e-4))]
     pub expansion_per_k: Option<f64>,
     /// Basic rack, in modules; default: ISO 53, profile A.
@@ -66,10 +62,8 @@ pub struct GearSpec {
     #[serde(default)]
     pub runout: RunoutSpec,
     /// Pitch deviation of both flanks at the reference circle, one value a tooth.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<PitchSpec>,
     /// How the profiles deviate from the involute, plus = more material; what is given adds up. A span, pins and pitch are of the flanks where they touch, other thicknesses of their involutes.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub profile: Option<ProfileSpec>,
 }
 

@@ -7,6 +7,7 @@ use crate::drawing::{JOIN_MM, Unit};
 use gearlash::gear::Face;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
 
 /// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -22,33 +23,29 @@ pub struct OutlineGearSpec {
 }
 
 /// A drawing of a gear: DXF, SVG, or a list of points.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OutlineSpec {
     /// A .dxf, .svg, .csv or .txt file (the last two: points x, y in order) beside the pair file.
     pub file: String,
     /// Unit of the drawing, mm, inch, cm, m or um; needed where it states none.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub units: Option<Unit>,
     /// The axis in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
     #[serde(default)]
     #[schemars(with = "Either<[f64; 2], CentreName>", transform = within(-1e6, 1e6))]
     pub center_mm: CentreSpec,
     /// Teeth there should be; none: as many as are found.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = whole(3, 10_000))]
     pub teeth: Option<u32>,
     /// The layer of a DXF to read; none: all.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub layer: Option<String>,
     /// The element of an SVG to read; none: all.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
     /// Ends of lines nearer than this are one point, mm.
     #[serde(default = "join_mm")]
     #[schemars(transform = within(0.0, 10.0))]
     pub join_mm: f64,
     /// Direction of tooth 1 in the drawing, degrees counter-clockwise from +x; none: the first at or clockwise of +y.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-360.0, 360.0))]
     pub first_tooth_deg: Option<f64>,
     /// Of a list of points: "polygon", or "smooth", a cubic spline through them.

@@ -7,8 +7,10 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_with::skip_serializing_none;
 
 /// Two cylindrical gears, what was measured on them, how they are put together.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash pair file")]
 pub struct PairSpec {
@@ -25,10 +27,8 @@ pub struct PairSpec {
     #[schemars(with = "Option<AssemblySpec>")]
     pub assembly: AssemblySpec,
     /// Measured backlash to set beside the simulation.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<MeasuredSpec>,
     /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sweep: Option<SweepSpec>,
     /// Of the polygon method.
     #[schemars(with = "Option<AccuracySpec>")]
@@ -37,13 +37,10 @@ pub struct PairSpec {
     #[schemars(with = "Option<CompareSpec>")]
     pub compare: CompareSpec,
     /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub require: Option<RequireSpec>,
     /// Standard uncertainties of what was measured, µm; least and greatest backlash are shown with theirs.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<UncertaintySpec>,
     /// How the numbers scatter from one assembly to the next: of gearlash tolerance.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<ToleranceSpec>,
 }
 
@@ -69,6 +66,7 @@ pub(super) struct TwoDrawingsSpec {
 }
 
 /// Two gears of which one at least is an outline.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OutlinePairSpec {
     /// Shown in results and pictures.
@@ -82,7 +80,6 @@ pub struct OutlinePairSpec {
     /// Poses a pitch, and the teeth that mate first.
     pub sweep: SweepSpec,
     /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub require: Option<RequireSpec>,
 }
 

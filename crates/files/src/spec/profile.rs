@@ -6,44 +6,39 @@ use super::rules::{
 use super::value::{Either, TableFileSpec};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
 
 /// Profile deviations, µm, plus = more material: of both flanks, or of each in a table of its own.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ProfileSpec {
     /// Of both flanks.
     #[serde(flatten)]
     pub both: FlankProfileSpec,
     /// Of the gear's own right flanks alone, in place of what is said of both.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub right: Option<FlankProfileSpec>,
     /// Of its left flanks alone, likewise.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub left: Option<FlankProfileSpec>,
 }
 
 /// Profile deviations of a flank, µm, plus = more material; they add.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FlankProfileSpec {
     /// Profile slope f_Hα, µm: 0 at the start of the evaluation range, this much at its end.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub slope_um: Option<f64>,
     /// Profile crowning C_α, µm: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends; negative: hollow.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the tip.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tip_relief: Option<ReliefSpec>,
     /// Taken off towards the root.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub root_relief: Option<ReliefSpec>,
     /// Evaluation range, diameters, mm; default: root form circle to tip circle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length(), transform = list_length(2, Some(2)))]
     pub range_mm: Option<Vec<f64>>,
     /// Measured profiles: one, or a list; teeth without one take the mean.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub trace: Option<Either<TraceSpec, Vec<TraceSpec>>>,
 }
 
@@ -74,6 +69,7 @@ pub enum ReliefShape {
 }
 
 /// A measured profile: where, and the deviation there; beyond its ends it stays as it is there.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(
     transform = trace_keys,
@@ -81,19 +77,15 @@ pub enum ReliefShape {
 )]
 pub struct TraceSpec {
     /// The tooth it was measured on; none: it stands for all.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = whole(1, 10_000))]
     pub tooth: Option<u32>,
     /// Roll lengths r_b ξ from the base circle on, mm, ascending.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(0.0, 1e9), transform = list_length(2, None))]
     pub roll_length_mm: Option<Vec<f64>>,
     /// The same as diameters, mm, ascending.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length(), transform = list_length(2, None))]
     pub diameter_mm: Option<Vec<f64>>,
     /// Deviation at each, µm, plus = more material.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation(), transform = list_length(2, None))]
     pub deviation_um: Option<Vec<f64>>,
     /// Traces from a table.

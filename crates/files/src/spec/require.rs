@@ -4,58 +4,52 @@ use super::rules::within;
 use gearlash::pair::Member;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
 
 /// What the pair must keep over its whole mesh cycle, at every centre distance and material; exit code 1 when it does not.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(extend("minProperties" = 1))]
 pub struct RequireSpec {
     /// Circumferential backlash on the operating pitch circle, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_wt_um: Option<LimitsSpec>,
     /// Normal backlash, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_bn_um: Option<LimitsSpec>,
     /// Circumferential backlash on the reference circle of the gear that turns, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_t_um: Option<LimitsSpec>,
     /// Radial backlash, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_r_um: Option<LimitsSpec>,
     /// Lost motion of a gear, minutes of arc.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-10_800.0, 10_800.0))]
     pub lost_motion_arcmin: Option<AngleLimitsSpec>,
     /// Radial clearance of the tips of either gear, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-1000.0, 1000.0))]
     pub radial_clearance_mm: Option<LimitsSpec>,
 }
 
 /// Least and greatest allowed: either or both.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, extend("minProperties" = 1))]
 pub struct LimitsSpec {
     /// No less than this.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<f64>,
     /// No more than this.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
 }
 
 /// Least and greatest allowed at one of the gears.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, extend("minProperties" = 2))]
 pub struct AngleLimitsSpec {
     /// No less than this.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<f64>,
     /// No more than this.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
     /// The gear whose lost motion it is, wheel or pinion, its mate locked.
     pub at: Member,

@@ -9,6 +9,7 @@ use gearlash::gear::MeasuringBody;
 use schemars::{JsonSchema, Schema};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize};
+use serde_with::skip_serializing_none;
 
 /// The statements, each a key.
 const STATEMENTS: [&[&str]; 6] = [
@@ -24,6 +25,7 @@ const STATEMENTS: [&[&str]; 6] = [
 pub(crate) const CROSS_CHECK_UM: f64 = gearlash::metrology::CrossCheck::TOLERANCE_UM;
 
 /// Mean tooth thickness: one statement; none: nominal.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = thickness_keys)]
 pub struct ThicknessSpec {
@@ -31,16 +33,11 @@ pub struct ThicknessSpec {
     #[serde(flatten)]
     pub statement: StatementSpec,
     /// Added to it tooth by tooth, µm at the reference circle: empty or one value a tooth.
-    #[serde(
-        default,
-        deserialize_with = "listed",
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(default, deserialize_with = "listed")]
     #[schemars(with = "Option<Either<Vec<f64>, TableFileSpec>>")]
     #[schemars(transform = deviation(), transform = columns("tooth, thickness (µm)"))]
     pub per_tooth_um: Option<Vec<f64>>,
     /// A second statement: compared, never used.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub cross_check: Option<CrossCheckSpec>,
 }
 
@@ -64,36 +61,32 @@ impl ThicknessSpec {
 }
 
 /// One statement of the mean thickness: one of its keys.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StatementSpec {
     /// Span W_k over k teeth.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub span: Option<SpanSpec>,
     /// Dimension over two pins, or balls.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub over_pins: Option<OverPinsSpec>,
     /// Tolerance field of the tooth thickness, DIN 3967, such as 25cd: allowance and tolerance by reference diameter.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(regex(
         pattern = r"^(2[1-9]|30) ?(ab?|bc?|cd?|[defgh])$|^(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30)$"
     ))]
     pub designation: Option<String>,
     /// Thickness allowance A_sn, µm, in the normal section at the reference circle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
     pub allowance_um: Option<Either<f64, BandSpec>>,
     /// What both flanks stand out along their normals beyond nominal, mm: of printed and cut gears.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(-100.0, 100.0))]
     pub flank_offset_mm: Option<Either<f64, BandSpec>>,
     /// Base tooth thickness s_b, mm; of helical gears s_bn, normal to the teeth: s_bt cos β_b.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length())]
     pub base_thickness_mm: Option<Either<f64, BandSpec>>,
 }
 
 /// A second statement: compared, never used.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = cross_check_keys)]
 pub struct CrossCheckSpec {
@@ -101,12 +94,12 @@ pub struct CrossCheckSpec {
     #[serde(flatten)]
     pub statement: StatementSpec,
     /// How far the two may lie apart as base thickness, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = CROSS_CHECK_UM), transform = at_least(0.0))]
     pub tolerance_um: Option<f64>,
 }
 
 /// Span W_k over k teeth.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = span_keys, transform = columns("tooth (the first), span (mm)"))]
 pub struct SpanSpec {
@@ -117,11 +110,9 @@ pub struct SpanSpec {
     #[serde(flatten)]
     pub length: LengthSpec,
     /// First tooth of each reading; absent: tooth 1, 2, ….
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 1)))]
     pub first_tooth: Option<Vec<u32>>,
     /// Take per-tooth thickness from spans all round where they determine it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = true))]
     pub per_tooth: Option<bool>,
     /// Readings all round from a table.
@@ -130,23 +121,22 @@ pub struct SpanSpec {
 }
 
 /// A measured length: one value, one a place, or the least and the greatest.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LengthSpec {
     /// Measured, mm: one value, or one a place.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length(), transform = list_length(1, None))]
     pub mm: Option<Either<f64, Vec<f64>>>,
     /// Least measured, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length())]
     pub min_mm: Option<f64>,
     /// Greatest measured, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = length())]
     pub max_mm: Option<f64>,
 }
 
 /// Dimension over two pins, or balls.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
 pub struct OverPinsSpec {
@@ -154,14 +144,12 @@ pub struct OverPinsSpec {
     #[schemars(transform = length())]
     pub pin_mm: f64,
     /// What was measured over; the same on a spur gear.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = "ball"))]
     pub kind: Option<MeasuringBody>,
     /// What was measured.
     #[serde(flatten)]
     pub length: LengthSpec,
     /// Tooth before the space of each reading (the other pin lies in the most opposite space); absent: tooth 1, 2, ….
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 1)))]
     pub space: Option<Vec<u32>>,
     /// Readings all round from a table.

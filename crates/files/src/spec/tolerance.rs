@@ -5,8 +5,10 @@ use super::value::{Either, one_or_list};
 use gearlash::gear::GRADES;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
+use serde_with::skip_serializing_none;
 
 /// How the numbers of the pair scatter from one assembly to the next: of gearlash tolerance.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ToleranceSpec {
@@ -17,7 +19,6 @@ pub struct ToleranceSpec {
     #[schemars(transform = whole(0, u32::MAX))]
     pub seed: u32,
     /// How many of a million assemblies may miss the requirement; exit code 1 where more do.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(0.0, 1e6))]
     pub max_ppm: Option<f64>,
     /// The share of draws that may be of no gear, as with pointed teeth: above it there is no result.
@@ -27,10 +28,8 @@ pub struct ToleranceSpec {
     #[schemars(transform = whole(0, 10_000_000))]
     pub contribution_rows: u32,
     /// By what the centre distance is greater than stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub center_distance: Option<ScatterSpec>,
     /// Radial play of both bearings together, in place of the assembly's.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bearing_play: Option<ScatterSpec>,
     /// How the gears are put together, where numbers of teeth have a common divisor.
     pub phase: PhaseName,
@@ -38,10 +37,8 @@ pub struct ToleranceSpec {
     #[schemars(transform = within(-1.0, 1.0))]
     pub thickness_correlation: f64,
     /// How the wheel scatters.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub wheel: Option<GearToleranceSpec>,
     /// How the pinion scatters: the same keys.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pinion: Option<GearToleranceSpec>,
 }
 
@@ -76,71 +73,56 @@ pub enum PhaseName {
 }
 
 /// How one gear scatters: each key by itself, or whole gears.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = gear_keys)]
 pub struct GearToleranceSpec {
     /// By what all teeth are thicker than stated (than the middle of what is stated), at the reference circle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness: Option<ScatterSpec>,
     /// Runout F_r in place of the gear's; its direction is any.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub runout: Option<ScatterSpec>,
     /// Single pitch deviations of every tooth, on top of the gear's.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<PitchScatterSpec>,
     /// By what each tooth is thicker, on top of the gear's.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub per_tooth: Option<ScatterSpec>,
     /// Measured gears, one of which is drawn: gear files or pair files, by name; * stands for any letters of a file's name.
-    #[serde(
-        default,
-        deserialize_with = "names",
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(default, deserialize_with = "names")]
     #[schemars(with = "Option<Either<String, Vec<String>>>", transform = list_length(1, None))]
     pub gears: Option<Vec<String>>,
 }
 
 /// How a length scatters, µm.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct ScatterSpec {
     /// The distribution, and with it the keys: fixed: value_um; uniform: lower_um, upper_um; triangular: and mode_um; normal: sigma_um and mean_um, or lower_um, upper_um, mean_um and cpk; rayleigh: scale_um or upper_um; table: values_um. Limits that the pair file states as a band may be left out.
     pub scatter: ScatterName,
     /// Lower limit, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
     /// Upper limit, µm; of a rayleigh one that 99.73 % lie below.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
     /// Mean of a normal one, µm; default: the middle of the limits, or 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub mean_um: Option<f64>,
     /// Standard deviation of a normal one, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = above_zero(1e7))]
     pub sigma_um: Option<f64>,
     /// Process capability of a normal one between its limits; default: 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = above_zero(100.0))]
     pub cpk: Option<f64>,
     /// The most frequent of a triangular one, µm; default: the middle of the limits.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub mode_um: Option<f64>,
     /// Scale of a rayleigh one, µm: the standard deviation of either component.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = above_zero(1e7))]
     pub scale_um: Option<f64>,
     /// Value of a fixed one, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation())]
     pub value_um: Option<f64>,
     /// Values of a table, µm, drawn with replacement.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = deviation(), transform = list_length(1, None))]
     pub values_um: Option<Vec<f64>>,
 }
@@ -166,15 +148,14 @@ pub enum ScatterName {
 }
 
 /// How single pitch deviations scatter: their standard deviation, or the grade that allows three of them.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = pitch_keys)]
 pub struct PitchScatterSpec {
     /// Standard deviation of the single pitch deviation f_p, µm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = above_zero(1e7))]
     pub sigma_um: Option<f64>,
     /// Accuracy grade, ISO 1328-1, whose tolerance of f_p is three standard deviations.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
 }

@@ -4,6 +4,7 @@ use super::rules::{beside, exactly_one};
 use crate::sheet::number::Decimal;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
+use serde_with::skip_serializing_none;
 
 /// A value that is written in either of two ways.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -63,26 +64,22 @@ fn allowance_keys(schema: &mut Schema) {
 }
 
 /// A table of readings, one row a tooth.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = table_file_keys)]
 pub struct TableFileSpec {
     /// Table beside the pair file (CSV, .xlsx or text protocol).
     pub file: String,
     /// Sheet of any .xlsx file that has several such tables.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
     /// Line of the header of any table, where its names do not tell; 0 where there is none.
-    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_048_576))]
     pub header_row: Option<u32>,
     /// Column of the tooth numbers of any table, by heading or letter, where it is not found.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tooth_column: Option<String>,
     /// Column of the values of any table but pitch, by heading or letter, where it is not found.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<String>,
     /// Decimal sign of any text table, "." or ",", where nothing in it tells.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub decimal: Option<Decimal>,
 }
 
@@ -101,6 +98,7 @@ impl TableFileSpec {
 }
 
 /// A table of any kind, by itself.
+#[skip_serializing_none]
 #[derive(Serialize, JsonSchema)]
 pub(super) struct AnyTableSpec {
     /// Which table.

@@ -5,7 +5,7 @@
 use super::{CORRECT, FlankTrace, P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::sheet::number::{tooth as tooth_number, without_zero};
-use crate::sheet::protocol;
+use crate::sheet::protocol::{self, is_unmeasured};
 use gearlash::gear::Flank;
 
 const DIAMETERS: [(&str, &str); 2] = [
@@ -221,7 +221,7 @@ fn take_values(
                 curve.line
             ));
         }
-        let measured = number.filter(|number| !p40.unmeasured.is(number));
+        let measured = number.filter(|number| !is_unmeasured(number, p40.unmeasured));
         curve
             .values
             .push((line, measured.map(|number| number.value)));

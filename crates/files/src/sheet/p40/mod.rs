@@ -10,7 +10,7 @@ mod profiles;
 use super::column::Column;
 use super::header::Header;
 use super::number::without_zero;
-use super::protocol::{Blocks, Unmeasured};
+use super::protocol::Blocks;
 use super::request::{Coverage, Request, Wanted};
 use super::rows::Row;
 use crate::data_file::DataFile;
@@ -53,7 +53,8 @@ pub struct P40<'a> {
     numbered: Vec<Numbered>,
     /// `PROFILE` of the preamble: the quantity that the profile is measured over.
     profile_by: Option<&'a str>,
-    unmeasured: Unmeasured,
+    /// `UNDEFINED` of the preamble.
+    unmeasured: Option<f64>,
     blocks: Blocks<'a>,
     profiles: Vec<FlankTrace>,
     /// How many there are of each part that is never used.
@@ -113,7 +114,7 @@ fn lines<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
         header: Header::default(),
         numbered: Vec::new(),
         profile_by: None,
-        unmeasured: Unmeasured::default(),
+        unmeasured: None,
         blocks: Blocks::default(),
         profiles: Vec::new(),
         never_used: BTreeMap::new(),
@@ -193,7 +194,7 @@ impl<'a> P40<'a> {
         let allowed = match key {
             "UNDEFINED" => match without_zero(value) {
                 Some(number) => {
-                    self.unmeasured = Unmeasured::declared(number.value);
+                    self.unmeasured = Some(number.value);
                     None
                 }
                 None => Some("a number with a decimal point"),

@@ -5,6 +5,7 @@ mod helical;
 mod mutations;
 mod poses;
 mod published;
+mod slips;
 mod thickness;
 
 use gearlash::analysis::study::Material;

@@ -10,12 +10,6 @@ use crate::gear::BasicGearData;
 const OFF: f64 = 3.0;
 /// The mean of a list, in modules, that no allowance explains: DIN 3967's greatest, a, stays below it from a module of 2 mm on. Tuned.
 const MOST_MEAN: f64 = 0.1;
-/// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a gear that
-/// is worth measuring.
-const LEAST_UM: f64 = 0.5;
-/// Below this it is 0 but for rounding: as mm it would be 0.1 µm, less than the last digit that machines print.
-const ROUNDING_UM: f64 = 1e-4;
-
 /// Per-tooth thickness that varies about a mean that is large beside its scatter and adds to the one that is stated.
 ///
 /// One value for all teeth is an offset and meant as one; the nominal thickness is what such a list may count from; readings all round
@@ -50,27 +44,14 @@ pub(super) fn off_mean(
     })
 }
 
-/// An allowance that looks as if another unit or sign were meant.
-pub(super) fn of_allowance(statement: &ThicknessStatement) -> Vec<Finding> {
-    let ThicknessStatement::AllowanceUm(um) = statement else {
-        return Vec::new();
-    };
-    let mm = looks_like_mm(Quantity::Allowance, [*um.least(), *um.most()]);
-    let thickens = (*um.most() > 0.0).then_some(Finding::AllowanceThickens { um: *um.most() });
-    mm.into_iter().chain(thickens).collect()
-}
-
-/// Where the greatest of `um` is no size of a deviation in µm, but one in mm.
-pub(super) fn looks_like_mm(
-    quantity: Quantity,
-    um: impl IntoIterator<Item = f64>,
-) -> Option<Finding> {
-    let greatest_um = um.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-    let small = (ROUNDING_UM..LEAST_UM).contains(&greatest_um.abs());
-    small.then_some(Finding::LooksLikeMm {
-        quantity,
-        greatest_um,
-    })
+/// An allowance that looks as if the other sign were meant.
+pub(super) fn of_allowance(statement: &ThicknessStatement) -> Option<Finding> {
+    match statement {
+        ThicknessStatement::AllowanceUm(um) if *um.most() > 0.0 => {
+            Some(Finding::AllowanceThickens { um: *um.most() })
+        }
+        _ => None,
+    }
 }
 
 /// By which share the thickness of a shifted tooth may be off half the pitch, either way: a shift of 0.65 at 20°.

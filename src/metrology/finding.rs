@@ -96,13 +96,6 @@ pub enum Finding {
         /// Standard deviation about it, µm.
         scatter_um: f64,
     },
-    /// The greatest of some values in µm is so small that mm may be meant.
-    LooksLikeMm {
-        /// What they are.
-        quantity: Quantity,
-        /// The greatest, as stated in µm.
-        greatest_um: f64,
-    },
     /// Values in µm are that of the whole tooth or pitch in mm.
     LooksLikeWhole {
         /// What they are.
@@ -279,10 +272,6 @@ pub enum ThicknessBesidePitch {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Quantity {
-    /// Thickness allowance.
-    Allowance,
-    /// Runout.
-    Runout,
     /// Per-tooth thickness.
     PerTooth,
     /// Pitch deviation.

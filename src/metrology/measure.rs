@@ -298,21 +298,12 @@ impl Measurements {
             let both = Flank::BOTH.map(|flank| pitch.values(flank).iter().copied());
             both.into_iter().flatten()
         });
-        findings.extend(doubts::looks_like_mm(
-            Quantity::Runout,
-            [flanks.runout.total_um],
-        ));
-        findings.extend(doubts::looks_like_mm(
-            Quantity::PerTooth,
-            per_tooth_um.iter().copied(),
-        ));
         let pitch_um: Vec<f64> = pitch_um.collect();
         findings.extend(doubts::looks_like_whole(
             Quantity::Pitch,
             &pitch_um,
             2.0 * half_pitch,
         ));
-        findings.extend(doubts::looks_like_mm(Quantity::Pitch, pitch_um));
         findings.extend(cross_check.and_then(|check| doubts::same_kind(&self.thickness, check)));
         findings.extend(pitch.and_then(|(pitch, measured)| {
             let by_readings = self.runout.readings().is_some();

@@ -3,8 +3,8 @@
 use super::{Truth, measured, only};
 use gearlash::gear::{Flank, PitchAxis};
 use gearlash::metrology::{
-    CrossCheck, EccentricitySource, Finding, Measurements, Outlier, Quantity, RunoutSource,
-    RunoutStatement, SameKind, ThicknessBesidePitch, ThicknessStatement, Toleranced,
+    CrossCheck, EccentricitySource, Finding, Measurements, Outlier, RunoutSource, RunoutStatement,
+    SameKind, ThicknessBesidePitch, ThicknessStatement, Toleranced,
 };
 
 #[test]
@@ -99,21 +99,12 @@ fn a_thickness_stated_twice_is_compared() {
 }
 
 #[test]
-fn an_allowance_in_mm_and_of_the_other_sign_is_doubted() {
+fn an_allowance_of_the_other_sign_is_doubted() {
     let gear = measured(&Measurements {
         thickness: ThicknessStatement::AllowanceUm(Toleranced::Single(0.04)),
         ..Measurements::nominal(super::design(), gearlash::gear::Face::Front)
     });
-    assert_eq!(
-        gear.findings,
-        [
-            Finding::LooksLikeMm {
-                quantity: Quantity::Allowance,
-                greatest_um: 0.04
-            },
-            Finding::AllowanceThickens { um: 0.04 },
-        ]
-    );
+    assert_eq!(gear.findings, [Finding::AllowanceThickens { um: 0.04 }]);
 }
 
 /// Δs = F_R − F_L (design section 6), stated as per-tooth thickness beside the pitch it comes from.

@@ -12,14 +12,14 @@ pub struct Problem {
     pub key: String,
     /// The value as written, where there is one.
     pub value: Option<String>,
-    /// What is wrong and what is allowed.
+    /// The fault, and the allowed values.
     pub reason: String,
-    /// What to do.
+    /// The way out.
     pub help: String,
 }
 
 impl Problem {
-    /// What is wrong with a whole file.
+    /// A fault of a whole file.
     pub(crate) fn of_file(reason: impl fmt::Display, help: impl fmt::Display) -> Problem {
         Problem {
             key: String::new(),
@@ -51,12 +51,12 @@ pub struct InputError {
     pub file: PathBuf,
     /// At least one.
     pub problems: Vec<Problem>,
-    /// What stands in a TOML file; empty of any other.
+    /// The text of a TOML file; empty for other formats.
     pub text: String,
 }
 
 impl InputError {
-    /// Of a file whose text says no more.
+    /// The error of a file without its text.
     pub(crate) fn of(file: &Path, problems: Vec<Problem>) -> InputError {
         InputError {
             file: file.to_path_buf(),
@@ -65,14 +65,14 @@ impl InputError {
         }
     }
 
-    /// A line for each problem, the file before it: whatever stands in the file, it breaks no line and acts on no terminal or log.
+    /// A line for each problem, the file before it. Text of the file breaks no line and acts on no terminal or log.
     pub fn lines(&self) -> Vec<String> {
         let problems = self.problems.iter();
         let line = |problem| characters::line(&format!("{}: {problem}", self.file.display()));
         problems.map(line).collect()
     }
 
-    /// Where each problem stands in a TOML file, in bytes of its text; `None` for what stands nowhere in it, and in JSON.
+    /// The place of each problem in a TOML file, in bytes of its text; `None` for a problem without one, and in JSON.
     pub fn spans(&self) -> Vec<Option<Range<usize>>> {
         let keys = self.problems.iter().map(|problem| problem.key.as_str());
         location::of_keys(&self.text, keys)

@@ -20,7 +20,7 @@ pub fn add_all(of: &Statements, errors: Vec<MeasurementError>) {
     let mut distinct = Vec::new();
     for error in errors {
         let problem = problem(of, error);
-        // What is said of both flanks is wrong of both.
+        // A statement about both flanks gives one problem.
         if !distinct.contains(&problem) {
             distinct.push(problem.clone());
             of.table.reading().add(problem);
@@ -69,7 +69,7 @@ fn problem(of: &Statements, error: MeasurementError) -> Problem {
     }
 }
 
-/// The same of errors that are not of the mean thickness.
+/// The problem of an error that does not concern the mean thickness.
 fn of_flanks(
     table: &Table,
     pitch: Option<&PitchSheet>,
@@ -179,7 +179,7 @@ impl Fault<'_> {
     fn of_gear(&self, error: GearError) -> Problem {
         let (table, design) = (self.of.table, &self.of.design);
         let reason = error.to_string();
-        // What moves the tip: the first of these that was given.
+        // The first of these keys that is given moves the tip.
         let tip_key = ["tip_diameter_mm", "profile_shift", "rack.addendum"]
             .into_iter()
             .find(|key| table.has(key))
@@ -313,7 +313,7 @@ impl Fault<'_> {
     }
 }
 
-/// What the nominal tooth would measure: "nominal is 50.6 mm".
+/// The measurement of a nominal tooth: "nominal is 50.6 mm".
 fn nominal(statement: &StatementSpec, design: &GearDesign) -> String {
     let basic_data = &design.basic_data;
     let base = design.nominal_base_thickness();

@@ -117,10 +117,6 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                 ascii(*scatter_um, 1)
             )
         }
-        Finding::LooksLikeMm {
-            quantity,
-            greatest_um,
-        } => looks_like_mm(of, *quantity, *greatest_um),
         Finding::LooksLikeWhole { quantity, mean_um } => looks_like_whole(of, *quantity, *mean_um),
         Finding::ThicknessField {
             diameter_mm,
@@ -177,33 +173,16 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
     }
 }
 
-fn looks_like_mm(of: &Statements, quantity: Quantity, greatest: f64) -> String {
-    format!(
-        "{}: the greatest value is {greatest} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({greatest} mm are {} µm)",
-        path(of, quantity),
-        ascii(1000.0 * greatest, 4)
-    )
-}
-
 fn looks_like_whole(of: &Statements, quantity: Quantity, mean: f64) -> String {
-    let what = match quantity {
-        Quantity::Pitch => "the pitch itself",
-        _ => "the thickness itself",
+    let (key, what) = match quantity {
+        Quantity::Pitch => ("pitch", "the pitch itself"),
+        Quantity::PerTooth => ("thickness.per_tooth_um", "the thickness itself"),
     };
     format!(
         "{}: the values are about {}, what {what} is in mm; asked for is what each tooth deviates by, in µm",
-        path(of, quantity),
+        of.table.path_of(key),
         ascii(mean, 3)
     )
-}
-
-fn path(of: &Statements, quantity: Quantity) -> String {
-    of.table.path_of(match quantity {
-        Quantity::Allowance => "thickness.allowance_um",
-        Quantity::Runout => of.runout.key(),
-        Quantity::PerTooth => "thickness.per_tooth_um",
-        Quantity::Pitch => "pitch",
-    })
 }
 
 fn same_kind(of: &Statements, kind: SameKind) -> String {

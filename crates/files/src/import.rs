@@ -1,5 +1,5 @@
-//! What a file of a measuring machine, a workbook or a CSV holds: every table that gearlash reads, its numbers, and the lines of a pair
-//! file that name it.
+//! The content of a file of a measuring machine, a workbook or a CSV: every table that gearlash reads, its numbers, and the lines of a
+//! pair file that name it.
 //!
 //! Each kind of table is read as the pair file would have it read, so that the lines give the same numbers.
 
@@ -20,7 +20,7 @@ use std::rc::Rc;
 
 pub use table::{ImportedColumn, ImportedTable, Kind, Value};
 
-/// What a file is, by what it holds.
+/// A kind of file, by its content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
     /// A table in cells (CSV, a workbook), or the text protocol or curve file of a measuring machine.
@@ -30,7 +30,7 @@ pub enum Content {
 }
 
 impl Content {
-    /// What the file at `path` with these bytes is; standard input is a gearbox model.
+    /// The kind of the file at `path` with these bytes; standard input is a gearbox model.
     pub fn of(path: &Path, bytes: &[u8]) -> Content {
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         // No table begins like XML or JSON.
@@ -50,7 +50,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, InputError> {
     source::bytes(path).map_err(|problem| InputError::of(path, vec![problem]))
 }
 
-/// What the user says of a file.
+/// Options of an import.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Options<'a> {
     /// Only tables of this kind.
@@ -61,14 +61,14 @@ pub struct Options<'a> {
     pub gear: &'a str,
 }
 
-/// What was understood of a file.
+/// The tables of a file.
 #[derive(Debug, Clone, Serialize)]
 pub struct Imported {
     /// The file's name.
     pub file: String,
     /// At least one.
     pub tables: Vec<ImportedTable>,
-    /// What is there, but not read, and why.
+    /// Tables that are not read, and why.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_read: Vec<String>,
     /// To be pasted into a pair file or gear file beside the file.

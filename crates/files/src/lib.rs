@@ -75,7 +75,7 @@ use table::Table;
 /// The path that stands for standard input.
 const STANDARD_INPUT: &str = "-";
 
-/// What the file at `path` is called: `stdin` for `-`, which is standard input.
+/// The name of the file at `path` in messages: `stdin` for `-`, which is standard input.
 pub fn named(path: &Path) -> &Path {
     if path == Path::new(STANDARD_INPUT) {
         Path::new("stdin")

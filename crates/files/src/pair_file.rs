@@ -134,6 +134,8 @@ impl<'a> PairTables<'a> {
         let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
         let (stem, title) = names(&self.file, self.path);
         let title = title?;
+        warnings.extend(pair_slips::in_units("assembly", &assembly));
+        warnings.extend(pair_slips::in_units("tolerance", &tolerance));
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_faces([&self.wheel, &self.pinion]));
         warnings.extend(pair_slips::in_distances(

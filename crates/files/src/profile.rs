@@ -21,8 +21,7 @@ const FLANK_KEYS: [&str; 6] = [
     "trace",
 ];
 
-/// What is said of the profiles of one gear: of its own right flanks, and of its left ones; each as in the pair file, traces as lists of
-/// roll lengths.
+/// The profiles of the right and left flanks of one gear, as in the pair file; traces are lists of roll lengths.
 #[derive(Debug, Clone, Default)]
 pub struct Profiles {
     flanks: [FlankProfileSpec; 2],

@@ -1,4 +1,4 @@
-//! What was read from a file: the study or the gears, and what belongs to the file alone.
+//! The content of a file: the study or the gears, and the data of the file itself.
 
 use crate::sources::Sources;
 use crate::spec::{CenterDistanceSpec, GearSpec, PairSpec};
@@ -9,7 +9,7 @@ use gearlash::gear::AsBuilt;
 /// A pair file, understood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairFile {
-    /// What it asks for.
+    /// The study that it asks for.
     pub study: Study,
     /// File stem, the name of the folder for results.
     pub stem: String,
@@ -18,7 +18,7 @@ pub struct PairFile {
     pub spec: PairSpec,
     /// Warnings, for standard error.
     pub warnings: Vec<String>,
-    /// What was found to be in order, for standard error.
+    /// Remarks, for standard error.
     pub remarks: Vec<String>,
     /// The files it was read from.
     pub sources: Sources,
@@ -36,7 +36,7 @@ pub struct GearEntry {
 }
 
 impl PairFile {
-    /// The same at other centre distances, mm.
+    /// The pair at other centre distances, mm.
     ///
     /// # Errors
     /// As [`Study::at`].
@@ -48,7 +48,7 @@ impl PairFile {
     }
 }
 
-/// Why a study cannot be had at other centre distances, in the keys of pair files.
+/// The reason why a study has no other centre distances, in the keys of pair files.
 pub fn distance_refused(reason: &Error) -> String {
     match reason {
         Error::Gear(GearError::MeasuredRows) => {
@@ -73,7 +73,7 @@ pub struct GearsFile {
     pub temperature_c: Option<f64>,
     /// Warnings, for standard error.
     pub warnings: Vec<String>,
-    /// What was found to be in order, for standard error.
+    /// Remarks, for standard error.
     pub remarks: Vec<String>,
     /// The files it was read from.
     pub sources: Sources,

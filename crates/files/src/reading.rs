@@ -178,7 +178,7 @@ impl Problems {
         self.listed.is_empty()
     }
 
-    /// Those that are reported.
+    /// The problems that are reported.
     pub fn into_list(self) -> Vec<Problem> {
         self.listed
     }

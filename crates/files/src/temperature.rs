@@ -20,7 +20,7 @@ pub struct Temperature {
 }
 
 impl Temperature {
-    /// What the pair file states; `Some(None)` where it states no temperature.
+    /// The temperature of a pair file; `Some(None)` where it states none.
     ///
     /// A coefficient that is missing is a problem.
     pub fn read(

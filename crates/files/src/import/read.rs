@@ -60,7 +60,7 @@ pub(super) fn tables(
         let request = from.request(&columns, coverage);
         if is_asked(kind) && named && (only.is_some() || content.has(&request)) {
             let (sheet, faults) = reading.apart(|| from.sheet(&request));
-            // What is not asked for by its name hides nothing else.
+            // A table that is not asked for by its name hides nothing else.
             let is_wrong = content.has_each(&request) || only.is_some();
             from.report(faults, is_wrong, not_read);
             let table = |sheet| ImportedTable::of(kind, title.to_owned(), &[name], &sheet);
@@ -89,7 +89,7 @@ pub(super) fn tables(
     Some(tables)
 }
 
-/// What is read from.
+/// The source of the tables.
 struct From<'a> {
     file: &'a DataFile,
     content: &'a Content,
@@ -166,7 +166,7 @@ impl From<'_> {
             (false, _) => {}
         }
         for (bad, has_each) in faults {
-            // Beside the one kind, of which there is a column a flank, the other hides nothing.
+            // A kind without one column for each flank does not hide the other kind.
             self.report(bad, has_each || first.is_none(), not_read);
         }
     }

@@ -27,7 +27,7 @@ pub struct TwoDrawings<'a> {
     pub center: Option<&'a str>,
 }
 
-/// The same, read and compared.
+/// Two drawings of one gear, read and compared.
 #[derive(Debug)]
 pub struct ComparedOutlines {
     /// The files as named.
@@ -38,7 +38,7 @@ pub struct ComparedOutlines {
     pub centres: [Point2<f64>; 2],
     /// How far B lies from A.
     pub difference: OutlineDifference,
-    /// What was found of each to be in order, for standard error.
+    /// Remarks on each, for standard error.
     pub remarks: [Vec<String>; 2],
     /// The files it was read from.
     pub sources: Sources,

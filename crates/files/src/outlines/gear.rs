@@ -15,7 +15,7 @@ use nalgebra::Point2;
 /// Teeth of a gear at most.
 const MOST_TEETH: u32 = 10_000;
 
-/// What was read of a drawing.
+/// The content of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawingRead {
     /// Length of one of its units, mm.
@@ -258,7 +258,7 @@ fn place(path: &Path, error: &OutlineError) -> String {
     format!("the path from {}: {error}", path.outline.place)
 }
 
-/// What helps against an error.
+/// The way out of an error.
 pub(super) fn help(error: &OutlineError) -> &'static str {
     match error {
         OutlineError::NotFinite { .. } | OutlineError::SelfCrossing { .. } => {

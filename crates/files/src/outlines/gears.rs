@@ -11,7 +11,7 @@ use gearlash::analysis::study::Material;
 use gearlash::outline::OutlineGear;
 use std::path::Path;
 
-/// Gears by their outline, for what needs no mate. Of a pair, a gear by its data is there too, with its exact curves.
+/// Gears by their outline, for commands that need no mate. A gear by its data, of a pair with a drawing, has its exact curves.
 #[derive(Debug, Clone)]
 pub struct OutlineGearsFile {
     /// Title; the file stem when the file has none.
@@ -20,7 +20,7 @@ pub struct OutlineGearsFile {
     pub gears: Vec<OutlineGearEntry>,
     /// Warnings, for standard error.
     pub warnings: Vec<String>,
-    /// What was found to be in order, for standard error.
+    /// Remarks, for standard error.
     pub remarks: Vec<String>,
     /// The files it was read from.
     pub sources: Sources,

@@ -47,24 +47,24 @@ const NOT_REQUIRED: [(&str, &str); 3] = [
 /// A pair file with an outline, understood.
 #[derive(Debug, Clone)]
 pub struct OutlinePairFile {
-    /// What it asks for.
+    /// The study that it asks for.
     pub study: Study,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// The input as understood.
     pub spec: OutlinePairSpec,
-    /// What was read of the drawings of wheel and pinion; `None` of a gear by its data.
+    /// The content of the drawings of wheel and pinion; `None` for a gear by its data.
     pub drawings: [Option<DrawingRead>; 2],
     /// Warnings, for standard error.
     pub warnings: Vec<String>,
-    /// What was found to be in order, for standard error.
+    /// Remarks, for standard error.
     pub remarks: Vec<String>,
     /// The files it was read from.
     pub sources: Sources,
 }
 
 impl OutlinePairFile {
-    /// The same at other centre distances, mm.
+    /// The pair at other centre distances, mm.
     ///
     /// # Errors
     /// As [`Study::at`].

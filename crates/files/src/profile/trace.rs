@@ -189,7 +189,7 @@ fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fa
     }
 }
 
-/// What is wrong with a point behind `last`.
+/// The fault of a point behind `last`.
 fn ascending(last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
     let last = last.filter(|last| point.0 <= last.0)?;
     let how = match point.0 < last.0 {

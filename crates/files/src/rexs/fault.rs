@@ -4,7 +4,7 @@ use super::document::{Component, problem, shown};
 use crate::error::Problem;
 use std::cell::RefCell;
 
-/// What keeps a stage from becoming a pair.
+/// The reason why a stage becomes no pair.
 pub enum Fault {
     /// The file is wrong.
     Wrong(Problem),
@@ -32,7 +32,7 @@ pub struct Attributes<'a> {
 }
 
 impl<'a> Attributes<'a> {
-    /// Of `component`, none read.
+    /// The attributes of `component`, none read.
     pub fn of(component: &'a Component) -> Attributes<'a> {
         Attributes {
             component,

@@ -206,7 +206,7 @@ fn tools<'a>(document: &'a Document, parts: &[i32]) -> Vec<(&'a Relation, i32)> 
     tools
 }
 
-/// What a rack-shaped tool leaves as the basic rack of the gear: its addendum cuts the dedendum, its tip round the root round.
+/// The basic rack that a rack-shaped tool cuts: its addendum cuts the dedendum, its tip round the root round.
 /// `None` where one of the two is not stated.
 fn rack(
     tool: &Attributes,
@@ -286,7 +286,7 @@ fn settings<'a>(
     Ok(settings)
 }
 
-/// What all flanks that state it have.
+/// The value of all flanks that state it.
 fn shared(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fault> {
     let mut all: Option<f64> = None;
     for flank in flanks {

@@ -7,11 +7,11 @@ use std::fmt;
 
 const SHIFT: &str = "generated_addendum_modification_coefficient";
 
-/// What the settings of a gear, its flanks, or the gear itself state of it.
+/// The generated profile shift that the settings of a gear, its flanks, or the gear itself state.
 pub enum Generated {
     None,
     One(GeneratedShift),
-    /// Unlike each other: which step is the last is not read. In words.
+    /// Different ones, in words: the last manufacturing step is not known.
     Several(String),
 }
 
@@ -25,7 +25,7 @@ pub struct GeneratedShift {
 }
 
 impl Generated {
-    /// Of `sources`: all that may state it.
+    /// The shift that all `sources` state.
     ///
     /// # Errors
     /// No number, or one deviation without the other.

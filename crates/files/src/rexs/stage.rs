@@ -113,7 +113,7 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// What it became, in a line.
+    /// The pair in one line.
     pub fn summary(&self) -> String {
         let [one, two] = &self.gears;
         let thickness = self
@@ -158,7 +158,7 @@ impl<'a> Stage<'a> {
         )
     }
 
-    /// Its pair file. What is not stated is left to the pair file's own defaults.
+    /// Its pair file. Values that are not stated take the defaults of a pair file.
     pub fn pair_file(&self, source: &str) -> String {
         let component = self.stage.component();
         let title = match component.name.as_str() {
@@ -214,7 +214,7 @@ impl<'a> Stage<'a> {
 /// Allowances are printed in whole µm, and so is half a grade of the table.
 const ROUNDING_UM: f64 = 1.0;
 
-/// What tells the allowances of a centre distance (upper and lower, µm) from its tolerance field; a remark where it cannot be told.
+/// Checks the allowances of a centre distance (upper and lower, µm) against its tolerance field; a remark where they are not comparable.
 fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<String>, String> {
     let field = format!("{distance} js{grade}").parse::<DesignatedDistance>();
     let half = match field.and_then(|field| field.tolerance_um()) {

@@ -1,4 +1,4 @@
-//! What a REXS file states of the thickness of a tooth.
+//! The thickness of a tooth in a REXS file.
 
 use super::document::shown;
 use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE};
@@ -9,7 +9,7 @@ use gearlash::gear::{BasicGearData, MeasuringBody, ThicknessField};
 const SPAN: &str = "span_measurement";
 const SPANNED: &str = "number_of_teeth_for_span_measurement";
 const PIN: &str = "diameter_of_measuring_ball_or_pin";
-/// Of a spur gear all three are one.
+/// All three are the same for a spur gear.
 const SIZES: [(&str, MeasuringBody); 3] = [
     ("size_over_pins", MeasuringBody::Pin),
     ("size_over_balls", MeasuringBody::Ball),
@@ -35,7 +35,7 @@ const OTHER_LIMITS: [&str; 6] = [
 /// A statement of the tooth thickness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Thickness {
-    /// Of DIN 3967.
+    /// A series of DIN 3967.
     Series(ThicknessField),
     /// Normal, at the reference cylinder, µm.
     Allowance { upper: f64, lower: f64 },
@@ -68,7 +68,7 @@ impl Thickness {
         }
     }
 
-    /// What a message calls it.
+    /// Its name in messages.
     fn words(&self) -> String {
         match self {
             Thickness::Series(field) => field.to_string(),
@@ -79,7 +79,7 @@ impl Thickness {
     }
 }
 
-/// What tells the allowances of a span from those of the series.
+/// Checks the allowances of a span against those of the series.
 fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> Result<(), String> {
     let series = field
         .allowances_um(basic_data)
@@ -97,13 +97,13 @@ fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> R
     }
 }
 
-/// What is stated of the thickness: series, allowances, and where neither is, measured lengths.
+/// The statements of the thickness: series, allowances, and without either, measured lengths.
 ///
 /// `shift` is the profile shift coefficient that the thickness without allowance has. Where nothing else states the thickness, the
 /// generated profile shift does; beside series or allowances it must lie within them.
 ///
 /// # Errors
-/// What is stated lacks something, is not read, or contradicts itself.
+/// A statement is incomplete, is not read, or contradicts another.
 pub fn stated(
     gear: &Attributes,
     basic_data: &BasicGearData,

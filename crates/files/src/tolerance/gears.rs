@@ -107,7 +107,7 @@ fn one(
     member: Member,
     reading: &Reading,
 ) -> Result<(MeasuredGear, bool, Vec<String>), String> {
-    // What stands in the file is not quoted: it may lie outside the pair file's folder.
+    // The content of the file is not quoted: it may lie outside the pair file's folder.
     let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
         1 => "this is no gear file that can be read".to_owned(),
         several => format!("this is no gear file that can be read: {several} problems"),

@@ -21,11 +21,11 @@ use std::path::Path;
 pub struct ToleranceFile {
     /// The pair.
     pub pair: PairFile,
-    /// What it says of the population, defaults filled in.
+    /// Its table `[tolerance]`, defaults filled in.
     pub tolerance: ToleranceSpec,
     /// The population.
     pub population: Population,
-    /// What each assembly must keep.
+    /// The limits that each assembly must keep.
     pub requirement: Requirement,
     /// Tables of the gears that are drawn whole, of wheel and pinion.
     pub(super) measured: [Vec<MeasuredGear>; 2],
@@ -210,7 +210,7 @@ pub(crate) fn unlike(gear: &GearSpec, pair: &PairFile, member: Member) -> Option
     ))
 }
 
-/// A gear of the pair's `member` as it stands in the pair: the teeth of a helical pinion counted in the wheel's measuring plane.
+/// A gear placed as the pair's `member`: the teeth of a helical pinion counted in the wheel's measuring plane.
 pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt {
     match pair.spec.assembly.face_offset_mm {
         Some(offset) if member == Member::Pinion && pair.study.is_helical() => {

@@ -68,12 +68,18 @@ fn runout(um: f64) -> String {
 }
 
 #[test]
-fn micrometres_that_are_millimetres() {
+fn micrometres_that_are_millimetres_and_other_units() {
     let pitch = |scale: f64| {
         let (right, left) = (list(|i| noise(i, scale)), list(|i| noise(i + 1.0, scale)));
         of(&format!(
             "pitch = {{ kind = \"cumulative\", right_um = {right}, left_um = {left} }}"
         ))
+    };
+    let below = |tables: &str| pair("", "center_distance_mm = 37.1", tables);
+    let distance = |distance: &str| {
+        let cold = "expansion_per_k = 0";
+        let text = pair(cold, &format!("center_distance_mm = {distance}"), "");
+        text.replace("teeth = 17\n", &format!("teeth = 17\n{cold}\n"))
     };
     let per_tooth = |scale: f64| {
         let each = list(|i| noise(i, scale));
@@ -85,6 +91,18 @@ fn micrometres_that_are_millimetres() {
         runout(0.0066),
         pitch(0.002),
         per_tooth(0.002),
+        of("profile = { slope_um = 0.004 }"),
+        of("profile.trace = { roll_length_mm = [5, 7], deviation_um = [0, 0.003] }"),
+        below(
+            "[tolerance]\ncenter_distance = { scatter = \"normal\", sigma_um = 0.01, mean_um = 0.02 }"
+        ),
+        distance("{ nominal_mm = 37.1, tolerance_um = 0.03 }"),
+        distance("37.1\ntemperature_c = 140\nhousing_expansion_per_k = 0"),
+        of("helix_angle_deg = 0.35\nhand = \"left\"\nface_mm = [-10, 10]").replace(
+            "teeth = 17\n",
+            "teeth = 17\nhelix_angle_deg = 0.35\nhand = \"right\"\nface_mm = [-10, 10]\n"
+        ),
+        of("thickness = { flank_offset_mm = -0.00005 }"),
     ]));
     // 1e-9: rounding of what the gauge reads on a perfect gear.
     none(&[

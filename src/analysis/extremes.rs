@@ -289,6 +289,30 @@ pub fn extremes(
     })
 }
 
+impl CycleExtremes {
+    /// Takes in the poses of `runs` that lie beyond a sampled extreme of the same pair, so that no curve reaches beyond the verdict.
+    pub(super) fn take_in(&mut self, runs: &[ComparedRun]) {
+        for extremes in &mut self.each {
+            let is_same = |run: &&ComparedRun| {
+                run.run.assembly == extremes.assembly && run.run.material == extremes.material
+            };
+            for pose in runs.iter().filter(is_same).flat_map(|run| &run.poses) {
+                let result = &pose.simulated;
+                let (Some(j_wt), Some(bound)) = (result.backlash, result.error_bound) else {
+                    continue;
+                };
+                for (end, sign) in [(&mut extremes.least, 1.0), (&mut extremes.greatest, -1.0)] {
+                    let Some(end) = end else { continue };
+                    if end.doubt == Some(Doubt::Sampled) && sign * j_wt < sign * end.found() {
+                        (end.low, end.high, end.found) = (j_wt - bound, j_wt + bound, j_wt);
+                        end.pose = pose.clone();
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// How many runs [`extremes`] has: its ticks.
 ///
 /// # Errors

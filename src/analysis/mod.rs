@@ -232,11 +232,13 @@ impl<'a> Analysis<'a> {
         if plan.extremes {
             (progress.stage)(MESH_CYCLE);
             analysis.extremes = extremes::extremes(study, method, tick)?;
+            analysis.extremes.take_in(&analysis.runs);
         }
         if plan.revolution {
             (progress.stage)("(curves over the teeth)");
             let (turned, cycle) = (&analysis.revolution, &analysis.extremes.each);
             analysis.curves = curves::refined(study, turned, cycle, method, tick)?;
+            analysis.extremes.take_in(&analysis.curves);
         }
         if plan.curves && !study.is_drawn() {
             (progress.stage)("(over the centre distance)");

@@ -8,6 +8,7 @@
 use super::assembles_from::AssemblesFrom;
 use crate::contact::{Doubt, Extreme, Extremes, OutlineKernel, Status};
 use crate::error::Error;
+use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member, SweepPlan};
 use crate::parallel;
@@ -16,11 +17,20 @@ use std::cmp::Ordering;
 /// Sampled poses of a cycle at most (tuned: some seconds). Longer cycles are sampled more thinly.
 const MOST: u64 = 100_000;
 
-/// Sampled poses that are looked at more closely, at either end.
-const BEST: usize = 6;
+/// Samples for each part of a tooth that a mate's part can pass (tuned: peaks of chords are narrower than a part).
+const A_PART: u64 = 4;
 
-/// Times the neighbourhood of such a pose is cut into a quarter: down to 1/16 000 of a step.
-const ROUNDS: u32 = 7;
+/// Samples a pitch at most for the parts of its teeth: of finer parts the peaks are lower than is shown.
+const MOST_A_PITCH: u64 = 256;
+
+/// Steps that are halved at once, at either end (tuned: 96 like teeth of 8 chords a flank need 400).
+const HALVED: usize = 1000;
+
+/// Times a step is halved: down to 1/16 000.
+const ROUNDS: u32 = 14;
+
+/// Lost motion below which a better pose is not searched for, rad: 0.01 µm at a radius of 100 mm.
+const FINE: f64 = 1e-7;
 
 /// Rounds at most of the search for a distance: each rules out a pose that interfered.
 const MOST_TIGHTEST: u32 = 40;
@@ -36,7 +46,10 @@ const FIRST_STEP: f64 = 0.01;
 pub(super) struct Cycle {
     first: Mating,
     matings: u64,
+    /// Samples of a search for a distance.
     poses: u64,
+    /// Samples of a search for extremes: several between the places at which the parts in contact change.
+    fine: u64,
 }
 
 /// A pose and its lost motion.
@@ -90,10 +103,19 @@ impl Cycle {
     pub fn new(pair: &OutlinePair, first: Mating, per_pitch: u32) -> Cycle {
         let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member).teeth());
         let matings = SweepPlan::hunting_pitches(wheel, pinion);
+        let parts = Member::BOTH.map(|member| {
+            let gear = pair.gear(member);
+            let of_tooth = |tooth| Side::BOTH.map(|side| gear.half(side, tooth).pieces.len());
+            let parts = (1..=gear.teeth()).map(|tooth| of_tooth(tooth).iter().sum());
+            parts.max().unwrap_or(0) as u64
+        });
+        let per_pitch = u64::from(per_pitch);
+        let fine = per_pitch.max((A_PART * (parts[0] + parts[1])).min(MOST_A_PITCH));
         Cycle {
             first,
             matings,
-            poses: (matings * u64::from(per_pitch)).min(MOST),
+            poses: (matings * per_pitch).min(MOST),
+            fine: (matings * fine).min(MOST),
         }
     }
 
@@ -103,8 +125,8 @@ impl Cycle {
     /// None of a pair that was read.
     pub fn search(&self, pair: &OutlinePair) -> Result<(Extremes, Option<AssemblesFrom>), Error> {
         let kernel = OutlineKernel::new(pair);
-        let samples = self.samples(&kernel, pair);
-        let ends = self.ends(&kernel, pair, &samples);
+        let samples = self.samples(&kernel, pair, self.fine);
+        let ends = [1.0, -1.0].map(|sign| self.end(&kernel, pair, &samples, sign));
         let all = || samples.iter().chain(ends.iter().flatten());
         let lost = [Status::Jammed, Status::NoContact, Status::Unproven]
             .into_iter()
@@ -149,46 +171,61 @@ impl Cycle {
         Ok((found, from))
     }
 
-    fn samples(&self, kernel: &OutlineKernel, pair: &OutlinePair) -> Vec<Sample> {
-        let apart = self.matings as f64 / self.poses as f64;
+    /// `count` even samples of the cycle.
+    fn samples(&self, kernel: &OutlineKernel, pair: &OutlinePair, count: u64) -> Vec<Sample> {
+        let apart = self.matings as f64 / count as f64;
+        // The last is the first of the next cycle, so that the last step is one.
         let sample = |k: u64| Sample::new(kernel, pair, &self.first, k as f64 * apart);
-        parallel::map(0..self.poses, sample)
+        parallel::map(0..count + 1, sample)
     }
 
-    /// The samples with the least and the greatest lost motion of `samples` and of more round the best of them.
-    fn ends(
+    /// The sample with the least lost motion (`sign` 1) or the greatest (−1) of `samples` and of more between the best of them.
+    ///
+    /// A step that may hold a better pose is halved. The lost motion is taken to change within a step at most as fast as from one end to the other
+    /// of it, or of either neighbour.
+    fn end(
         &self,
         kernel: &OutlineKernel,
         pair: &OutlinePair,
         samples: &[Sample],
-    ) -> [Option<Sample>; 2] {
-        let step = self.matings as f64 / self.poses as f64;
-        [1.0, -1.0].map(|sign| {
-            let value = |sample: &Sample| sample.value().map(|angle| sign * angle);
-            let order =
-                |a: &Sample, b: &Sample| value(a).partial_cmp(&value(b)).unwrap_or(Ordering::Equal);
-            let valued = samples.iter().filter(|sample| value(sample).is_some());
-            let mut best: Vec<&Sample> = valued.collect();
-            best.sort_by(|a, b| order(a, b));
-            best.truncate(BEST);
-            let closer = parallel::map(best, |sample| {
-                let (mut found, mut width) = (*sample, step);
-                for _ in 0..ROUNDS {
-                    let middle = found.pitches;
-                    for part in [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0] {
-                        let pitches = middle + part * 0.25 * width;
-                        let near = Sample::new(kernel, pair, &self.first, pitches);
-                        let is_better = |near: f64| value(&found).is_none_or(|best| near < best);
-                        if value(&near).is_some_and(is_better) {
-                            found = near;
-                        }
-                    }
-                    width *= 0.25;
-                }
-                found
-            });
-            closer.into_iter().min_by(order)
-        })
+        sign: f64,
+    ) -> Option<Sample> {
+        let value = |sample: &Sample| sample.value().map(|angle| sign * angle);
+        let mut samples = samples.to_vec();
+        for _ in 0..ROUNDS {
+            let best = samples.iter().filter_map(value).reduce(f64::min)?;
+            let rise = |step: &[Sample]| {
+                let rise = (value(&step[1])? - value(&step[0])?).abs();
+                Some(rise / (step[1].pitches - step[0].pitches))
+            };
+            let slopes: Vec<f64> = samples
+                .windows(2)
+                .map(|step| rise(step).unwrap_or(0.0))
+                .collect();
+            // The value that a step may attain, and its middle.
+            let promise = |(k, step): (usize, &[Sample])| {
+                let near = &slopes[k.saturating_sub(1)..slopes.len().min(k + 2)];
+                let slope = near.iter().copied().fold(0.0, f64::max);
+                let width = step[1].pitches - step[0].pitches;
+                let attained = 0.5 * (value(&step[0])? + value(&step[1])? - slope * width);
+                let middle = step[0].pitches + 0.5 * width;
+                (attained < best - FINE).then_some((attained, middle))
+            };
+            let mut promising: Vec<(f64, f64)> =
+                samples.windows(2).enumerate().filter_map(promise).collect();
+            if promising.is_empty() {
+                break;
+            }
+            promising.sort_by(|a, b| a.0.total_cmp(&b.0));
+            promising.truncate(HALVED);
+            let at = |(_, pitches)| Sample::new(kernel, pair, &self.first, pitches);
+            samples.extend(parallel::map(promising, at));
+            samples.sort_by(|a, b| a.pitches.total_cmp(&b.pitches));
+        }
+        let order =
+            |a: &&Sample, b: &&Sample| value(a).partial_cmp(&value(b)).unwrap_or(Ordering::Equal);
+        let valued = samples.iter().filter(|sample| sample.value().is_some());
+        valued.min_by(order).copied()
     }
 
     /// From where on `pair` assembles, of which `tightest` is the tightest pose; `None` where it interferes until tips pass each other, or a
@@ -230,15 +267,15 @@ impl Cycle {
             }
             floor = high;
             let there = pair.at(high)?;
-            let samples = self.samples(kernel, &there);
+            let samples = self.samples(kernel, &there, self.poses);
             // Out of mesh it does not turn the mate, and of a pose that is not settled nobody knows.
             let is_lost =
                 |sample: &Sample| matches!(sample.status, Status::NoContact | Status::Unproven);
             if samples.iter().any(is_lost) {
                 return Ok(None);
             }
-            let [closest, _] = self.ends(kernel, &there, &samples);
-            tightest = closest
+            tightest = self
+                .end(kernel, &there, &samples, 1.0)
                 .filter(Sample::interferes)
                 .or_else(|| self::tightest(&samples));
             found = Some(AssemblesFrom {

@@ -5,8 +5,8 @@ use crate::analytic::InvolutePair;
 use crate::gear::{AsBuilt, thickness};
 use std::f64::consts::PI;
 
-/// Values by formula. Lengths in mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Values by formula, lengths in mm; none of an outline.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Formula {
     /// `W_k = ((k − 1) p_bt + s_bt) cos β_b`.
@@ -20,13 +20,13 @@ pub struct Formula {
     /// Radius `r_K` of the ball's centre.
     pub ball_centre: Option<f64>,
     /// Root radius `r_f = r − m (h_fP* − x_E)`.
-    pub root: f64,
+    pub root: Option<f64>,
     /// Arc thickness at the reference circle, `s_bt/cos α_t − 2 r inv α_t`.
-    pub thickness: f64,
+    pub thickness: Option<f64>,
     /// Centre distance without play against the master.
     pub distance: Option<f64>,
     /// `F_r = F_i'' = 2 e`: to first order what a pure eccentricity makes.
-    pub runout: f64,
+    pub runout: Option<f64>,
 }
 
 /// The formulas for `gear`, measured over `k` teeth, pins of `pin` and balls of `ball`, against the master of `roll`.
@@ -52,10 +52,12 @@ pub(super) fn formula(
             .filter(|_| basic_data.hand().is_some())
             .map(|pin| thickness::over_helical_pins(basic_data, pin, s_b)),
         ball_centre: ball.map(centre),
-        root: gear.root_radius(),
-        thickness: s_b / alpha.cos()
-            - 2.0 * basic_data.reference_radius() * crate::gear::involute::inv(alpha),
+        root: Some(gear.root_radius()),
+        thickness: Some(
+            s_b / alpha.cos()
+                - 2.0 * basic_data.reference_radius() * crate::gear::involute::inv(alpha),
+        ),
         distance: roll.and_then(|roll| InvolutePair::new(gear, &roll.master).center_distance(0.0)),
-        runout,
+        runout: Some(runout),
     }
 }

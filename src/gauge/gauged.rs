@@ -70,7 +70,7 @@ pub struct Gauged {
     /// Profile deviation of both flanks.
     pub profile: Result<ProfileReadings, Unmeasured>,
     /// The tip circle's centre.
-    pub eccentricity: Eccentricity,
+    pub eccentricity: Result<Eccentricity, Unmeasured>,
     /// Double-flank roll test.
     pub roll: Result<Roll, Unmeasured>,
     /// The root circle.
@@ -149,7 +149,7 @@ pub fn gauge(
         thickness,
         root,
         profile: profile(&work, settings.evaluation),
-        eccentricity: eccentricity(&work),
+        eccentricity: Ok(eccentricity(&work)),
         roll,
     })
 }

@@ -4,7 +4,7 @@
 //! ever finer round each contact; no reading is computed from the gear's deviations. What went in
 //! must come out: that is what the tests compare.
 //!
-//! A gear by its outline alone has no reference circle and no master: spans and pins are read on it ([`gauge_outline`]).
+//! A gear by its outline alone has no reference circle and no master: spans and pins alone are read on it ([`gauge_outline`]).
 //!
 //! Of a helical gear all is read in the measuring plane; a ball touches the flanks beside it and a span lies along the normal of the helix,
 //! so that both look at the sections in which they touch.
@@ -36,9 +36,7 @@ pub use flanks::{PitchReadings, ThicknessReadings};
 pub use formula::Formula;
 pub use gauged::{Gauged, Settings, gauge, graded, pin_sizes, pitches, pose_count, profiles};
 pub use grades::GradedReading;
-pub use outlines::{
-    OutlineGauged, OutlinePins, OutlineSeat, OutlineSpan, OutlineSpans, gauge_outline,
-};
+pub use outlines::gauge_outline;
 pub use pins::{OverPins, Pins};
 pub use profile::{FlankProfiles, ProfileReading, ProfileReadings};
 pub use roll::Roll;

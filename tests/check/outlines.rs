@@ -4,6 +4,8 @@ use super::*;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::verdict::Requirement;
+use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::{Method, Status};
 use gearlash::outline::OutlineGear;
 use gearlash::pair::SweepPlan;
@@ -53,6 +55,25 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
     let from = run.assembles_from.unwrap();
     let known = proven.assembles_from.unwrap();
     assert!((from.high - known.high).abs() < 3e-5, "{from:?} {known:?}");
+}
+
+/// Polygons of 8 chords a flank: their backlash peaks between sampled poses, at 221.57 µm. Source: a polar gap written independently, on both
+/// outlines.
+#[test]
+fn the_peak_between_sampled_poses_is_found() {
+    let file = input::read_any(Path::new("tests/corpus/pairs/chords_32_12.toml")).unwrap();
+    let plan = Plan::new(file.view().study, Method::Exact { certify: true });
+    let analysis = Analysis::silently(&plan.with_revolution().with_extremes()).unwrap();
+    let checked = extremes_of_outlines(file.view().study)
+        .greatest
+        .unwrap()
+        .found();
+    let drawn = analysis.curves[0].poses.iter();
+    let curve = drawn.filter_map(|pose| pose.simulated.backlash);
+    let shown = analysis.extremes.each[0].greatest.as_ref().unwrap().found();
+    assert!((1e3 * checked - 221.57).abs() < 0.005, "{checked}");
+    assert!(shown >= checked && shown >= curve.fold(0.0, f64::max));
+    assert_ne!(analysis.verdict().requirement, Requirement::Met);
 }
 
 /// A pair too near, and one out of mesh: said so, and from where on it assembles.

@@ -85,7 +85,7 @@ fn published_dimensions_over_balls_and_over_pins() {
             let arcs = found.thickness.unwrap();
             let normal = module * (TAU / 4.0 + 2.0 * shift * 20f64.to_radians().tan()) + allowance;
             assert!((arcs.mean() * arcs.normal - normal).abs() < PICOMETRE);
-            assert!((found.formula.thickness * arcs.normal - normal).abs() < PICOMETRE);
+            assert!((found.formula.thickness.unwrap() * arcs.normal - normal).abs() < PICOMETRE);
             let stated = found.stated.unwrap();
             assert_eq!(stated, StatedThickness::Spans);
         }

@@ -150,8 +150,8 @@ fn balls_and_pins_rest_on_both_flanks_in_space() {
             let expected = (ball.seat.centre + offset).coords.norm();
             assert_eq!(ball.radius, expected);
         }
-        assert!((found.eccentricity.amount - 0.021).abs() < PICOMETRE);
-        assert!((found.eccentricity.high_tooth - 5.25).abs() < 1e-8);
+        assert!((found.eccentricity.as_ref().unwrap().amount - 0.021).abs() < PICOMETRE);
+        assert!((found.eccentricity.as_ref().unwrap().high_tooth - 5.25).abs() < 1e-8);
     }
 }
 

@@ -100,7 +100,7 @@ fn an_outline_of_a_gear_reads_as_the_gear() {
         ];
         for (outline, slack) in outlines {
             let found = gauge_outline(&outline, Some(spans.teeth), Some(pins.diameter));
-            let (on, over_pins) = (found.spans.unwrap().unwrap(), found.pins.unwrap().unwrap());
+            let (on, over_pins) = (found.spans.unwrap(), found.pins.unwrap());
             let read: Vec<_> = on
                 .readings
                 .iter()
@@ -171,7 +171,7 @@ fn straight_flanks_by_their_closed_form() {
             0.0,
         );
         let found = gauge_outline(&outline, Some(k), Some(diameter));
-        let spans = found.spans.unwrap().unwrap();
+        let spans = found.spans.unwrap();
         for span in &spans.readings {
             assert!(
                 (span.length - 2.0 * h).abs() <= span.error,
@@ -180,7 +180,7 @@ fn straight_flanks_by_their_closed_form() {
             );
         }
         assert!(spans.ends()[1] - spans.ends()[0] < 1e-12);
-        let pins = found.pins.unwrap().unwrap();
+        let pins = found.pins.unwrap();
         let rho = (h + 0.5 * diameter) / (lean + 0.5 * pitch).sin();
         let odd = teeth % 2 == 1;
         let two = diameter + 2.0 * rho * if odd { (0.25 * pitch).cos() } else { 1.0 };
@@ -223,10 +223,7 @@ fn round_heads_by_their_closed_form() {
         let outline = read(&all_round(teeth, &half), Face::Back, teeth, 0.0);
         let step = PI / f64::from(teeth);
         for k in [2u32, 3, 5] {
-            let spans = gauge_outline(&outline, Some(k), None)
-                .spans
-                .unwrap()
-                .unwrap();
+            let spans = gauge_outline(&outline, Some(k), None).spans.unwrap();
             let expected = 2.0 * q * (f64::from(k - 1) * step).sin() + 2.0 * a;
             for span in &spans.readings {
                 assert!(
@@ -241,10 +238,7 @@ fn round_heads_by_their_closed_form() {
                 );
             }
         }
-        let pins = gauge_outline(&outline, None, Some(diameter))
-            .pins
-            .unwrap()
-            .unwrap();
+        let pins = gauge_outline(&outline, None, Some(diameter)).pins.unwrap();
         let chord = q * step.sin();
         let rho = q * step.cos() + ((a + 0.5 * diameter).powi(2) - chord * chord).sqrt();
         for seat in &pins.seats {
@@ -278,7 +272,7 @@ fn pins_and_anvils_touch_the_whole_outline() {
     let outline = read(&all_round(teeth, &half), Face::Front, teeth, 0.0);
     let polygon = outline.points(0.0, CHORD);
     let found = gauge_outline(&outline, Some(4), Some(2.4));
-    for seat in &found.pins.unwrap().unwrap().seats {
+    for seat in &found.pins.unwrap().seats {
         let next = polygon.iter().cycle().skip(1);
         let distances = polygon.iter().zip(next).map(|(a, b)| {
             let (chord, to) = (b - a, seat.centre - a);
@@ -294,7 +288,7 @@ fn pins_and_anvils_touch_the_whole_outline() {
     // By symmetry the anvils stand square to the middle of the teeth spanned: the reading is how far these reach along that, above the anvils' ends.
     let depth = outline.tip_radius() - outline.root_radius();
     let reach = outline.root_radius() + depth / 3.0;
-    let spans = found.spans.unwrap().unwrap();
+    let spans = found.spans.unwrap();
     let along = Rotation2::new(outline.tooth_angle(2.5)) * nalgebra::Vector2::y();
     let spanned = |point: &&Point2<f64>| {
         let off = along
@@ -328,9 +322,8 @@ fn what_has_no_reading_says_why() {
     );
     let said = |k, pin| {
         let found = gauge_outline(&outline, k, pin);
-        let spans = found.spans.and_then(Result::err);
-        let pins = found.pins.and_then(Result::err);
-        spans.or(pins).unwrap().to_string()
+        let spans = found.spans.err().filter(|_| k.is_some());
+        spans.or(found.pins.err()).unwrap().to_string()
     };
     for (k, reason) in [
         (0, "allowed is 1 up to half"),

@@ -152,7 +152,7 @@ fn reads_the_formulas() {
         assert!(runout.total() <= runout.error().min(PICOMETRE), "{name}");
         let centre = [(runout.mean(), runout.error())].into_iter();
         assert_reads(&name, centre, formulas.pin_centre(diameter));
-        assert_eq!(found.eccentricity.amount, 0.0);
+        assert_eq!(found.eccentricity.as_ref().unwrap().amount, 0.0);
 
         let root = found.root.unwrap();
         let read = [(2.0 * root.radius, 2.0 * root.error)].into_iter();

@@ -3,7 +3,7 @@
 mod drawn;
 
 use super::distances::{self, Distances};
-use super::drawing::{End, Gear, teeth};
+use super::gears::{GearName, MaterialName, teeth};
 use super::method::MethodArgs;
 use super::studies;
 use super::target::Target;
@@ -27,13 +27,13 @@ pub(super) struct Args {
     kind: Kind,
     /// The gear, for --kind inspection [default: wheel]
     #[arg(long, value_enum)]
-    gear: Option<Gear>,
+    gear: Option<GearName>,
     /// Centre distance in mm, for --kind revolution, difference and field [default: the least of the pair file; of a field that which binds]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     /// One end of the thickness tolerances, for --kind revolution, difference and field [default: both]
     #[arg(long, value_enum)]
-    material: Option<End>,
+    material: Option<MaterialName>,
     /// Wheel tooth and pinion tooth, for --kind distance [default: the pose that binds]
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
@@ -90,44 +90,30 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// Options that say nothing about the kind asked for are mistakes.
 fn check_options(args: &Args) -> Result<(), Error> {
-    let over_teeth = matches!(args.kind, Kind::Revolution | Kind::Difference);
-    for (given, suits, option, kinds) in [
-        (
-            args.gear.is_some(),
-            args.kind == Kind::Inspection,
-            "--gear",
-            "inspection",
-        ),
-        (
-            args.mating.is_some(),
-            args.kind == Kind::Distance,
-            "--mating",
-            "distance",
-        ),
-        (
-            args.center_distance.is_some(),
-            over_teeth || args.kind == Kind::Field,
-            "--center-distance",
-            "revolution, difference or field",
-        ),
-        (
-            args.material.is_some(),
-            over_teeth || args.kind == Kind::Field,
-            "--material",
-            "revolution, difference or field",
-        ),
-        (
-            args.unit.given(),
-            matches!(args.kind, Kind::Revolution | Kind::Distance),
-            "--unit",
-            "revolution or distance",
-        ),
-    ] {
-        if given && !suits {
-            return Err(Error::Usage(format!(
-                "{option} belongs to --kind {kinds}; leave it out"
-            )));
+    let belongs = |is_given: bool, option: &str, kinds: &[Kind]| {
+        if !is_given || kinds.contains(&args.kind) {
+            return Ok(());
         }
-    }
-    Ok(())
+        let names = kinds.iter().filter_map(ValueEnum::to_possible_value);
+        let names: Vec<String> = names.map(|kind| kind.get_name().to_owned()).collect();
+        let last = names.last().cloned().unwrap_or_default();
+        let kinds = match &names[..names.len() - 1] {
+            [] => last,
+            others => format!("{} or {last}", others.join(", ")),
+        };
+        Err(Error::Usage(format!(
+            "{option} belongs to --kind {kinds}; leave it out"
+        )))
+    };
+    let of_poses = [Kind::Revolution, Kind::Difference, Kind::Field];
+    belongs(args.gear.is_some(), "--gear", &[Kind::Inspection])?;
+    belongs(args.mating.is_some(), "--mating", &[Kind::Distance])?;
+    belongs(
+        args.center_distance.is_some(),
+        "--center-distance",
+        &of_poses,
+    )?;
+    belongs(args.material.is_some(), "--material", &of_poses)?;
+    let with_unit = [Kind::Revolution, Kind::Distance];
+    belongs(args.unit.given(), "--unit", &with_unit)
 }

@@ -1,19 +1,22 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
-mod outlines;
-
 use super::console::{ScreenArgs, print, warn};
-use super::gears::{self, GearName, MaterialName};
+use super::gears::{self, GearName, MaterialName, one_only};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::studies;
 use crate::error::Error;
-use gearlash::gauge::{Settings, gauge, pin_sizes, pose_count};
+use crate::output::OutputFolder;
+use gearlash::analysis::study::Material;
+use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
+use gearlash_files::outlines::OutlineGearsFile;
 use gearlash_files::{AnyGears, GearEntry};
-use gearlash_render::gauge::{charts, missing, page, text};
-use gearlash_results::gauge::{GaugedGear, json, possible_files, stem, table_name, teeth_csv};
+use gearlash_render::gauge::{charts, page, text};
+use gearlash_results::gauge::{
+    GaugedGear, GearSource, json, possible_files, stem, table_name, teeth_csv,
+};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -80,7 +83,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if is_drawing(&args.file) {
         let DrawnArgs { units, center } = &args.drawn;
         let file = studies::drawing(&args.file, units.as_deref(), center.as_deref())?;
-        return outlines::run(args, &file);
+        return drawn(args, &file);
     }
     if args.drawn.given() {
         return Err(Error::Usage(
@@ -89,7 +92,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let study = match studies::any_gears(&args.file)? {
         AnyGears::Data(study) => *study,
-        AnyGears::Outlines(file) => return outlines::run(args, &file),
+        AnyGears::Outlines(file) => return drawn(args, &file),
     };
     let chosen = gears::choose(&args.file, args.gear, args.material, &study)?;
     for (gear, _, as_built) in &chosen {
@@ -122,50 +125,102 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             title: &study.title,
             name: gear.name,
             material,
-            gear: as_built,
-            spec: &gear.spec,
+            gear: GearSource::Data(as_built, &gear.spec),
             gauged: gauge(as_built, &settings(gear), &more, &|| progress.tick())?,
         });
     }
     drop(progress);
-    check_pin(args.pin_mm, &gears)?;
-    for gauged in &gears {
+    finish(args, &study.title, &gears, folder)
+}
+
+/// Measures the drawn gears of `file`.
+fn drawn(args: &Args, file: &OutlineGearsFile) -> Result<ExitCode, Error> {
+    if args.ball_mm.is_some()
+        || args.master_teeth.is_some()
+        || args.page
+        || args.results.names_folder()
+    {
+        return Err(Error::Usage(
+            "--ball-mm, --master-teeth, --page and -o are for gears by their data: of outlines spans and pins are printed; leave them out"
+                .to_owned(),
+        ));
+    }
+    if args.span_teeth.is_none() && args.pin_mm.is_none() {
+        return Err(Error::Usage(
+            "an outline can be asked for spans (--span-teeth K) and for pins (--pin-mm D); pitch, thickness and the roll test need an involute, which it has not"
+                .to_owned(),
+        ));
+    }
+    let name = args.gear.map(|gear| gear.member().name());
+    let material = args.material.map(MaterialName::material);
+    let chosen = file.gears.iter().filter(|entry| {
+        name.is_none_or(|name| name == entry.name)
+            && material.is_none_or(|of| [of, Material::AsMeasured].contains(&entry.material))
+    });
+    let gears: Vec<GaugedGear> = chosen
+        .map(|entry| GaugedGear {
+            title: &file.title,
+            name: entry.name,
+            material: entry.material,
+            gear: GearSource::Drawn(&entry.gear),
+            gauged: gauge_outline(&entry.gear, args.span_teeth, args.pin_mm),
+        })
+        .collect();
+    if let (true, Some(name)) = (gears.is_empty(), name) {
+        return Err(one_only(name, &args.file));
+    }
+    finish(args, &file.title, &gears, None)
+}
+
+/// Prints what was read and writes the files.
+fn finish(
+    args: &Args,
+    title: &str,
+    gears: &[GaugedGear],
+    folder: Option<OutputFolder>,
+) -> Result<ExitCode, Error> {
+    check_pin(args.pin_mm, gears)?;
+    for gauged in gears {
         let short: Vec<String> = gauged.short_face().into_iter().collect();
         warn(&args.file, &short, &[]);
     }
-
     print(&match args.results.format {
-        Format::Text => text(&study.title, &gears, args.positions, &args.screen.screen()),
-        Format::Json => json(&study.title, &gears).map_err(unwritable)?,
-        Format::Csv => teeth_csv(gears.iter().map(GaugedGear::by_tooth)).map_err(unwritable)?,
+        Format::Text => text(title, gears, args.positions, &args.screen.screen()),
+        Format::Json => json(title, gears).map_err(unwritable)?,
+        Format::Csv => teeth_csv(gears).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.
-        for gauged in &gears {
-            warn(&args.file, &missing(gauged), &[]);
+        for gauged in gears {
+            let lines = gauged.unmeasured().into_iter();
+            let lines: Vec<String> = lines
+                .map(|line| format!("{}: {line}", gauged.words()))
+                .collect();
+            warn(&args.file, &lines, &[]);
         }
     }
-    if let Some(folder) = folder {
-        let mut files = Vec::new();
-        for gauged in &gears {
-            let table = teeth_csv([gauged.by_tooth()]).map_err(unwritable)?;
-            files.push((table_name(&gauged.stem()), table));
-            if args.page {
-                files.extend(page(gauged)?);
-            } else {
-                files.extend(charts(gauged)?);
-            }
-            match gauged.gear_file() {
-                Ok(file) => files.push(file),
-                Err(reason) => warn(
-                    &args.file,
-                    &[format!("no gear file of the {}: {reason}", gauged.name)],
-                    &[],
-                ),
-            }
+    let Some(folder) = folder else {
+        return Ok(ExitCode::SUCCESS);
+    };
+    let mut files = Vec::new();
+    for gauged in gears {
+        let table = teeth_csv(std::slice::from_ref(gauged)).map_err(unwritable)?;
+        files.push((table_name(&gauged.stem()), table));
+        if args.page {
+            files.extend(page(gauged)?);
+        } else {
+            files.extend(charts(gauged)?);
         }
-        args.results.write(folder, &files)?;
+        match gauged.gear_file() {
+            Ok(file) => files.extend(file),
+            Err(reason) => warn(
+                &args.file,
+                &[format!("no gear file of the {}: {reason}", gauged.name)],
+                &[],
+            ),
+        }
     }
+    args.results.write(folder, &files)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -181,7 +236,10 @@ fn check_pin(pin: Option<f64>, gears: &[GaugedGear]) -> Result<(), Error> {
         return Ok(());
     };
     let each = gears.iter().zip(reasons).map(|(gauged, reason)| {
-        let fit = match pin_sizes(gauged.gear) {
+        let GearSource::Data(gear, _) = gauged.gear else {
+            return format!("{}: {reason}", gauged.words());
+        };
+        let fit = match pin_sizes(gear) {
             Some([least, greatest]) => {
                 format!("pins of {least} … {greatest} mm touch its involutes")
             }

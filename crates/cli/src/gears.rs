@@ -1,13 +1,14 @@
-//! Which gears of a file, in which material.
+//! Gears, materials and teeth on the command line.
 
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash::analysis::study::Material;
+use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
+use gearlash::pair::Member;
 use gearlash_files::{GearEntry, GearsFile};
 use std::path::Path;
 
-/// `--gear`.
+/// `--gear`, `--at`.
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum GearName {
     /// Gear 1
@@ -26,11 +27,11 @@ pub(super) enum MaterialName {
 }
 
 impl GearName {
-    /// As files name it.
-    pub(super) fn name(self) -> &'static str {
+    /// The gear of a pair.
+    pub(super) fn member(self) -> Member {
         match self {
-            GearName::Wheel => "wheel",
-            GearName::Pinion => "pinion",
+            GearName::Wheel => Member::Wheel,
+            GearName::Pinion => Member::Pinion,
         }
     }
 }
@@ -63,7 +64,7 @@ pub(super) fn choose<'a>(
     material: Option<MaterialName>,
     study: &'a GearsFile,
 ) -> Result<Vec<(&'a GearEntry, Material, &'a AsBuilt)>, Error> {
-    let name = gear.map(GearName::name);
+    let name = gear.map(|gear| gear.member().name());
     let material = material.map(MaterialName::material);
     let mut chosen = Vec::new();
     for gear in &study.gears {
@@ -80,5 +81,24 @@ pub(super) fn choose<'a>(
     match (chosen.is_empty(), name) {
         (true, Some(name)) => Err(one_only(name, file)),
         _ => Ok(chosen),
+    }
+}
+
+/// Wheel and pinion tooth, such as `11,11`.
+pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text.split_once(',').and_then(|(wheel, pinion)| {
+        Some((wheel.trim().parse().ok()?, pinion.trim().parse().ok()?))
+    });
+    parsed.ok_or_else(|| "two tooth numbers are needed, wheel,pinion, such as 11,11".to_owned())
+}
+
+/// The material of `study` that `--material` names.
+pub(super) fn material(name: MaterialName, study: &Study) -> Result<Material, Error> {
+    match study.material_count() {
+        2 => Ok(name.material()),
+        _ => Err(Error::Usage(
+            "--material: this pair file states one thickness a gear; leave the option out"
+                .to_owned(),
+        )),
     }
 }

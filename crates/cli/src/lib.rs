@@ -7,7 +7,6 @@ mod completions;
 mod console;
 mod date;
 mod distances;
-mod drawing;
 mod error;
 mod explain;
 mod gauge;

@@ -2,12 +2,12 @@
 
 use super::console::tell;
 use super::distances;
-use super::drawing::{End, material, teeth};
+use super::gears::{MaterialName, material, teeth};
 use super::method::all_proven;
 use super::pictures::{exaggeration, pitch};
 use super::studies;
 use super::target::Target;
-use super::worst::{self, Binding, Wanted};
+use super::worst::{self, Binding, Found, Wanted};
 use crate::error::{Error, exit_code};
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
@@ -53,7 +53,7 @@ pub(super) struct Args {
     center_distance: Option<f64>,
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst or --greatest both]
     #[arg(long, value_enum)]
-    material: Option<End>,
+    material: Option<MaterialName>,
     /// Of helical gears, the transverse section to draw, mm along the axis from the measuring plane [default: where the flank of the pose touches]
     #[arg(long, value_name = "Z_MM", allow_negative_numbers = true)]
     section: Option<f64>,
@@ -89,14 +89,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let (study, sources) = (file.view().study, file.view().sources);
     check(args, study)?;
     let given = Target::prepare_given(args.output.as_ref(), sources)?;
-    let subject = subject(args, study.clone())?;
+    let (subject, name) = subject(args, study.clone())?;
     let (picture, unproven) = picture(args, &study.title, &subject)?;
     let target = match given {
         Some(target) => target,
         None => {
             let name = match args.section {
-                Some(at) => subject.file.replace(".svg", &format!("_z{at}.svg")),
-                None => subject.file,
+                Some(at) => name.replace(".svg", &format!("_z{at}.svg")),
+                None => name,
             };
             Target::prepare_own(file.view().stem, name, sources)?
         }
@@ -119,7 +119,7 @@ fn check(args: &Args, study: &Study) -> Result<(), Error> {
 }
 
 /// The picture, and how many poses of it beside the subject's are not proven.
-fn picture(args: &Args, title: &str, subject: &Subject) -> Result<(String, usize), Error> {
+fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize), Error> {
     let pose = &subject.pose;
     let assembly = &subject.assembly;
     let pair = assembly.data();
@@ -205,23 +205,12 @@ fn which() -> Error {
     )
 }
 
-/// What is drawn, and the name of its file.
-struct Subject {
-    material: Material,
-    assembly: AssembledPair,
-    pose: PoseResult,
-    /// Poses that are not proven: this one, or those that the worst was looked for among.
-    unproven: usize,
-    file: String,
-}
-
-/// The pose asked for, by its teeth or by its backlash.
-fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
+/// The pose asked for, by its teeth or by its backlash, and the name of its file.
+fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
     if let Some((asked, wanted)) = wanted(args) {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
-        let (run, pose, unproven) =
-            worst::find((asked, wanted), study, args.center_distance, material)?;
-        let (distance, end) = (run.assembly.center_distance(), run.material.name());
+        let found = worst::find((asked, wanted), study, args.center_distance, material)?;
+        let (distance, end) = (found.assembly.center_distance(), found.material.name());
         let name = match wanted {
             Wanted::Least => "worst".to_owned(),
             Wanted::Greatest => "greatest".to_owned(),
@@ -230,13 +219,7 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
                 format!("worst_{}", kind.as_ref().map_or("", |kind| kind.get_name()))
             }
         };
-        return Ok(Subject {
-            file: format!("{name}_a{distance}_{end}.svg"),
-            material: run.material,
-            assembly: run.assembly,
-            pose,
-            unproven,
-        });
+        return Ok((found, format!("{name}_a{distance}_{end}.svg")));
     }
     let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
         return Err(which());
@@ -246,20 +229,21 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     let count = |member| assembly.teeth(member);
     let mating = mating(teeth, args.fraction, count, flank)?;
     let result = assembly.lost_motion(mating)?;
-    Ok(Subject {
-        file: format!(
-            "snapshot_{}_{}_{}_a{}_{}.svg",
-            mating.wheel_tooth,
-            mating.pinion_tooth,
-            flank.name(),
-            assembly.center_distance(),
-            material.name()
-        ),
+    let file = format!(
+        "snapshot_{}_{}_{}_a{}_{}.svg",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        flank.name(),
+        assembly.center_distance(),
+        material.name()
+    );
+    let found = Found {
         material,
         assembly,
         unproven: usize::from(result.is_unproven()),
         pose: result,
-    })
+    };
+    Ok((found, file))
 }
 
 /// The gears at the material and centre distance asked for.

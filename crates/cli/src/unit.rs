@@ -1,6 +1,6 @@
 //! `--unit` and `--at`: what tables and charts show backlash in.
 
-use super::drawing::Gear;
+use super::gears::GearName;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::Study;
@@ -13,7 +13,7 @@ pub(super) struct UnitArgs {
     unit: Option<Name>,
     /// The gear whose lost motion is shown, its mate locked, for --unit arcmin [default: the gear that turns]
     #[arg(long, value_enum)]
-    at: Option<Gear>,
+    at: Option<GearName>,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -37,7 +37,7 @@ impl UnitArgs {
     pub(super) fn unit(&self, study: &Study) -> Result<BacklashUnit, Error> {
         match (self.unit, self.at) {
             (Some(Name::Arcmin), at) => {
-                Ok(study.arcmin(at.map_or(study.locked.mate(), Gear::member)))
+                Ok(study.arcmin(at.map_or(study.locked.mate(), GearName::member)))
             }
             (Some(Name::Um) | None, Some(_)) => Err(Error::Usage(
                 "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out"
@@ -47,23 +47,18 @@ impl UnitArgs {
         }
     }
 
-    /// The same of a table.
+    /// The unit of a table of the gears of `study`.
     ///
     /// # Errors
     /// As [`UnitArgs::unit`]; a unit of what is no text.
     pub(super) fn of_table(&self, study: &Study, is_text: bool) -> Result<BacklashUnit, Error> {
         let unit = self.unit(study)?;
-        self.shown(is_text).map(|()| unit)
-    }
-
-    /// Whether what was asked for can be shown.
-    fn shown(&self, is_text: bool) -> Result<(), Error> {
-        match self.given() && !is_text {
-            false => Ok(()),
-            true => Err(Error::Usage(
+        if self.given() && !is_text {
+            return Err(Error::Usage(
                 "--unit belongs to --format text: JSON and CSV have every unit; leave it out"
                     .to_owned(),
-            )),
+            ));
         }
+        Ok(unit)
     }
 }

@@ -5,7 +5,8 @@ use super::progress::Progress;
 use super::verdict;
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash::analysis::simulate::Run;
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::extremes::CycleExtremes;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{Piece, simulate_by_blocks};
 use gearlash::analysis::verdict::Verdict;
@@ -67,14 +68,23 @@ impl Binding {
     }
 }
 
+/// A pose of a pair.
+pub(super) struct Found {
+    pub material: Material,
+    pub assembly: AssembledPair,
+    pub pose: PoseResult,
+    /// Poses that are not proven: this one, or those that it was looked for among.
+    pub unproven: usize,
+}
+
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given. Tells the verdict on standard
-/// error. Returns the pose that is `wanted` by the option `asked`, with its run and the number of poses that are not proven.
+/// error. Returns the pose that is `wanted` by the option `asked`.
 pub(super) fn find(
     (asked, wanted): (&str, Wanted),
     study: Study,
     distance: Option<f64>,
     material: Option<Material>,
-) -> Result<(Run, PoseResult, usize), Error> {
+) -> Result<Found, Error> {
     if study.is_drawn() && matches!(wanted, Wanted::LeastOf(_)) {
         return Err(Error::Usage(format!(
             "{asked}: the kinds of contact are of gears by their data; give --worst alone"
@@ -84,42 +94,17 @@ pub(super) fn find(
     let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
     tell_verdict(&lines(&verdict));
-    let run = |run: (Material, &AssembledPair, Option<(u32, u32)>), pose: &PoseResult| {
-        let run = Run {
-            material: run.0,
-            assembly: run.1.clone(),
-            phase: run.2,
-            poses: Vec::new(),
-        };
-        (run, pose.clone())
-    };
     let chosen = match wanted {
         Wanted::Least => verdict
             .worst()
-            .map(|(of, pair, pose)| run((of.material, pair, of.phase), &pose.simulated)),
+            .map(|(of, pair, pose)| (of.material, pair.clone(), pose.simulated.clone())),
         Wanted::Greatest => verdict.greatest().map(|(of, greatest)| {
-            run(
-                (of.material, &greatest.assembly, of.phase),
-                &greatest.pose.simulated,
-            )
+            let pose = greatest.pose.simulated.clone();
+            (of.material, greatest.assembly.clone(), pose)
         }),
-        Wanted::LeastOf(binding) => {
-            let mut least = Least::default();
-            for extremes in &found.runs {
-                let poses = extremes.poses.iter().map(|pose| &pose.simulated);
-                least.add(binding, &extremes.run, poses);
-            }
-            least.of_poses(binding, &study)?;
-            match least.0 {
-                None => None,
-                Some((_, run, mating)) => {
-                    let pose = run.assembly.lost_motion(mating)?;
-                    Some((run, pose))
-                }
-            }
-        }
+        Wanted::LeastOf(binding) => least_of(binding, &study, &found)?,
     };
-    let Some((run, pose)) = chosen else {
+    let Some((material, assembly, pose)) = chosen else {
         return Err(Error::Usage(match wanted {
             Wanted::LeastOf(_) => format!(
                 "{asked}: no pose of the pair file has such a contact; `gearlash check` counts the kinds that it has"
@@ -127,62 +112,49 @@ pub(super) fn find(
             _ => format!("{asked}: no pose is in mesh; there is none to draw"),
         }));
     };
-    let unproven = found.runs.iter().map(|run| run.unproven().count()).sum();
-    Ok((run, pose, unproven))
+    Ok(Found {
+        material,
+        assembly,
+        pose,
+        unproven: found.runs.iter().map(|run| run.unproven().count()).sum(),
+    })
 }
 
-/// The pose with the least backlash so far, with its run and mating.
-#[derive(Default)]
-struct Least(Option<(f64, Run, Mating)>);
-
-impl Least {
-    fn add<'a>(
-        &mut self,
-        binding: Binding,
-        run: &Run,
-        poses: impl Iterator<Item = &'a PoseResult>,
-    ) {
-        for pose in poses {
+/// The pose with the least backlash that a contact of this kind bounds: of the extremes and of the poses that `study` asks for.
+fn least_of(
+    binding: Binding,
+    study: &Study,
+    found: &CycleExtremes,
+) -> Result<Option<(Material, AssembledPair, PoseResult)>, Error> {
+    let mut least: Option<(f64, Material, AssembledPair, Mating)> = None;
+    let mut add = |material: Material, assembly: &AssembledPair, poses: &[ComparedPose]| {
+        for pose in poses.iter().map(|pose| &pose.simulated) {
             let Some(backlash) = pose.backlash else {
                 continue;
             };
-            let less = self.0.as_ref().is_none_or(|(least, ..)| backlash < *least);
-            if less && binding.bounds(&run.assembly, pose) {
-                let run = Run {
-                    poses: Vec::new(),
-                    ..run.clone()
-                };
-                self.0 = Some((backlash, run, *pose.pose.mating()));
+            let is_less = least.as_ref().is_none_or(|(least, ..)| backlash < *least);
+            if is_less && binding.bounds(assembly, pose) {
+                least = Some((backlash, material, assembly.clone(), *pose.pose.mating()));
             }
         }
+    };
+    for run in &found.runs {
+        add(run.run.material, &run.run.assembly, &run.poses);
     }
-
-    /// Adds the poses that `study` asks for.
-    fn of_poses(&mut self, binding: Binding, study: &Study) -> Result<(), Error> {
-        let progress = Progress::of(study.pose_count(), "poses");
-        let exact = Method::Exact { certify: false };
-        let take = &mut |piece: Piece| {
-            if let Piece::Poses(of, poses) = piece {
-                let run = Run {
-                    material: of.material,
-                    assembly: of.assembly.clone(),
-                    phase: of.phase,
-                    poses: Vec::new(),
-                };
-                self.add(binding, &run, poses.iter().map(|pose| &pose.simulated));
-            }
-            Ok::<(), Error>(())
-        };
-        simulate_by_blocks(
-            study,
-            exact,
-            study.tolerance_um,
-            0,
-            &|| progress.tick(),
-            take,
-        )?;
-        Ok(())
-    }
+    let progress = Progress::of(study.pose_count(), "poses");
+    let (exact, tolerance) = (Method::Exact { certify: false }, study.tolerance_um);
+    let take = &mut |piece: Piece| {
+        if let Piece::Poses(of, poses) = piece {
+            add(of.material, &of.assembly, poses);
+        }
+        Ok::<(), Error>(())
+    };
+    simulate_by_blocks(study, exact, tolerance, 0, &|| progress.tick(), take)?;
+    let Some((_, material, assembly, mating)) = least else {
+        return Ok(None);
+    };
+    let pose = assembly.lost_motion(mating)?;
+    Ok(Some((material, assembly, pose)))
 }
 
 fn narrowed(

@@ -39,6 +39,7 @@ pub fn gauged_file(
         "The thickness is the mean: the pitch carries how it varies. The runout is twice the eccentricity, which the tip circle shows.".to_owned(),
     ];
     let thickness = thickness(spec.teeth, readings, &mut comments)?;
+    let eccentricity = readings.eccentricity.as_ref().map_err(Clone::clone)?;
     let pitch = readings.pitch_own.as_ref().map_err(Clone::clone)?;
     let pitch = |flank| Some(um(pitch.cumulative.flank(flank)));
     let file = GearFileSpec {
@@ -46,8 +47,8 @@ pub fn gauged_file(
         gear: GearSpec {
             thickness,
             runout: RunoutSpec {
-                total_um: 2e3 * readings.eccentricity.amount,
-                high_tooth: Some(readings.eccentricity.high_tooth),
+                total_um: 2e3 * eccentricity.amount,
+                high_tooth: Some(eccentricity.high_tooth),
                 ..RunoutSpec::default()
             },
             pitch: Some(PitchSpec {

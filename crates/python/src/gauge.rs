@@ -4,7 +4,7 @@ use crate::call::work;
 use crate::error::error;
 use crate::gear::Gear;
 use gearlash::gauge::{Settings, gauge as measure};
-use gearlash_results::gauge::{GaugedGear, json};
+use gearlash_results::gauge::{GaugedGear, GearSource, json};
 use pyo3::prelude::*;
 
 /// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses a pitch: a tuple in Python.
@@ -58,8 +58,7 @@ pub fn gauge(
         title: &gear.title,
         name: gear.entry.name,
         material,
-        gear: as_built,
-        spec,
+        gear: GearSource::Data(as_built, spec),
         gauged,
     };
     json(&gear.title, &[gauged]).map_err(|reason| error(py, reason))

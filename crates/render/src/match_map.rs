@@ -3,20 +3,17 @@
 //! A pair's shade is the distance of its backlash from the target, in the assembly phase that suits it best: how far its least or
 //! its greatest strays over the mesh cycle. A cross stands where no phase keeps what is required.
 
-use crate::kit::{Frame, INK, Spot, TextStyle, blank_sheet, line, number, scale};
+use crate::kit::{
+    Frame, INK, Spot, TextStyle, blank_sheet, disc, line, number, scale, shaded, turned,
+};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
 use gearlash_files::numbers::{rounded, shortest};
 use svg::node::Node;
-use svg::node::element::{Circle, Group};
+use svg::node::element::Group;
 
 const WIDTH: f64 = 900.0;
-const FIELD: Frame = Frame {
-    left: 110.0,
-    top: 84.0,
-    right: 650.0,
-    bottom: 624.0,
-};
+const FIELD: Frame = Frame::new([110.0, 84.0], [650.0, 624.0]);
 const HEIGHT: f64 = 740.0;
 /// Gears of a kind up to which each is named.
 const MOST_NAMED: usize = 45;
@@ -91,29 +88,21 @@ fn cell([wheel, pinion]: [usize; 2], [wheels, pinions]: [usize; 2]) -> Frame {
     }
 }
 
-/// Cells of one shade beside each other in a row are one rectangle; crosses over them.
+/// The shades of the pairs, and crosses over those that miss what is required.
 fn cells(result: &MatchResult, size: [usize; 2], step: f64) -> Group {
-    let mut group = Group::new().set("shape-rendering", "crispEdges");
+    let [wheels, pinions] = size;
+    let shades = (0..wheels).map(|wheel| {
+        let row = (0..pinions).map(|pinion| shade(result, wheel, pinion, step));
+        row.map(|shade| shade.unwrap_or("#ffffff")).collect()
+    });
     let mut crosses = Group::new();
-    for wheel in 0..size[0] {
-        let row = (0..size[1]).map(|pinion| shade(result, wheel, pinion, step));
-        let row: Vec<Option<&str>> = row.collect();
-        let mut first = 0;
-        for run in row.chunk_by(|a, b| a == b) {
-            let last = first + run.len() - 1;
-            let frame = Frame {
-                right: cell([wheel, last], size).right,
-                ..cell([wheel, first], size)
-            };
-            let fill = run[0].unwrap_or("#ffffff");
-            group.append(frame.rectangle().set("fill", fill));
-            first = last + 1;
-        }
-        for pinion in (0..size[1]).filter(|pinion| !meets(result, wheel, *pinion)) {
+    for wheel in 0..wheels {
+        for pinion in (0..pinions).filter(|pinion| !meets(result, wheel, *pinion)) {
             crosses.append(missed(&cell([wheel, pinion], size)));
         }
     }
-    Group::new().add(group).add(crosses)
+    let shades: Vec<Vec<&str>> = shades.collect();
+    Group::new().add(shaded(&FIELD, &shades)).add(crosses)
 }
 
 /// A cross over a cell, readable on every shade.
@@ -138,11 +127,7 @@ fn dots(result: &MatchResult, size: [usize; 2]) -> Group {
     for &(wheel, pinion) in &result.places {
         let [x, y] = cell([wheel, pinion], size).middle();
         group = group.add(
-            Circle::new()
-                .set("cx", number(x))
-                .set("cy", number(y))
-                .set("r", number(radius))
-                .set("fill", INK)
+            disc([x, y], radius, INK)
                 .set("stroke", "#ffffff")
                 .set("stroke-width", number(0.25 * radius)),
         );
@@ -188,14 +173,8 @@ fn names(result: &MatchResult, size: [usize; 2]) -> Group {
             continue;
         }
         let (x, y) = (x + SMALL.below_middle(), FIELD.bottom + 8.0);
-        let mut name = SMALL
-            .end()
-            .verbatim(&SMALL.shortened(&plain(name), UPRIGHT), [x, y]);
-        name.assign(
-            "transform",
-            format!("rotate(-90 {} {})", number(x), number(y)),
-        );
-        group.append(name);
+        let name = SMALL.shortened(&plain(name), UPRIGHT);
+        group.append(turned(SMALL.end().verbatim(&name, [x, y]), [x, y]));
     }
     group
 }
@@ -212,12 +191,7 @@ fn legend(result: &MatchResult, step: f64) -> Group {
     y += 24.0;
     for (number, colour) in SHADES.iter().enumerate() {
         y += 24.0;
-        let frame = Frame {
-            left,
-            top: y - 12.0,
-            right: left + 16.0,
-            bottom: y + 4.0,
-        };
+        let frame = Frame::new([left, y - 12.0], [left + 16.0, y + 4.0]);
         let from = step * number as f64;
         let name = match number + 1 == SHADES.len() {
             true => format!("{} µm or more", um(from)),
@@ -227,20 +201,11 @@ fn legend(result: &MatchResult, step: f64) -> Group {
         group.append(SMALL.text(&name, [left + 24.0, y]));
     }
     y += 26.0;
-    let frame = Frame {
-        left,
-        top: y - 12.0,
-        right: left + 16.0,
-        bottom: y + 4.0,
-    };
+    let frame = Frame::new([left, y - 12.0], [left + 16.0, y + 4.0]);
     group.append(missed(&frame));
     group.append(SMALL.text("misses what is required", [left + 24.0, y]));
     y += 26.0;
-    let dot = Circle::new()
-        .set("cx", number(left + 8.0))
-        .set("cy", number(y - 4.0))
-        .set("r", "5")
-        .set("fill", INK);
+    let dot = disc([left + 8.0, y - 4.0], 5.0, INK);
     let phases = format!("{} assembly phases of each pair", result.matrix.phases());
     group
         .add(dot)

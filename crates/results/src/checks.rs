@@ -1,6 +1,6 @@
 //! The checks of a pair as a judged file, and the map of what touches as CSV.
 
-use crate::check::CheckRow;
+use crate::check::{CheckRow, unit};
 use crate::column::Row;
 use crate::extreme::extremes;
 use crate::fitted;
@@ -8,7 +8,7 @@ use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
 use crate::remedies::RemedyRecord;
 use crate::run::contact_count;
-use crate::text::check::{governing, outlines, text, unit};
+use crate::text::check::{governing, text};
 use crate::verdict::lines;
 use crate::verdict_json::verdict_record;
 use gearlash::analysis::backlash_map::BacklashMap;
@@ -81,7 +81,7 @@ pub fn checked<'a>(
             json[key] = json!(words);
         }
     }
-    json["verdict"] = json!(verdict_record(verdict));
+    json["verdict"] = verdict_record(verdict);
     json["extremes"] = extremes(verdict).into();
     json["checks_verdict"] = diagnosis.verdict().name().into();
     json["checks"] = checks.collect();
@@ -104,14 +104,17 @@ pub fn checked<'a>(
 
 fn case(check: &Check) -> Case {
     let value = |value: Option<f64>| fixed(value, 4);
+    let outlines = match (&check.unproven, check.outlines) {
+        (Some(_), None) => "unproven".to_owned(),
+        (_, outlines) => value(outlines),
+    };
     let note = match check.note.is_empty() {
         true => String::new(),
         false => format!("; {}", check.note),
     };
     let numbers = format!(
-        "formula {}, outlines {}, limit {} {}",
+        "formula {}, outlines {outlines}, limit {} {}",
         value(check.formula),
-        outlines(check, value),
         value(check.limit),
         unit(check.unit)
     );

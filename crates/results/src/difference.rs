@@ -5,6 +5,7 @@ use gearlash_files::characters::{csv_text, json_of};
 use gearlash_files::numbers::{fixed, signed_um, um};
 use gearlash_files::outlines::ComparedOutlines;
 use serde::Serialize;
+use serde_json::json;
 
 /// How far B lies from A.
 pub fn difference_sentence(compared: &ComparedOutlines) -> String {
@@ -35,41 +36,6 @@ pub fn turn_words(compared: &ComparedOutlines) -> String {
 }
 
 #[derive(Serialize)]
-struct Result<'a> {
-    gearlash: &'static str,
-    passed: bool,
-    tolerance_um: Option<f64>,
-    a: DrawingRecord<'a>,
-    b: DrawingRecord<'a>,
-    rotation_deg: f64,
-    b_tooth_on_a_tooth_1: u32,
-    turns_alike: u32,
-    mean_um: f64,
-    root_mean_square_um: f64,
-    greatest: PlaceRecord,
-    least: PlaceRecord,
-    error_bound_um: f64,
-}
-
-#[derive(Serialize)]
-struct DrawingRecord<'a> {
-    file: &'a str,
-    teeth: u32,
-    center_mm: [f64; 2],
-    tip_diameter_mm: f64,
-    root_diameter_mm: f64,
-    error_bound_um: f64,
-}
-
-#[derive(Serialize)]
-struct PlaceRecord {
-    deviation_um: f64,
-    a_tooth: u32,
-    point_mm: [f64; 2],
-    radius_mm: f64,
-}
-
-#[derive(Serialize)]
 struct Row {
     a_tooth: u32,
     x_mm: f64,
@@ -84,7 +50,7 @@ struct Row {
 ///
 /// # Errors
 /// Of the csv crate.
-pub fn difference_csv(compared: &ComparedOutlines) -> std::result::Result<String, csv::Error> {
+pub fn difference_csv(compared: &ComparedOutlines) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for at in &compared.difference.along {
         let point = compared.in_drawing(at);
@@ -109,35 +75,39 @@ pub fn comparison_json(
     compared: &ComparedOutlines,
     tolerance_um: Option<f64>,
 ) -> serde_json::Result<String> {
-    let drawing = |k: usize| DrawingRecord {
-        file: &compared.files[k],
-        teeth: compared.gears[k].teeth(),
-        center_mm: compared.centres[k].into(),
-        tip_diameter_mm: 2.0 * compared.gears[k].tip_radius(),
-        root_diameter_mm: 2.0 * compared.gears[k].root_radius(),
-        error_bound_um: 1e3 * compared.gears[k].bound(),
+    let drawing = |k: usize| {
+        let gear = &compared.gears[k];
+        json!({
+            "file": compared.files[k],
+            "teeth": gear.teeth(),
+            "center_mm": <[f64; 2]>::from(compared.centres[k]),
+            "tip_diameter_mm": 2.0 * gear.tip_radius(),
+            "root_diameter_mm": 2.0 * gear.root_radius(),
+            "error_bound_um": 1e3 * gear.bound(),
+        })
     };
-    let place = |at: &Deviation| PlaceRecord {
-        deviation_um: 1e3 * at.beyond,
-        a_tooth: at.tooth,
-        point_mm: compared.in_drawing(at).into(),
-        radius_mm: at.point.coords.norm(),
+    let place = |at: &Deviation| {
+        json!({
+            "deviation_um": 1e3 * at.beyond,
+            "a_tooth": at.tooth,
+            "point_mm": <[f64; 2]>::from(compared.in_drawing(at)),
+            "radius_mm": at.point.coords.norm(),
+        })
     };
     let found = &compared.difference;
-    let result = Result {
-        gearlash: env!("CARGO_PKG_VERSION"),
-        passed: compared.passes(tolerance_um),
-        tolerance_um,
-        a: drawing(0),
-        b: drawing(1),
-        rotation_deg: found.rotation.to_degrees(),
-        b_tooth_on_a_tooth_1: found.tooth,
-        turns_alike: found.alike,
-        mean_um: 1e3 * found.mean,
-        root_mean_square_um: 1e3 * found.root_mean_square,
-        greatest: place(&found.greatest),
-        least: place(&found.least),
-        error_bound_um: 1e3 * found.bound,
-    };
-    json_of(&result)
+    json_of(&json!({
+        "gearlash": env!("CARGO_PKG_VERSION"),
+        "passed": compared.passes(tolerance_um),
+        "tolerance_um": tolerance_um,
+        "a": drawing(0),
+        "b": drawing(1),
+        "rotation_deg": found.rotation.to_degrees(),
+        "b_tooth_on_a_tooth_1": found.tooth,
+        "turns_alike": found.alike,
+        "mean_um": 1e3 * found.mean,
+        "root_mean_square_um": 1e3 * found.root_mean_square,
+        "greatest": place(&found.greatest),
+        "least": place(&found.least),
+        "error_bound_um": 1e3 * found.bound,
+    }))
 }

@@ -1,10 +1,10 @@
 //! Drawn gears in words, and the involute that a drawing looks like, as a record.
 
-use gearlash::outline::{FittedInvolute, OutlineGear};
+use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
 use gearlash_files::numbers::{fixed, trimmed, um, within};
 use gearlash_files::spec::EitherGearSpec;
 use gearlash_files::{AnyPairSpec, PairView};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// The drawn gears of a pair that look like an involute, by name.
 fn fitted<'a>(file: &PairView<'a>) -> Vec<(&'static str, &'a OutlineGear, FittedInvolute)> {
@@ -71,46 +71,26 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
     )
 }
 
-/// An involute that a gear looks like.
-#[derive(Debug, Serialize)]
-pub(super) struct FittedRecord {
-    gear: &'static str,
-    base_diameter_mm: f64,
-    base_diameter_error_mm: f64,
-    base_tooth_thickness_mm: f64,
-    module_times_cos_mm: f64,
-    residual_um: f64,
-    residual_limit_um: f64,
-    standard: Vec<StandardRecord>,
-}
-
-#[derive(Debug, Serialize)]
-struct StandardRecord {
-    module_mm: f64,
-    pressure_angle_deg: f64,
-    generating_shift: f64,
-}
-
-/// The records of the drawn gears that look like an involute.
-pub(super) fn records(file: &PairView) -> Vec<FittedRecord> {
-    let each = fitted(file).into_iter();
-    each.map(|(gear, outline, found)| FittedRecord {
-        gear,
-        base_diameter_mm: 2.0 * found.base_radius,
-        base_diameter_error_mm: 2.0 * found.base_radius_error,
-        base_tooth_thickness_mm: found.base_thickness,
-        module_times_cos_mm: 2.0 * found.base_radius / f64::from(outline.teeth()),
-        residual_um: 1e3 * found.residual,
-        residual_limit_um: 1e3 * found.limit,
-        standard: found
-            .standard
-            .iter()
-            .map(|standard| StandardRecord {
-                module_mm: standard.module,
-                pressure_angle_deg: standard.pressure_angle.to_degrees(),
-                generating_shift: standard.shift,
-            })
-            .collect(),
-    })
-    .collect()
+/// The involutes that drawn gears look like as JSON, an object for each.
+pub(super) fn records(file: &PairView) -> Vec<Value> {
+    let standard = |standard: &StandardGear| {
+        json!({
+            "module_mm": standard.module,
+            "pressure_angle_deg": standard.pressure_angle.to_degrees(),
+            "generating_shift": standard.shift,
+        })
+    };
+    let record = |(gear, outline, found): (&str, &OutlineGear, FittedInvolute)| {
+        json!({
+            "gear": gear,
+            "base_diameter_mm": 2.0 * found.base_radius,
+            "base_diameter_error_mm": 2.0 * found.base_radius_error,
+            "base_tooth_thickness_mm": found.base_thickness,
+            "module_times_cos_mm": 2.0 * found.base_radius / f64::from(outline.teeth()),
+            "residual_um": 1e3 * found.residual,
+            "residual_limit_um": 1e3 * found.limit,
+            "standard": found.standard.iter().map(standard).collect::<Vec<_>>(),
+        })
+    };
+    fitted(file).into_iter().map(record).collect()
 }

@@ -8,8 +8,7 @@ use crate::layout::{Screen, Tone};
 use crate::verdict::VerdictLines;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash_files::characters::{self, plain};
-use serde::Serialize;
-use serde_json::{Value, to_value};
+use serde_json::{Value, json};
 use std::fmt::Write;
 use std::io;
 
@@ -96,19 +95,6 @@ pub struct Outcome {
     pub command: &'static str,
     /// The files, in the order of the command line.
     pub files: Vec<JudgedFile>,
-}
-
-#[derive(Serialize)]
-struct OutcomeRecord {
-    gearlash: &'static str,
-    passed: bool,
-    files: Vec<Value>,
-}
-
-#[derive(Serialize)]
-struct UnreadableRecord<'a> {
-    file: &'a str,
-    error: String,
 }
 
 /// Files named in the last line, at most.
@@ -219,17 +205,16 @@ impl Outcome {
     /// None for an outcome; a number that JSON cannot hold otherwise.
     pub fn json(&self) -> serde_json::Result<String> {
         let files = self.files.iter().map(|file| match file {
-            JudgedFile::Judged(judged) => Ok(judged.json.clone()),
-            JudgedFile::Unreadable { file, problems } => to_value(&UnreadableRecord {
-                file,
-                error: problems.join("\n"),
-            }),
+            JudgedFile::Judged(judged) => judged.json.clone(),
+            JudgedFile::Unreadable { file, problems } => {
+                json!({ "file": file, "error": problems.join("\n") })
+            }
         });
-        characters::json_of(&OutcomeRecord {
-            gearlash: env!("CARGO_PKG_VERSION"),
-            passed: self.passes(),
-            files: files.collect::<serde_json::Result<Vec<_>>>()?,
-        })
+        characters::json_of(&json!({
+            "gearlash": env!("CARGO_PKG_VERSION"),
+            "passed": self.passes(),
+            "files": files.collect::<Vec<Value>>(),
+        }))
     }
 
     /// GitHub workflow commands: errors and warnings, nothing for what passes.

@@ -123,6 +123,11 @@ impl Column {
         self.left
     }
 
+    /// Whether its cells stand below their row.
+    pub fn is_below(&self) -> bool {
+        self.fit == Fit::Below
+    }
+
     /// The column under another heading.
     pub(crate) fn renamed(&self, name: impl Fn(&str) -> String) -> Column {
         Column {

@@ -580,7 +580,13 @@ fn sentences(verdict: &Verdict) -> Vec<String> {
         sentences.push(format!("± is the expanded uncertainty, k = {k}"));
     }
     if verdict.requirement == Requirement::Met {
-        sentences.push("Requirement met".to_owned());
+        let is_sampled = least_and_greatest(verdict).any(is_sampled);
+        let at = if is_sampled {
+            " at the sampled poses"
+        } else {
+            ""
+        };
+        sentences.push(format!("Requirement met{at}"));
     }
     sentences
 }

@@ -9,26 +9,7 @@ use gearlash::analysis::extremes::CoveredPhases;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::outline::AssembledPair;
 use gearlash_files::characters;
-use serde::Serialize;
-
-/// What is said first.
-#[derive(Debug, Serialize)]
-pub(super) struct VerdictRecord {
-    text: String,
-    assembles: Option<bool>,
-    requirement: &'static str,
-    phases: PhasesRecord,
-    failed_checks: Vec<&'static str>,
-    matings: u64,
-}
-
-/// The assembly phases that a verdict covers: `"all"`, or the wheel and pinion tooth that name each.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum PhasesRecord {
-    All(&'static str),
-    Some(Vec<(u32, u32)>),
-}
+use serde_json::{Value, json};
 
 /// The extremes that `verdict` rests on as JSON: a list of what results have under `extremes`.
 ///
@@ -50,16 +31,18 @@ pub fn pose_json(
         .map(characters::json)
 }
 
-pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {
-    VerdictRecord {
-        text: lines(verdict).to_string(),
-        assembles: verdict.assembles(),
-        requirement: verdict.requirement.name(),
-        phases: match CoveredPhases::of(verdict.runs) {
-            CoveredPhases::All => PhasesRecord::All("all"),
-            CoveredPhases::Some(phases) => PhasesRecord::Some(phases),
+/// `verdict` as JSON. The assembly phases that it covers are `"all"`, or the wheel and pinion tooth that name each.
+pub(super) fn verdict_record(verdict: &Verdict) -> Value {
+    let failed = verdict.failed_checks.iter().map(|check| check.id);
+    json!({
+        "text": lines(verdict).to_string(),
+        "assembles": verdict.assembles(),
+        "requirement": verdict.requirement.name(),
+        "phases": match CoveredPhases::of(verdict.runs) {
+            CoveredPhases::All => json!("all"),
+            CoveredPhases::Some(phases) => json!(phases),
         },
-        failed_checks: verdict.failed_checks.iter().map(|check| check.id).collect(),
-        matings: verdict.matings(),
-    }
+        "failed_checks": failed.collect::<Vec<_>>(),
+        "matings": verdict.matings(),
+    })
 }

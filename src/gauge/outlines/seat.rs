@@ -4,9 +4,9 @@
 //! distances finds it. It comes from outside, above the middle of the space; no step is longer than the way to the nearest metal, so it goes through
 //! none. The half teeth reach to the middle of the space's root: a pin that touches neither flank first, or the root alone, has no seat.
 
+use super::after;
 use super::place::{Place, Sought, rounding};
-use super::{OutlineSeat, after};
-use crate::gauge::Unmeasured;
+use crate::gauge::{Seat, Unmeasured};
 use crate::gear::Flank;
 use crate::outline::OutlineGear;
 use crate::parallel;
@@ -22,10 +22,10 @@ const SHARE: f64 = 0.9;
 const HOLD: f64 = 1e-3;
 
 /// Lays a pin of `diameter` into every space.
-pub(super) fn seats(gear: &OutlineGear, diameter: f64) -> Result<Vec<OutlineSeat>, Unmeasured> {
+pub(super) fn seats(gear: &OutlineGear, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
     let seats = parallel::map(1..=gear.teeth(), |tooth| seat(gear, tooth, diameter));
     let seats = seats.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let low = |seat: &&OutlineSeat| seat.centre.coords.norm() + 0.5 * diameter <= gear.tip_radius();
+    let low = |seat: &&Seat| seat.centre.coords.norm() + 0.5 * diameter <= gear.tip_radius();
     match seats.iter().find(low) {
         Some(low) => Err(Unmeasured(format!(
             "a pin of {diameter} mm does not stand out of the space after tooth {}",
@@ -36,7 +36,7 @@ pub(super) fn seats(gear: &OutlineGear, diameter: f64) -> Result<Vec<OutlineSeat
 }
 
 /// Lays a pin of `diameter` into the space after `tooth`.
-fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<OutlineSeat, Unmeasured> {
+fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured> {
     let (face, radius, fine) = (gear.face(), 0.5 * diameter, rounding(gear));
     let ends = [(Flank::Right, 0), (Flank::Left, 1)].map(|(flank, steps)| {
         let (side, tooth) = (face.seen_from_front(flank), after(gear, tooth, steps));
@@ -61,11 +61,12 @@ fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<OutlineSeat, Un
             // Each distance is within its bound, and a centre between two gradients of the determinant D moves by at most √2 · √2/|D| as much.
             let missed = found[0].missed.max(found[1].missed);
             let distance = lack.amax() + missed + fine + gear.bound();
-            return Ok(OutlineSeat {
+            return Ok(Seat {
                 tooth,
                 centre: Point2::new(centre.re, centre.im),
                 error: 2.0 * distance / hold,
                 touched: [0, 1].map(|i: usize| found[i].touch(ends[i].2, ends[i].1)),
+                sections: [0.0; 2],
             });
         }
         let step = inverse * lack;

@@ -5,9 +5,9 @@
 //! that by the part across `u` of the join of the two places touched. The reading is `W` where it is stationary, nearest to the direction square
 //! to the middle of the teeth spanned: on involutes anywhere on the plateau, on round flanks the greatest, on flat parallel ones the least.
 
+use super::after;
 use super::place::{Place, Sought, rounding};
-use super::{OutlineSpan, OutlineSpans, after};
-use crate::gauge::Unmeasured;
+use crate::gauge::{Span, Spans, Unmeasured};
 use crate::gear::{Flank, Side};
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 use crate::parallel;
@@ -29,7 +29,7 @@ const LEVEL: f64 = 1e-6;
 const ROCKS: u32 = 32;
 
 /// Measures the span over `k` teeth all round.
-pub(super) fn spans(gear: &OutlineGear, k: u32) -> Result<OutlineSpans, Unmeasured> {
+pub(super) fn spans(gear: &OutlineGear, k: u32) -> Result<Spans, Unmeasured> {
     if k == 0 || k > gear.teeth() / 2 {
         return Err(Unmeasured(format!(
             "a span over {k} of {} teeth: allowed is 1 up to half of them",
@@ -48,7 +48,7 @@ pub(super) fn spans(gear: &OutlineGear, k: u32) -> Result<OutlineSpans, Unmeasur
             readings.len()
         )));
     }
-    Ok(OutlineSpans {
+    Ok(Spans {
         teeth: k,
         readings: readings.into_iter().map(|(span, _)| span).collect(),
     })
@@ -123,7 +123,7 @@ impl<'a> Anvils<'a> {
     }
 
     /// The reading, and whether an anvil's end alone touches.
-    fn close(&self) -> Result<(OutlineSpan, bool), Unmeasured> {
+    fn close(&self) -> Result<(Span, bool), Unmeasured> {
         let step = 0.5 * self.gear.pitch() / f64::from(ROCKS);
         // The last one tried on either side.
         let mut last = [(0.0, self.closed(0.0).slope); 2];
@@ -144,7 +144,7 @@ impl<'a> Anvils<'a> {
     }
 
     /// The reading between two directions whose slopes have opposite signs.
-    fn between(&self, [mut one, mut other]: [(f64, f64); 2]) -> (OutlineSpan, bool) {
+    fn between(&self, [mut one, mut other]: [(f64, f64); 2]) -> (Span, bool) {
         let fine = rounding(self.gear);
         let rest = |one: (f64, f64), other: (f64, f64)| {
             one.1.abs().max(other.1.abs()) * (one.0 - other.0).abs()
@@ -166,11 +166,12 @@ impl<'a> Anvils<'a> {
             let missed = closed.places[0].missed + closed.places[1].missed;
             let touch =
                 |end: usize| closed.places[end].touch(self.outer[end].half, self.outer[end].tooth);
-            let span = OutlineSpan {
+            let span = Span {
                 first_tooth: self.outer[0].tooth,
                 length: closed.length,
                 error: missed + rest(one, other) + 2.0 * (fine + self.gear.bound()),
                 touched: [touch(0), touch(1)],
+                sections: [0.0; 2],
             };
             return (span, low);
         }

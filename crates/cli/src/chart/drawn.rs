@@ -1,7 +1,7 @@
 //! What each kind of chart is drawn from.
 
 use super::super::console::{tell, tell_verdict};
-use super::super::drawing::{End, Gear, material};
+use super::super::gears::{GearName, MaterialName, material};
 use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
 use super::super::poses;
@@ -128,8 +128,8 @@ impl DrawnChart {
         let (_, wheel, pinion) =
             gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
         let (name, gear) = match args.gear {
-            Some(Gear::Pinion) => ("pinion", pinion),
-            Some(Gear::Wheel) | None => ("wheel", wheel),
+            Some(GearName::Pinion) => ("pinion", pinion),
+            Some(GearName::Wheel) | None => ("wheel", wheel),
         };
         let inspection = Inspection::of(gear);
         Ok(DrawnChart {
@@ -165,25 +165,25 @@ impl DrawnChart {
         let distance = asked_distance(args)?;
         let end = args.material.map(|end| material(end, &study)).transpose()?;
         let title = study.title.clone();
-        let (run, pose, unproven) =
-            worst::find(("--kind field", Wanted::Least), study, distance, end)?;
-        let field = run.assembly.data().and_then(|pair| Field::of(pair, &pose));
+        let found = worst::find(("--kind field", Wanted::Least), study, distance, end)?;
+        let pair = found.assembly.data();
+        let field = pair.and_then(|pair| Field::of(pair, &found.pose));
         let field = field.ok_or_else(|| {
             Error::Usage(
                 "--kind field: the worst pose is jammed or unproven; there are no contact lines"
                     .to_owned(),
             )
         })?;
-        let a = run.assembly.center_distance();
+        let a = found.assembly.center_distance();
         let subtitle = format!(
             "Field of action at the least backlash · a = {} mm · {}",
             stated_distance(a),
-            run.material.words()
+            found.material.words()
         );
         Ok(DrawnChart {
             svg: chart::field(&heading(&title, &subtitle), &field)?.svg,
-            file: format!("chart_field_a{a}_{}.svg", run.material.name()),
-            agrees: all_proven(unproven),
+            file: format!("chart_field_a{a}_{}.svg", found.material.name()),
+            agrees: all_proven(found.unproven),
         })
     }
 }
@@ -248,8 +248,8 @@ fn print_verdict(analysis: &Analysis) -> String {
 
 fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String {
     let end = match args.material {
-        Some(End::Most) => "_most",
-        Some(End::Least) => "_least",
+        Some(MaterialName::Most) => "_most",
+        Some(MaterialName::Least) => "_least",
         None => "",
     };
     let unit = suffix(unit);

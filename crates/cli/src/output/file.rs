@@ -143,7 +143,7 @@ impl OutputFile {
         if named.file_name().is_none() {
             return Err(wrong("this names no file"));
         }
-        guard(sources, named, named)?;
+        guard(sources, named)?;
         let (target, made) = match std::fs::metadata(named) {
             Ok(found) if found.is_dir() => {
                 return Err(wrong("this is a folder, name a file in it"));

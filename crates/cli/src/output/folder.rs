@@ -48,7 +48,7 @@ impl OutputFolder {
         };
         clear_dead(path);
         for name in folder.present().map_err(failed(path))? {
-            guard(sources, &path.join(&name), &path.join(&name))?;
+            guard(sources, &path.join(&name))?;
         }
         Temporary::new_in(path).map_err(failed(path))?;
         Ok(folder)
@@ -60,7 +60,7 @@ impl OutputFolder {
     /// [`Error::Output`], [`Error::OverInput`].
     pub fn create(&mut self, name: &str) -> Result<NewFile, Error> {
         let target = self.path.join(name);
-        guard(&self.sources, &target, &target)?;
+        guard(&self.sources, &target)?;
         let failed = failed(&target);
         if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
             return Err(failed(ErrorKind::IsADirectory.into()));
@@ -111,8 +111,7 @@ impl OutputFolder {
             self.add(name, content)?;
         }
         for (name, _) in &self.new {
-            let target = self.path.join(name);
-            guard(&self.sources, &target, &target)?;
+            guard(&self.sources, &self.path.join(name))?;
         }
         let is_new = |name: &String| self.new.iter().any(|(other, _)| other == name);
         for name in self.present().map_err(failed(&self.path))? {

@@ -67,12 +67,12 @@ fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
     }
 }
 
-/// An error where the file at `path`, called `named`, is one of `sources`.
-fn guard(sources: &Sources, path: &Path, named: &Path) -> Result<(), Error> {
+/// An error where the file at `path` is one of `sources`.
+fn guard(sources: &Sources, path: &Path) -> Result<(), Error> {
     match sources.named(path) {
         None => Ok(()),
         Some(input) => Err(Error::OverInput {
-            output: named.to_path_buf(),
+            output: path.to_path_buf(),
             input: input.to_path_buf(),
         }),
     }

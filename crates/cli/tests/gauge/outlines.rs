@@ -99,7 +99,10 @@ fn a_pair_of_outlines_and_a_gear_file() {
         let more = if [5, 7].contains(tooth) { thicker } else { 0.0 };
         assert!((mm - spans[0].1 - more).abs() < 0.02, "{tooth}: {mm}");
     }
-    assert!(pair["gears"][0].get("pins").is_none() && pair["gears"][1]["gear"] == "pinion");
+    let [wheel, pinion] = [&pair["gears"][0], &pair["gears"][1]];
+    assert_eq!(wheel["pins"]["not_measured"], "no diameter is given");
+    assert_eq!(wheel["roll"]["not_measured"], "an outline has no involute");
+    assert_eq!(pinion["gear"], "pinion");
     let of_gear = json(folder.path(), &["gear.toml", "--span", "3"]);
     assert_eq!(read(&of_gear, "spans", "readings"), spans);
     let csv = stdout(&mut gauge(

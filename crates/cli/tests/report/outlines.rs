@@ -63,7 +63,7 @@ fn the_page_of_two_drawings() {
             "7·15 / 7·16",
             "152.43",
             "174.18",
-            "2·20 / 2·1"
+            "3·19 / 3·20"
         ]
     );
     for (name, wheel, pinion) in [

@@ -56,7 +56,7 @@ fn the_rig_pair() {
         measured,
         "63 of 72 measured values lie inside the simulated band, 9 below it, 0 above it; 72 of 72 with the bearing clearance taken in."
     );
-    assert_eq!(row(&document, "#measured", "11·11")[4], "149.3 … 171.7");
+    assert_eq!(row(&document, "#measured", "11,11")[4], "149.3 … 171.7");
     // Both high teeth, 33, face each other: there the pair is tightest, half a turn on it is loosest.
     let cells = row(&document, "#result", "132.040");
     assert_eq!(cells[1], "yes");

@@ -27,11 +27,7 @@ fn span(name: &str, options: &Options) -> f64 {
         bound: one.bound_mm,
     };
     let gear = OutlineGear::new(&one.segments, &reading).unwrap();
-    gauge_outline(&gear, Some(3), None)
-        .spans
-        .unwrap()
-        .unwrap()
-        .mean()
+    gauge_outline(&gear, Some(3), None).spans.unwrap().mean()
 }
 
 /// Inkscape and OpenJSCAD write a z at each vertex, FreeCAD noise of 1e-9 in z, CAD programs place blocks.

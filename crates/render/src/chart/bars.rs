@@ -2,7 +2,7 @@
 
 use super::captions::entry;
 use super::paint::Look;
-use super::panel::{Entry, Mark, Panel, Swatch, range};
+use super::panel::{Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 
@@ -44,37 +44,22 @@ pub struct BarPanel<'a> {
     pub level: f64,
 }
 
-/// A bar chart of `series` over tooth numbers, side by side; the axes name what the numbers count, and
-/// quantity and unit.
-///
-/// # Errors
-/// [`PictureError`] when no series has a value.
-pub fn bars(
-    heading: &Heading,
-    [x_axis, y_axis]: [&str; 2],
-    series: &[BarSeries],
-) -> Result<Chart, PictureError> {
-    let panel = BarPanel {
-        title: "",
-        y_axis,
-        series,
-        limits: Vec::new(),
-        level: 0.0,
-    };
-    bar_panels(heading, x_axis, &[panel])
-}
-
-/// Bar charts over the same teeth, one below the other; `x_axis` stands below the last. The legend names the series of
+/// Bar charts over the same teeth, one below the other; `x_axis` stands below the last, `details` below the heading. The legend names the series of
 /// the first panel where there are several.
 ///
 /// # Errors
 /// [`PictureError`] when a panel has no value.
 pub fn bar_panels(
     heading: &Heading,
+    details: &str,
     x_axis: &str,
     panels: &[BarPanel],
 ) -> Result<Chart, PictureError> {
-    let height = if panels.len() > 1 { 260.0 } else { 340.0 };
+    let height = match panels.len() {
+        1 => 340.0,
+        2 => 260.0,
+        _ => 180.0,
+    };
     let mut drawn = Vec::new();
     for (index, bars) in panels.iter().enumerate() {
         let x_axis = if index + 1 == panels.len() {
@@ -90,10 +75,15 @@ pub fn bar_panels(
         drawn.push(panel);
     }
     let names = match panels.first() {
-        Some(first) if first.series.len() > 1 => legend(first.series),
+        Some(first) if first.series.len() > 1 => {
+            let series = first.series.iter();
+            series
+                .map(|bars| entry(bars.name, bars.look, Swatch::Bar))
+                .collect()
+        }
         _ => Vec::new(),
     };
-    sheet::draw(heading, "", &names, &drawn)
+    sheet::draw(heading, details, &names, &drawn)
 }
 
 impl BarPanel<'_> {
@@ -134,20 +124,8 @@ impl BarPanel<'_> {
     }
 }
 
-/// The legend of bars.
-pub(super) fn legend(series: &[BarSeries]) -> Vec<Entry> {
-    let series = series.iter();
-    series
-        .map(|bars| entry(bars.name, bars.look, Swatch::Bar))
-        .collect()
-}
-
 /// Bars from zero under a title, with the names of both axes; `None` without any value.
-pub(super) fn panel(
-    [title, x_axis, y_axis]: [&str; 3],
-    height: f64,
-    series: &[BarSeries],
-) -> Option<Panel> {
+fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) -> Option<Panel> {
     let values = || series.iter().flat_map(|bars| &bars.values).flatten();
     values().next()?;
     // A tenth of a unit at least: zeros stay on a line.

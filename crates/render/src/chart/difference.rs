@@ -1,12 +1,12 @@
 //! Simulation minus formula over the teeth.
 
 use super::captions::{course_axis, course_caption, empty, entry, unproven_note, unproven_of};
-use super::materials::{ends, thin, width};
 use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine, CoursePoint};
+use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
 
 /// Fill of the error bound.
@@ -44,10 +44,6 @@ pub fn difference(
         legend.push(entry("minus model 2, involute", Look::Plain, Swatch::Line));
         let mut marks = of(models[1], Look::Plain);
         marks.extend(of(models[0], Look::Left));
-        // At the lines of the model that tells the materials apart, if one does.
-        let labels = models.map(|model| ends(lines(), model, 1.0, y));
-        let labels = labels.into_iter().find(|labels| !labels.is_empty());
-        marks.extend(labels.into_iter().flatten());
         panels.push(Panel {
             title: format!("minus models 1 and 2{}", thin(course)),
             x: Axis {
@@ -129,7 +125,6 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         [0.18; 2],
         0.1,
     )?;
-    marks.extend(ends(lines(), off, 1.0 / unit, y));
     let tolerance = tolerance_um / unit;
     let words = match y[0] < -tolerance || y[1] > tolerance {
         true => {
@@ -179,4 +174,21 @@ fn unit(largest: f64) -> (f64, &'static str) {
     ];
     let suits = |unit: &&(f64, &str)| largest >= 0.1 * unit.0;
     *units.iter().find(suits).unwrap_or(&(1e-12, "10⁻¹² µm"))
+}
+
+/// The material of the thin lines, for a title.
+fn thin(course: &Course) -> &'static str {
+    let mut lines = course.lines.iter();
+    match lines.any(|line| line.material == Material::Least) {
+        true => " (thin: least material)",
+        false => "",
+    }
+}
+
+/// Width of a material's line.
+fn width(material: Material) -> f64 {
+    match material {
+        Material::Most | Material::AsMeasured => 1.8,
+        Material::Least => 0.8,
+    }
 }

@@ -114,12 +114,7 @@ fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Fram
             .min(within.bottom - EDGE - size[1])
             .max(within.top + EDGE),
     ];
-    let at = |left: f64, top: f64| Frame {
-        left,
-        top,
-        right: left + size[0],
-        bottom: top + size[1],
-    };
+    let at = |left: f64, top: f64| Frame::new([left, top], [left + size[0], top + size[1]]);
     let ways = |axis: usize, room: f64| {
         let count = (room / STEPS[axis]) as i32;
         (-count..=count).map(move |step| f64::from(step) * STEPS[axis])

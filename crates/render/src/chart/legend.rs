@@ -45,12 +45,7 @@ pub(super) fn draw(entries: &[Entry], sides: [f64; 2], top: f64) -> (Group, usiz
 /// The sample of an entry, its left end at `[x, y]`.
 fn draw_sample(entry: &Entry, [x, y]: [f64; 2], group: &mut Group) {
     let look = entry.look;
-    let frame = Frame {
-        left: x,
-        right: x + SAMPLE,
-        top: y - 6.0,
-        bottom: y + 6.0,
-    };
+    let frame = Frame::new([x, y - 6.0], [x + SAMPLE, y + 6.0]);
     if let Swatch::Band(opacity) | Swatch::LineInBand(opacity) = entry.sample {
         let band = frame.rectangle().set("fill", look.colour());
         group.append(band.set("fill-opacity", number(opacity)));

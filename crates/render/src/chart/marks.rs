@@ -4,9 +4,9 @@ use super::overplotting::{self, Overplotting};
 use super::paint::{GROUND_HATCH, INTERFERENCE, Look};
 use super::panel::{Mark, Point};
 use super::thin;
-use crate::kit::{Frame, Plot, Spot, line, number, polygon};
+use crate::kit::{Frame, Plot, Spot, disc, line, number, polygon};
 use svg::node::Node;
-use svg::node::element::{Circle, Group};
+use svg::node::element::Group;
 
 /// A hatched ground over the whole width up to a value of y.
 pub(super) fn ground(plot: &Plot, below: f64) -> Group {
@@ -78,12 +78,7 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
         }
         Mark::Bar { x, y, look } => {
             let ([left, bottom], [right, top]) = (plot.spot((x[0], y[0])), plot.spot((x[1], y[1])));
-            let frame = Frame {
-                left,
-                right,
-                top,
-                bottom,
-            };
+            let frame = Frame::new([left, top], [right, bottom]);
             group.append(bar(&frame, *look));
         }
     }
@@ -117,9 +112,7 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
     };
     for run in thin::runs(points, 1.0 / plot.scale()[0]) {
         if let [alone] = run[..] {
-            let [x, y] = plot.spot(alone);
-            let spot = Circle::new().set("cx", number(x)).set("cy", number(y));
-            group.append(spot.set("r", number(width)).set("fill", look.colour()));
+            group.append(disc(plot.spot(alone), width, look.colour()));
             continue;
         }
         match overplotting::of(&run, plot.scale()) {

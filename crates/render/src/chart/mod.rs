@@ -16,7 +16,6 @@ mod labels;
 mod legend;
 mod lines;
 mod marks;
-mod materials;
 mod overplotting;
 mod paint;
 mod panel;
@@ -27,7 +26,7 @@ mod sheet;
 mod thin;
 
 pub use crate::kit::Plot;
-pub use bars::{BarPanel, BarSeries, Limits, bar_panels, bars};
+pub use bars::{BarPanel, BarSeries, Limits, bar_panels};
 pub use difference::difference;
 pub use distance::{distance, distance_in};
 pub use field::field;

@@ -1,7 +1,7 @@
 //! Colours and line styles that survive colour-blindness and a black-and-white printer.
 
-use crate::kit::{GREY, INK, Spot, cross, number, square};
-use svg::node::element::{Circle, Element, Path};
+use crate::kit::{GREY, INK, Spot, cross, disc, square};
+use svg::node::element::{Element, Path};
 
 /// Ground of negative backlash: lighter than any band, in grey print too, distinguished from paper by its hatch.
 pub(super) const INTERFERENCE: &str = "#fdf3f0";
@@ -58,12 +58,7 @@ impl Look {
     pub(super) fn mark(self, at: Spot) -> Element {
         const HALF: f64 = 3.5;
         match self {
-            Look::Right => Circle::new()
-                .set("cx", number(at[0]))
-                .set("cy", number(at[1]))
-                .set("r", number(HALF))
-                .set("fill", self.colour())
-                .into(),
+            Look::Right => disc(at, HALF, self.colour()).into(),
             Look::Left => square(at, HALF, self.colour()).into(),
             Look::Plain | Look::Third | Look::Limit => cross(at, HALF, self.colour()).into(),
         }

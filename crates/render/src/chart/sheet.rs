@@ -292,12 +292,7 @@ fn element(id: &str, name: &str, [width, height]: [f64; 2], plot: &Plot) -> SVG 
     ] {
         element = element.set(format!("data-{name}"), value.to_string());
     }
-    let ground = Frame {
-        left: 0.0,
-        right: width,
-        top: 0.0,
-        bottom: height,
-    };
+    let ground = Frame::new([0.0, 0.0], [width, height]);
     element
         .add(title)
         .add(ground.rectangle().set("fill", "white"))

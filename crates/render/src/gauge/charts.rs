@@ -3,7 +3,6 @@
 //! Each says what gear it is of, how its teeth are numbered, where its zero stands, and, where there is an accuracy
 //! grade, between which lines that grade wants the values.
 
-use super::lengths::{ByTooth, Length, lengths};
 use crate::chart::{
     BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
     lines, profiles,
@@ -12,7 +11,7 @@ use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_results::gauge::{Chart, GaugedGear, page_name};
+use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, GearSource, Length, lengths, page_name};
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
@@ -68,19 +67,32 @@ fn bars(
     if values.all(|um| um.abs() < LEVEL) {
         return Ok(None);
     }
+    let x_axis = format!("{x_axis} · {NUMBERS}");
+    file(gauged, chart, |heading| {
+        bar_panels(heading, "", &x_axis, panels)
+    })
+}
+
+/// File name and SVG of a chart.
+fn file(
+    gauged: &GaugedGear,
+    chart: Chart,
+    draw: impl FnOnce(&Heading) -> Result<crate::chart::Chart, PictureError>,
+) -> Result<Option<(String, String)>, PictureError> {
     let stem = gauged.stem();
-    let heading = Heading {
+    let drawn = draw(&Heading {
         prefix: &chart.file_stem(&stem),
         title: gauged.title,
         subtitle: &subtitle(gauged),
-    };
-    let x_axis = format!("{x_axis} · {NUMBERS}");
-    let svg = bar_panels(&heading, &x_axis, panels)?.svg;
-    Ok(Some((chart.svg(&stem), svg)))
+    })?;
+    Ok(Some((chart.svg(&stem), drawn.svg)))
 }
 
 fn subtitle(gauged: &GaugedGear) -> String {
-    let design = gauged.gear.gear().design();
+    let GearSource::Data(gear, _) = gauged.gear else {
+        return gauged.words();
+    };
+    let design = gear.gear().design();
     let (basic_data, shift) = (&design.basic_data, design.profile_shift);
     // Degrees do not convert exactly.
     let degrees = rounded(basic_data.pressure_angle().to_degrees(), 9);
@@ -155,11 +167,12 @@ fn runout(
     gauged: &GaugedGear,
     read: &RunoutReadings,
 ) -> Result<Option<(String, String)>, PictureError> {
+    let eccentricity = gauged.gauged.eccentricity.as_ref().ok();
     let title = format!(
         "ball {} mm in each space · F_r {} µm, 2 e {} µm",
         read.diameter,
         um(read.total(), 3),
-        um(2.0 * gauged.gauged.eccentricity.amount, 3)
+        um(eccentricity.map(|found| 2.0 * found.amount), 3)
     );
     let series = [series("ball", &read.deviations(), Look::Plain)];
     let panel = BarPanel {
@@ -298,14 +311,9 @@ fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Pictur
     if !read.deviates() {
         return Ok(None);
     }
-    let stem = gauged.stem();
-    let heading = Heading {
-        prefix: &Chart::PROFILE.file_stem(&stem),
-        title: gauged.title,
-        subtitle: &subtitle(gauged),
-    };
-    let svg = profiles(&heading, read, 100.0 * LEVEL)?.svg;
-    Ok(Some((Chart::PROFILE.svg(&stem), svg)))
+    file(gauged, Chart::PROFILE, |heading| {
+        profiles(heading, read, 100.0 * LEVEL)
+    })
 }
 
 /// The double-flank roll test as a curve over one revolution.
@@ -314,7 +322,7 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
         return Ok(None);
     };
     let mean = roll.mean();
-    let teeth = gauged.gear.gear().basic_data().teeth();
+    let teeth = gauged.teeth();
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
     let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;
     let mut points: Vec<(f64, Option<f64>)> = roll
@@ -331,12 +339,6 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
     if points.iter().all(level) {
         return Ok(None);
     }
-    let stem = gauged.stem();
-    let heading = Heading {
-        prefix: &Chart::ROLL.file_stem(&stem),
-        title: gauged.title,
-        subtitle: &subtitle(gauged),
-    };
     let title = format!(
         "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}",
         roll.master.basic_data().teeth(),
@@ -358,6 +360,5 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
         look: Look::Plain,
         dots: false,
     };
-    let svg = lines(&heading, axes, &[line])?.svg;
-    Ok(Some((Chart::ROLL.svg(&stem), svg)))
+    file(gauged, Chart::ROLL, |heading| lines(heading, axes, &[line]))
 }

@@ -1,10 +1,7 @@
 //! What the gauges read, as text, as charts and as a gear file that states it.
 
 mod charts;
-mod lengths;
-mod outlines;
 mod text;
 
 pub use charts::{charts, page};
-pub use outlines::outlines;
-pub use text::{missing, text};
+pub use text::text;

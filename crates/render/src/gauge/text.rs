@@ -1,14 +1,13 @@
 //! What the gauges read, as a short table of each gear.
 
-use super::lengths::lengths;
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{
-    Eccentricity, FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading, Unmeasured,
+    Eccentricity, FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading,
 };
-use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
+use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use gearlash_results::gauge::GaugedGear;
+use gearlash_results::gauge::{GaugedGear, length_table, position_table};
 use gearlash_results::text::{Column, Screen, Table};
 use std::fmt::Write;
 
@@ -18,16 +17,21 @@ pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Scree
     for gauged in gears {
         let _ = write!(text, "\n{}\n\n", gauged.words());
         text += &length_table(gauged, screen);
-        text += &deviations(&gauged.gauged);
-        text += &grade_table(&gauged.gauged, screen);
-        text += &remarks(&gauged.gauged);
+        if gauged.basic_data().is_some() {
+            text += &deviations(&gauged.gauged);
+            text += &grade_table(&gauged.gauged, screen);
+        }
+        text += &remarks(gauged);
         if by_position {
+            text += POSITIONS;
             text += &position_table(gauged);
         }
     }
+    if gears.iter().all(|gauged| gauged.basic_data().is_none()) {
+        return screen.fold(&(text + &screen.paragraphs(OF_DRAWN)));
+    }
     text += &screen.paragraphs(LEGEND);
-    let helical = |gauged: &GaugedGear| gauged.gear.gear().basic_data().hand().is_some();
-    if gears.iter().any(helical) {
+    if gears.iter().any(GaugedGear::is_helical) {
         text += &screen.paragraphs(OF_HELICAL);
     }
     let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
@@ -43,37 +47,13 @@ Thickness is an arc of the reference circle. Pitch: own, about the gear's own ce
 which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
 --positions, --format csv and the CSV files have every reading tooth by tooth.";
 
+const OF_DRAWN: &str = "
+Lengths in mm; range and bound in µm. At: the first tooth spanned, or the tooth before the space of the (first) pin. The anvils reach \
+down to a third of the depth above the root.";
+
 const OF_HELICAL: &str = "
 Helical gears: all is of the measuring plane, the centres of the balls too. Span: along the normal of the helix. M_dK: over balls; \
 M_dR: over pins that lie along the spaces, opposite each other. Thickness: s_t on the arc of the transverse section, s_n = s_t cos β.";
-
-/// Lengths with their least, mean and greatest reading.
-fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
-    let mut table = Table::new([
-        Column::new(""),
-        Column::new("least"),
-        Column::new("mean"),
-        Column::new("greatest"),
-        Column::new("range"),
-        Column::new("formula").spare(1),
-        Column::new("off").spare(2),
-        Column::new("bound").spare(3),
-    ]);
-    for row in lengths(gauged) {
-        let [least, most] = row.ends;
-        table.add(vec![
-            row.name,
-            ascii(least, 6),
-            ascii(row.mean, 6),
-            ascii(most, 6),
-            um_ascii(most - least, 3),
-            ascii(row.formula, 6),
-            um_ascii(row.formula.map(|formula| row.mean - formula), 3),
-            order_um(row.error),
-        ]);
-    }
-    table.text(screen)
-}
 
 /// Runout, pitch and roll in µm.
 fn deviations(read: &Gauged) -> String {
@@ -83,7 +63,9 @@ fn deviations(read: &Gauged) -> String {
             text,
             "F_r {} µm ({})",
             um_ascii(runout.total(), 3),
-            eccentricity(&read.eccentricity),
+            read.eccentricity
+                .as_ref()
+                .map_or(String::new(), eccentricity),
         );
     }
     if let Ok(roll) = &read.roll {
@@ -201,48 +183,22 @@ fn graded_name(one: &GradedReading) -> String {
     }
 }
 
-/// What the gauges did not read on `gauged`, and why: a line each.
-pub fn missing(gauged: &GaugedGear) -> Vec<String> {
-    let lines = unmeasured(&gauged.gauged).into_iter();
-    let named = |line| format!("{}: {line}", gauged.words());
-    lines.map(named).collect()
-}
-
-/// What was not measured, and why.
-fn unmeasured(read: &Gauged) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut missing = |what: &str, reason: Option<&Unmeasured>| {
-        lines.extend(reason.map(|reason| format!("not measured, {what}: {reason}")));
-    };
-    missing("span", read.spans.as_ref().err());
-    missing("over pins", read.pins.as_ref().err());
-    missing("runout", read.runout.as_ref().err());
-    missing("pitch", read.pitch_own.as_ref().err());
-    missing("pitch about the axis", read.pitch_datum.as_ref().err());
-    missing("thickness", read.thickness.as_ref().err());
-    missing("profile", read.profile.as_ref().err());
-    missing("root diameter", read.root.as_ref().err());
-    missing("roll test", read.roll.as_ref().err());
-    lines
-}
-
 /// What was not measured, and what was touched off the involute.
-fn remarks(read: &Gauged) -> String {
+fn remarks(gauged: &GaugedGear) -> String {
+    let read = &gauged.gauged;
     let mut text = String::new();
-    for line in unmeasured(read) {
+    for line in gauged.unmeasured() {
         let _ = writeln!(text, "{line}");
     }
-    if let Err(reason) = &read.stated {
+    if let (Err(reason), Some(_)) = (&read.stated, gauged.basic_data()) {
         let _ = writeln!(text, "no gear file: {reason}");
     }
-    if let Ok(pins) = &read.pins {
-        let touches = pins.seats.iter().map(|seat| seat.touched);
-        text += &touched("pins", &touches.collect::<Vec<_>>());
-    }
-    if let Ok(runout) = &read.runout {
-        let touches = runout.readings.iter().map(|reading| reading.seat.touched);
-        text += &touched("balls", &touches.collect::<Vec<_>>());
-    }
+    let spans = read.spans.iter().flat_map(|spans| &spans.readings);
+    let pins = read.pins.iter().flat_map(|pins| &pins.seats);
+    let balls = read.runout.iter().flat_map(|runout| &runout.readings);
+    text += &touched("spans", spans.map(|span| span.touched).collect());
+    text += &touched("pins", pins.map(|seat| seat.touched).collect());
+    text += &touched("balls", balls.map(|ball| ball.seat.touched).collect());
     if let Ok(roll) = &read.roll {
         let off = |class: PoseClass| class != PoseClass::Contact(ContactKind::Involute);
         let count = roll.poses.iter().filter(|pose| off(pose.class)).count();
@@ -257,28 +213,24 @@ fn remarks(read: &Gauged) -> String {
     text
 }
 
-fn touched(what: &str, touches: &[[Touch; 2]]) -> String {
+fn touched(what: &str, touches: Vec<[Touch; 2]>) -> String {
     let mut text = String::new();
-    for curve in [ProfilePart::Tip, ProfilePart::Fillet, ProfilePart::Root] {
-        let on = |both: &&[Touch; 2]| both.iter().any(|touch| touch.curve == curve);
+    for curve in ["tip", "fillet", "root"] {
+        let on = |both: &&[Touch; 2]| both.iter().any(|touch| touch.curve.name() == curve);
         let count = touches.iter().filter(on).count();
         if count > 0 {
+            let all = touches.len();
             let _ = writeln!(
                 text,
-                "{count} of {} {what} touch the {}, not the involute alone",
-                touches.len(),
-                curve.name()
+                "{count} of {all} {what} touch the {curve}, not the flanks alone"
             );
         }
     }
     text
 }
 
-/// Every reading tooth by tooth.
-fn position_table(gauged: &GaugedGear) -> String {
-    format!(
-        "\nBy tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.\n\
-         f: single pitch, F: cumulative; ball and s less their means.\n{}",
-        gauged.by_tooth().text()
-    )
-}
+/// The head of the table of readings tooth by tooth.
+const POSITIONS: &str = "
+By tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.
+f: single pitch, F: cumulative; ball and s less their means.
+";

@@ -26,6 +26,16 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// The rectangle between its upper left and its lower right corner.
+    pub const fn new([left, top]: Spot, [right, bottom]: Spot) -> Frame {
+        Frame {
+            left,
+            top,
+            right,
+            bottom,
+        }
+    }
+
     pub fn width(&self) -> f64 {
         self.right - self.left
     }
@@ -36,12 +46,10 @@ impl Frame {
 
     /// Larger by `margin` on every side.
     pub fn grown(&self, margin: f64) -> Frame {
-        Frame {
-            left: self.left - margin,
-            top: self.top - margin,
-            right: self.right + margin,
-            bottom: self.bottom + margin,
-        }
+        Frame::new(
+            [self.left - margin, self.top - margin],
+            [self.right + margin, self.bottom + margin],
+        )
     }
 
     /// Whether `other` lies wholly inside.

@@ -3,15 +3,21 @@
 use super::frame::{Frame, Spot, number};
 use super::paint::{HATCH, INK};
 use super::sheet::{Ids, line, polygon};
-use svg::node::element::{Circle, Definitions, Group, Path, Pattern, Rectangle};
+use svg::node::Node;
+use svg::node::element::{Circle, Definitions, Element, Group, Path, Pattern, Rectangle};
+
+/// A filled circle.
+pub fn disc([x, y]: Spot, radius: f64, fill: &str) -> Circle {
+    Circle::new()
+        .set("cx", number(x))
+        .set("cy", number(y))
+        .set("r", number(radius))
+        .set("fill", fill)
+}
 
 /// A contact point, or one of two that will meet.
 pub fn dot(spot: Spot, radius: f64, filled: bool) -> Circle {
-    Circle::new()
-        .set("cx", number(spot[0]))
-        .set("cy", number(spot[1]))
-        .set("r", number(radius))
-        .set("fill", if filled { INK } else { "white" })
+    disc(spot, radius, if filled { INK } else { "white" })
         .set("stroke", INK)
         .set("stroke-width", "1.50")
 }
@@ -23,6 +29,32 @@ pub fn square(spot: Spot, half: f64, colour: &str) -> Rectangle {
         .set("fill", "white")
         .set("stroke", colour)
         .set("stroke-width", "1.40")
+}
+
+/// Rows of cells that fill `field`, from above, each in its colour. Cells of one colour beside each other are one rectangle.
+pub fn shaded(field: &Frame, rows: &[Vec<&str>]) -> Group {
+    let mut group = Group::new().set("shape-rendering", "crispEdges");
+    let height = field.height() / rows.len() as f64;
+    for (row, cells) in rows.iter().enumerate() {
+        let width = field.width() / cells.len() as f64;
+        let top = field.top + row as f64 * height;
+        let mut column = 0;
+        for run in cells.chunk_by(|a, b| a == b) {
+            let left = field.left + column as f64 * width;
+            column += run.len();
+            let right = field.left + column as f64 * width;
+            let frame = Frame::new([left, top], [right, top + height]);
+            group.append(frame.rectangle().set("fill", run[0]));
+        }
+    }
+    group
+}
+
+/// A text that runs upwards from its place.
+pub fn turned(mut text: Element, at: Spot) -> Element {
+    let [x, y] = at.map(number);
+    text.assign("transform", format!("rotate(-90 {x} {y})"));
+    text
 }
 
 /// A diagonal cross.

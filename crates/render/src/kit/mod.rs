@@ -16,7 +16,7 @@ mod text;
 
 pub use area::{area, define_area, inner_outline, within_area};
 pub use frame::{Frame, Spot, number};
-pub use marks::{around, arrow, cross, diamond, dot, hatch, square};
+pub use marks::{around, arrow, cross, diamond, disc, dot, hatch, shaded, square, turned};
 pub use occupied::{CLEAR, Occupied};
 pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL};
 pub use plot::{Axis, NUMBERS, Plot, axes, grid};

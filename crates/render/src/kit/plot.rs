@@ -1,6 +1,7 @@
 //! A plot: data in a frame, with axes, ticks and a grid.
 
-use super::frame::{Frame, Spot, number};
+use super::frame::{Frame, Spot};
+use super::marks::turned;
 use super::paint::{GRID, INK};
 use super::scale::{decade, power};
 use super::sheet::line;
@@ -214,10 +215,8 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
         // Left of the widest number, as far as a sheet's edge lies from its plots.
         let foot = left - numbers.fold(44.0, f64::max).min(56.0) - 12.0;
         let style = NAMES.middle().fitted(&y.name, bottom - top + 40.0, 9.0);
-        let mut name = style.text(&y.name, [foot, middle_y]);
-        let turn = format!("rotate(-90 {} {})", number(foot), number(middle_y));
-        name.assign("transform", turn);
-        group.append(name);
+        let at = [foot, middle_y];
+        group.append(turned(style.text(&y.name, at), at));
     }
     group
 }

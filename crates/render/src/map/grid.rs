@@ -1,6 +1,6 @@
 //! A grid of shades over a phase and the centre distance, with lines across it and a legend.
 
-use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line};
+use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line, shaded};
 use gearlash::analysis::diagnosis::Limit;
 use gearlash_files::numbers::fixed;
 use svg::node::Node;
@@ -19,12 +19,7 @@ struct Layout {
 
 const WIDE: Layout = Layout {
     width: 900.0,
-    field: Frame {
-        left: 90.0,
-        top: 92.0,
-        right: 560.0,
-        bottom: 520.0,
-    },
+    field: Frame::new([90.0, 92.0], [560.0, 520.0]),
     below: 66.0,
     across: 3,
     is_narrow: false,
@@ -33,12 +28,7 @@ const WIDE: Layout = Layout {
 /// For a screen 390 pixels wide: the page has title and caption, and names of limits stand below the field.
 const NARROW: Layout = Layout {
     width: 390.0,
-    field: Frame {
-        left: 66.0,
-        top: 10.0,
-        right: 380.0,
-        bottom: 330.0,
-    },
+    field: Frame::new([66.0, 10.0], [380.0, 330.0]),
     below: 60.0,
     across: 1,
     is_narrow: true,
@@ -94,28 +84,10 @@ impl Grid<'_> {
             .add(legend_of(&legend, layout))
     }
 
-    /// Cells of one shade beside each other in a row are one rectangle.
     fn drawn_cells(&self, field: &Frame) -> Group {
-        let mut group = Group::new().set("shape-rendering", "crispEdges");
-        let (rows, columns) = (self.distances.len(), self.columns);
-        let (width, height) = (field.width() / columns as f64, field.height() / rows as f64);
-        for (row, cells) in self.cells.chunks(columns.max(1)).enumerate() {
-            let top = field.bottom - (row + 1) as f64 * height;
-            let mut column = 0;
-            for run in cells.chunk_by(|a, b| a == b) {
-                let left = field.left + column as f64 * width;
-                column += run.len();
-                let right = field.left + column as f64 * width;
-                let frame = Frame {
-                    left,
-                    top,
-                    right,
-                    bottom: top + height,
-                };
-                group.append(frame.rectangle().set("fill", self.shades[run[0]].0));
-            }
-        }
-        group
+        let rows = self.cells.chunks(self.columns.max(1)).rev();
+        let shades = rows.map(|row| row.iter().map(|shade| self.shades[*shade].0).collect());
+        shaded(field, &shades.collect::<Vec<Vec<&str>>>())
     }
 
     /// The field with its data: the phase, the centre distance upwards.
@@ -226,12 +198,7 @@ fn legend_of(used: &[&(&'static str, String)], layout: &Layout) -> Group {
         };
         let left = start + (i % layout.across) as f64 * 250.0;
         let top = layout.field.bottom + layout.below + (i / layout.across) as f64 * ROW;
-        let frame = Frame {
-            left,
-            top,
-            right: left + 22.0,
-            bottom: top + 14.0,
-        };
+        let frame = Frame::new([left, top], [left + 22.0, top + 14.0]);
         let swatch = frame.rectangle().set("fill", *colour);
         group.append(swatch.set("stroke", GREY).set("stroke-width", "0.8"));
         group.append(TextStyle::new(13.0).text(name, [left + 30.0, top + 11.5]));

@@ -139,35 +139,12 @@ type Definition = (
     fn(&GearPair, &Backlash) -> f64,
 );
 
+#[rustfmt::skip]
 const DEFINITIONS: [Definition; 4] = [
-    (
-        "wt",
-        "transverse",
-        "φ_j r_w",
-        "arc of the operating pitch circles",
-        |_, of| of.j_wt,
-    ),
-    (
-        "t",
-        "transverse",
-        "φ_j r = j_wt cos α_wt / cos α_t",
-        "arc of the reference circles",
-        |_, of| of.j_t,
-    ),
-    (
-        "bt",
-        "transverse, base",
-        "φ_j r_b = j_wt cos α_wt",
-        "along the line of action, arc of the base circles",
-        |pair, of| of.j_bt(pair),
-    ),
-    (
-        "bn",
-        "normal, base",
-        "j_bt cos β_b = j_t cos α_n cos β",
-        "along the normal of the flanks: what a feeler gauge finds",
-        |_, of| of.j_bn,
-    ),
+    ("wt", "transverse", "φ_j r_w", "arc of the operating pitch circles", |_, of| of.j_wt),
+    ("t", "transverse", "φ_j r = j_wt cos α_wt / cos α_t", "arc of the reference circles", |_, of| of.j_t),
+    ("bt", "transverse, base", "φ_j r_b = j_wt cos α_wt", "along the line of action, arc of the base circles", |pair, of| of.j_bt(pair)),
+    ("bn", "normal, base", "j_bt cos β_b = j_t cos α_n cos β", "along the normal of the flanks: what a feeler gauge finds", |_, of| of.j_bn),
 ];
 
 fn definitions(page: &Page) -> Markup {

@@ -17,98 +17,42 @@ use maud::{Markup, Render, html};
 type Property = (&'static str, &'static str, usize, fn(&AsBuilt) -> f64);
 
 /// Properties that the drawing states.
+#[rustfmt::skip]
 const DRAWN: [Property; 7] = [
-    ("z | number of teeth | –", "", 0, |g| {
-        basic(g).teeth().into()
-    }),
-    ("m | module | mm", "m_n | normal module | mm", 4, |g| {
-        basic(g).module()
-    }),
-    (
-        "α | pressure angle | °",
-        "α_n | normal pressure angle | °",
-        4,
-        |g| basic(g).pressure_angle().to_degrees(),
-    ),
-    (
-        "x | profile shift coefficient | –",
-        "x | profile shift coefficient, normal section | –",
-        4,
-        |g| g.gear().design().profile_shift,
-    ),
-    (
-        "h*_aP | addendum of the basic rack | module",
-        "h*_aP | addendum of the basic rack | normal module",
-        3,
-        |g| g.gear().design().rack.addendum(),
-    ),
-    (
-        "h*_fP | dedendum of the basic rack | module",
-        "h*_fP | dedendum of the basic rack | normal module",
-        3,
-        |g| g.gear().design().rack.dedendum(),
-    ),
-    (
-        "ρ*_fP | root radius of the basic rack | module",
-        "ρ*_fP | root radius of the basic rack | normal module",
-        3,
-        |g| g.gear().design().rack.root_radius(),
-    ),
+    ("z | number of teeth | –", "", 0, |g| basic(g).teeth().into()),
+    ("m | module | mm", "m_n | normal module | mm", 4, |g| basic(g).module()),
+    ("α | pressure angle | °", "α_n | normal pressure angle | °", 4, |g| basic(g).pressure_angle().to_degrees()),
+    ("x | profile shift coefficient | –", "x | profile shift coefficient, normal section | –", 4, |g| g.gear().design().profile_shift),
+    ("h*_aP | addendum of the basic rack | module", "h*_aP | addendum of the basic rack | normal module", 3, |g| g.gear().design().rack.addendum()),
+    ("h*_fP | dedendum of the basic rack | module", "h*_fP | dedendum of the basic rack | normal module", 3, |g| g.gear().design().rack.dedendum()),
+    ("ρ*_fP | root radius of the basic rack | module", "ρ*_fP | root radius of the basic rack | normal module", 3, |g| g.gear().design().rack.root_radius()),
 ];
 
 /// The helix of helical gears.
-const HELIX: Property = (
-    "β | helix angle at the reference circle | °",
-    "",
-    4,
-    |g| basic(g).helix_angle().to_degrees(),
-);
+#[rustfmt::skip]
+const HELIX: [Property; 1] = [
+    ("β | helix angle at the reference circle | °", "", 4, |g| basic(g).helix_angle().to_degrees()),
+];
 
 /// Properties of the transverse section of helical gears.
+#[rustfmt::skip]
 const TRANSVERSE: [Property; 4] = [
-    ("β_b | base helix angle | °", "", 4, |g| {
-        basic(g).base_helix_angle().to_degrees()
-    }),
-    ("α_t | transverse pressure angle | °", "", 4, |g| {
-        basic(g).transverse_pressure_angle().to_degrees()
-    }),
-    ("m_t | transverse module | mm", "", 4, |g| {
-        2.0 * basic(g).reference_radius() / f64::from(basic(g).teeth())
-    }),
-    ("p_bt | transverse base pitch | mm", "", 4, |g| {
-        basic(g).base_pitch()
-    }),
+    ("β_b | base helix angle | °", "", 4, |g| basic(g).base_helix_angle().to_degrees()),
+    ("α_t | transverse pressure angle | °", "", 4, |g| basic(g).transverse_pressure_angle().to_degrees()),
+    ("m_t | transverse module | mm", "", 4, |g| 2.0 * basic(g).reference_radius() / f64::from(basic(g).teeth())),
+    ("p_bt | transverse base pitch | mm", "", 4, |g| basic(g).base_pitch()),
 ];
 
 /// Properties that follow from the drawing and the measured thickness.
+#[rustfmt::skip]
 const DERIVED: [Property; 7] = [
-    (
-        "x_E | generating profile shift coefficient | –",
-        "",
-        5,
-        |g| g.gear().generating_shift(),
-    ),
-    ("d | reference diameter | mm", "", 4, |g| {
-        2.0 * basic(g).reference_radius()
-    }),
-    ("d_a | tip diameter | mm", "", 4, |g| {
-        2.0 * g.gear().tip_radius()
-    }),
-    ("d_f | root diameter | mm", "", 4, |g| {
-        2.0 * g.gear().root_radius()
-    }),
-    ("d_b | base diameter | mm", "", 4, |g| {
-        2.0 * g.gear().base_radius()
-    }),
-    ("d_Ff | root form diameter | mm", "", 4, |g| {
-        2.0 * g.gear().form_radius()
-    }),
-    (
-        "s_b | base tooth thickness | mm",
-        "s_bt | base tooth thickness, transverse section | mm",
-        5,
-        |g| g.gear().base_thickness(),
-    ),
+    ("x_E | generating profile shift coefficient | –", "", 5, |g| g.gear().generating_shift()),
+    ("d | reference diameter | mm", "", 4, |g| 2.0 * basic(g).reference_radius()),
+    ("d_a | tip diameter | mm", "", 4, |g| 2.0 * g.gear().tip_radius()),
+    ("d_f | root diameter | mm", "", 4, |g| 2.0 * g.gear().root_radius()),
+    ("d_b | base diameter | mm", "", 4, |g| 2.0 * g.gear().base_radius()),
+    ("d_Ff | root form diameter | mm", "", 4, |g| 2.0 * g.gear().form_radius()),
+    ("s_b | base tooth thickness | mm", "s_bt | base tooth thickness, transverse section | mm", 5, |g| g.gear().base_thickness()),
 ];
 
 fn basic(gear: &AsBuilt) -> &BasicGearData {
@@ -122,7 +66,7 @@ pub(super) fn section(page: &Page, spec: &PairSpec) -> Result<Markup, PictureErr
     let is_helical = study.is_helical();
     let mut rows = properties(page, &DRAWN);
     if is_helical {
-        rows.extend(properties(page, &[HELIX]));
+        rows.extend(properties(page, &HELIX));
         rows.push(("| hand | –", gears.map(hand)));
         rows.push((
             "| face, each from its own measuring plane | mm",

@@ -13,6 +13,17 @@ fn shape(verdict: Verdict) -> [&'static str; 2] {
     }
 }
 
+/// The verdict called `word`.
+pub(super) fn named(word: &str) -> Option<Verdict> {
+    let all = [
+        Verdict::Pass,
+        Verdict::Warn,
+        Verdict::Unproven,
+        Verdict::Fail,
+    ];
+    all.into_iter().find(|verdict| verdict.name() == word)
+}
+
 /// The mark of a verdict and its word.
 pub(super) fn mark(verdict: Verdict) -> Markup {
     let word = match verdict {

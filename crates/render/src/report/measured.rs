@@ -3,9 +3,9 @@
 use super::figures::folded;
 use super::page::{Page, Report};
 use super::phrases::plain;
-use super::table::{Table, cells, columns};
-use gearlash::analysis::measured::{Band, MeasuredMating, sides};
-use gearlash_files::numbers::{fixed, stated_distance};
+use super::table::Table;
+use gearlash::analysis::measured::{MeasuredMating, sides};
+use gearlash_results::text::measured_shown;
 use maud::{Markup, html};
 
 /// How many measured values lie in their bands; `None` without measurements.
@@ -30,17 +30,12 @@ pub(super) fn section(page: &Page) -> Markup {
     let Some(sentence) = sentence(report) else {
         return html! {};
     };
-    let clearance = report.pair.study.bearing_clearance > 0.0;
-    let mut columns = columns(
-        "mating | a mm:n | measured right:n | left:n | simulated:n | with bearing clearance:n | involute formula:n | predicted in the file:n",
-    );
-    columns[5].is_shown = clearance;
-    let rows = report.analysis.measured.iter().map(row);
     let caption = html! {
         "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
-        "↓ ↑: below or above the simulated band. Predicted in the file: what the file of measurements gives beside them."
+        "↓ ↑: below or above the simulated band. Predicted: as printed in the file of measurements. Analytic: model 2 (involute)."
     };
-    let table = Table::new("Measured and predicted backlash", caption, columns, rows);
+    let shown = measured_shown(report.pair.study, &report.analysis.measured);
+    let table = Table::of_shown("Measured and predicted backlash", caption, &shown);
     html! {
         section id="measured" {
             h2 { "Measured and predicted" }
@@ -49,38 +44,6 @@ pub(super) fn section(page: &Page) -> Markup {
             (sources(&report.analysis.measured))
         }
     }
-}
-
-fn row(mating: &MeasuredMating) -> Vec<Markup> {
-    let row = &mating.row;
-    let marked = |um: f64| {
-        let mark = match mating.simulated.map_or(0, |band| band.side_of(um)) {
-            0 => "\u{2007}",
-            1 => "↑",
-            _ => "↓",
-        };
-        format!("{} {mark}", gearlash_files::numbers::shortest(um))
-    };
-    cells![
-        format!("{}·{}", row.wheel_tooth, row.pinion_tooth),
-        stated_distance(row.center_distance),
-        marked(row.right_um),
-        marked(row.left_um),
-        band(mating.simulated),
-        band(mating.with_clearance),
-        band(mating.analytic),
-        band(Some(mating.printed)),
-    ]
-}
-
-fn band(band: Option<Band>) -> String {
-    band.map_or("–".to_owned(), |band| {
-        format!(
-            "{} … {}",
-            fixed(Some(band.min_um), 1),
-            fixed(Some(band.max_um), 1)
-        )
-    })
 }
 
 /// Where the rows come from, each source once.

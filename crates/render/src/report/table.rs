@@ -1,5 +1,6 @@
 //! Tables of a page. Each stands in a frame that scrolls where the screen is too narrow.
 
+use super::marks::{mark, named};
 use super::phrases::with_symbols;
 use gearlash_results::{Shown, Unit};
 use maud::{Markup, Render, html};
@@ -74,24 +75,37 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The table of the columns that results show.
+    /// The table of the columns that results show. Cells that stand below their row stand below the name of the row, in small type.
     pub fn of_shown(label: &'a str, caption: Markup, shown: &[Shown]) -> Table<'a> {
+        let (below, shown): (Vec<&Shown>, Vec<&Shown>) =
+            shown.iter().partition(|column| column.heading.is_below());
+        let named_by = shown.iter().position(|column| column.unit != Unit::Grave);
+        let named_by = named_by.unwrap_or(0);
         let columns = shown.iter().map(|column| Column {
             heading: set(column.heading.heading()),
             classes: match (column.heading.is_left(), column.unit) {
-                (false, Unit::Plain | Unit::Grave) | (true, _) => String::new(),
+                (_, Unit::Grave) => "w".to_owned(),
+                (false, Unit::Plain) | (true, _) => String::new(),
                 (false, _) => "n".to_owned(),
             },
             is_shown: true,
         });
         let count = shown.first().map_or(0, |column| column.cells.len());
-        let row = |number: usize| {
-            shown
-                .iter()
-                .map(|column| column.cells[number].render())
-                .collect()
+        let cell = |place: usize, number: usize| {
+            let text = &shown[place].cells[number];
+            let notes = below.iter().map(|column| column.cells[number].as_str());
+            let mut notes = notes.filter(|note| place == named_by && !note.is_empty());
+            html! {
+                @match named(text).filter(|_| shown[place].unit == Unit::Grave) {
+                    Some(verdict) => (mark(verdict)),
+                    None => (with_symbols(text)),
+                }
+                @if let Some(note) = notes.next() { div.remark { (with_symbols(&note.replace(" -", " −"))) } }
+            }
         };
-        Table::new(label, caption, columns.collect(), (0..count).map(row))
+        let rows =
+            (0..count).map(|number| (0..shown.len()).map(|place| cell(place, number)).collect());
+        Table::new(label, caption, columns.collect(), rows).named_by(named_by)
     }
 
     /// The table in larger type.

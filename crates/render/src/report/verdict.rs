@@ -11,7 +11,7 @@ use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
 use gearlash::analysis::outcome::{Outcome, PoseOfRun};
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash_files::numbers::{stated_distance, um};
-use gearlash_results::text::check::governing;
+use gearlash_results::text::check::titles;
 use gearlash_results::verdict::{VerdictLines, lines};
 use maud::{Markup, Render, html};
 
@@ -45,20 +45,9 @@ fn state(page: &Page) -> Verdict {
 /// The checks that do not pass, by name.
 fn failing(page: &Page) -> Markup {
     let diagnosis = &page.report.analysis.diagnosis;
-    let checks = governing(diagnosis);
-    let named = |verdict: Verdict| {
-        let of = checks.iter().filter(|(_, check)| check.verdict == verdict);
-        let mut titles: Vec<&str> = Vec::new();
-        for (_, check) in of {
-            if !titles.contains(&check.title) {
-                titles.push(check.title);
-            }
-        }
-        titles.join(", ")
-    };
     html! {
         @for (verdict, word) in [(Verdict::Fail, "failed"), (Verdict::Unproven, "unproven"), (Verdict::Warn, "with a warning")] {
-            @let titles = named(verdict);
+            @let titles = titles(diagnosis, verdict).join(", ");
             @if !titles.is_empty() {
                 p { a href="#checks" { "Checks" } " " (word) ": " (titles) "." }
             }

@@ -108,12 +108,7 @@ pub fn tangent_points(scene: &Scene, contact: &DrawnContact, view: &View) -> Vec
 /// Sample of a band for the legend.
 pub fn sample(x: f64, y: f64, width: f64, curve: ProfilePart) -> Group {
     let (colour, dashes) = style(curve);
-    let frame = Frame {
-        left: x,
-        top: y - 4.0,
-        right: x + width,
-        bottom: y + 4.0,
-    };
+    let frame = Frame::new([x, y - 4.0], [x + width, y + 4.0]);
     Group::new()
         .add(band(&[[x, y], [x + width, y]], 7.0, colour, dashes))
         .add(

@@ -237,12 +237,7 @@ impl Link {
         let [x, y] = main.spot(enlarged.middle());
         let rise = half * inset.height() / inset.width();
         Link {
-            shown: Frame {
-                left: x - half,
-                top: y - rise,
-                right: x + half,
-                bottom: y + rise,
-            },
+            shown: Frame::new([x - half, y - rise], [x + half, y + rise]),
             inset,
         }
     }

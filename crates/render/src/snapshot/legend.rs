@@ -50,12 +50,7 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
         Group::new().add(line(&[[x, y], [x + SAMPLE, y]], GREY, 1.1).set("stroke-dasharray", dash))
     };
     let swatch = |x: f64, y: f64, fills: &[&str]| {
-        let frame = Frame {
-            left: x + 4.0,
-            top: y - 6.0,
-            right: x + SAMPLE - 4.0,
-            bottom: y + 6.0,
-        };
+        let frame = Frame::new([x + 4.0, y - 6.0], [x + SAMPLE - 4.0, y + 6.0]);
         fills.iter().fold(Group::new(), |group, fill| {
             group.add(
                 frame

@@ -73,12 +73,8 @@ fn place(
     let steps =
         |from: f64, to: f64| (0..=32).map(move |i| from + (to - from) * f64::from(i) / 32.0);
     let rooms = steps(inner.top, inner.bottom - height).flat_map(|top| {
-        steps(inner.left, inner.right - width).map(move |left| Frame {
-            left,
-            top,
-            right: left + width,
-            bottom: top + height,
-        })
+        steps(inner.left, inner.right - width)
+            .map(move |left| Frame::new([left, top], [left + width, top + height]))
     });
     let leader = |room: &Frame| {
         let from = [

@@ -8,12 +8,7 @@ use gearlash_files::numbers::um;
 use svg::node::element::Group;
 
 /// The chart's frame.
-const CHART: Frame = Frame {
-    left: 730.0,
-    top: INSETS[0].top,
-    right: 1146.0,
-    bottom: 700.0,
-};
+const CHART: Frame = Frame::new([730.0, INSETS[0].top], [1146.0, 700.0]);
 /// Why no step has a value.
 fn no_value(steps: &[PoseResult]) -> &'static str {
     match steps.iter().any(|step| step.status() == Status::Unproven) {

@@ -41,26 +41,11 @@ impl<'a> Snapshot<'a> {
 }
 
 /// The mesh zone's frame.
-pub const MAIN: Frame = Frame {
-    left: 30.0,
-    top: 142.0,
-    right: 610.0,
-    bottom: 730.0,
-};
+pub const MAIN: Frame = Frame::new([30.0, 142.0], [610.0, 730.0]);
 /// The insets' frames, the upper one first.
 pub const INSETS: [Frame; 2] = [
-    Frame {
-        left: 662.0,
-        top: 162.0,
-        right: 1158.0,
-        bottom: 400.0,
-    },
-    Frame {
-        left: 662.0,
-        top: 492.0,
-        right: 1158.0,
-        bottom: 730.0,
-    },
+    Frame::new([662.0, 162.0], [1158.0, 400.0]),
+    Frame::new([662.0, 492.0], [1158.0, 730.0]),
 ];
 
 /// Where things stand in a picture.
@@ -90,25 +75,10 @@ pub const SHEET: Layout = Layout {
 /// The layout for a screen 390 pixels wide: the insets stand below the mesh zone, and the page has the caption.
 pub const NARROW: Layout = Layout {
     width: 390.0,
-    main: Frame {
-        left: 4.0,
-        top: 26.0,
-        right: 386.0,
-        bottom: 416.0,
-    },
+    main: Frame::new([4.0, 26.0], [386.0, 416.0]),
     insets: [
-        Frame {
-            left: 4.0,
-            top: 490.0,
-            right: 386.0,
-            bottom: 680.0,
-        },
-        Frame {
-            left: 4.0,
-            top: 754.0,
-            right: 386.0,
-            bottom: 944.0,
-        },
+        Frame::new([4.0, 490.0], [386.0, 680.0]),
+        Frame::new([4.0, 754.0], [386.0, 944.0]),
     ],
     legend: [4.0, 988.0],
     is_sheet: false,

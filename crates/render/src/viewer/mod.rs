@@ -47,8 +47,11 @@ pub fn fragment(
 ) -> Result<String, serde_json::Error> {
     let study = analysis.study;
     let beyond = beyond(analysis);
-    let turned = analysis.revolution.iter().map(Shown::turned);
-    let runs: Vec<Shown> = turned.chain(beyond.as_ref().map(Shown::beyond)).collect();
+    let turned = analysis.revolution.iter().map(|run| (run, false));
+    let runs: Vec<Shown> = turned
+        .chain(beyond.iter().map(|run| (run, true)))
+        .map(|(run, is_beyond)| Shown { run, is_beyond })
+        .collect();
     let Some(start) = start(&runs, analysis) else {
         return Ok(String::new());
     };

@@ -18,24 +18,6 @@ pub struct Shown<'a> {
     pub is_beyond: bool,
 }
 
-impl<'a> Shown<'a> {
-    /// A run over whole revolutions.
-    pub fn turned(run: &'a ComparedRun) -> Shown<'a> {
-        Shown {
-            run,
-            is_beyond: false,
-        }
-    }
-
-    /// A run of the worst pose.
-    pub fn beyond(run: &'a ComparedRun) -> Shown<'a> {
-        Shown {
-            run,
-            is_beyond: true,
-        }
-    }
-}
-
 /// A run, and which of its poses the page holds.
 pub struct Viewed<'a> {
     /// The run.

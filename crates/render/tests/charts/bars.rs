@@ -1,7 +1,10 @@
 //! The general charts: lines and bars.
 
 use super::drawn::{HALF, LEFT, RIGHT, apart, place, polylines};
-use gearlash_render::chart::{BarSeries, Heading, LineAxes, LineSeries, Look, bars, lines};
+use gearlash_render::chart::{
+    BarPanel, BarSeries, Chart, Heading, LineAxes, LineSeries, Look, PictureError, bar_panels,
+    lines,
+};
 use roxmltree::Document;
 
 fn heading<'a>() -> Heading<'a> {
@@ -10,6 +13,17 @@ fn heading<'a>() -> Heading<'a> {
         title: "Five teeth",
         subtitle: "made values",
     }
+}
+
+fn bars([x_axis, y_axis]: [&str; 2], series: &[BarSeries]) -> Result<Chart, PictureError> {
+    let panel = BarPanel {
+        title: "",
+        y_axis,
+        series,
+        limits: Vec::new(),
+        level: 0.0,
+    };
+    bar_panels(&heading(), "", x_axis, &[panel])
 }
 
 fn series() -> [BarSeries<'static>; 2] {
@@ -32,14 +46,14 @@ fn series() -> [BarSeries<'static>; 2] {
 
 #[test]
 fn small_bar_chart() {
-    let chart = bars(&heading(), ["tooth", "deviation, µm"], &series()).unwrap();
+    let chart = bars(["tooth", "deviation, µm"], &series()).unwrap();
     insta::assert_snapshot!(chart.svg);
 }
 
 /// Bars of a tooth stand side by side about its number, from zero to the value; a missing one is left out.
 #[test]
 fn bars_stand_at_their_teeth() {
-    let chart = bars(&heading(), ["tooth", "deviation, µm"], &series()).unwrap();
+    let chart = bars(["tooth", "deviation, µm"], &series()).unwrap();
     let document = Document::parse(&chart.svg).unwrap();
     for (colour, series, from) in [(RIGHT, &series()[0], -0.4), (LEFT, &series()[1], 0.0)] {
         let outlines = polylines(&document, colour).into_iter();
@@ -131,7 +145,7 @@ fn ten_thousand_teeth_are_a_thinned_line() {
         values,
         look: Look::Right,
     }];
-    let chart = bars(&heading(), ["tooth", "µm"], &series).unwrap();
+    let chart = bars(["tooth", "µm"], &series).unwrap();
     assert!(chart.svg.len() < 300_000);
     let document = Document::parse(&chart.svg).unwrap();
     let drawn = polylines(&document, RIGHT).concat();
@@ -150,7 +164,7 @@ fn nothing_to_draw_is_an_error() {
         values: vec![],
         look: Look::Plain,
     };
-    assert!(bars(&heading(), ["tooth", "µm"], &[]).is_err());
-    assert!(bars(&heading(), ["tooth", "µm"], &[none]).is_err());
+    assert!(bars(["tooth", "µm"], &[]).is_err());
+    assert!(bars(["tooth", "µm"], &[none]).is_err());
     assert!(lines(&heading(), axes(1.0), &[]).is_err());
 }

@@ -268,13 +268,7 @@ fn the_materials_of_a_difference_are_told_apart() {
     widths.sort_unstable();
     widths.dedup();
     assert_eq!(widths.len(), 3, "{widths:?}");
-    for words in [
-        "most material<",
-        "least material<",
-        "(thin: least material)",
-    ] {
-        assert!(chart.svg.contains(words), "{words}");
-    }
+    assert!(chart.svg.contains("(thin: least material)"));
 }
 
 /// Labels stand above all lines, with a halo.

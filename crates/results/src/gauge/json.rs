@@ -1,26 +1,23 @@
 //! The readings as JSON.
 
-use super::GaugedGear;
+use super::{GaugedGear, GearSource};
 use gearlash::contact::Touch;
 use gearlash::gauge::{
-    BallReading, FlankProfiles, GradedReading, OverPins, PitchReadings, ProfileReading, RollPose,
-    Span, Unmeasured,
+    BallReading, FlankProfiles, Gauged, GradedReading, OverPins, PitchReadings, ProfileReading,
+    RollPose, Span, Unmeasured,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
 use gearlash_files::characters;
+use gearlash_files::spec::GearSpec;
 use serde_json::{Value, json};
 
-/// All gears: lengths in mm where the name says so, deviations in µm. What was not measured is
+/// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is
 /// `{ "not_measured": reason }`.
 ///
 /// # Errors
 /// None that readings can cause; the writer's otherwise.
 pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Error> {
-    json_of(title, gears.iter().map(gear).collect())
-}
-
-/// All `gears`, each as it is.
-pub(crate) fn json_of(title: &str, gears: Vec<Value>) -> Result<String, serde_json::Error> {
+    let gears: Vec<Value> = gears.iter().map(gear).collect();
     let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
     characters::json_of(&all)
 }
@@ -31,7 +28,7 @@ fn gear(gauged: &GaugedGear) -> Value {
     let mut shown = json!({
         "gear": gauged.name,
         "material": gauged.material.name(),
-        "teeth": gauged.gear.gear().basic_data().teeth(),
+        "teeth": gauged.teeth(),
         "spans": of(&read.spans, |spans| json!({
             "teeth": spans.teeth,
             "formula_mm": formula.span,
@@ -50,11 +47,11 @@ fn gear(gauged: &GaugedGear) -> Value {
             "error_bound_um": runout.error() * 1e3,
             "readings": runout.readings.iter().map(ball).collect::<Value>(),
         })),
-        "eccentricity": {
-            "um": read.eccentricity.amount * 1e3,
-            "high_tooth": read.eccentricity.high_tooth,
-            "error_bound_um": read.eccentricity.error * 1e3,
-        },
+        "eccentricity": of(&read.eccentricity, |found| json!({
+            "um": found.amount * 1e3,
+            "high_tooth": found.high_tooth,
+            "error_bound_um": found.error * 1e3,
+        })),
         "pitch_own": of(&read.pitch_own, pitch),
         "pitch_datum": of(&read.pitch_datum, pitch),
         "thickness": of(&read.thickness, |thickness| json!({
@@ -65,7 +62,7 @@ fn gear(gauged: &GaugedGear) -> Value {
         })),
         "root": of(&read.root, |root| json!({
             "diameter_mm": 2.0 * root.radius,
-            "formula_mm": 2.0 * formula.root,
+            "formula_mm": formula.root.map(|root| 2.0 * root),
             "error_bound_um": 2.0 * root.error * 1e3,
         })),
         "profile": of(&read.profile, |found| json!({
@@ -90,16 +87,20 @@ fn gear(gauged: &GaugedGear) -> Value {
             "between": poses(&found.between),
         })),
     });
-    if let Some(hand) = gauged.gear.gear().basic_data().hand() {
-        of_helix(gauged, hand, &mut shown);
+    match gauged.gear {
+        GearSource::Data(gear, spec) => {
+            if let Some(hand) = gear.gear().basic_data().hand() {
+                of_helix(&gauged.gauged, spec, hand, &mut shown);
+            }
+        }
+        GearSource::Drawn(gear) => shown["outline_bound_um"] = json!(gear.bound() * 1e3),
     }
     shown
 }
 
-/// What is said of helical gears beside: in which section or direction lengths are, dimensions over pins that lie along the spaces, thickness in the
-/// normal section.
-fn of_helix(gauged: &GaugedGear, hand: Hand, shown: &mut Value) {
-    let (read, spec) = (&gauged.gauged, gauged.spec);
+/// Adds the keys of helical gears: the section or direction of lengths, dimensions over pins that lie along the spaces, thickness in the normal
+/// section.
+fn of_helix(read: &Gauged, spec: &GearSpec, hand: Hand, shown: &mut Value) {
     shown["helix_angle_deg"] = json!(spec.helix_angle_deg);
     shown["hand"] = json!(hand.name());
     shown["face_mm"] = json!(spec.face_mm);
@@ -114,14 +115,15 @@ fn of_helix(gauged: &GaugedGear, hand: Hand, shown: &mut Value) {
     if let Ok(thickness) = &read.thickness {
         let normal = |arc: &f64| arc * thickness.normal;
         shown["thickness"]["section"] = json!("transverse");
-        shown["thickness"]["normal_formula_mm"] = json!(normal(&read.formula.thickness));
+        shown["thickness"]["normal_formula_mm"] =
+            json!(read.formula.thickness.as_ref().map(normal));
         shown["thickness"]["normal_mm"] =
             json!(thickness.arcs.iter().map(normal).collect::<Vec<f64>>());
     }
 }
 
-/// What is shown of a reading, or why there is none.
-pub(crate) fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
+/// A reading as `shown`, or the reason why there is none.
+fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
     match read {
         Ok(read) => shown(read),
         Err(reason) => json!({ "not_measured": reason.to_string() }),
@@ -147,7 +149,7 @@ fn ball(one: &BallReading) -> Value {
 }
 
 /// Dimensions over pins.
-pub(crate) fn over(list: &[OverPins]) -> Value {
+fn over(list: &[OverPins]) -> Value {
     let row = |one: &OverPins| {
         json!({
             "tooth": one.tooth,
@@ -197,7 +199,7 @@ fn pitch(found: &PitchReadings) -> Value {
     })
 }
 
-/// Values by tooth, and the curves of the teeth that are not alike, each with its first tooth.
+/// Values by tooth, and each curve that differs from the others, with its first tooth.
 fn profiles(flank: &FlankProfiles) -> Value {
     let um = |of: fn(&ProfileReading) -> f64| {
         let values = flank.by_tooth(of).into_iter();

@@ -1,19 +1,29 @@
-//! What the gauges read, as JSON and CSV.
+//! Readings of the gauges as JSON, CSV and tables.
 
-mod drawn;
 mod json;
+mod lengths;
 mod readings;
 
 use gearlash::analysis::study::Material;
-use gearlash::gauge::Gauged;
-use gearlash::gear::AsBuilt;
+use gearlash::gauge::{Gauged, Unmeasured};
+use gearlash::gear::{AsBuilt, BasicGearData};
+use gearlash::outline::OutlineGear;
 use gearlash_files::short_for_span;
 use gearlash_files::spec::GearSpec;
 use gearlash_files::{NoGearFile, gauged_file};
 
-pub use drawn::{GaugedOutline, gauged_json};
 pub use json::json;
-pub use readings::{ByTooth, Chart, Readings, teeth_csv};
+pub use lengths::{ByTooth, Length, length_table, lengths};
+pub use readings::{Chart, position_table, teeth_csv};
+
+/// A gear on the gauge: given by data, or drawn.
+#[derive(Debug, Clone, Copy)]
+pub enum GearSource<'a> {
+    /// A gear by its data, and its table as understood.
+    Data(&'a AsBuilt, &'a GearSpec),
+    /// A drawn gear.
+    Drawn(&'a OutlineGear),
+}
 
 /// One gear in one material and what the gauges read on it.
 #[derive(Debug)]
@@ -25,9 +35,7 @@ pub struct GaugedGear<'a> {
     /// Which thickness.
     pub material: Material,
     /// The gear.
-    pub gear: &'a AsBuilt,
-    /// Its table as understood.
-    pub spec: &'a GearSpec,
+    pub gear: GearSource<'a>,
     /// The readings.
     pub gauged: Gauged,
 }
@@ -38,45 +46,58 @@ impl GaugedGear<'_> {
         stem(self.name, self.material)
     }
 
-    /// Its gear file: name and content.
+    /// Its gear file: name and content; `None` of a drawn gear.
     ///
     /// # Errors
     /// Where the readings do not say enough for one.
-    pub fn gear_file(&self) -> Result<(String, String), NoGearFile> {
-        let stem = self.stem();
-        let text = gauged_file(self.title, &self.words(), self.spec, &self.gauged)?;
-        Ok((gear_file_name(&stem), text))
+    pub fn gear_file(&self) -> Result<Option<(String, String)>, NoGearFile> {
+        let GearSource::Data(_, spec) = self.gear else {
+            return Ok(None);
+        };
+        let text = gauged_file(self.title, &self.words(), spec, &self.gauged)?;
+        Ok(Some((gear_file_name(&self.stem()), text)))
+    }
+
+    /// Its basic data; `None` of a drawn gear.
+    pub fn basic_data(&self) -> Option<&BasicGearData> {
+        match self.gear {
+            GearSource::Data(gear, _) => Some(gear.gear().basic_data()),
+            GearSource::Drawn(_) => None,
+        }
+    }
+
+    /// The number of its teeth.
+    pub fn teeth(&self) -> u32 {
+        match self.gear {
+            GearSource::Data(gear, _) => gear.gear().basic_data().teeth(),
+            GearSource::Drawn(gear) => gear.teeth(),
+        }
+    }
+
+    /// Whether its teeth wind about the axis.
+    pub fn is_helical(&self) -> bool {
+        self.basic_data().is_some_and(|data| data.hand().is_some())
     }
 
     /// The gear in a few words.
     pub fn words(&self) -> String {
-        let basic_data = self.gear.gear().basic_data();
-        format!(
-            "{}, {} teeth, module {} mm{}, material {}",
-            self.name,
-            basic_data.teeth(),
-            basic_data.module(),
-            self.helix(),
-            self.material.name()
-        )
-    }
-
-    /// Its readings tooth by tooth.
-    pub fn by_tooth(&self) -> ByTooth<'_> {
-        ByTooth {
-            gear: self.name,
-            material: self.material.name(),
-            teeth: self.gear.gear().basic_data().teeth(),
-            readings: Readings::Stated(&self.gauged),
+        let (name, teeth, material) = (self.name, self.teeth(), self.material.name());
+        match self.basic_data() {
+            Some(data) => format!(
+                "{name}, {teeth} teeth, module {} mm{}, material {material}",
+                data.module(),
+                self.helix(),
+            ),
+            None => format!("{name}, outline of {teeth} teeth, material {material}"),
         }
     }
 
     /// Helix angle and hand, after a comma; empty of a spur gear.
     pub fn helix(&self) -> String {
-        match (
-            self.gear.gear().basic_data().hand(),
-            self.spec.helix_angle_deg,
-        ) {
+        let GearSource::Data(gear, spec) = self.gear else {
+            return String::new();
+        };
+        match (gear.gear().basic_data().hand(), spec.helix_angle_deg) {
             (Some(hand), Some(degrees)) => format!(", β {degrees}° {}", hand.name()),
             _ => String::new(),
         }
@@ -84,11 +105,42 @@ impl GaugedGear<'_> {
 
     /// A warning where the face of a helical gear is too short for the spans read, and the file itself did not warn.
     pub fn short_face(&self) -> Option<String> {
+        let GearSource::Data(gear, spec) = self.gear else {
+            return None;
+        };
         let k = self.gauged.spans.as_ref().ok()?.teeth;
-        let stated = self.spec.thickness.statement.span.as_ref();
+        let stated = spec.thickness.statement.span.as_ref();
         let warned = stated.is_some_and(|span| span.teeth == k);
         let k = (!warned).then_some(k);
-        short_for_span(self.spec.face_mm, self.name, self.gear, k)
+        short_for_span(spec.face_mm, self.name, gear, k)
+    }
+
+    /// The readings that were not taken, a line for each reason.
+    pub fn unmeasured(&self) -> Vec<String> {
+        let read = &self.gauged;
+        let each = [
+            ("span", read.spans.as_ref().err()),
+            ("over pins", read.pins.as_ref().err()),
+            ("runout", read.runout.as_ref().err()),
+            ("pitch", read.pitch_own.as_ref().err()),
+            ("pitch about the axis", read.pitch_datum.as_ref().err()),
+            ("thickness", read.thickness.as_ref().err()),
+            ("profile", read.profile.as_ref().err()),
+            ("root diameter", read.root.as_ref().err()),
+            ("roll test", read.roll.as_ref().err()),
+        ];
+        let mut reasons: Vec<(&Unmeasured, Vec<&str>)> = Vec::new();
+        for (what, reason) in each {
+            let Some(reason) = reason else { continue };
+            match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, names)) => names.push(what),
+                None => reasons.push((reason, vec![what])),
+            }
+        }
+        let lines = reasons.into_iter();
+        lines
+            .map(|(reason, names)| format!("not measured, {}: {reason}", names.join(", ")))
+            .collect()
     }
 }
 

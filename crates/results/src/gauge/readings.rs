@@ -1,48 +1,25 @@
 //! The readings of a gear tooth by tooth: one list of columns for CSV and for people.
 
+use super::GaugedGear;
 use crate::layout::{self, Screen, Table};
-use gearlash::gauge::{
-    Gauged, OutlineGauged, OutlinePins, OverPins, Pins, PitchReadings, ProfileReading,
-};
+use gearlash::gauge::{Gauged, OverPins, Pins, PitchReadings, ProfileReading};
 use gearlash::gear::{Flank, PitchAxis};
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::ascii;
-
-/// The readings of a gear by its data, or of a drawn one.
-#[derive(Debug, Clone, Copy)]
-pub enum Readings<'a> {
-    /// Of a gear by its data.
-    Stated(&'a Gauged),
-    /// Of a drawn gear.
-    Drawn(&'a OutlineGauged),
-}
-
-/// The readings of one gear in one material.
-#[derive(Debug, Clone, Copy)]
-pub struct ByTooth<'a> {
-    /// `wheel`, `pinion` or `gear`.
-    pub gear: &'static str,
-    /// The name of the material.
-    pub material: &'static str,
-    /// The number of its teeth.
-    pub teeth: u32,
-    /// The readings.
-    pub readings: Readings<'a>,
-}
 
 /// A column: its name in CSV, its heading for people, their decimals, and its values, a tooth each.
 struct Column {
     name: &'static str,
     heading: &'static str,
     decimals: usize,
-    values: fn(Readings) -> Option<Vec<f64>>,
+    values: fn(&Gauged) -> Option<Vec<f64>>,
 }
 
 /// A column of lengths, mm.
 const fn mm(
     name: &'static str,
     heading: &'static str,
-    values: fn(Readings) -> Option<Vec<f64>>,
+    values: fn(&Gauged) -> Option<Vec<f64>>,
 ) -> Column {
     Column {
         name,
@@ -56,7 +33,7 @@ const fn mm(
 const fn um(
     name: &'static str,
     heading: &'static str,
-    values: fn(Readings) -> Option<Vec<f64>>,
+    values: fn(&Gauged) -> Option<Vec<f64>>,
 ) -> Column {
     Column {
         name,
@@ -73,10 +50,10 @@ const LYING: &str = "over_lying_pins_mm";
 #[rustfmt::skip]
 const COLUMNS: [Column; 20] = [
     mm("span_mm", "W_k mm", spans),
-    mm("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two, |pins| &pins.two)),
-    mm("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three, |pins| &pins.three)),
-    mm(LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying, |_| &[])),
-    um("runout_um", "ball", |read| in_um(&stated(read)?.runout.as_ref().ok()?.deviations())),
+    mm("over_two_pins_mm", "two pins mm", |read| pins(read, |pins| &pins.two)),
+    mm("over_three_pins_mm", "three pins mm", |read| pins(read, |pins| &pins.three)),
+    mm(LYING, "lying pins mm", |read| pins(read, |pins| &pins.lying)),
+    um("runout_um", "ball", |read| in_um(&read.runout.as_ref().ok()?.deviations())),
     um("single_pitch_own_left_um", "f own left", |read| single(read, PitchAxis::Own, Flank::Left)),
     um("single_pitch_own_right_um", "f own right", |read| single(read, PitchAxis::Own, Flank::Right)),
     um("pitch_own_left_um", "F own left", |read| cumulative(read, PitchAxis::Own, Flank::Left)),
@@ -85,7 +62,7 @@ const COLUMNS: [Column; 20] = [
     um("single_pitch_datum_right_um", "f datum right", |read| single(read, PitchAxis::Datum, Flank::Right)),
     um("pitch_datum_left_um", "F datum left", |read| cumulative(read, PitchAxis::Datum, Flank::Left)),
     um("pitch_datum_right_um", "F datum right", |read| cumulative(read, PitchAxis::Datum, Flank::Right)),
-    um("thickness_um", "s − mean", |read| in_um(&stated(read)?.thickness.as_ref().ok()?.deviations())),
+    um("thickness_um", "s − mean", |read| in_um(&read.thickness.as_ref().ok()?.deviations())),
     um("profile_slope_left_um", "f_Hα left", |read| profile(read, Flank::Left, |one| one.slope)),
     um("profile_slope_right_um", "f_Hα right", |read| profile(read, Flank::Right, |one| one.slope)),
     um("profile_form_left_um", "f_fα left", |read| profile(read, Flank::Left, |one| one.form)),
@@ -94,58 +71,34 @@ const COLUMNS: [Column; 20] = [
     um("profile_total_right_um", "F_α right", |read| profile(read, Flank::Right, |one| one.total)),
 ];
 
-fn stated(read: Readings<'_>) -> Option<&Gauged> {
-    match read {
-        Readings::Stated(gauged) => Some(gauged),
-        Readings::Drawn(_) => None,
-    }
+fn spans(read: &Gauged) -> Option<Vec<f64>> {
+    let spans = read.spans.as_ref().ok()?.readings.iter();
+    Some(spans.map(|one| one.length).collect())
 }
 
-fn spans(read: Readings) -> Option<Vec<f64>> {
-    let lengths = match read {
-        Readings::Stated(gauged) => {
-            let spans = gauged.spans.as_ref().ok()?.readings.iter();
-            spans.map(|one| one.length).collect()
-        }
-        Readings::Drawn(gauged) => {
-            let spans = gauged.spans.as_ref()?.as_ref().ok()?.readings.iter();
-            spans.map(|one| one.length).collect()
-        }
-    };
-    Some(lengths)
-}
-
-fn pins(
-    read: Readings,
-    stated: fn(&Pins) -> &[OverPins],
-    drawn: fn(&OutlinePins) -> &[OverPins],
-) -> Option<Vec<f64>> {
-    let list = match read {
-        Readings::Stated(gauged) => stated(gauged.pins.as_ref().ok()?),
-        Readings::Drawn(gauged) => drawn(gauged.pins.as_ref()?.as_ref().ok()?),
-    };
+fn pins(read: &Gauged, of: fn(&Pins) -> &[OverPins]) -> Option<Vec<f64>> {
+    let list = of(read.pins.as_ref().ok()?);
     (!list.is_empty()).then(|| list.iter().map(|one| one.length).collect())
 }
 
-fn pitch(read: Readings<'_>, axis: PitchAxis) -> Option<&PitchReadings> {
-    let gauged = stated(read)?;
+fn pitch(read: &Gauged, axis: PitchAxis) -> Option<&PitchReadings> {
     match axis {
-        PitchAxis::Own => gauged.pitch_own.as_ref().ok(),
-        PitchAxis::Datum => gauged.pitch_datum.as_ref().ok(),
+        PitchAxis::Own => read.pitch_own.as_ref().ok(),
+        PitchAxis::Datum => read.pitch_datum.as_ref().ok(),
     }
 }
 
-fn single(read: Readings, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
+fn single(read: &Gauged, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
     in_um(&pitch(read, axis)?.single(flank))
 }
 
-fn cumulative(read: Readings, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
+fn cumulative(read: &Gauged, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> {
     in_um(pitch(read, axis)?.cumulative.flank(flank))
 }
 
 /// Profile deviations; none where no flank deviates.
-fn profile(read: Readings, flank: Flank, of: fn(&ProfileReading) -> f64) -> Option<Vec<f64>> {
-    let found = stated(read)?.profile.as_ref().ok()?;
+fn profile(read: &Gauged, flank: Flank, of: fn(&ProfileReading) -> f64) -> Option<Vec<f64>> {
+    let found = read.profile.as_ref().ok()?;
     found
         .deviates()
         .then(|| in_um(&found.flank(flank).by_tooth(of)))?
@@ -155,41 +108,39 @@ fn in_um(lengths: &[f64]) -> Option<Vec<f64>> {
     Some(lengths.iter().map(|mm| mm * 1e3).collect())
 }
 
-impl ByTooth<'_> {
-    /// The columns with their values.
-    fn columns(&self) -> impl Iterator<Item = (&'static Column, Option<Vec<f64>>)> {
-        COLUMNS
-            .iter()
-            .map(|column| (column, (column.values)(self.readings)))
-    }
+/// The columns with their values.
+fn columns(gauged: &Gauged) -> impl Iterator<Item = (&'static Column, Option<Vec<f64>>)> {
+    let columns = COLUMNS.iter();
+    columns.map(move |column| (column, (column.values)(gauged)))
+}
 
-    /// A row a tooth for people; a column without values is left out.
-    pub fn text(&self) -> String {
-        let shown: Vec<(&Column, Vec<f64>)> = self
-            .columns()
-            .filter_map(|(column, values)| Some((column, values?)))
-            .collect();
-        let headings = shown.iter().map(|(column, _)| column.heading);
-        let headings = std::iter::once("tooth").chain(headings);
-        let mut table = Table::new(headings.map(layout::Column::new));
-        for tooth in 1..=self.teeth {
-            let cells = shown.iter().map(|(column, values)| {
-                let value = values.get(tooth as usize - 1).copied();
-                ascii(value, column.decimals)
-            });
-            table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
-        }
-        table.text(&Screen::default())
+/// A row a tooth for people; a column without values is left out.
+pub fn position_table(gear: &GaugedGear) -> String {
+    let shown: Vec<(&Column, Vec<f64>)> = columns(&gear.gauged)
+        .filter_map(|(column, values)| Some((column, values?)))
+        .collect();
+    let headings = shown.iter().map(|(column, _)| column.heading);
+    let headings = std::iter::once("tooth").chain(headings);
+    let mut table = Table::new(headings.map(layout::Column::new));
+    for tooth in 1..=gear.teeth() {
+        let cells = shown.iter().map(|(column, values)| {
+            let value = values.get(tooth as usize - 1).copied();
+            ascii(value, column.decimals)
+        });
+        table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
     }
+    table.text(&Screen::default())
 }
 
 /// The readings of several gears as CSV, a row a tooth; a value that was not measured is left empty.
 ///
 /// # Errors
 /// None: it is written to memory.
-pub fn teeth_csv<'a>(gears: impl IntoIterator<Item = ByTooth<'a>>) -> Result<String, csv::Error> {
-    let gears: Vec<ByTooth> = gears.into_iter().collect();
-    let each: Vec<Vec<_>> = gears.iter().map(|gear| gear.columns().collect()).collect();
+pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
+    let each: Vec<Vec<_>> = gears
+        .iter()
+        .map(|gear| columns(&gear.gauged).collect())
+        .collect();
     let is_shown = |index: usize| {
         COLUMNS[index].name != LYING || each.iter().any(|columns| columns[index].1.is_some())
     };
@@ -200,15 +151,15 @@ pub fn teeth_csv<'a>(gears: impl IntoIterator<Item = ByTooth<'a>>) -> Result<Str
     let names = shown.iter().map(|index| COLUMNS[*index].name);
     writer.write_record(["gear", "material", "tooth"].into_iter().chain(names))?;
     for (gear, columns) in gears.iter().zip(&each) {
-        for tooth in 1..=gear.teeth {
+        for tooth in 1..=gear.teeth() {
             let cell = |index: &usize| {
                 let value = columns[*index].1.as_ref()?.get(tooth as usize - 1)?;
                 Some(value.to_string())
             };
             let cells = shown.iter().map(|index| cell(index).unwrap_or_default());
             let head = [
-                gear.gear.to_owned(),
-                gear.material.to_owned(),
+                gear.name.to_owned(),
+                gear.material.name().to_owned(),
                 tooth.to_string(),
             ];
             writer.write_record(head.into_iter().chain(cells))?;

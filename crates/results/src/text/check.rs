@@ -2,8 +2,7 @@
 
 use super::verdict::heading;
 use crate::check::CheckRow;
-pub use crate::check::unit;
-use crate::column::Row;
+use crate::column::{Row, Shown};
 use crate::fitted::drawn_notes;
 use crate::layout::{Screen, Tone};
 use crate::remedies::{self, RemedyRecord};
@@ -31,13 +30,8 @@ pub fn text(
         }
         return screen.fold(&(text + &drawn_notes(file)));
     }
-    let several = diagnosis.groups.len() > 1;
-    let rows = governing(diagnosis).into_iter();
-    let rows: Vec<CheckRow> = rows
-        .map(|(group, check)| CheckRow::new(group, check, several))
-        .collect();
-    text += &CheckRow::columns().table(&rows, |_| f64::NAN, BacklashUnit::Um, screen);
-    if several {
+    text += &CheckRow::columns().text(&rows(diagnosis), screen);
+    if diagnosis.groups.len() > 1 {
         text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
     }
     for reason in doubts(diagnosis) {
@@ -52,8 +46,21 @@ pub fn text(
     screen.fold(&text)
 }
 
+/// A row for each check, of its worst centre distance and material.
+fn rows(diagnosis: &Diagnosis) -> Vec<CheckRow> {
+    let several = diagnosis.groups.len() > 1;
+    let rows = governing(diagnosis).into_iter();
+    rows.map(|(group, check)| CheckRow::new(group, check, several))
+        .collect()
+}
+
+/// The table of checks for a page.
+pub fn shown(diagnosis: &Diagnosis) -> Vec<Shown> {
+    CheckRow::columns().shown(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
+}
+
 /// Each check of the gravest verdict, then of the least margin, the first of equals.
-pub fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
+pub(crate) fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
     let mut governing: Vec<(&Group, &Check)> = Vec::new();
     for group in &diagnosis.groups {
         for check in &group.checks {
@@ -119,20 +126,21 @@ fn contact(diagnosis: &Diagnosis) -> String {
     text + &format!("{}\n", outcome(diagnosis))
 }
 
-/// How many checks fail, or are unproven, and which.
+/// The short titles of the checks with this verdict, each once.
+pub fn titles(diagnosis: &Diagnosis, verdict: Verdict) -> Vec<&'static str> {
+    let mut titles: Vec<&str> = Vec::new();
+    for (_, check) in governing(diagnosis) {
+        let title = short_title(check.title);
+        if check.verdict == verdict && !titles.contains(&title) {
+            titles.push(title);
+        }
+    }
+    titles
+}
+
+/// The number of checks that fail, or are unproven, and their titles.
 pub(crate) fn outcome(diagnosis: &Diagnosis) -> String {
     let checks = governing(diagnosis);
-    let titles = |verdict: Verdict| {
-        let of = checks.iter().filter(|(_, check)| check.verdict == verdict);
-        let mut titles: Vec<&str> = Vec::new();
-        for (_, check) in of {
-            let title = short_title(check.title);
-            if !titles.contains(&title) {
-                titles.push(title);
-            }
-        }
-        titles
-    };
     let all = each_title(&checks);
     let named = |count: &str, titles: &[&str]| {
         format!(
@@ -141,7 +149,8 @@ pub(crate) fn outcome(diagnosis: &Diagnosis) -> String {
             titles.join(", ")
         )
     };
-    let (failed, unproven) = (titles(Verdict::Fail), titles(Verdict::Unproven));
+    let [failed, unproven] =
+        [Verdict::Fail, Verdict::Unproven].map(|verdict| titles(diagnosis, verdict));
     match (&failed[..], &unproven[..]) {
         ([], []) => "No check fails.".to_owned(),
         ([], unproven) => named("are unproven", unproven),
@@ -168,12 +177,4 @@ pub fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
         }
     }
     doubts
-}
-
-/// The value on the outlines as `shown`, or that it is not proven.
-pub fn outlines(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
-    match (&check.unproven, check.outlines) {
-        (Some(_), None) => "unproven".to_owned(),
-        (_, outlines) => shown(outlines),
-    }
 }

@@ -1,55 +1,94 @@
 //! A rig's measurements beside the bands they should lie in.
 
-use crate::layout::{Column, Screen, Table};
+use crate::column::{Columns, Row, Shown, Value, columns};
+use crate::layout::{self, Screen};
 use crate::unit;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{NONE, backlash_ascii, stated_distance};
+use gearlash_files::numbers::{backlash_ascii, stated_distance};
 use std::fmt::Write;
+use std::sync::LazyLock;
 
-fn band(band: Option<Band>, unit: BacklashUnit, a: f64) -> String {
-    let cell = |um: f64| backlash_ascii(unit, um, a, 1);
-    match band {
-        Some(band) => format!("{} … {}", cell(band.min_um), cell(band.max_um)),
-        None => NONE.to_owned(),
+/// A mating that was measured.
+struct MeasuredRow {
+    mating: MeasuredMating,
+    /// The band that the measured values are set against.
+    beside: Option<Band>,
+    unit: BacklashUnit,
+    /// Whether the band with bearing clearance is a column.
+    with_clearance: bool,
+}
+
+impl MeasuredRow {
+    fn center_distance(&self) -> f64 {
+        self.mating.row.center_distance
+    }
+
+    fn band(&self, band: Option<Band>) -> Value {
+        let a = self.center_distance();
+        let ends = band.map(|band| [band.min_um, band.max_um].map(|um| (Some(um), a)));
+        ends.map_or(Value::Null, Value::Band)
+    }
+
+    /// A measured value, and whether it lies above or below its band.
+    fn marked(&self, um: f64) -> String {
+        let mark = match self.beside.map_or(0, |band| band.side_of(um)) {
+            0 => ' ',
+            1 => '↑',
+            _ => '↓',
+        };
+        match self.unit {
+            BacklashUnit::Um => format!("{um} {mark}"),
+            unit => format!(
+                "{} {mark}",
+                backlash_ascii(unit, um, self.center_distance(), 1)
+            ),
+        }
     }
 }
 
-pub fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
-    let mut table = Table::new([
-        Column::new("mating"),
-        Column::new("a mm"),
-        Column::new("predicted (printed)"),
-        Column::new("analytic").spare(1),
-        Column::new("simulated"),
-        Column::new("measured right"),
-        Column::new("left"),
-    ]);
-    for mating in measured {
-        let a = mating.row.center_distance;
-        let marked = |value: f64| {
-            let mark = match mating.printed.side_of(value) {
-                0 => ' ',
-                1 => '↑',
-                _ => '↓',
-            };
-            match unit {
-                BacklashUnit::Um => format!("{value} {mark}"),
-                unit => format!("{} {mark}", backlash_ascii(unit, value, a, 1)),
-            }
-        };
-        table.add(vec![
-            format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
-            stated_distance(a),
-            band(Some(mating.printed), unit, a),
-            band(mating.analytic, unit, a),
-            band(mating.simulated, unit, a),
-            marked(mating.row.right_um),
-            marked(mating.row.left_um),
-        ]);
+impl Row for MeasuredRow {
+    fn columns() -> &'static Columns<MeasuredRow> {
+        static COLUMNS: LazyLock<Columns<MeasuredRow>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: MeasuredRow {
+                "" Plain [people(shown("mating"))] => format!("{},{}", row.mating.row.wheel_tooth, row.mating.row.pinion_tooth);
+                "" Distance [people(shown("a mm"))] => row.center_distance();
+                "" Beside [people(shown("predicted (printed)"))] => row.band(Some(row.mating.printed));
+                "" Beside [people(shown("analytic").spare(1))] => row.band(row.mating.analytic);
+                "" Beside [people(shown("simulated"))] => row.band(row.mating.simulated);
+                "" Beside [people(shown("with bearing clearance"))] => Value::optional(row.with_clearance.then(|| row.band(row.mating.with_clearance)));
+                "" Beside [people(shown("measured right"))] => row.marked(row.mating.row.right_um);
+                "" Beside [people(shown("left"))] => row.marked(row.mating.row.left_um);
+            }))
+        });
+        &COLUMNS
     }
-    table.text(screen)
+}
+
+/// The measured matings for a page, set against the simulated bands.
+pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<Shown> {
+    let row = |mating: &MeasuredMating| MeasuredRow {
+        beside: mating.simulated,
+        mating: mating.clone(),
+        unit: BacklashUnit::Um,
+        with_clearance: study.bearing_clearance > 0.0,
+    };
+    let rows: Vec<MeasuredRow> = measured.iter().map(row).collect();
+    MeasuredRow::columns().shown(&rows, MeasuredRow::center_distance, BacklashUnit::Um)
+}
+
+/// The measured matings for a terminal, set against the printed bands.
+pub fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
+    let row = |mating: &MeasuredMating| MeasuredRow {
+        beside: Some(mating.printed),
+        mating: mating.clone(),
+        unit,
+        with_clearance: false,
+    };
+    let rows: Vec<MeasuredRow> = measured.iter().map(row).collect();
+    MeasuredRow::columns().table(&rows, MeasuredRow::center_distance, unit, screen)
 }
 
 pub fn measured_count(

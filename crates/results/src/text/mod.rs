@@ -12,4 +12,5 @@ mod verdict;
 pub use crate::layout::{Column, Screen, Table, Tone};
 pub use difference::text as outline_difference;
 pub use import::imported;
+pub use measured::measured_shown;
 pub use simulation::simulation;

@@ -1,39 +1,90 @@
 //! Lengths with their least, mean and greatest reading: the rows of the text, the charts of each less its mean.
 
+use super::{Chart, GaugedGear};
+use crate::column::{Columns, Row, Value, columns};
+use crate::layout::{self, Screen};
 use gearlash::gauge::OverPins;
-use gearlash_results::gauge::{Chart, GaugedGear};
+use gearlash_files::numbers::{ascii, order_um, um_ascii};
+use std::sync::LazyLock;
 
 /// One length, mm.
-pub(super) struct Length {
-    /// What was read.
+pub struct Length {
+    /// The name of the gauge.
     pub name: String,
     /// Least and greatest reading.
-    pub ends: [f64; 2],
+    ends: [f64; 2],
+    /// Mean of the readings.
     pub mean: f64,
     /// Bound on the error of a reading.
-    pub error: f64,
-    /// What a formula says of the mean thickness.
+    error: f64,
+    /// The value by formula at the mean thickness.
     pub formula: Option<f64>,
-    /// Where each tooth has a length of its own.
+    /// Each tooth's own length.
     pub by_tooth: Option<ByTooth>,
+    is_drawn: bool,
 }
 
 /// A length at each tooth.
-pub(super) struct ByTooth {
+pub struct ByTooth {
+    /// The chart of the lengths.
     pub chart: Chart,
     /// The lengths, mm, from tooth 1 on.
     pub values: Vec<f64>,
     /// Its symbol.
     pub symbol: String,
-    /// What the tooth of a reading is to it.
+    /// The place of the tooth in a reading.
     pub tooth: &'static str,
 }
 
+impl Length {
+    /// The tooth of an end, where the readings differ by more than their bound.
+    fn tooth(&self, end: usize) -> Value {
+        let range = self.ends[1] - self.ends[0];
+        let values = self.by_tooth.iter().filter(|_| range > self.error);
+        let place = values.flat_map(|of| of.values.iter().position(|mm| *mm == self.ends[end]));
+        Value::optional(place.map(|place| place + 1).next())
+    }
+
+    /// `cell`, which tables of drawn gears do not have.
+    fn by_formula(&self, cell: impl FnOnce(Option<f64>) -> String) -> Value {
+        Value::optional((!self.is_drawn).then(|| cell(self.formula)))
+    }
+}
+
+impl Row for Length {
+    fn columns() -> &'static Columns<Length> {
+        static COLUMNS: LazyLock<Columns<Length>> = LazyLock::new(|| {
+            let shown = layout::Column::new;
+            Columns::new(columns!(row: Length {
+                "" Plain [people(shown(""))] => row.name.clone();
+                "" Plain [people(shown("least"))] => ascii(row.ends[0], 6);
+                "" Plain [people(shown("at").spare(4))] => row.tooth(0);
+                "" Plain [people(shown("mean"))] => ascii(row.mean, 6);
+                "" Plain [people(shown("greatest"))] => ascii(row.ends[1], 6);
+                "" Plain [people(shown("at").spare(4))] => row.tooth(1);
+                "" Plain [people(shown("range"))] => um_ascii(row.ends[1] - row.ends[0], 3);
+                "" Plain [people(shown("formula").spare(1))] => row.by_formula(|formula| ascii(formula, 6));
+                "" Plain [people(shown("off").spare(2))] => row.by_formula(|formula| um_ascii(formula.map(|formula| row.mean - formula), 3));
+                "" Plain [people(shown("bound").spare(3))] => order_um(row.error);
+            }))
+        });
+        &COLUMNS
+    }
+}
+
+/// The lengths of `gauged` as a table for a terminal; empty without any.
+pub fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
+    match &lengths(gauged)[..] {
+        [] => String::new(),
+        rows => Length::columns().text(rows, screen),
+    }
+}
+
 /// Every length that was measured.
-pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
+pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let read = &gauged.gauged;
     let formula = &read.formula;
-    let wound = gauged.gear.gear().basic_data().hand().is_some();
+    let (wound, is_drawn) = (gauged.is_helical(), gauged.basic_data().is_none());
     let mut rows = Vec::new();
     if let Ok(spans) = &read.spans {
         rows.push(Length {
@@ -51,6 +102,7 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
                 symbol: format!("W_{}", spans.teeth),
                 tooth: "first tooth spanned",
             }),
+            is_drawn,
         });
     }
     if let Ok(pins) = &read.pins {
@@ -84,6 +136,7 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
                         symbol: symbol.to_owned(),
                         tooth,
                     }),
+                    is_drawn,
                 });
             }
         }
@@ -97,13 +150,14 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             ends: thickness.ends(),
             mean: thickness.mean(),
             error: thickness.error,
-            formula: Some(formula.thickness),
+            formula: formula.thickness,
             by_tooth: Some(ByTooth {
                 chart: Chart::THICKNESS,
                 values: thickness.arcs.clone(),
                 symbol: if wound { "s_t" } else { "s" }.to_owned(),
                 tooth: "tooth",
             }),
+            is_drawn,
         });
     }
     let whole = |name, ends, mean, error, formula| Length {
@@ -113,6 +167,7 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         error,
         formula,
         by_tooth: None,
+        is_drawn,
     };
     if let (true, Ok(thickness)) = (wound, &read.thickness) {
         let normal = thickness.normal;
@@ -121,7 +176,7 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             thickness.ends().map(|end| end * normal),
             thickness.mean() * normal,
             thickness.error,
-            Some(formula.thickness * normal),
+            formula.thickness.map(|arc| arc * normal),
         ));
     }
     if let Ok(runout) = &read.runout {
@@ -142,7 +197,7 @@ pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
             [d; 2],
             d,
             2.0 * root.error,
-            Some(2.0 * formula.root),
+            formula.root.map(|root| 2.0 * root),
         ));
     }
     if let Ok(roll) = &read.roll {

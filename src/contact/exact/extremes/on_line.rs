@@ -122,6 +122,9 @@ impl Over<'_> {
         for open in table.steps(index, mating, part) {
             self.effort.spend(STEP);
             let found = Separation::new(&middle.flanks, open.step, near, true);
+            if !found.touches {
+                return None;
+            }
             near = found.gap;
             let parabola = Parabola {
                 middle: middle.room(found.gap),

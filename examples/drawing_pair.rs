@@ -1,4 +1,4 @@
-//! Backlash of a pair as drawn, over centre distances: what a designer asks first.
+//! Backlash of a pair as drawn, over centre distances.
 //!
 //! `cargo run --release --example drawing_pair`
 
@@ -16,7 +16,7 @@ fn gear(teeth: u32, profile_shift: f64, allowance_mm: f64, face: Face) -> Result
     Ok(AsBuilt::perfect(gear, face))
 }
 
-/// A line a centre distance.
+/// One line per centre distance.
 pub fn table() -> Result<String, Error> {
     let wheel = gear(51, 0.0, 0.06, Face::Front)?;
     let pinion = gear(23, 0.2, 0.05, Face::Back)?;

@@ -1,4 +1,4 @@
-//! Measures a modelled gear as the shop does: what the span and the ball would read on it.
+//! Measures a modelled gear as a shop does: span and runout.
 //!
 //! `cargo run --release --example gauge`
 
@@ -7,7 +7,7 @@ use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
 use std::error::Error;
 use std::ops::ControlFlow;
 
-/// Span and runout, a line each.
+/// Prints span and runout.
 pub fn readings() -> Result<String, Box<dyn Error>> {
     let design = GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?);
     // 5 µm off its axis, tooth 3 highest.

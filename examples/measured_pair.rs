@@ -20,7 +20,7 @@ fn gear(face: Face, mm: f64, total_um: f64, high: f64) -> Result<AsBuilt, Box<dy
     Ok(measured.as_built.most().clone())
 }
 
-/// Backlash at four matings, a line each.
+/// Prints the backlash at four matings.
 pub fn table() -> Result<String, Box<dyn Error>> {
     let wheel = gear(Face::Front, 50.55, 30.0, 7.0)?;
     let pinion = gear(Face::Back, 50.56, 20.0, 1.0)?;

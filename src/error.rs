@@ -1,13 +1,12 @@
-//! What can go wrong in the library.
+//! Errors of the library.
 //!
-//! [`GearError`] is a gear or pair that cannot exist, in the terms of the geometry; [`Error`] is what a calculation ends with.
+//! [`GearError`] is a gear or pair that cannot exist, [`OutlineError`] an outline that is no gear, [`Error`] the error of a calculation.
 //! An interfering, jammed or unmeshed pair is a result, never an error.
 
-use crate::outline::OutlineError;
+use nalgebra::Point2;
 use std::ops::ControlFlow;
 
-/// A gear or a pair that cannot exist. Lengths in mm, angles in radians inside;
-/// the messages print mm and degrees.
+/// A gear or a pair that cannot exist. Values are in mm and radians; messages print mm and degrees.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GearError {
     /// A number outside its range.
@@ -136,7 +135,7 @@ pub enum GearError {
     /// A profile deviation that no flank can have.
     #[error("the profile deviation is too large: the flank {what}")]
     Profile {
-        /// What it makes of the flank.
+        /// The effect on the flank, in words.
         what: &'static str,
     },
     /// A list with the wrong number of values.
@@ -213,7 +212,133 @@ pub enum GearError {
     DatumPitch(&'static str),
 }
 
-/// What a calculation ends with when it has no result.
+impl GearError {
+    /// Checks a value: [`GearError::OutOfRange`] unless it `holds`.
+    pub(crate) fn require(
+        holds: bool,
+        what: &'static str,
+        value: f64,
+        allowed: &'static str,
+    ) -> Result<(), GearError> {
+        let error = GearError::OutOfRange {
+            what,
+            value,
+            allowed,
+        };
+        if holds { Ok(()) } else { Err(error) }
+    }
+}
+
+/// An outline that is no gear. Points are in the drawing's frame, mm.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OutlineError {
+    /// No segment, or one with a number that is not finite or a circle without radius.
+    #[error("segment {index} of the outline is not a curve with finite numbers")]
+    NotFinite {
+        /// Counted from 0.
+        index: usize,
+    },
+    /// Two ends that should meet do not.
+    #[error(
+        "the outline is open: from {} to {} nothing is drawn, {gap_mm:.6} mm",
+        at(from),
+        at(to)
+    )]
+    Open {
+        /// Where a segment ends.
+        from: Point2<f64>,
+        /// Where the next one starts.
+        to: Point2<f64>,
+        /// Their distance.
+        gap_mm: f64,
+    },
+    /// The path crosses itself.
+    #[error("the outline crosses itself near {}", at(near))]
+    SelfCrossing {
+        /// Within a chord of the crossing.
+        near: Point2<f64>,
+    },
+    /// The centre is not inside.
+    #[error("the centre {} does not lie inside the outline", at(centre))]
+    CentreOutside {
+        /// The centre.
+        centre: Point2<f64>,
+    },
+    /// Fewer than three teeth.
+    #[error(
+        "of teeth {found} are found between diameters {root_diameter_mm:.4} and {tip_diameter_mm:.4} mm; a gear has at least 3"
+    )]
+    TooFewTeeth {
+        /// How many.
+        found: usize,
+        /// Twice the least radius.
+        root_diameter_mm: f64,
+        /// Twice the greatest radius.
+        tip_diameter_mm: f64,
+    },
+    /// Another number of teeth than stated.
+    #[error(
+        "{found} teeth are found, {stated} are stated; the first one found points to {}",
+        at(first)
+    )]
+    OtherTeeth {
+        /// How many are there.
+        found: usize,
+        /// How many there should be.
+        stated: u32,
+        /// The tip of tooth 1.
+        first: Point2<f64>,
+    },
+    /// Teeth at uneven distances: one is missing, or something else sticks out.
+    #[error(
+        "the teeth are not evenly spaced: the one at {} stands {pitches:.3} of a pitch from its even place",
+        at(tip)
+    )]
+    Uneven {
+        /// The tip of the tooth farthest off.
+        tip: Point2<f64>,
+        /// How far, in pitches, counter-clockwise positive.
+        pitches: f64,
+    },
+    /// A runout that leaves the axis outside.
+    #[error(
+        "an eccentricity of {eccentricity_mm} mm is allowed up to half the tooth depth, {depth_mm:.4} mm"
+    )]
+    Eccentric {
+        /// Given.
+        eccentricity_mm: f64,
+        /// Tip minus root radius.
+        depth_mm: f64,
+    },
+    /// Two outlines that are not of one gear.
+    #[error(
+        "{} and {} teeth are found: two outlines of one gear have as many",
+        teeth[0],
+        teeth[1]
+    )]
+    OtherGear {
+        /// Number of teeth of each outline.
+        teeth: [u32; 2],
+    },
+    /// A centre distance at which nothing can turn.
+    #[error(
+        "the centre distance {center_distance_mm} mm must be above {least_mm:.4} mm, at which a tip reaches the mate's axis"
+    )]
+    TooNear {
+        /// Given.
+        center_distance_mm: f64,
+        /// Greater of the two reaches.
+        least_mm: f64,
+    },
+}
+
+fn at(point: &Point2<f64>) -> String {
+    // Never −0.
+    let [x, y] = [point.x, point.y].map(|mm| (mm * 1e4).round() / 1e4 + 0.0);
+    format!("({x:.4}, {y:.4})")
+}
+
+/// The error of a calculation without a result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// A pair that cannot be assembled.
@@ -222,7 +347,7 @@ pub enum Error {
     /// An outline that is no gear, or a pair of outlines that cannot be put together.
     #[error(transparent)]
     Outline(#[from] OutlineError),
-    /// The contact search gave up on a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
+    /// The contact search failed for a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost at locked rotation {locked_rotation_rad} rad: {reason}"
     )]
@@ -235,10 +360,10 @@ pub enum Error {
         flank: &'static str,
         /// Rotation of the locked gear.
         locked_rotation_rad: f64,
-        /// What the search saw.
+        /// The reason, in words.
         reason: &'static str,
     },
-    /// A pose whose result polygons do not bear out: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
+    /// The polygons do not confirm a pose: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "certificate failed at mating {wheel_tooth},{pinion_tooth}, {flank} flank, fraction {fraction}, centre distance {center_distance_mm} mm: on the {side} side {reason}"
     )]
@@ -255,7 +380,7 @@ pub enum Error {
         center_distance_mm: f64,
         /// The side of the contact in question.
         side: &'static str,
-        /// What was seen.
+        /// The reason, in words.
         reason: String,
     },
     /// The caller's `tick` asked to stop.
@@ -263,11 +388,11 @@ pub enum Error {
     Interrupted,
 }
 
-/// What helps where a search ends by its effort.
+/// Advice for a search that ends by its effort.
 const TRY_ANOTHER_POSE: &str =
     "Another fraction of a pitch, or a trace with fewer points, may be proven.";
 
-/// What helps where two methods contradict each other.
+/// Advice for two methods that contradict each other.
 pub(crate) const REPORT_PAIR: &str =
     "Rely on neither value; please report the pair file, with which the pose can be run again.";
 
@@ -280,8 +405,7 @@ impl Error {
         }
     }
 
-    /// What was seen, in words, where it concerns nothing but the pose at hand: a contact that was lost, a certificate
-    /// that failed. `None` of all that ends a command.
+    /// Message of an error that concerns a single pose: a lost contact or a failed certificate. `None` for other errors.
     pub fn of_one_pose(&self) -> Option<String> {
         match self {
             Error::ContactLost {

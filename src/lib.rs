@@ -1,9 +1,9 @@
 //! Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
 //!
-//! gearlash builds the real tooth outlines of two cylindrical gears, spur or helical (involutes, generated fillets, undercut, every tooth where it was
-//! *measured* to be), locks one gear and turns the other to right-flank and to left-flank contact. The angle between is the lost
-//! motion, signed: negative means that the pair cannot be assembled. Lengths are mm and angles rad; a name that ends in `_um`,
-//! `_mm` or `_deg` says otherwise.
+//! gearlash builds the real tooth outlines of two cylindrical gears, spur or helical: involutes, generated fillets, undercut, every
+//! tooth at its *measured* place. It locks one gear and turns the other to right-flank and to left-flank contact. The signed angle
+//! between the two is the lost motion; a negative value means that the pair cannot be assembled. Lengths are mm and angles rad,
+//! unless a name ends in `_um`, `_mm` or `_deg`.
 //!
 //! # A pair from drawing data
 //!
@@ -11,7 +11,7 @@
 //! use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
 //! use gearlash::pair::{GearPair, Mating};
 //!
-//! // Two gears of module 3, 20°, with 44 teeth, 0.1 mm farther apart than play-free.
+//! // Two gears of module 3, 20°, with 44 teeth, at the zero-backlash distance plus 0.1 mm.
 //! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
 //! let wheel = AsBuilt::perfect(gear.clone(), Face::Front);
 //! let pinion = AsBuilt::perfect(gear, Face::Back);
@@ -74,7 +74,7 @@
 //!
 //! # The models beside it
 //!
-//! [`analytic`] shares nothing with [`contact`] but gears and poses: where they agree, it means something.
+//! [`analytic`] shares only gears and poses with [`contact`], so their agreement is evidence.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
@@ -147,7 +147,7 @@
 //!
 //! # The gauge
 //!
-//! [`gauge`] measures the modelled gear as the shop does, on its outline: what went in must come out.
+//! [`gauge`] measures the modelled gear on its outline, as a shop does.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, thickness};
@@ -167,7 +167,7 @@
 //!
 //! # A picture
 //!
-//! `gearlash-render` draws what was found; `gearlash-files` reads pair files and writes results.
+//! `gearlash-render` draws results; `gearlash-files` reads pair files.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
@@ -194,14 +194,13 @@
 //!
 //! # Many pairs
 //!
-//! [`population`] draws assemblies whose numbers scatter, and says what share of them misses a requirement. `matching` (with the
-//! feature of that name) says which measured wheel goes with which pinion. [`outline`] takes gears that are only drawn. Each begins with an
-//! example.
+//! [`population`] draws random assemblies and finds the share that misses a requirement. `matching` (with the feature of that name)
+//! assigns measured wheels to pinions. [`outline`] reads gears from drawings. Each module begins with an example.
 //!
 //! # Features
 //!
 //! `rayon` (poses on all cores) and `serde` (results serialise) are on by default; `matching` (selective assembly) is not.
-//! `ARCHITECTURE.md` says what lies where.
+//! `ARCHITECTURE.md` describes the modules.
 
 pub mod analysis;
 pub mod analytic;

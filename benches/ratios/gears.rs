@@ -40,7 +40,7 @@ fn deviating(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
     AsBuilt::new(gear, face, &deviations).unwrap()
 }
 
-/// The same with a profile slope of 4 µm, crowning of 3 µm, parabolic relief of tip (12 µm) and root (10 µm).
+/// A deviating gear with a profile slope of 4 µm, crowning of 3 µm, parabolic relief of tip (12 µm) and root (10 µm).
 pub(super) fn modified(teeth: u32, face: Face) -> AsBuilt {
     let gear = gear(teeth);
     let share = |share: f64| gear.form_radius() + share * (gear.tip_radius() - gear.form_radius());
@@ -61,7 +61,7 @@ pub(super) fn modified(teeth: u32, face: Face) -> AsBuilt {
     deviating(gear.clone(), face, [profile.clone(), profile])
 }
 
-/// The same with a measured trace of so many points instead: a wave of 3 µm with noise of ±1 µm.
+/// A deviating gear with a measured trace of `points` points: a wave of 3 µm with noise of ±1 µm.
 pub(super) fn traced(teeth: u32, face: Face, points: u32) -> AsBuilt {
     let gear = gear(teeth);
     let (from, to) = (gear.form_roll(), gear.tip_roll());
@@ -103,9 +103,12 @@ pub(super) fn helical() -> GearPair {
 
 /// 0.1 mm beyond the play-free distance.
 pub(super) fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
-    let build = |teeth, face| match perfect {
-        true => AsBuilt::perfect(gear(teeth), face),
-        false => deviated(teeth, face),
+    let build = |teeth, face| {
+        if perfect {
+            AsBuilt::perfect(gear(teeth), face)
+        } else {
+            deviated(teeth, face)
+        }
     };
     let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
     let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
@@ -146,7 +149,7 @@ pub(super) fn cut(assembly: &GearPair) -> CutPair {
     CutPair::new(wheel, pinion, 1e-3)
 }
 
-/// Some 300 poses of a revolution, no two alike: none is warm.
+/// Some 300 different poses of a revolution: none is warm.
 pub(super) fn poses(assembly: &GearPair) -> Vec<Pose> {
     let teeth = assembly.gear(Member::Wheel).gear().basic_data().teeth();
     (0..308)

@@ -1,6 +1,6 @@
-//! What issue 3 asks of the kernel, as ratios taken side by side in one run. How to read it: benches/README.md.
+//! Ratios of kernel times, measured in one run. benches/README.md explains them.
 //!
-//! `cargo bench --bench ratios`. Every time is the least of several rounds: what else the machine does adds time, never takes it.
+//! `cargo bench --bench ratios`. Every time is the least of several rounds, because other work on the machine only adds time.
 
 mod gears;
 mod newcomer;
@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 /// Rounds of which the fastest counts.
 const ROUNDS: usize = 7;
 
-/// The same of extremes: one takes a tenth of a millisecond, and the first few of them find nothing in the caches.
+/// Rounds for extremes: one takes a tenth of a millisecond, and the first few have cold caches.
 const ROUNDS_OF_EXTREMES: usize = 50;
 
 fn fastest(mut work: impl FnMut()) -> Duration {

@@ -1,4 +1,4 @@
-//! What one writes who has parry and no theory, to compare with.
+//! The solution of a newcomer with parry and without gear theory, for comparison.
 
 use gearlash::contact::ExactKernel;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
@@ -42,7 +42,7 @@ fn whole_gear(gear: &AsBuilt) -> Polyline {
 
 /// Both rotations by bisection with parry's `distance` of whole gears, rad, and the time it took.
 ///
-/// What one writes who has parry and no theory: a rotation is free when the distance is positive.
+/// A rotation is free if the distance is positive.
 pub(super) fn newcomer(assembly: &GearPair, pose: &Pose) -> (f64, f64) {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| whole_gear(assembly.gear(m)));
     let frame = |member: Member, rotation: f64| {
@@ -60,7 +60,7 @@ pub(super) fn newcomer(assembly: &GearPair, pose: &Pose) -> (f64, f64) {
     };
     let start = Instant::now();
     let ends = [-1.0, 1.0].map(|sense| {
-        // Clear in the middle of the play, closed 0.3° farther: the newcomer is spared that search.
+        // The bracket is given: clear in the middle of the play, closed 0.3° beyond.
         let middle = ExactKernel::new(assembly).lost_motion(pose).unwrap();
         let middle = (middle.right.unwrap().rotation + middle.left.unwrap().rotation) / 2.0;
         let (mut clear, mut closed) = (middle, middle + sense * 0.005);

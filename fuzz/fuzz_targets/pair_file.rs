@@ -1,4 +1,4 @@
-//! The text of a pair file, TOML or JSON: problems, or a study whose first poses both methods find alike.
+//! The text of a pair file, TOML or JSON: problems, or a study with first poses on which both methods agree.
 #![no_main]
 
 use gearlash::pair::GearPair;
@@ -6,12 +6,12 @@ use gearlash_fuzz::folder::Folder;
 use gearlash_fuzz::pose::agree;
 use libfuzzer_sys::{Corpus, fuzz_target};
 
-/// Poses that are planned; a plan of more is not asked for.
+/// Greatest number of planned poses; a larger plan is skipped.
 const MOST_PLANNED: u64 = 20_000;
 /// Poses that are run.
 const MOST_RUN: usize = 2;
 
-/// What the pair files of fixtures/ name.
+/// Files named by the pair files of fixtures/.
 const TABLES: [(&str, &[u8]); 7] = [
     (
         "karba_tables_5_6.csv",

@@ -2,9 +2,9 @@
 #![no_main]
 
 use arbitrary::Arbitrary;
+use gearlash::analysis::study::Study;
 use gearlash::contact::{CutPair, Method, sweep};
 use gearlash::pair::{GearPair, Member};
-use gearlash::analysis::study::Study;
 use gearlash_fuzz::folder::Folder;
 use gearlash_fuzz::pose::agree;
 use libfuzzer_sys::{Corpus, fuzz_target};
@@ -40,17 +40,17 @@ struct Gear {
     back: bool,
     runout: Part,
     high_tooth: Part,
-    /// What one unit of the lists is worth.
+    /// Unit of the lists.
     per_tooth: Part,
     pitch: Part,
-    /// Taken round the gear again and again.
+    /// Repeated round the gear.
     thicker: [i8; 5],
     right: [i8; 7],
     left: [i8; 7],
     tooth: u16,
     slope: Part,
     crowning: Part,
-    /// Of the right flanks alone.
+    /// Slope of the right flanks alone.
     right_slope: Part,
 }
 
@@ -100,7 +100,14 @@ impl Gear {
         ]
     }
 
-    fn write(&self, name: &str, module: f64, angle: f64, winds: &str, text: &mut String) -> std::fmt::Result {
+    fn write(
+        &self,
+        name: &str,
+        module: f64,
+        angle: f64,
+        winds: &str,
+        text: &mut String,
+    ) -> std::fmt::Result {
         let teeth = self.teeth();
         let um = module * 1e3;
         let face = if self.back { "back" } else { "front" };
@@ -149,13 +156,17 @@ impl Gear {
             writeln!(text, "right_um = {:?}", round_the_gear(&self.right, most))?;
             writeln!(text, "left_um = {:?}", round_the_gear(&self.left, most))?;
         }
-        let [slope, crowning, right] = [self.slope, self.crowning, self.right_slope]
-            .map(|part| part.either_way(0.02) * um);
+        let [slope, crowning, right] =
+            [self.slope, self.crowning, self.right_slope].map(|part| part.either_way(0.02) * um);
         if [slope, crowning, right] != [0.0; 3] {
             writeln!(text, "[{name}.profile]\ncrowning_um = {crowning:?}")?;
-            match right == 0.0 {
-                true => writeln!(text, "slope_um = {slope:?}")?,
-                false => writeln!(text, "right.slope_um = {right:?}\nleft.slope_um = {slope:?}")?,
+            if right == 0.0 {
+                writeln!(text, "slope_um = {slope:?}")?
+            } else {
+                writeln!(
+                    text,
+                    "right.slope_um = {right:?}\nleft.slope_um = {slope:?}"
+                )?
             }
         }
         Ok(())
@@ -188,17 +199,22 @@ impl Random {
         self.helix.either_way(35.0)
     }
 
-    /// What the pair file says of the helix: nothing of spur gears.
+    /// Helix keys of the pair file; empty for spur gears.
     fn winds(&self, name: &str, module: f64) -> String {
         let helix = self.helix_deg();
-        let hand = if (helix < 0.0) == (name == "wheel") { "left" } else { "right" };
-        match helix == 0.0 {
-            true => String::new(),
-            false => format!(
+        let hand = if (helix < 0.0) == (name == "wheel") {
+            "left"
+        } else {
+            "right"
+        };
+        if helix == 0.0 {
+            String::new()
+        } else {
+            format!(
                 "helix_angle_deg = {:?}\nhand = \"{hand}\"\nface_width_mm = {:?}",
                 helix.abs(),
                 self.face.within(0.5, 8.0, 20.0) * module
-            ),
+            )
         }
     }
 
@@ -217,19 +233,20 @@ impl Random {
         // Reference circles of helical gears are wider; their tips and roots stand as far beyond.
         let wider = module * reference * (1.0 / self.helix_deg().to_radians().cos() - 1.0);
         let distance = wider
-            + module * match &self.distance {
-                Distance::Any(part) => {
-                    let base = reference * angle.cos();
-                    let apart = tip + mates_tip + 0.5;
-                    part.within(base, reference, apart.max(reference))
-                }
-                Distance::Tips(part) => tip + mates_tip + part.either_way(0.3),
-                Distance::Root(true, part) => tip + mates_root + part.either_way(0.3),
-                Distance::Root(false, part) => root + mates_tip + part.either_way(0.3),
-                Distance::Play(part) => {
-                    reference + wheel.shift() + pinion.shift() + part.either_way(0.5)
-                }
-            };
+            + module
+                * match &self.distance {
+                    Distance::Any(part) => {
+                        let base = reference * angle.cos();
+                        let apart = tip + mates_tip + 0.5;
+                        part.within(base, reference, apart.max(reference))
+                    }
+                    Distance::Tips(part) => tip + mates_tip + part.either_way(0.3),
+                    Distance::Root(true, part) => tip + mates_root + part.either_way(0.3),
+                    Distance::Root(false, part) => root + mates_tip + part.either_way(0.3),
+                    Distance::Play(part) => {
+                        reference + wheel.shift() + pinion.shift() + part.either_way(0.5)
+                    }
+                };
         let locked = if self.pinion_locked {
             "pinion"
         } else {
@@ -254,7 +271,14 @@ fn over_the_face(study: &Study) -> Result<(), String> {
     let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
     for method in [Method::Both, Method::Exact { certify: true }] {
         let go_on = || ControlFlow::Continue(());
-        let poses = sweep(&plan.assembly, &cut, method, &plan.matings[..1], 0.0, &go_on);
+        let poses = sweep(
+            &plan.assembly,
+            &cut,
+            method,
+            &plan.matings[..1],
+            0.0,
+            &go_on,
+        );
         let poses = poses.map_err(|error| error.to_string())?;
         for unproven in poses.iter().flat_map(|pose| pose.unproven()) {
             // A contact that was lost, or effort that was spent, says so itself.

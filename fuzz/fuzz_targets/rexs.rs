@@ -33,7 +33,7 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
     };
     for stage in &model.stages {
         match &stage.pair {
-            // What `import` writes, `check` reads, or names what is wrong with the gears themselves.
+            // `check` reads the file of `import`, or reports errors of the gears.
             Ok(pair) => drop(Folder::new(&pair.pair_file, &[]).read_twice()),
             Err(why) => assert!(!why.is_empty()),
         }

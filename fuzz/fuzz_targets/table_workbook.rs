@@ -1,6 +1,6 @@
-//! An `.xlsx` workbook. The first byte says which readings; then come, parted by lines `---`, the XML of sheet, shared texts,
-//! styles, list of sheets and their relations, put into a stored zip archive here: checksums would stop every mutation. What is
-//! left out is as small as can be. An input that begins with `!` holds the bytes of the archive itself.
+//! An `.xlsx` workbook. The first byte selects the readings. The XML of sheet, shared texts, styles, list of sheets and their
+//! relations follows, separated by lines `---`. The target stores it in a zip archive, because checksums would stop every mutation.
+//! Missing parts are minimal. An input that begins with `!` holds the bytes of the archive itself.
 #![no_main]
 
 use gearlash_fuzz::table;
@@ -11,7 +11,7 @@ use zip::{CompressionMethod, ZipWriter};
 
 const BETWEEN: &[u8] = b"\n---\n";
 
-/// The parts of an input, with what stands in their place where it has none.
+/// The parts of an input, with the defaults of missing parts.
 const PARTS: [(&str, &str); 5] = [
     (
         "xl/worksheets/sheet1.xml",
@@ -29,7 +29,7 @@ const PARTS: [(&str, &str); 5] = [
     ),
 ];
 
-/// What no input states.
+/// Parts that are the same for every input.
 const FIXED: [(&str, &str); 2] = [
     ("[Content_Types].xml", "<Types/>"),
     (

@@ -27,7 +27,7 @@ impl Folder {
         fs::write(self.0.path().join(name), bytes).unwrap();
     }
 
-    /// The study of the pair file; `None` where the file is wrong and every problem says so as it must.
+    /// The study of the pair file; `None` for a file with well-formed problems.
     pub fn read(&self) -> Option<Study> {
         self.file().map(|file| file.study)
     }
@@ -36,7 +36,7 @@ impl Folder {
         read(&self.0.path().join("pair"))
     }
 
-    /// The same, and what was understood of a good file reads again as the same.
+    /// The study of the pair file. The echo of a good file must read as the same study.
     pub fn read_twice(&self) -> Option<Study> {
         let file = self.file()?;
         self.write("echo.json", serde_json::to_string(&file.spec).expect("the spec is no JSON").as_bytes());

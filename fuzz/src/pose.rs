@@ -1,8 +1,8 @@
 //! One pose by the exact method, the polygon method and the certificate.
 
+use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
 use gearlash::error::Error;
 use gearlash::gear::ProfilePart;
-use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 
@@ -12,14 +12,15 @@ const CHORD: f64 = 1e-4;
 /// A contact this near to the root circle, mm, is where a fillet ends.
 const JOINT: f64 = 1e-6;
 
-/// Tip circles that meet within this, mm, do so to the rounding of radii of a metre, a thousandfold.
+/// Tip circles that meet within this, mm, meet to rounding: a thousand times that of radii of a metre.
 const JUST_MET: f64 = 1e-10;
 
-/// Checks that both methods agree at `mating` within their error bounds, and that the certificate bears the exact result out.
-/// A pose that either gives up, its contact lost, is let pass: it says so itself.
+/// Checks that both methods agree at `mating` within their error bounds, and that the certificate confirms the exact result.
+///
+/// A pose with a lost contact passes, because the program reports it.
 ///
 /// # Errors
-/// What differs.
+/// The difference, in words.
 pub fn agree(assembly: &GearPair, mating: Mating) -> Result<(), String> {
     let pose = Pose::new(assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
@@ -41,7 +42,7 @@ pub fn agree(assembly: &GearPair, mating: Mating) -> Result<(), String> {
     Ok(())
 }
 
-/// What was found; `None` where the contact was lost.
+/// The result; `None` if the contact was lost.
 fn settled(name: &str, found: Result<LostMotion, Error>) -> Result<Option<LostMotion>, String> {
     match found {
         Ok(found) => Ok(Some(found)),
@@ -53,21 +54,24 @@ fn settled(name: &str, found: Result<LostMotion, Error>) -> Result<Option<LostMo
 /// Whether two results are the same within both bounds: contact by contact, their lost motion, and so
 /// their status.
 fn same(assembly: &GearPair, exact: &LostMotion, polygon: &LostMotion) -> Result<(), String> {
-    // Tip circles that meet to the last bits of their radii: whether a tip is in reach nobody can say.
+    // Tip circles that meet to rounding: whether a tip is in reach is undecidable.
     let tips =
         [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member).gear().tip_radius());
     if (assembly.center_distance() - tips.iter().sum::<f64>()).abs() <= JUST_MET {
         return Ok(());
     }
-    // Teeth that stand in the mate's body: where what overlaps would touch means nothing.
+    // Teeth inside the mate's body: the contacts of overlapping bodies are meaningless.
     if exact.solid && polygon.solid {
         return Ok(());
     }
-    let within = |what: &str, difference: f64, bound: f64| match difference.abs() <= bound {
-        true => Ok(()),
-        false => Err(format!(
-            "{what}: {difference:.3e} rad apart, allowed {bound:.3e}"
-        )),
+    let within = |what: &str, difference: f64, bound: f64| {
+        if difference.abs() <= bound {
+            Ok(())
+        } else {
+            Err(format!(
+                "{what}: {difference:.3e} rad apart, allowed {bound:.3e}"
+            ))
+        }
     };
     let side = |what: &str, one: Option<Contact>, other: Option<Contact>| match (one, other) {
         (Some(one), Some(other)) => {
@@ -101,13 +105,14 @@ fn same(assembly: &GearPair, exact: &LostMotion, polygon: &LostMotion) -> Result
         }
     }
     let [one, other] = [exact.status(), polygon.status()];
-    match one == other
+    if one == other
         || [exact, polygon]
             .into_iter()
             .any(|found| begins_a_land(assembly, found))
     {
-        true => Ok(()),
-        false => Err(format!("exact {}, polygon {}", one.name(), other.name())),
+        Ok(())
+    } else {
+        Err(format!("exact {}, polygon {}", one.name(), other.name()))
     }
 }
 

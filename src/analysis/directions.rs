@@ -155,8 +155,7 @@ impl<'a> End<'a> {
         let base = wheel.gear().base_radius() + pinion.gear().base_radius();
         // Involutes have no contact nearer than that: what is found there bounds nothing unless it jams.
         let distance = wanted.max(base * (1.0 + NEAREST));
-        let centred = GearPair::with_locked(wheel, pinion, distance, assembly.locked())?
-            .with_face(assembly.face())?;
+        let centred = assembly.with_gears(wheel, pinion, distance)?;
         let mut found = search(&centred, &kernel.at(&centred))?;
         if let Some(least) = found.least.as_mut().filter(|_| wanted < distance) {
             (least.low, least.doubt) = (f64::NEG_INFINITY, Some(Doubt::Unbounded));
@@ -275,13 +274,10 @@ impl<'a> End<'a> {
             };
             self.centred.gear(member).with_side_turned(Side::Left, by)
         };
-        Ok(GearPair::with_locked(
-            gear(Member::Wheel)?,
-            gear(Member::Pinion)?,
-            self.centred.center_distance(),
-            locked,
-        )?
-        .with_face(self.centred.face())?)
+        let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+        Ok(self
+            .centred
+            .with_gears(wheel, pinion, self.centred.center_distance())?)
     }
 
     /// The assembly with its high teeth where they belong at this end, and its mating that stands as `mating` of the centred pair does; the
@@ -319,12 +315,8 @@ impl<'a> End<'a> {
             let tooth = gear.gear().basic_data().tooth_towards(along);
             gear.with_runout(gear.eccentricity(), tooth)
         };
-        let pair = GearPair::with_locked(
-            gear(Member::Wheel)?,
-            gear(Member::Pinion)?,
-            assembly.center_distance(),
-            assembly.locked(),
-        )?;
-        Ok((pair.with_face(assembly.face())?, mating))
+        let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+        let pair = assembly.with_gears(wheel, pinion, assembly.center_distance())?;
+        Ok((pair, mating))
     }
 }

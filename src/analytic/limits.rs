@@ -1,12 +1,12 @@
-//! Limits of a pair from its parameters alone (design section 7), mean teeth on centred axes.
+//! Limits of a pair from its parameters alone (design section 7), for mean teeth on centred axes.
 //!
-//! Margins are positive where the limit is kept. Lengths in mm.
+//! Margins are positive if the limit is met. Lengths are mm.
 
 use super::InvolutePair;
 use crate::gear::{BasicGearData, BasicRack, Gear};
 use crate::pair::{GearPair, Member};
 
-/// A limit counts as met within this, mm: decimal input such as 160.2 − 132 − 27.75 is not exact in binary.
+/// Tolerance of a limit, mm: decimal input such as 160.2 − 132 − 27.75 is not exact in binary.
 pub const MET_WITHIN: f64 = 1e-9;
 
 /// Recommended radial clearance, modules (study, section 3).
@@ -32,21 +32,20 @@ pub fn tip_tangent(gear: &Gear) -> f64 {
     gear.base_radius() * gear.tip_roll()
 }
 
-/// What is left of `member`'s line of action inside its mate's tip circle, `(r_b1 + r_b2) tan α_wt − √(r_a,mate² − r_b,mate²)`, mm.
+/// Line of action of `member` beyond its mate's tip circle, `(r_b1 + r_b2) tan α_wt − √(r_a,mate² − r_b,mate²)`, mm.
 ///
-/// K (8): negative, and the mate's tip would touch `member` inside its base
-/// circle, where there is no involute.
+/// K (8): if it is negative, the mate's tip would touch `member` inside the base circle, where there is no involute.
 pub fn non_involute_margin(assembly: &GearPair, member: Member) -> f64 {
     base_tangent(assembly) - tip_tangent(assembly.gear(member.mate()).gear())
 }
 
-/// The same counted from `member`'s root form circle instead of its base circle, mm along the line of action.
+/// [`non_involute_margin`] counted from `member`'s root form circle instead of its base circle, mm along the line of action.
 pub fn form_margin(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     non_involute_margin(assembly, member) - gear.base_radius() * gear.form_roll()
 }
 
-/// Radius on `member` at which its mate's tip leaves the line of action, mm; `None` where K (8) is violated.
+/// Radius on `member` at which its mate's tip leaves the line of action, mm; `None` if K (8) is violated.
 pub fn active_root_radius(assembly: &GearPair, member: Member) -> Option<f64> {
     let margin = non_involute_margin(assembly, member);
     (margin >= 0.0).then(|| margin.hypot(assembly.gear(member).gear().base_radius()))
@@ -54,8 +53,8 @@ pub fn active_root_radius(assembly: &GearPair, member: Member) -> Option<f64> {
 
 /// Contact ratio `ε_α`: the path of contact between both tip circles over the base pitch (ISO 21771).
 ///
-/// Negative where the tip circles do not meet on the line of action. Takes the
-/// flanks to reach as deep as the tips do: see [`form_margin`].
+/// It is negative if the tip circles do not meet on the line of action. Flanks are assumed to reach as deep as the tips: see
+/// [`form_margin`].
 pub fn contact_ratio(assembly: &GearPair) -> f64 {
     let gear = |member| assembly.gear(member).gear();
     let path = tip_tangent(gear(Member::Wheel)) + tip_tangent(gear(Member::Pinion))
@@ -63,7 +62,7 @@ pub fn contact_ratio(assembly: &GearPair) -> f64 {
     path / gear(Member::Wheel).basic_data().base_pitch()
 }
 
-/// Contact ratio over the path that both gears' form circles leave of [`contact_ratio`]'s.
+/// Contact ratio over the part of the path outside both form circles.
 pub fn usable_contact_ratio(assembly: &GearPair) -> f64 {
     let lost: f64 = Member::BOTH
         .map(|member| (-form_margin(assembly, member)).max(0.0))
@@ -84,7 +83,7 @@ pub fn operating_thickness(assembly: &GearPair, member: Member) -> f64 {
 
 /// Pitch on the operating pitch circles, `p_wt = p_b/cos α_wt`, mm.
 ///
-/// Backlash condition (K (12), (13)): both operating thicknesses together do not exceed it.
+/// Backlash condition (K (12), (13)): the sum of both operating thicknesses does not exceed it.
 pub fn operating_pitch(assembly: &GearPair) -> f64 {
     let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
     assembly.operating_pitch_radius(Member::Wheel) * basic_data.angular_pitch()
@@ -92,14 +91,13 @@ pub fn operating_pitch(assembly: &GearPair) -> f64 {
 
 /// Zero-backlash centre distance `a_0` of the mean teeth, mm, K (17).
 ///
-/// From measured spans when the gears were made of them (K (15), (16):
-/// [`crate::gear::thickness::base_from_span`]). `None` when the teeth are so
-/// thin that they have play on touching base circles.
+/// The thickness may come from measured spans (K (15), (16): [`crate::gear::thickness::base_from_span`]). `None` if touching base
+/// circles have backlash.
 pub fn zero_backlash_distance(assembly: &GearPair) -> Option<f64> {
     InvolutePair::of(assembly).center_distance(0.0)
 }
 
-/// The same of the nominal teeth: `inv α_0 = inv α + 2 (x_1 + x_2) tan α/(z_1 + z_2)`.
+/// Zero-backlash centre distance of the nominal teeth, mm: `inv α_0 = inv α + 2 (x_1 + x_2) tan α/(z_1 + z_2)`.
 pub fn nominal_zero_backlash_distance(assembly: &GearPair) -> Option<f64> {
     InvolutePair::nominal(assembly).center_distance(0.0)
 }
@@ -109,18 +107,18 @@ pub fn radial_backlash(assembly: &GearPair) -> Option<f64> {
     Some(assembly.center_distance() - zero_backlash_distance(assembly)?)
 }
 
-/// Tooth thickness `s_an` on the tip circle, mm, in the normal section: the transverse one times `cos β_a`.
+/// Normal tooth thickness `s_an` on the tip circle, mm: the transverse thickness times `cos β_a`.
 pub fn tip_thickness(gear: &Gear) -> f64 {
     2.0 * gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll()) * tip_helix_cos(gear)
 }
 
-/// `cos β_a` at the tip circle, `tan β_a = r_a tan β/r` (ISO 21771); 1 of spur gears.
+/// `cos β_a` at the tip circle, `tan β_a = r_a tan β/r` (ISO 21771); 1 for spur gears.
 pub fn tip_helix_cos(gear: &Gear) -> f64 {
     let tan = gear.tip_radius() * gear.basic_data().twist();
     1.0 / (1.0 + tan * tan).sqrt()
 }
 
-/// Overlap ratio `ε_β = b tan β_b/p_bt` of the common face `b`, mm; 0 of spur gears.
+/// Overlap ratio `ε_β = b tan β_b/p_bt` of the common face `b`, mm; 0 for spur gears.
 pub fn overlap_ratio(assembly: &GearPair) -> f64 {
     let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
     let [from, to] = assembly.face();
@@ -130,7 +128,7 @@ pub fn overlap_ratio(assembly: &GearPair) -> f64 {
 
 /// Least generating shift `x_E` without undercut, modules: `h_fP* − ρ_fP* (1 − sin α_n) − z sin² α_t/(2 cos β)`.
 ///
-/// Design section 4's `r sin α − (h_0/sin α + ρ) ≥ 0` solved for the shift.
+/// It solves `r sin α − (h_0/sin α + ρ) ≥ 0` (design section 4) for the shift.
 pub fn least_shift_without_undercut(basic_data: &BasicGearData, rack: &BasicRack) -> f64 {
     let sin = basic_data.pressure_angle().sin();
     let transverse = basic_data.transverse_pressure_angle().sin();

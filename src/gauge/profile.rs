@@ -61,7 +61,7 @@ pub struct ProfileReading {
 impl ProfileReadings {
     /// The profiles of a gear's own flank.
     pub fn flank(&self, own: Flank) -> &FlankProfiles {
-        &self.flanks[usize::from(own == Flank::Left)]
+        &self.flanks[own.index()]
     }
 
     /// Whether any profile deviates by more than rounding.

@@ -4,7 +4,7 @@ use super::BasicGearData;
 use crate::error::GearError;
 use std::str::FromStr;
 
-/// Where the allowances come from: to stand beside every one shown.
+/// Source of the allowances, shown beside every one of them.
 pub const DIN_3967_SOURCE: &str =
     "after DIN 3967:1978, table as published alike in two public programs, standard not consulted";
 
@@ -13,7 +13,7 @@ const SERIES: [&str; 11] = ["a", "ab", "b", "bc", "c", "cd", "d", "e", "f", "g",
 /// The series of tolerances.
 const TOLERANCES: std::ops::RangeInclusive<usize> = 21..=30;
 
-/// Up to which reference diameter, mm; upper allowance by series, tolerance by series, µm.
+/// Rows: greatest reference diameter, mm; upper allowance by series, tolerance by series, µm.
 #[rustfmt::skip]
 const TABLE: [(f64, [i16; 11], [i16; 10]); 11] = [
     (10.0, [-100, -85, -70, -58, -48, -40, -33, -22, -10, -5, 0], [3, 5, 8, 12, 20, 30, 50, 80, 130, 200]),
@@ -40,7 +40,7 @@ impl ThicknessField {
     /// Upper and lower allowance `A_sne` and `A_sni` of the normal tooth thickness at the reference cylinder, µm.
     ///
     /// # Errors
-    /// A reference diameter beyond the table: above 10 000 mm.
+    /// A reference diameter above 10 000 mm, the end of the table.
     pub fn allowances_um(&self, basic_data: &BasicGearData) -> Result<[f64; 2], GearError> {
         let diameter = 2.0 * basic_data.reference_radius();
         let row = TABLE.iter().find(|(up_to, ..)| diameter <= *up_to);

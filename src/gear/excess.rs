@@ -1,41 +1,40 @@
-//! What flanks with a profile deviation stand out where a gauge touches them.
+//! The excess of flanks with a profile deviation, as a gauge finds it.
 //!
-//! A plane, a ball or a measuring circle finds such a flank where it would find an involute that stands out of the metal by the *excess*. With
-//! `E = e^{iξ}`, the flank `E (r_b − ia)`, `a = r_b ξ + δ(ξ)`, and a gauge that an involute would touch at the roll `θ` (own derivations):
+//! A plane, a ball or a measuring circle touches such a flank like an involute moved outwards by the *excess*. Let
+//! `E = e^{iξ}`, and let the flank be `E (r_b − ia)` with `a = r_b ξ + δ(ξ)`. Let `θ` be the roll at which the gauge would touch
+//! the involute (own derivations):
 //!
-//! - A plane square to the base tangent at `θ` stands at the greatest `a cos u − r_b sin u`, `u = ξ − θ`; an involute holds it at `r_b θ`.
-//! - A ball whose centre is `c` along that tangent touches the point at `ξ` where the two stand apart, seen from the gear's centre, by the
-//!   angle `β` of the triangle of `R = √(r_b² + a²)`, `√(r_b² + c²)` and the ball's radius `ρ`: at
-//!   `θ = ξ − atan(a/r_b) − β + atan(c/r_b)`. The least of them counts; an involute holds it at `c = r_b θ + ρ`.
-//! - A circle about the centre crosses at the same length of the tangent, `r_b ξ + δ = r_b ξ_0`.
+//! - A plane perpendicular to the base tangent at `θ` lies at the greatest `a cos u − r_b sin u`, `u = ξ − θ`. On an involute
+//!   it lies at `r_b θ`.
+//! - A ball of radius `ρ` has its centre at `c` along that tangent. It touches the point at `ξ` if
+//!   `θ = ξ − atan(a/r_b) − β + atan(c/r_b)`. Here `β` is the angle at the gear's centre in the triangle of `R = √(r_b² + a²)`,
+//!   `√(r_b² + c²)` and `ρ`. The least `θ` counts. On an involute `c = r_b θ + ρ`.
+//! - A circle about the centre crosses the flank at the same length of the tangent, `r_b ξ + δ = r_b ξ_0`.
 //!
-//! To first order each is `δ` where it touches; the greatest is sought among samples and narrowed down until rounding hides it.
+//! To first order each excess is `δ` at the contact. The greatest sample is refined by golden section.
 
 use super::modified_flanks::end_at;
-use super::{
-    AsBuilt, Deviations, Flank, FlankShifts, Gear, Modification, RollCurve, Side, involute,
-    thickness,
-};
+use super::{Deviations, Flank, FlankShifts, Gear, Modification, RollCurve, involute, thickness};
 use crate::error::GearError;
 use crate::numeric::golden_section;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Samples over the stretch that may be touched. Tuned: a measured trace has some hundred points on the whole flank.
+/// Samples over the range of possible contact. Tuned: a measured trace has some hundred points on the whole flank.
 const SAMPLES: usize = 64;
 /// Width to which a maximum is narrowed down, rad: there a value is 1e-18 of the arm below it.
 const SUMMIT: f64 = 1e-9;
 
-/// One flank, touched.
-struct Touched<'a> {
+/// A flank that a gauge touches.
+struct GaugedFlank<'a> {
     base: f64,
     deviation: &'a RollCurve,
     /// Rolls of its lower and upper end.
     ends: [f64; 2],
 }
 
-impl Touched<'_> {
-    /// By a plane that an involute would touch at the roll `theta`, mm.
+impl GaugedFlank<'_> {
+    /// Excess for a plane that would touch the involute at the roll `theta`, mm.
     fn by_plane(&self, theta: f64) -> f64 {
         let base = self.base;
         self.greatest(theta, |xi| {
@@ -46,7 +45,7 @@ impl Touched<'_> {
         })
     }
 
-    /// By a ball of `radius` whose centre lies `centre` along the base tangent, mm.
+    /// Excess for a ball of `radius` with its centre at `centre` along the base tangent, mm.
     fn by_ball(&self, centre: f64, radius: f64) -> f64 {
         let base = self.base;
         let (far, beyond) = (base.hypot(centre), (centre / base).atan());
@@ -59,7 +58,7 @@ impl Touched<'_> {
         })
     }
 
-    /// By a circle of the roll `xi`, mm.
+    /// Excess for a circle through the roll `xi`, mm.
     fn by_circle(&self, xi: f64) -> f64 {
         let there = end_at(self.base, xi, self.deviation);
         there.map_or(0.0, |there| self.base * (xi - there))
@@ -70,7 +69,7 @@ impl Touched<'_> {
         let [low, high] = self.ends;
         let about = about.clamp(low, high);
         let [[least, most], ..] = self.deviation.bounds(low, high);
-        // A point at the distance u loses r_b ξ u²/2 or more; it cannot gain more than the deviation varies.
+        // A point at the distance u loses r_b ξ u²/2 or more, and gains no more than the range of the deviation.
         let arm = self.base * low.max(0.25 * about).max(1e-3);
         let reach = 1.5 * (2.0 * (most - least) / arm).sqrt() + 1e-9;
         let (low, high) = ((about - reach).max(low), (about + reach).min(high));
@@ -89,33 +88,15 @@ impl Touched<'_> {
     }
 }
 
-impl AsBuilt {
-    /// Arc thickness at the reference circle, mm, that profile deviations add to the mean tooth.
-    pub(crate) fn arc_of_profiles(&self) -> f64 {
-        let basic_data = self.gear().basic_data();
-        let (r, base) = (basic_data.reference_radius(), basic_data.base_radius());
-        let roll = involute::roll_at(r, base);
-        let of_flank = |side: Side, tooth: u32| {
-            let there = end_at(base, roll, self.modification(side, tooth)?);
-            there.map(|there| r * (roll - there))
-        };
-        let of_side = |side: Side| -> f64 {
-            let teeth = 1..=basic_data.teeth();
-            teeth.filter_map(|tooth| of_flank(side, tooth)).sum()
-        };
-        Side::BOTH.map(of_side).iter().sum::<f64>() / f64::from(basic_data.teeth())
-    }
-}
-
 /// The profile deviations of all flanks of a gear.
 pub(crate) struct Excess<'a> {
     gear: &'a Gear,
-    /// Of the gear's own right flanks and of its left ones: by tooth, or one for all.
+    /// Curves of the gear's own right and left flanks: one per tooth, or one for all teeth.
     curves: [Vec<Arc<RollCurve>>; 2],
 }
 
 impl<'a> Excess<'a> {
-    /// Those of `profiles` on `gear`; `None` where there are none.
+    /// Profile deviations of `profiles` on `gear`; `None` without any.
     ///
     /// # Errors
     /// As [`Modification::curves`].
@@ -133,17 +114,17 @@ impl<'a> Excess<'a> {
         }))
     }
 
-    /// Of every flank, as shifts at the reference circle: `excess` of the flank of a side and tooth, and where it is touched.
+    /// The `excess` of every flank touched at the place `at`, as shifts at the reference circle.
     fn shifts(
         &self,
         at: impl Fn(Flank, u32) -> f64,
-        excess: impl Fn(&Touched, f64) -> f64,
+        excess: impl Fn(&GaugedFlank, f64) -> f64,
     ) -> FlankShifts {
         let gear = self.gear;
         let cos = gear.basic_data().transverse_pressure_angle().cos();
         let mut known: HashMap<(*const RollCurve, u64), f64> = HashMap::new();
         let mut of_side = |own: Flank| -> Vec<f64> {
-            let curves = &self.curves[usize::from(own == Flank::Left)];
+            let curves = &self.curves[own.index()];
             let teeth = 1..=gear.basic_data().teeth();
             let of_tooth = |tooth: u32| {
                 let curve = &curves[(tooth as usize - 1).min(curves.len() - 1)];
@@ -153,7 +134,7 @@ impl<'a> Excess<'a> {
                     .or_insert_with(|| {
                         let base = gear.base_radius();
                         let ends = [gear.form_roll(), gear.tip_roll()];
-                        let touched = Touched {
+                        let touched = GaugedFlank {
                             base,
                             deviation: curve,
                             ends: ends.map(|xi| end_at(base, xi, curve).unwrap_or(xi)),
@@ -161,7 +142,7 @@ impl<'a> Excess<'a> {
                         excess(&touched, place)
                     })
             };
-            // Right flanks stand at the ascending end of their tooth.
+            // Right flanks are on the ascending side of their tooth.
             let outward = -own.sense() / cos;
             let shifts = teeth.map(of_tooth).map(|mm| outward * mm);
             shifts.collect()
@@ -172,7 +153,9 @@ impl<'a> Excess<'a> {
         }
     }
 
-    /// Where anvils over `k` teeth touch that stand square to the middle of these teeth, the flanks standing as `known`.
+    /// Excess where the anvils of a span over `k` teeth touch, with flanks displaced as in `known`.
+    ///
+    /// The anvils are perpendicular to the middle of these teeth.
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
@@ -187,7 +170,7 @@ impl<'a> Excess<'a> {
         Ok(self.shifts(at, |touched, roll| touched.by_plane(roll)))
     }
 
-    /// Where pins of a diameter touch in each space, the flanks standing as `known` and out by what was found `before`.
+    /// Excess where pins touch in each space, with flanks displaced as in `known` and by the excess found `before`.
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
@@ -216,7 +199,7 @@ impl<'a> Excess<'a> {
         Ok(self.shifts(at, |touched, centre| touched.by_ball(centre, 0.5 * pin)))
     }
 
-    /// Where the reference circle crosses.
+    /// Excess on the reference circle.
     pub fn by_reference_circle(&self) -> FlankShifts {
         let basic_data = self.gear.basic_data();
         let roll = involute::roll_at(basic_data.reference_radius(), basic_data.base_radius());

@@ -1,44 +1,74 @@
 //! The fillet: envelope of the rack tool's tip round, rolled without slip.
 //!
-//! Derivation. While the rack rolls on the reference circle, the pitch point
-//! sits at `E r` with `E = e^{iβ}` and is the instantaneous centre; the centre
-//! of the tool's tip round lies at the offset `−h_0 + iu` from it (radial,
-//! tangential), `u = c_0 − r(β − β_space)`. The normal of the envelope passes
-//! through the pitch point, so with `γ` the angle between normal and radius
+//! Derivation. The rack rolls on the reference circle. The pitch point `E r`, `E = e^{iβ}`, is the instantaneous centre. The
+//! centre of the tool's tip round lies at the offset `−h_0 + iu` from it (radial, tangential), `u = c_0 − r(β − β_space)`. The
+//! normal of the envelope passes through the pitch point. With `γ`, the angle between normal and radius,
 //!
 //! ```text
 //! u = h_0 tan γ,   P = E (r − L e^{−iγ}),   L = h_0/cos γ + ρ,   n = E e^{−iγ}.
 //! ```
 //!
-//! `γ` runs from 0 at the root land to `π/2 − α`, where the flank of the tool
-//! takes over. Written in `γ`, nothing changes sign at `h_0 = 0`: a shift that
-//! lifts the centre of the tip round to the pitch line or beyond it is no
-//! special case. Differentiating, with `dβ/dγ = −h_0/(r cos² γ)`,
+//! `γ` runs from 0 at the root land to `π/2 − α`, where the flank of the tool begins. Nothing changes sign at `h_0 = 0`: a shift
+//! that lifts the centre of the tip round beyond the pitch line is no special case. With `dβ/dγ = −h_0/(r cos² γ)`,
 //!
 //! ```text
 //! dP/dγ = i n S,   S = ρ + h_0 L/(r cos² γ),   d(arg n)/dγ = −q,   q = 1 + h_0/(r cos² γ).
 //! ```
 //!
-//! In the transverse section of a helical gear the tool's tip round `ρ` is an ellipse, `ρ/cos β` along the pitch line and `ρ` deep. Its point
-//! whose normal has the angle `γ` lies, with `k = √(1 + tan²β sin²γ)`, at `ρ (sin γ/cos²β, −cos γ)/k` from its centre. Rolled alike, now
+//! In the transverse section of a helical gear the tool's tip round `ρ` is an ellipse, `ρ/cos β` along the pitch line and `ρ`
+//! deep. With `k = √(1 + tan²β sin²γ)`, the point with the normal angle `γ` lies at `ρ (sin γ/cos²β, −cos γ)/k` from its centre.
+//! Rolling it gives
 //!
 //! ```text
-//! L = h_0/cos γ + ρ/k,   u = h_0 tan γ − ρ tan²β sin γ/k,   −r dβ/dγ = M/cos γ,   M = h_0/cos γ − ρ tan²β cos²γ/k³ = L − ρ_t,
+//! L = h_0/cos γ + ρ/k,   u = h_0 tan γ − ρ tan²β sin γ/k,
+//!
+//! −r dβ/dγ = M/cos γ,   M = h_0/cos γ − ρ tan²β cos²γ/k³ = L − ρ_t,
+//!
 //! S = ρ_t + L M/(r cos γ),   q = 1 + M/(r cos γ),   ρ_t = ρ/(cos²β k³),
 //! ```
 //!
-//! `ρ_t` the ellipse's radius of curvature: the circle's formulas with `ρ/k` in `L` and `M` for `h_0/cos γ`, which they become at `β = 0`.
-//! (A circle in place of the ellipse moves form diameters by tens of micrometres.)
+//! where `ρ_t` is the ellipse's radius of curvature. They become the circle's formulas at `β = 0`. A circle in place of the ellipse
+//! would move form diameters by tens of micrometres.
 //!
-//! All for the right-hand half tooth, its centre line on +x.
-
-mod elliptic;
+//! Each term of `L` and `M` is monotone in `γ` from 0 to a right angle, and so is `ρ_t`. Their values at the ends of a stretch
+//! bound it. `S` and `q` follow by sums and products of intervals.
+//!
+//! The formulas hold for the right-hand half tooth, its centre line on +x.
 
 use super::{BasicGearData, BasicRack, involute};
 use crate::error::GearError;
 use crate::numeric::bisect;
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Number of stretches for bounds over a whole fillet.
+const STRETCHES: u32 = 64;
+
+/// Most bisections of a stretch: `S` is then known within 1e-9 of its size.
+const MOST_HALVINGS: u32 = 30;
+
+/// Bounds over a stretch, least first.
+#[derive(Debug, Clone, Copy)]
+struct Over {
+    /// `L`, mm.
+    reach: [f64; 2],
+    /// `M/(r cos γ)`.
+    lift: [f64; 2],
+    /// `ρ_t`, mm.
+    round: [f64; 2],
+}
+
+impl Over {
+    /// `S`, mm.
+    pub fn speed(&self) -> [f64; 2] {
+        sum(self.round, product(self.reach, self.lift))
+    }
+
+    /// `q`.
+    pub fn turn(&self) -> [f64; 2] {
+        sum([1.0; 2], self.lift)
+    }
+}
 
 /// The generated fillet of a right-hand half tooth, from root land to involute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,8 +92,7 @@ pub struct Fillet {
 impl Fillet {
     /// The fillet of `basic_data` cut by `rack` at the generating shift `x_E` (modules).
     ///
-    /// Its end is the tangency with the involute, or with undercut the
-    /// outermost crossing of trochoid and involute.
+    /// It ends at the tangency with the involute, or, with undercut, at the outermost crossing of trochoid and involute.
     ///
     /// # Errors
     /// [`GearError::TipRoundTooLarge`], [`GearError::FilletCusp`].
@@ -105,8 +134,8 @@ impl Fillet {
         Ok(fillet)
     }
 
-    /// Least `S` over the fillet. In `c = 1/cos γ`: `S = ρ + h_0 ρ c²/r + h_0² c³/r`, which for
-    /// `h_0 < 0` has its minimum at `c = 2ρ/(3|h_0|)`.
+    /// Least `S` over the fillet. With `c = 1/cos γ`, `S = ρ + h_0 ρ c²/r + h_0² c³/r` has its minimum at `c = 2ρ/(3|h_0|)` for
+    /// `h_0 < 0`.
     fn least_speed(&self) -> f64 {
         if self.lean > 0.0 {
             return self.least_elliptic_speed();
@@ -122,10 +151,9 @@ impl Fillet {
 
     /// Moves the end back to the crossing of trochoid and involute.
     ///
-    /// The trochoid meets the base circle inside the flank's metal and ends on
-    /// the mirrored branch of the involute, outside it: between the two the
-    /// angle between trochoid and involute changes sign once. `|P|` rises with
-    /// `γ` (`d|P|²/dγ = 2 r S sin γ`), so both bisections hold their bracket.
+    /// The trochoid crosses the base circle inside the metal. It ends outside it, on the mirrored branch of the involute. In
+    /// between, the angle between trochoid and involute changes sign once. `|P|` rises with `γ` (`d|P|²/dγ = 2 r S sin γ`), so
+    /// both bisections keep their bracket.
     fn undercut(&mut self, base: f64, half_base: f64) {
         let tangency = self.end;
         let inside = |gamma: f64| self.point(gamma).coords.norm() < base;
@@ -135,14 +163,14 @@ impl Fillet {
             let roll = involute::roll_at(point.coords.norm(), base);
             point.y.atan2(point.x) + half_base - involute::inv_of_roll(roll)
         };
-        // Within rounding of the base circle no crossing can be told from the tangency.
+        // Within rounding of the base circle a crossing equals the tangency.
         if excess(at_base) > 0.0 && excess(tangency) < 0.0 {
             [_, self.end] = bisect(at_base, tangency, 0.0, |gamma| excess(gamma) > 0.0);
         }
         self.form_roll = involute::roll_at(self.point(self.end).coords.norm(), base);
     }
 
-    /// The same fillet turned by `angle`, rad, about the gear's centre.
+    /// This fillet turned by `angle`, rad, about the gear's centre.
     pub(super) fn turned(self, angle: f64) -> Fillet {
         Fillet {
             root_angle: self.root_angle + angle,
@@ -165,17 +193,18 @@ impl Fillet {
         self.root_angle
     }
 
-    /// The greatest polar angle of the fillet, rad: minus half the angle that the tooth spans at its neck, about the gear's centre. 0
-    /// or more means that both fillets of a tooth cross: it is cut off.
+    /// The greatest polar angle of the fillet, rad: minus half the angle of the tooth at its neck, about the gear's centre.
     ///
-    /// `P' = i n S` turns by `S n·P/|P|²`, and `n·P = r cos γ − L`. With `c = cos γ` it is 0 where `r c² − ρ c − h_0 = 0`;
-    /// at the lesser `γ` of both the angle is greatest, if not at an end; at the other it is least.
+    /// At 0 or more both fillets of a tooth cross, and the tooth is cut off.
+    ///
+    /// `P' = i n S` turns by `S n·P/|P|²`, and `n·P = r cos γ − L`. With `c = cos γ` it is 0 where `r c² − ρ c − h_0 = 0`. The angle
+    /// is greatest at the lesser root `γ` or at an end, and least at the other root.
     pub fn neck(&self) -> f64 {
         if self.lean > 0.0 {
             return self.elliptic_neck();
         }
         let (r, round, depth) = (self.radius, self.tip_round, self.depth);
-        // Without a real root NaN, which is in no range.
+        // NaN without a real root, which no range contains.
         let root = (round * round + 4.0 * r * depth).sqrt();
         let still = ((round + root) / (2.0 * r)).acos();
         let angle = |gamma: f64| {
@@ -183,9 +212,10 @@ impl Fillet {
             point.y.atan2(point.x)
         };
         let ends = self.root_angle.max(angle(self.end));
-        match (0.0..=self.end).contains(&still) {
-            true => ends.max(angle(still)),
-            false => ends,
+        if (0.0..=self.end).contains(&still) {
+            ends.max(angle(still))
+        } else {
+            ends
         }
     }
 
@@ -194,7 +224,7 @@ impl Fillet {
         self.pitch_point(gamma).angle()
     }
 
-    /// `L`, mm: how far the fillet stands from its generating pitch point, along its normal.
+    /// `L`, mm: distance of the fillet from its generating pitch point, along its normal.
     pub(crate) fn reach(&self, gamma: f64) -> f64 {
         let (sin, cos) = gamma.sin_cos();
         self.depth / cos + self.round(sin)
@@ -252,7 +282,7 @@ impl Fillet {
         self.tip_round + lift * (self.tip_round + self.depth * c)
     }
 
-    /// `S` times the half length, `q` times the half length: both rise with `γ` once `h_0` is taken by its amount.
+    /// Bounds of `S` and of `q`, times the half length. Both bounds rise with `γ`, because they use `|h_0|`.
     pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
         let half = 0.5 * (high - low);
         if self.lean > 0.0 {
@@ -266,7 +296,7 @@ impl Fillet {
         (speed * half, (1.0 + lift) * half)
     }
 
-    /// `−q/S`; with `h_0 ≥ 0` both grow with `γ`.
+    /// Bounds of `−q/S`. For `h_0 ≥ 0` both `q` and `S` rise with `γ`.
     pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
         if self.lean > 0.0 {
             let over = self.over(low, high);
@@ -282,7 +312,7 @@ impl Fillet {
         known.then(|| (-turn(high) / least, -turn(low) / most))
     }
 
-    /// None is known: a fillet is hollow, or not by much.
+    /// `None`: a fillet is hollow or nearly hollow.
     pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
         None
     }
@@ -297,17 +327,16 @@ impl Fillet {
         self.tip_round
     }
 
-    /// Whether the tool's tip round is an ellipse in the transverse section, as that of a helical gear is.
+    /// Whether the tool's tip round is an ellipse in the transverse section, as for a helical gear.
     pub fn is_elliptic(&self) -> bool {
         self.lean > 0.0
     }
 
     /// `(A, B)` such that over any `[γ − Δ, γ]` the part of `P''` across the chord is at most `A + B Δ`.
     ///
-    /// `P'' = (i n S)'`: across the tangent `S |q|`, along it `|S'|`. The chord is
-    /// parallel to the tangent at some point between, from which the tangent
-    /// turns by at most `q Δ`. With `c = 1/cos γ` every term below rises with
-    /// `γ` once `h_0` is taken by its amount, so its value at the upper end bounds the interval.
+    /// `P'' = (i n S)'` has the parts `S |q|` across the tangent and `|S'|` along it. The chord is parallel to the tangent at some
+    /// point between, from which the tangent turns by at most `q Δ`. Every term below rises with `γ`, because it uses `|h_0|`: its
+    /// value at the upper end bounds the interval.
     pub fn bend(&self, gamma: f64) -> (f64, f64) {
         if self.lean > 0.0 {
             return self.elliptic_bend(gamma);
@@ -320,9 +349,157 @@ impl Fillet {
             gamma.tan() * (2.0 * depth * round * c * c + 3.0 * depth * depth * c * c * c) / r;
         (speed * turn, speed_slope * turn)
     }
+
+    /// `ρ/k` at `sin γ`, mm: extent of the tool's tip round from its centre along the normal.
+    #[inline]
+    fn round(&self, sin: f64) -> f64 {
+        if self.lean > 0.0 {
+            self.tip_round / self.stretch(sin)
+        } else {
+            self.tip_round
+        }
+    }
+
+    /// Reduction of the pitch point's turn by the ellipse, rad: `ρ tan²β sin γ/(k r)`.
+    #[inline]
+    fn held_back(&self, sin: f64) -> f64 {
+        if self.lean > 0.0 {
+            self.tip_round * self.lean * sin / (self.stretch(sin) * self.radius)
+        } else {
+            0.0
+        }
+    }
+
+    /// `k`.
+    fn stretch(&self, sin: f64) -> f64 {
+        (1.0 + self.lean * sin * sin).sqrt()
+    }
+
+    /// Bounds over the stretch from `low` to `high`.
+    fn over(&self, low: f64, high: f64) -> Over {
+        let ends = [low, high].map(|gamma| {
+            let (sin, cos) = gamma.sin_cos();
+            (1.0 / cos, cos, self.stretch(sin))
+        });
+        let rising = ends.map(|(c, _, _)| self.depth * c);
+        let deep = [rising[0].min(rising[1]), rising[0].max(rising[1])];
+        let [(low_c, low_cos, low_k), (high_c, high_cos, high_k)] = ends;
+        let falling = |of: &dyn Fn(f64, f64) -> f64| [of(high_cos, high_k), of(low_cos, low_k)];
+        let round = falling(&|_, k| self.tip_round * (1.0 + self.lean) / (k * k * k));
+        let along = falling(&|_, k| self.tip_round / k);
+        let against = falling(&|cos, k| self.tip_round * self.lean * cos * cos / (k * k * k));
+        let moment = [deep[0] - against[1], deep[1] - against[0]];
+        Over {
+            reach: sum(deep, along),
+            lift: product(moment, [low_c / self.radius, high_c / self.radius]),
+            round,
+        }
+    }
+
+    /// A lower bound of `S` over the fillet, with the sign of the least `S`.
+    fn least_elliptic_speed(&self) -> f64 {
+        self.least_speed_between(0.0, self.end, MOST_HALVINGS)
+    }
+
+    fn least_speed_between(&self, low: f64, high: f64, halvings: u32) -> f64 {
+        let bound = self.over(low, high).speed()[0];
+        let middle = 0.5 * (low + high);
+        if bound >= 0.0 || halvings == 0 {
+            return bound;
+        }
+        let here = self.speed(middle);
+        if here < 0.0 {
+            return here;
+        }
+        let first = self.least_speed_between(low, middle, halvings - 1);
+        if first < 0.0 {
+            first
+        } else {
+            first.min(self.least_speed_between(middle, high, halvings - 1))
+        }
+    }
+
+    /// [`Fillet::neck`] of an elliptic tip round: the angle is greatest where `n·P = r cos γ − L` is 0, or at an end.
+    fn elliptic_neck(&self) -> f64 {
+        let at = |k: u32| self.end * f64::from(k) / f64::from(STRETCHES);
+        let ahead = |gamma: f64| {
+            let (sin, cos) = gamma.sin_cos();
+            self.radius * cos - self.depth / cos - self.round(sin)
+        };
+        // The angle is least where it rises through 0.
+        let still = (0..STRETCHES).filter_map(|k| {
+            let (low, high) = (at(k), at(k + 1));
+            let falls = ahead(low) > 0.0 && ahead(high) <= 0.0;
+            falls.then(|| bisect(low, high, 0.0, |gamma| ahead(gamma) > 0.0)[1])
+        });
+        still
+            .chain([self.end])
+            .map(|gamma| {
+                let point = self.point(gamma);
+                point.y.atan2(point.x)
+            })
+            .fold(self.root_angle, f64::max)
+    }
+
+    /// [`Fillet::bend`] of an elliptic tip round. With `c = 1/cos γ`, `k ≥ 1` and `|k'| ≤ tan²β/2`: `|L| ≤ |h_0| c + ρ`, `|M| ≤ |h_0| c + ρ tan²β`,
+    /// `|L'| ≤ |h_0| c tan γ + ρ tan²β/2`, `|M'| ≤ |h_0| c tan γ + ρ tan²β (1 + 3/2 tan²β)`, `|ρ_t'| ≤ 3/2 tan²β ρ/cos²β`.
+    fn elliptic_bend(&self, gamma: f64) -> (f64, f64) {
+        let (c, tan) = (1.0 / gamma.cos(), gamma.tan());
+        let (depth, round, lean, r) =
+            (self.depth.abs() * c, self.tip_round, self.lean, self.radius);
+        let (reach, moment) = (depth + round, depth + round * lean);
+        let reach_slope = depth * tan + 0.5 * round * lean;
+        let moment_slope = depth * tan + round * lean * (1.0 + 1.5 * lean);
+        let speed = round * (1.0 + lean) + reach * moment * c / r;
+        let turn = 1.0 + moment * c / r;
+        let speed_slope = 1.5 * lean * round * (1.0 + lean)
+            + (reach_slope * moment + reach * moment_slope + reach * moment * tan) * c / r;
+        (speed * turn, speed_slope * turn)
+    }
+
+    /// The greatest radius of curvature `S/q` from `γ` up, mm; ∞ if the fillet is not hollow throughout.
+    pub(crate) fn greatest_hollow(&self, gamma: f64) -> f64 {
+        self.stretches(gamma).fold(0.0, |most: f64, (low, high)| {
+            let over = self.over(low, high);
+            let (speed, turn) = (over.speed()[1], over.turn()[0]);
+            most.max(if turn > 0.0 {
+                speed / turn
+            } else {
+                f64::INFINITY
+            })
+        })
+    }
+
+    /// Greatest amount of the angle `ψ` between fillet and radius from `γ` up, rad: `tan ψ = (r cos γ − L)/(r sin γ)`.
+    pub(crate) fn steepest(&self, gamma: f64) -> f64 {
+        self.stretches(gamma).fold(0.0, |most: f64, (low, high)| {
+            let reach = self.over(low, high).reach;
+            let (out, within) = (self.radius * low.cos(), self.radius * high.cos());
+            let radial = (out - reach[0]).abs().max((within - reach[1]).abs());
+            most.max(radial.atan2(self.radius * low.sin()))
+        })
+    }
+
+    fn stretches(&self, from: f64) -> impl Iterator<Item = (f64, f64)> {
+        let at = move |k: u32, end: f64| from + (end - from) * f64::from(k) / f64::from(STRETCHES);
+        let end = self.end;
+        (0..STRETCHES).map(move |k| (at(k, end), at(k + 1, end)))
+    }
 }
 
-/// The greater amount of an interval's ends.
+fn sum(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    let all = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
+    [
+        all.into_iter().fold(f64::INFINITY, f64::min),
+        all.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    ]
+}
+
+/// The greatest absolute value in an interval.
 fn greatest([low, high]: [f64; 2]) -> f64 {
     low.abs().max(high.abs())
 }

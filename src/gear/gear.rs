@@ -1,67 +1,12 @@
 //! A gear as generated: radii, mean base tooth thickness, generating shift.
 
 use super::part::{Arc, InvoluteFlank, Line, Part, PartCurve, ProfilePart};
-use super::{BasicGearData, BasicRack, Fillet, involute};
+use super::{BasicGearData, Fillet, GearDesign, involute};
 use crate::error::GearError;
 use nalgebra::Point2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What the drawing says, before any measured thickness: basic_data, profile shift, rack, tip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GearDesign {
-    /// Teeth, module, pressure angle.
-    pub basic_data: BasicGearData,
-    /// Profile shift coefficient `x`.
-    pub profile_shift: f64,
-    /// Basic rack.
-    pub rack: BasicRack,
-    /// Tip diameter `d_a`, mm; `None`: `m z + 2 m (h_aP* + x)`.
-    pub tip_diameter: Option<f64>,
-}
-
-impl GearDesign {
-    /// A gear of the ISO 53 rack, profile A, without profile shift; its tip diameter follows.
-    pub fn standard(basic_data: BasicGearData) -> GearDesign {
-        GearDesign {
-            basic_data,
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        }
-    }
-
-    /// Nominal tooth thickness `s_n = m_n (π/2 + 2 x tan α_n)` at the reference circle in the normal section, mm.
-    pub fn nominal_thickness(&self) -> f64 {
-        let alpha = self.basic_data.pressure_angle();
-        self.basic_data.module() * (PI / 2.0 + 2.0 * self.profile_shift * alpha.tan())
-    }
-
-    /// Nominal transverse base tooth thickness `s_bt = r_b (s_t/r + 2 inv α_t)`, mm, of `s_t = s_n/cos β`.
-    pub fn nominal_base_thickness(&self) -> f64 {
-        2.0 * self.basic_data.base_radius() * self.basic_data.half_base_angle(self.profile_shift)
-    }
-
-    /// Tip radius `r_a`, mm.
-    pub fn tip_radius(&self) -> f64 {
-        match self.tip_diameter {
-            Some(diameter) => diameter / 2.0,
-            None => {
-                self.basic_data.reference_radius()
-                    + self.basic_data.module() * (self.rack.addendum() + self.profile_shift)
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-impl GearDesign {
-    /// The gear most tests take: 20°, ISO 53 profile A, no profile shift.
-    pub(crate) fn plain(teeth: u32, module: f64) -> GearDesign {
-        GearDesign::standard(BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap())
-    }
-}
-
-/// Generated root radius of the generating shift `x_e`, mm.
+/// Root radius generated with the shift `x_e`, mm.
 fn root_radius(design: &GearDesign, x_e: f64) -> f64 {
     design.basic_data.reference_radius()
         - design.basic_data.module() * (design.rack.dedendum() - x_e)
@@ -104,8 +49,7 @@ fn generated(
     ]
 }
 
-/// A gear with teeth of one mean thickness. Every value is fixed at construction;
-/// a `Gear` that exists has teeth with a tip land, a flank and a tooth space.
+/// A gear with teeth of one mean thickness. Every tooth has a tip land, a flank and a space: the constructors check it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gear {
     design: GearDesign,
@@ -119,23 +63,21 @@ pub struct Gear {
 impl Gear {
     /// A gear of `design` whose teeth have the mean transverse `base_thickness` `s_bt`, mm.
     ///
-    /// The thickness decides the generating shift
-    /// `x_E = x + (s_n − s_n,nominal)/(2 m_n tan α_n)` (design section 4) and with it
-    /// root circle and fillet; the tip circle follows `x` or the given tip diameter.
+    /// The thickness determines the generating shift `x_E = x + (s_n − s_n,nominal)/(2 m_n tan α_n)` (design section 4), and so
+    /// root circle and fillet. The tip circle follows `x` or the given tip diameter.
     ///
     /// # Errors
-    /// A gear that cannot exist: tip round too large, cusped fillet, pointed
-    /// tooth, no involute between form and tip circle, no tooth space, a tooth that undercut has cut off.
+    /// A gear that cannot exist: tip round too large, cusped fillet, pointed tooth, no involute between form and tip circle, no
+    /// tooth space, a tooth cut off by undercut.
     pub fn new(design: GearDesign, base_thickness: f64) -> Result<Gear, GearError> {
         let basic_data = &design.basic_data;
         let base = basic_data.base_radius();
-        if !(base_thickness > 0.0 && base_thickness.is_finite()) {
-            return Err(GearError::OutOfRange {
-                what: "base tooth thickness (mm)",
-                value: base_thickness,
-                allowed: "a positive number",
-            });
-        }
+        GearError::require(
+            base_thickness > 0.0 && base_thickness.is_finite(),
+            "base tooth thickness (mm)",
+            base_thickness,
+            "a positive number",
+        )?;
         // s_t − s_t,nominal = (s_bt − s_bt,nominal)/cos α_t, since s_bt = cos α_t (s_t + 2 r inv α_t); s_n = s_t cos β, and
         // tan α_n = tan α_t cos β.
         let alpha = basic_data.transverse_pressure_angle();
@@ -164,8 +106,7 @@ impl Gear {
                 tip_diameter_mm: 2.0 * gear.tip_radius(),
             });
         }
-        // The space closes where the fillet's root end passes the tooth's own flank at the root,
-        // or where neighbouring involutes meet at the form circle.
+        // A space is closed if the root radius is not positive or neighbouring involutes meet at the form circle.
         let pitch = basic_data.angular_pitch();
         if gear.root_radius() <= 0.0 || 2.0 * gear.half_angle_at_roll(gear.form_roll()) >= pitch {
             return Err(GearError::NoSpace {
@@ -188,7 +129,7 @@ impl Gear {
         Gear::new(design, design.nominal_base_thickness())
     }
 
-    /// What the drawing says.
+    /// The design.
     pub fn design(&self) -> &GearDesign {
         &self.design
     }
@@ -230,7 +171,7 @@ impl Gear {
 
     /// Root form radius `r_Ff = d_Ff/2`, mm: where the usable involute begins.
     ///
-    /// Of a straight flank where it ends.
+    /// For a straight flank, its lower end.
     pub fn form_radius(&self) -> f64 {
         let flank = self.part(ProfilePart::Involute);
         match &flank.curve {
@@ -239,20 +180,20 @@ impl Gear {
         }
     }
 
-    /// One part of its half tooth.
+    /// One part of the half tooth.
     pub fn part(&self, part: ProfilePart) -> &Part {
         &self.parts[part as usize]
     }
 
-    /// Its half tooth, from the tip to the root.
+    /// The parts of the half tooth, from the tip to the root.
     pub(super) fn parts(&self) -> &[Part; 4] {
         &self.parts
     }
 
-    /// The same gear with all lengths `factor` times as large: warmer, or colder.
+    /// This gear with all lengths multiplied by `factor`, as by a change of temperature.
     ///
     /// # Errors
-    /// A module beyond what gears have.
+    /// A module out of range.
     pub fn expanded(&self, factor: f64) -> Result<Gear, GearError> {
         let basic_data = self.basic_data();
         let design = GearDesign {
@@ -261,16 +202,17 @@ impl Gear {
             ..self.design
         };
         let gear = Gear::new(design, factor * self.base_thickness)?;
-        match self.is_generated() {
-            true => Ok(gear),
-            false => gear.with_straight_flanks(
+        if self.is_generated() {
+            Ok(gear)
+        } else {
+            gear.with_straight_flanks(
                 self.part(ProfilePart::Tip).ends[1],
                 self.part(ProfilePart::Root).ends[0],
-            ),
+            )
         }
     }
 
-    /// Whether its flanks are involutes and its fillets what the rack leaves: what the formulas of gears are about.
+    /// Whether the flanks are involutes and the fillets are generated by the rack, as gear formulas assume.
     pub fn is_generated(&self) -> bool {
         matches!(
             self.part(ProfilePart::Involute).curve,
@@ -288,7 +230,7 @@ impl Gear {
         self.part(ProfilePart::Tip).ends[1]
     }
 
-    /// Half the angle a tooth spans where its flank ends at the form circle, rad.
+    /// Half the angle a tooth spans at the form circle, rad.
     pub(super) fn form_half_angle(&self) -> f64 {
         let flank = self.part(ProfilePart::Involute);
         match &flank.curve {
@@ -308,23 +250,22 @@ impl Gear {
         }
     }
 
-    /// This gear with straight flanks down to the root circle in place of involutes and fillets: half a tooth spans the angle `tip` at
-    /// the tip circle and `root` at the root circle, rad.
+    /// This gear with straight flanks down to the root circle in place of involutes and fillets.
     ///
-    /// Results call a straight flank `involute`: the part of the profile, not its curve. The exact method searches such pairs. Radii are the generated gear's; what
-    /// follows from its involutes (base and form rolls, thickness, the analytic models) is not about such teeth.
+    /// Half a tooth spans the angle `tip` at the tip circle and `root` at the root circle, rad. Results call a straight flank
+    /// `involute`, the name of the part. Radii are those of the generated gear. Values that follow from involutes (rolls, thickness,
+    /// the analytic models) do not apply.
     ///
     /// # Errors
-    /// Half angles that are not `0 < tip ≤ root < π/z`.
+    /// Half angles outside `0 < tip ≤ root < π/z`.
     pub fn with_straight_flanks(&self, tip: f64, root: f64) -> Result<Gear, GearError> {
         let half_pitch = 0.5 * self.basic_data().angular_pitch();
-        if !(tip > 0.0 && tip <= root && root < half_pitch) {
-            return Err(GearError::OutOfRange {
-                what: "half angle of a straight-sided tooth at the tip circle (rad)",
-                value: tip,
-                allowed: "above 0, at most that at the root circle, which is less than half a pitch",
-            });
-        }
+        GearError::require(
+            tip > 0.0 && tip <= root && root < half_pitch,
+            "half angle of a straight-sided tooth at the tip circle (rad)",
+            tip,
+            "above 0, at most that at the root circle, which is less than half a pitch",
+        )?;
         let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), -radius * angle.sin());
         let (inner, outer) = (at(self.root_radius(), root), at(self.tip_radius(), tip));
         let [mut land, _, mut fillet, mut bottom] = self.parts.clone();

@@ -1,23 +1,25 @@
 //! Accuracy grades of measured pitch and runout, after ISO 1328-1:2013.
 //!
-//! The formulas are those published in several open implementations; the
-//! standard itself was not consulted. They hold for `5 ≤ z ≤ 1000`,
-//! `5 mm ≤ d ≤ 15 000 mm`, `0.5 mm ≤ m_n ≤ 70 mm` and grades 1 … 11, `m_n` the (normal) module.
+//! The formulas come from several open implementations; the standard itself was not consulted. They hold for `5 ≤ z ≤ 1000`,
+//! `5 mm ≤ d ≤ 15 000 mm`, normal modules `0.5 mm ≤ m_n ≤ 70 mm` and grades 1 … 11.
 
 use super::BasicGearData;
 use crate::error::GearError;
 use std::ops::RangeInclusive;
 
-/// Where grades come from: to stand beside every grade shown.
+/// Source of the grades, shown beside every one of them.
 pub const GRADE_SOURCE: &str = "after ISO 1328-1:2013, formulas as published in several open implementations, standard not consulted";
 
-/// The grades there are, the finest first.
+/// All grades, the finest first.
 pub const GRADES: RangeInclusive<u32> = 1..=11;
 
-/// What a grade limits.
+/// A deviation that a grade limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum GradedQuantity {
     /// Single pitch deviation `f_p`, the largest amount.
     SinglePitch,
@@ -29,8 +31,11 @@ pub enum GradedQuantity {
 
 /// A grade with its tolerance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Grade {
     /// The finest grade that admits the value.
     Within {
@@ -65,7 +70,7 @@ impl GradedQuantity {
         }
     }
 
-    /// Tolerance of `basic_data` at grade `A`, mm, as a drawing states it: rounded.
+    /// Tolerance of `basic_data` at grade `A`, mm, rounded as on a drawing.
     ///
     /// # Errors
     /// [`GearError::OutOfRange`] outside the ranges of the formulas.
@@ -73,13 +78,12 @@ impl GradedQuantity {
         Ok(rounded(self.unrounded(basic_data, grade)?) / 1e3)
     }
 
-    /// The grade of `measured`, mm. A value equal to a tolerance is within it, whichever way its last digits
-    /// were rounded when micrometres became millimetres.
+    /// The grade of `measured`, mm. A value equal to a tolerance is within it, whatever the rounding from µm to mm.
     ///
     /// # Errors
     /// As [`GradedQuantity::tolerance`].
     pub fn grade(self, basic_data: &BasicGearData, measured: f64) -> Result<Grade, GearError> {
-        // Each way of conversion rounds once, by half a unit in the last place at most.
+        // The conversion rounds once, by half a unit in the last place at most.
         let least = measured * (1.0 - f64::EPSILON);
         for grade in GRADES {
             let tolerance = self.tolerance(basic_data, grade)?;
@@ -94,18 +98,13 @@ impl GradedQuantity {
         })
     }
 
-    /// µm: `f_pT = (0.001 d + 0.4 m_n + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m_n + 12) √2^(A−5)`,
+    /// Tolerance before rounding, µm: `f_pT = (0.001 d + 0.4 m_n + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m_n + 12) √2^(A−5)`,
     /// `F_rT = 0.9 F_pT`, with `d` and the normal module `m_n` in mm.
     fn unrounded(self, basic_data: &BasicGearData, grade: u32) -> Result<f64, GearError> {
         let d = 2.0 * basic_data.reference_radius();
         let module = basic_data.module();
         let within = |what, value: f64, range: RangeInclusive<f64>, allowed| {
-            let inside = range.contains(&value);
-            inside.then_some(()).ok_or(GearError::OutOfRange {
-                what,
-                value,
-                allowed,
-            })
+            GearError::require(range.contains(&value), what, value, allowed)
         };
         let teeth = f64::from(basic_data.teeth());
         within("teeth, to be graded,", teeth, 5.0..=1000.0, "5 … 1000")?;
@@ -127,7 +126,7 @@ impl GradedQuantity {
     }
 }
 
-/// Above 10 µm to whole ones, above 5 to halves, else to tenths.
+/// Rounds to 1 µm above 10 µm, to 0.5 µm above 5 µm, else to 0.1 µm.
 fn rounded(um: f64) -> f64 {
     if um > 10.0 {
         um.round()

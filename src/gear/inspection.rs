@@ -1,12 +1,11 @@
-//! What an inspection sheet shows of a gear as built.
+//! The inspection sheet of a gear as built.
 
 use super::{AsBuilt, Flank, Side, pitch};
 
-/// Pitch, thickness and runout tooth by tooth, tooth 1 first. Lengths in mm at the reference circle, `right` and
-/// `left` the gear's *own* flanks, the sense that of ascending numbers, about the gear's own centre.
+/// Pitch, thickness and runout of each tooth, tooth 1 first.
 ///
-/// It follows from where [`AsBuilt`] has its flanks, so a tooth that is thicker than the mean shows in the pitch of
-/// both flanks too, as it does on a measuring machine.
+/// Lengths are mm at the reference circle, about the gear's own centre, positive along ascending numbers. `right` and `left` are
+/// the gear's *own* flanks. A thick tooth also shows in the pitch of both its flanks, as on a measuring machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inspection {
     right: Vec<f64>,
@@ -16,14 +15,14 @@ pub struct Inspection {
 }
 
 impl AsBuilt {
-    /// Whether its teeth are not all alike about its axis: a flank lies off its place, the gear is eccentric, or profiles differ.
+    /// Whether the teeth differ: a flank is off its place, the gear is eccentric, or profiles differ.
     pub fn has_unlike_teeth(&self) -> bool {
         Inspection::of(self).deviates() || self.has_unlike_profiles()
     }
 }
 
 impl Inspection {
-    /// Reads `gear`.
+    /// The inspection of `gear`.
     pub fn of(gear: &AsBuilt) -> Inspection {
         let basic_data = gear.gear().basic_data();
         let r = basic_data.reference_radius();
@@ -50,7 +49,7 @@ impl Inspection {
         }
     }
 
-    /// Whether any flank lies off its place or the gear is eccentric.
+    /// Whether any flank is off its place or the gear is eccentric.
     pub fn deviates(&self) -> bool {
         let all = [&self.right, &self.left, &self.thickness, &self.runout];
         all.into_iter().flatten().any(|value| *value != 0.0)
@@ -64,7 +63,7 @@ impl Inspection {
         }
     }
 
-    /// Single pitch deviation `f_i = F_i − F_(i−1)`; that of tooth 1 counts from the last tooth.
+    /// Single pitch deviation `f_i = F_i − F_(i−1)`; tooth 1 counts from the last tooth.
     pub fn single(&self, flank: Flank) -> Vec<f64> {
         pitch::single(self.cumulative(flank))
     }
@@ -81,7 +80,7 @@ impl Inspection {
         amounts.fold(0.0, f64::max)
     }
 
-    /// Tooth thickness minus the gear's mean thickness as stated.
+    /// Tooth thickness minus the gear's stated mean thickness.
     pub fn thickness(&self) -> &[f64] {
         &self.thickness
     }
@@ -97,7 +96,7 @@ mod tests {
     use super::*;
     use crate::gear::{Deviations, Face, Gear, GearDesign};
 
-    /// Teeth of which each is thicker by `t` have flanks off their places by `t/2` each way: pitch is stated about the mean of that.
+    /// A tooth thicker by `t` has flanks `t/2` off their places: pitch counts from their mean.
     #[test]
     fn pitch_is_about_the_mean_of_the_flanks() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();

@@ -1,9 +1,8 @@
 //! The involute of a unit base circle: pure functions of its roll.
 //!
-//! The roll `ξ` of a point is the angle the generating line has rolled, the
-//! tangent of the point's pressure angle; the point lies at `√(1 + ξ²)` base
-//! radii and at the polar angle `inv α = ξ − atan ξ` (ISO 21771, 4.3.3: the
-//! involute function `inv α = tan α − α`).
+//! The roll `ξ` of a point is the angle by which the generating line has rolled: the tangent of the point's pressure angle. The
+//! point has the radius `√(1 + ξ²)` base radii and the polar angle `inv α = ξ − atan ξ`. ISO 21771, 4.3.3 defines the involute
+//! function `inv α = tan α − α`.
 
 /// Involute function `inv α = tan α − α` of the pressure angle `alpha`, rad.
 pub fn inv(alpha: f64) -> f64 {
@@ -29,9 +28,8 @@ pub fn radius_at(xi: f64, base: f64) -> f64 {
 
 /// Roll `ξ` with `ξ − atan ξ = involute`, for `involute` ≥ 0; the inverse of [`inv_of_roll`].
 ///
-/// `ξ − atan ξ` is increasing and convex, so Newton's method from above
-/// descends monotonically; it starts above because `ξ − atan ξ ≥ ξ − π/2` and,
-/// for `ξ ≤ 1`, `≥ ξ³/6`. It ends when it no longer descends: the result is
+/// `ξ − atan ξ` is increasing and convex, so Newton's method descends monotonically from a start above the root. The start is above
+/// because `ξ − atan ξ ≥ ξ − π/2` and, for `ξ ≤ 1`, `≥ ξ³/6`. The iteration stops when it no longer descends. The result is
 /// within the rounding of `ξ − atan ξ`, 2e-16 (1 + involute)/ξ² · (1 + ξ²).
 pub fn roll_of_inv(involute: f64) -> f64 {
     if involute.is_nan() || involute <= 0.0 {
@@ -66,7 +64,7 @@ mod tests {
         for k in -120..=20 {
             let xi = 10f64.powf(f64::from(k) / 10.0);
             let there = inv_of_roll(xi);
-            // Rounding of ξ − atan ξ is what limits the way back.
+            // The rounding of ξ − atan ξ limits the inverse.
             let bound = 4.0 * f64::EPSILON * xi * (1.0 + 1.0 / (xi * xi));
             let back = roll_of_inv(there);
             assert!(

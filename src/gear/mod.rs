@@ -1,32 +1,26 @@
-//! What one gear is: its basic rack, its radii, its exact curves, where each
-//! flank was measured to be, and the polygon cut from all that.
+//! One gear: design, radii, exact curves, the measured place of each flank, and the polygon of its outline.
 //!
-//! Lengths in mm, angles in radians. A gear's own frame has its geometric
-//! centre at the origin; a tooth's own frame has the tooth's centre line on +x.
+//! Lengths are mm, angles radians. A gear's own frame has its geometric centre at the origin. A tooth's own frame has the tooth's
+//! centre line on +x.
 
-mod basic_gear_data;
-mod basic_rack;
+mod as_built;
 mod datum;
-mod datum_axis;
-mod deviation;
+mod design;
 mod din_3967;
 mod excess;
 mod fillet;
-mod flank_correlation;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
-mod harmonics;
+mod half_tooth;
 mod inspection;
 pub mod involute;
 mod modification;
 mod modified_flanks;
-mod outline;
 mod part;
 mod pins;
 mod pitch;
 mod placed;
-mod profile;
 mod readings;
 mod roll_curve;
 mod runout;
@@ -34,25 +28,23 @@ mod side;
 mod spans;
 pub mod thickness;
 
-pub use basic_gear_data::{BasicGearData, Hand};
-pub use basic_rack::BasicRack;
+pub use as_built::{AsBuilt, Deviations};
 pub use datum::EccentricitySeparation;
-pub use deviation::{AsBuilt, Deviations};
+pub use design::{BasicGearData, BasicRack, GearDesign, Hand};
 pub use din_3967::{DIN_3967_SOURCE, ThicknessField};
 pub(crate) use excess::Excess;
 pub use fillet::Fillet;
-pub use gear::{Gear, GearDesign};
+pub use gear::Gear;
 pub use grade::{GRADE_SOURCE, GRADES, Grade, GradedQuantity};
+pub use half_tooth::{HalfTooth, Profile, Segment};
 pub use inspection::Inspection;
 pub use modification::{Modification, Relief, Trace};
-pub use outline::{HalfTooth, Segment};
 pub use part::{Circle, Cubic, Line, ModifiedFlank, Part, PartCurve, ProfilePart};
 pub(crate) use part::{Osculating, smooth};
 pub use pins::PinReadings;
 pub use pitch::{Pitch, PitchAxis};
 pub use placed::Placed;
 pub(crate) use placed::steps_near;
-pub use profile::Profile;
 pub(crate) use readings::FlankShifts;
 pub use readings::Readings;
 pub use roll_curve::RollCurve;

@@ -1,55 +1,54 @@
-//! How profiles deviate from the involute: slope, crowning, relief, measured traces (ISO 1328-1, ISO 21771), as deviation of the roll.
+//! Profile deviations from the involute: slope, crowning, relief, measured traces (ISO 1328-1, ISO 21771).
 //!
-//! Deviations are mm along the involute's normal, plus = more material. Slope and crowning are a straight line and a parabola of the roll
-//! over the evaluation range, and go on beyond it; a trace is held constant beyond its ends.
+//! Deviations are mm along the involute's normal, plus = more material. Slope and crowning are a straight line and a parabola of
+//! the roll over the evaluation range and continue beyond it. A trace is constant beyond its ends.
 //!
-//! The deviation is a curve of the roll (`roll_curve`) on a flank of its own (`part::modified`); [`AsBuilt::profile`](super::AsBuilt::profile) is
-//! the half tooth of one tooth. The exact method has a quick path for such flanks (`contact::exact::modified`; flanks as measured by bounds of
-//! their heights, `modified::heights`) beside its search, and bounds their extremes by gears that enclose them (`contact::exact::extremes::enclosed`).
+//! The deviation is a curve of the roll (`roll_curve`) on a flank (`part::modified`).
+//! [`AsBuilt::profile`](super::AsBuilt::profile) is the half tooth of one tooth.
 
 use super::{Gear, RollCurve, involute};
 use crate::error::GearError;
 use std::sync::Arc;
 
-/// Material taken off towards the tip or the root.
+/// Material removed towards the tip or the root.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relief {
-    /// `C_α`, mm: what is taken off at the tip circle, or at the root form circle; at least 0.
+    /// `C_α`, mm: relief at the tip circle, or at the root form circle; at least 0.
     pub amount: f64,
-    /// Radius at which it begins, mm.
+    /// Radius at which the relief begins, mm.
     pub from: f64,
-    /// Whether it is a parabola of the roll that leaves the flank smoothly; else a straight line, with an edge.
+    /// Whether the relief is a parabola of the roll that joins the flank smoothly; otherwise a straight line with an edge.
     pub parabolic: bool,
 }
 
 /// A measured profile: points of roll, rad, strictly ascending, and deviation, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
-    /// The tooth it was measured on; `None`: it stands for all.
+    /// The measured tooth; `None`: the trace holds for all teeth.
     pub tooth: Option<u32>,
-    /// At least two.
+    /// At least two points.
     pub points: Vec<(f64, f64)>,
 }
 
-/// How the flanks of one side of a gear deviate.
+/// Profile deviations of the flanks of one side of a gear.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Modification {
     /// Profile slope `f_Hα`, mm: 0 at the start of the evaluation range, this much at its end.
     pub slope: f64,
-    /// Crowning `C_α`, mm: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends.
+    /// Crowning `C_α`, mm: a parabola with this height in the middle of the evaluation range and 0 at its ends.
     pub crowning: f64,
-    /// Taken off at the tip.
+    /// Tip relief.
     pub tip_relief: Option<Relief>,
-    /// Taken off at the root.
+    /// Root relief.
     pub root_relief: Option<Relief>,
-    /// What was measured, added to all that. Teeth without a trace take the mean of those that have one.
+    /// Measured traces, added to the other deviations. Teeth without a trace take the mean of all traces.
     pub traces: Vec<Trace>,
     /// Evaluation range, radii, mm; `None`: root form circle to tip circle.
     pub range: Option<[f64; 2]>,
 }
 
 impl Modification {
-    /// Whether it deviates nowhere.
+    /// Whether there is no deviation.
     pub fn is_none(&self) -> bool {
         let relieved = |relief: &Option<Relief>| relief.is_some_and(|relief| relief.amount != 0.0);
         self.slope == 0.0
@@ -67,11 +66,11 @@ impl Modification {
         }
     }
 
-    /// The deviation of every tooth's flank, tooth 1 first, on `gear`: one for all where all are alike.
+    /// The deviation of every tooth's flank on `gear`, tooth 1 first; a single curve if all teeth share it.
     ///
     /// # Errors
-    /// An evaluation range or a relief beyond the flank, or of no length; a relief below 0; a trace of less than two points, not ascending,
-    /// of a tooth that does not exist or has one.
+    /// An evaluation range or a relief beyond the flank or without length; a relief below 0; a trace with fewer than two points or not
+    /// ascending; a second trace of a tooth, or one of a tooth that does not exist.
     pub fn curves(&self, gear: &Gear) -> Result<Vec<Arc<RollCurve>>, GearError> {
         let designed = self.designed(gear)?;
         let teeth = gear.basic_data().teeth();
@@ -112,17 +111,16 @@ impl Modification {
     fn designed(&self, gear: &Gear) -> Result<RollCurve, GearError> {
         let [form, tip] = [gear.form_roll(), gear.tip_roll()];
         let [start, end] = self.evaluated(gear);
-        if !(start >= 0.0 && end > start) {
-            return Err(GearError::OutOfRange {
-                what: "end of the profile's evaluation range (mm)",
-                value: self.range.map_or(0.0, |range| range[1]),
-                allowed: "a radius above its start and the base circle",
-            });
-        }
-        // Beyond the flank, whose ends move by the deviation itself: it is far less than half the roll.
+        GearError::require(
+            start >= 0.0 && end > start,
+            "end of the profile's evaluation range (mm)",
+            self.range.map_or(0.0, |range| range[1]),
+            "a radius above its start and the base circle",
+        )?;
+        // Wider than the flank: the deviation moves its ends by far less than half the roll.
         let whole = [0.0, 2.0 * tip];
         let length = end - start;
-        // Slope and parabola in powers of ξ from 0 on.
+        // Slope and parabola in powers of ξ.
         let rise = self.slope / length;
         let bulge = 4.0 * self.crowning / (length * length);
         let mut parts = vec![RollCurve::polynomial(
@@ -144,26 +142,25 @@ impl Modification {
         for (relief, at, beyond) in reliefs {
             let Some(relief) = relief else { continue };
             let from = involute::roll_at(relief.from, gear.base_radius());
-            if !(relief.amount >= 0.0 && relief.amount.is_finite()) {
-                return Err(GearError::OutOfRange {
-                    what: "relief (mm)",
-                    value: relief.amount,
-                    allowed: "0 or more: what is taken off",
-                });
-            }
-            if !(from > form && from < tip) {
-                return Err(GearError::OutOfRange {
-                    what: "radius at which a relief begins (mm)",
-                    value: relief.from,
-                    allowed: "between the root form circle and the tip circle",
-                });
-            }
+            GearError::require(
+                relief.amount >= 0.0 && relief.amount.is_finite(),
+                "relief (mm)",
+                relief.amount,
+                "0 or more: what is taken off",
+            )?;
+            GearError::require(
+                from > form && from < tip,
+                "radius at which a relief begins (mm)",
+                relief.from,
+                "between the root form circle and the tip circle",
+            )?;
             let length = at - from;
-            // In powers of ξ − the lesser end.
+            // Powers of ξ minus the lesser end.
             let shift = from.min(beyond) - from;
-            let (linear, square) = match relief.parabolic {
-                true => (0.0, -relief.amount / (length * length)),
-                false => (-relief.amount / length, 0.0),
+            let (linear, square) = if relief.parabolic {
+                (0.0, -relief.amount / (length * length))
+            } else {
+                (-relief.amount / length, 0.0)
             };
             let cubic = [
                 shift * (linear + shift * square),
@@ -171,13 +168,15 @@ impl Modification {
                 square,
                 0.0,
             ];
-            let curve = match beyond > from {
-                true => RollCurve::polynomial([from, beyond], cubic),
-                false => RollCurve::polynomial([beyond, from], cubic).and_nothing_to(2.0 * tip),
+            let curve = if beyond > from {
+                RollCurve::polynomial([from, beyond], cubic)
+            } else {
+                RollCurve::polynomial([beyond, from], cubic).zero_until(2.0 * tip)
             };
-            parts.push(match relief.parabolic {
-                true => curve,
-                false => curve.with_edge(from),
+            parts.push(if relief.parabolic {
+                curve
+            } else {
+                curve.with_edge(from)
             });
         }
         let parts: Vec<(f64, &RollCurve)> = parts.iter().map(|part| (1.0, part)).collect();
@@ -190,11 +189,12 @@ impl Trace {
         let finite =
             |point: &(f64, f64)| point.0.is_finite() && point.0 >= 0.0 && point.1.is_finite();
         let ascends = self.points.windows(2).all(|pair| pair[1].0 > pair[0].0);
-        match self.points.len() >= 2 && ascends && self.points.iter().all(finite) {
-            true => Ok(RollCurve::through(&self.points)),
-            false => Err(GearError::Readings(
+        if self.points.len() >= 2 && ascends && self.points.iter().all(finite) {
+            Ok(RollCurve::through(&self.points))
+        } else {
+            Err(GearError::Readings(
                 "a profile trace needs two points or more, of ascending roll from the base circle on",
-            )),
+            ))
         }
     }
 }
@@ -221,7 +221,7 @@ mod tests {
         modification.curves(&gear)
     }
 
-    /// Teeth that were not measured have the mean of those that were: of level traces of 1, 2 and 6 µm that is 3.
+    /// Teeth without a trace take the mean of the others: 3 µm for constant traces of 1, 2 and 6 µm.
     #[test]
     fn teeth_without_a_trace_have_the_mean_of_the_others() {
         let found = curves(&[(Some(1), 1e-3), (Some(5), 2e-3), (Some(20), 6e-3)]).unwrap();
@@ -237,9 +237,9 @@ mod tests {
         }
     }
 
-    /// A trace of all teeth stands alone, and no tooth has two.
+    /// A trace of all teeth excludes other traces, and no tooth has two.
     #[test]
-    fn a_trace_of_all_teeth_stands_alone() {
+    fn a_trace_of_all_teeth_excludes_others() {
         assert_eq!(curves(&[(None, 1e-3)]).unwrap().len(), 1);
         for traces in [
             [(None, 1e-3), (None, 2e-3)],

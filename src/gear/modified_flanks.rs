@@ -1,8 +1,7 @@
-//! The half teeth of a gear whose profiles deviate.
+//! The half teeth of a gear with profile deviations.
 //!
-//! The flank of a half tooth ends where its tangents to the base circle are as long as those of the involute at tip and form circle:
-//! `r_b ξ + δ(ξ) = r_b ξ_0`, so that tip and form circle stay. Its fillet and root land are turned with the flank's lower end: what the flank
-//! has there the fillet has too.
+//! The flank of a half tooth ends at the tip and form circle of the involute, where `r_b ξ + δ(ξ) = r_b ξ_0`: its tangents to the
+//! base circle have the involute's lengths. Fillet and root land turn with the lower end of the flank.
 
 use super::part::ModifiedFlank;
 use super::{Gear, Part, PartCurve, ProfilePart, RollCurve};
@@ -11,16 +10,16 @@ use crate::numeric::bisect;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The half teeth of one side of a gear: few shapes, and which tooth has which.
+/// The half teeth of one side of a gear: few shapes, and the shape of each tooth.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ModifiedHalves {
     pub shapes: Vec<[Part; 4]>,
-    /// By tooth, from tooth 1; empty: all have the first.
+    /// Index of each tooth's shape, tooth 1 first; empty: all teeth have the first shape.
     pub of_tooth: Vec<u32>,
 }
 
 impl ModifiedHalves {
-    /// The half teeth of `gear` with these deviations by tooth, or with one for all.
+    /// The half teeth of `gear` with one deviation per tooth, or one for all teeth.
     ///
     /// # Errors
     /// As [`half_tooth`].
@@ -46,13 +45,13 @@ impl ModifiedHalves {
         Ok(ModifiedHalves { shapes, of_tooth })
     }
 
-    /// Which of its shapes a tooth has.
+    /// Index of a tooth's shape.
     pub fn shape_of(&self, tooth: u32) -> usize {
         let shape = self.of_tooth.get(tooth as usize - 1);
         shape.map_or(0, |&shape| shape as usize)
     }
 
-    /// The same with deviations `factor` times as large, of `gear`.
+    /// The half teeth of `gear` with these deviations multiplied by `factor`.
     ///
     /// # Errors
     /// As [`half_tooth`].
@@ -73,7 +72,7 @@ impl ModifiedHalves {
 /// The half tooth of `gear` with a deviation.
 ///
 /// # Errors
-/// [`GearError::Profile`] where the flank is none, its tip land or the root land has no room.
+/// [`GearError::Profile`] if the flank is irregular or leaves no tip land.
 fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], GearError> {
     let base = gear.base_radius();
     let [tip, form] = [gear.tip_roll(), gear.form_roll()];
@@ -92,7 +91,7 @@ fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], Gear
     let flank = ModifiedFlank::new(base, gear.half_base_angle(), Arc::clone(deviation), range);
     let flank = flank.ok_or(fault(folded))?;
     let [mut land, mut side, mut fillet, mut bottom] = gear.parts().clone();
-    // Both ends stand as far round as their involutes roll less, or more.
+    // Both ends turn by the change of their rolls.
     land.ends[1] += tip - tip_end;
     if land.ends[1] <= 0.0 {
         return Err(fault("leaves the tooth no tip land"));
@@ -108,10 +107,10 @@ fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], Gear
     Ok([land, side, fillet, bottom])
 }
 
-/// The roll next to `ξ_0` at which `r_b ξ + δ(ξ) = r_b ξ_0`, bisected to the last bit; `None` where there is none on the involute. Exactly `ξ_0`
-/// where nothing deviates there.
+/// The roll nearest to `ξ_0` with `r_b ξ + δ(ξ) = r_b ξ_0`, to the last bit; `None` if there is none on the involute.
 ///
-/// A steep deviation may have others farther off, beyond the fold: so steps from `ξ_0` on find the first, not bounds of the deviation.
+/// It is exactly `ξ_0` without a deviation there. A steep deviation may have more solutions at a greater distance, so growing steps
+/// from `ξ_0` find the first.
 pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
     let excess = |xi: f64| base * (xi - roll) + deviation.at(xi);
     let here = excess(roll);
@@ -119,7 +118,7 @@ pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64>
         return Some(roll);
     }
     let [least, most] = deviation.bounds(0.0, 2.0 * roll + 1.0)[0];
-    // More than the rounding of a roll, too: a deviation may be less than that.
+    // At least the rounding of a roll: the deviation may be smaller.
     let reach = least.abs().max(most.abs()) / base * 1.001 + 4.0 * f64::EPSILON * roll;
     let mut inside = 0.0;
     let mut step = here.abs() / base;

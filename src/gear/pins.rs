@@ -1,30 +1,28 @@
 //! Dimension over two pins all round: the mean base thickness.
 //!
 //! The pin *in space i* lies between the right flank of tooth `i` and the left flank of tooth `i + 1`, numbers ascending.
-//! A reading *at space i* has one pin there and the other in the most opposite space: `i + z/2` for even `z`,
-//! `i + (z − 1)/2` for odd `z` (so `z` readings take every most opposite pair once; for even `z` the readings at
-//! `i` and `i + z/2` are of the same pair).
+//! A reading *at space i* has one pin there and the other in the most opposite space: `i + z/2` for even `z`, `i + (z − 1)/2`
+//! for odd `z`. For even `z` the readings at `i` and `i + z/2` measure the same pair.
 //!
-//! A circle of diameter `D_M` touches an involute where its centre lies on that involute turned by `D_M/d_b`. Flanks that
-//! stand `x_R` and `x_L` beyond their places (ascending, reference circle) therefore put the centre, off the space's
-//! middle, to (own derivation, with [`super::thickness::base_from_pins`] for `x = 0`)
+//! The centre of a circle of diameter `D_M` that touches an involute lies on that involute turned by `D_M/d_b`. Let the flanks be
+//! `x_R` and `x_L` beyond their places (ascending, reference circle). The centre then lies, from the space's middle, at (own
+//! derivation; for `x = 0` see [`super::thickness::base_from_pins`])
 //!
 //! ```text
 //! inv α_K = (D_M − p_b + s_b + (x_R − x_L) cos α)/d_b        angle = middle + (x_R + x_L)/(2 r)
 //! ```
 //!
-//! `M` is the greatest distance of two parallel planes that touch both pins: the distance of the
-//! centres and `D_M`. The eccentricity does not enter. Of a helical gear `D_M/cos β_b` takes the place of `D_M` in `inv α_K`, and pins, which slide along their
-//! spaces until they stand opposite each other, have both radii and `D_M` between the planes.
+//! `M` is the greatest distance of two parallel planes that touch both pins: the distance of the centres plus `D_M`. The
+//! eccentricity does not matter. In a helical gear, `D_M/cos β_b` replaces `D_M` in `inv α_K`. Helical pins slide along their
+//! spaces until they are opposite each other: `M` is then the sum of both radii and `D_M`.
 //!
-//! Thickness by tooth is not taken from such readings: each holds four flanks, and for even `z` there are
-//! only `z/2` of them.
+//! Readings over pins do not give the thickness of each tooth: each depends on four flanks, and for even `z` only `z/2` differ.
 
 use super::thickness::MeasuringBody;
 use super::{BasicGearData, Deviations, Flank, FlankShifts, Readings, involute, thickness};
 use crate::error::GearError;
 
-/// Newton's steps before the mean thickness is given up; it needs some five.
+/// Most steps of Newton's method for the mean thickness; it needs some five.
 const MOST_STEPS: usize = 50;
 
 /// Dimensions `M_dK` over two pins or balls, at stated spaces.
@@ -34,7 +32,7 @@ pub struct PinReadings {
     body: MeasuringBody,
     pin: f64,
     readings: Readings,
-    /// What the flanks stand out where they are touched, beyond where they stand.
+    /// Excess of the profiles at the contacts.
     touched: FlankShifts,
 }
 
@@ -55,7 +53,7 @@ impl PinReadings {
         }
     }
 
-    /// The same on flanks that stand out by `touched` where they are touched.
+    /// These readings on flanks with the excess `touched` at the contacts.
     pub(crate) fn touching(self, touched: FlankShifts) -> PinReadings {
         PinReadings { touched, ..self }
     }
@@ -76,10 +74,10 @@ impl PinReadings {
         &self.readings
     }
 
-    /// Mean base thickness `s_b`, mm: the one with which the gear, with the deviations `known` of it, has the readings' mean.
+    /// Mean base thickness `s_b`, mm, with which a gear with the deviations `known` has the mean of the readings.
     ///
     /// # Errors
-    /// [`GearError::WrongLength`]; readings of pins that would lie inside the base circle.
+    /// [`GearError::WrongLength`]; readings that place the pins inside the base circle.
     pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
         let shifts = self.shifts(known)?;
         let read = self.readings.mean(|_, over| over);
@@ -92,12 +90,12 @@ impl PinReadings {
                 .readings
                 .means(|space, _| self.over(&shifts, space, base));
             let step = (read - over) / slope;
-            // A pin in the base circle has no slope.
+            // A pin inside the base circle has no slope.
             if !(step.is_finite() && slope.is_finite()) {
                 break;
             }
             base += step;
-            // At the rounding, or as near as it gets.
+            // Settled to rounding, or no longer shrinking.
             if step.abs() <= settled || (step.abs() >= last && last <= 1e3 * settled) {
                 return Ok(base);
             }
@@ -108,15 +106,15 @@ impl PinReadings {
         ))
     }
 
-    /// What each reading is beyond the readings' mean, and what the deviations `of` say it is, mm, in the order of the readings.
+    /// Each reading minus the mean, and its value expected from the deviations `of`, mm, in the order of the readings.
     ///
     /// # Errors
-    /// Those of [`PinReadings::base_thickness`].
-    pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
+    /// As [`PinReadings::base_thickness`].
+    pub fn compare(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
         let shifts = self.shifts(of)?;
         let base = self.base_thickness(of)?;
-        let said = |space, _| self.over(&shifts, space, base)[0];
-        Ok(self.readings.beside(said))
+        let expected = |space, _| self.over(&shifts, space, base)[0];
+        Ok(self.readings.compare(expected))
     }
 
     /// `M` at `space`, mm, and its derivative by `s_b`.
@@ -140,7 +138,7 @@ impl PinReadings {
         [distance + self.pin, slope]
     }
 
-    /// The pin's centre in the space `steps` on from `space`.
+    /// The centre of the pin in the space `steps` after `space`.
     fn centre(&self, shifts: &FlankShifts, space: u32, steps: u32, base: f64) -> Centre {
         let basic_data = &self.basic_data;
         let right = shifts.at(Flank::Right, space, steps);
@@ -157,11 +155,11 @@ impl PinReadings {
     }
 }
 
-/// Where a pin's centre lies.
+/// The centre of a pin.
 struct Centre {
     /// `r_K`, mm.
     radius: f64,
-    /// From the middle of its space, rad, ascending.
+    /// Angle from the middle of its space, rad, ascending.
     angle: f64,
     /// `dr_K/ds_b`.
     slope: f64,

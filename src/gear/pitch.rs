@@ -1,8 +1,7 @@
-//! Pitch deviation as inspection sheets state it → cumulative curves of both flanks.
+//! Pitch deviation of both flanks as cumulative curves.
 //!
-//! Inside, a pitch curve is cumulative (index deviation `F`), in mm at the
-//! reference circle, in the sense of ascending tooth numbers, about its own mean
-//! (design section 3). `right` and `left` are the gear's *own* flanks.
+//! A pitch curve is cumulative (index deviation `F`), in mm at the reference circle, positive along ascending tooth numbers, about
+//! its own mean (design section 3). `right` and `left` are the gear's *own* flanks.
 
 use super::Flank;
 
@@ -22,7 +21,7 @@ pub enum PitchAxis {
 }
 
 impl PitchAxis {
-    /// `own` or `datum`, as a pair file has it.
+    /// `own` or `datum`, as in a pair file.
     pub fn name(self) -> &'static str {
         match self {
             PitchAxis::Own => "own",
@@ -40,7 +39,7 @@ pub struct Pitch {
 }
 
 impl Pitch {
-    /// From cumulative values `F_i`, mm, along ascending numbers.
+    /// The curves of cumulative values `F_i`, mm, along ascending numbers.
     pub fn from_cumulative(right: &[f64], left: &[f64]) -> Pitch {
         Pitch {
             right: about_mean(right.to_vec()),
@@ -48,11 +47,10 @@ impl Pitch {
         }
     }
 
-    /// From single values `f_i = F_i − F_{i−1}`, mm, along ascending numbers.
+    /// The curves of single values `f_i = F_i − F_{i−1}`, mm, along ascending numbers.
     ///
-    /// A single pitch deviation counts from the mean pitch, so the values of a
-    /// flank sum to zero; a rest left by rounding is that of the mean pitch and
-    /// is shared out evenly.
+    /// Single pitch deviations count from the mean pitch, so the values of a flank sum to zero. A remainder from rounding is
+    /// distributed evenly.
     pub fn from_single(right: &[f64], left: &[f64]) -> Pitch {
         let cumulate = |single: &[f64]| {
             let mean = mean(single);
@@ -68,11 +66,10 @@ impl Pitch {
         }
     }
 
-    /// The same data read as `+ = plus material` on both flanks.
+    /// These data read as `+ = plus material` on both flanks.
     ///
-    /// On the reference face numbers ascend clockwise and the right flank is the
-    /// clockwise one: plus material lies along ascending numbers on right
-    /// flanks, against them on left flanks.
+    /// On the reference face, numbers ascend clockwise, and the right flank is on the clockwise side. Plus material is positive along
+    /// ascending numbers on right flanks and negative on left flanks.
     pub fn read_as_material(mut self) -> Pitch {
         for value in &mut self.left {
             *value = -*value;
@@ -93,15 +90,15 @@ impl Pitch {
         single(self.flank(side))
     }
 
-    /// What each tooth is thicker by its two flanks, mm at the reference circle, about the mean: `Δs_i = F_R,i − F_L,i`
-    /// (design section 6).
+    /// Thickness of each tooth from its two flanks, mm at the reference circle, about the mean: `Δs_i = F_R,i − F_L,i` (design
+    /// section 6).
     pub fn thickness(&self) -> Vec<f64> {
         let flanks = self.right.iter().zip(&self.left);
         flanks.map(|(right, left)| right - left).collect()
     }
 }
 
-/// Single deviations of `cumulative` ones, `f_i = F_i − F_{i−1}`; that of tooth 1 counts from the last tooth.
+/// Single deviations `f_i = F_i − F_{i−1}` of cumulative ones; tooth 1 counts from the last tooth.
 pub(super) fn single(cumulative: &[f64]) -> Vec<f64> {
     let before = cumulative.last().into_iter().chain(cumulative);
     cumulative.iter().zip(before).map(|(f, b)| f - b).collect()

@@ -1,11 +1,11 @@
-//! A gear where it stands in the picture: its centre, its teeth, its outline round a place.
+//! A gear placed in the picture: its centre, its teeth, its outline near a point.
 
 use super::{AsBuilt, HalfTooth, ProfilePart, Segment, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// A gear on its axis, turned.
+/// A gear on its axis at a rotation.
 #[derive(Debug, Clone, Copy)]
 pub struct Placed<'a> {
     as_built: &'a AsBuilt,
@@ -14,7 +14,7 @@ pub struct Placed<'a> {
 }
 
 impl<'a> Placed<'a> {
-    /// `as_built` on `axis` (mm), the undisturbed centre of its tooth 1 turned to the direction `tooth_1`, rad.
+    /// The gear `as_built` on `axis` (mm), with the undisturbed centre of tooth 1 in the direction `tooth_1`, rad.
     pub fn new(as_built: &'a AsBuilt, axis: Point2<f64>, tooth_1: f64) -> Placed<'a> {
         Placed {
             as_built,
@@ -28,7 +28,7 @@ impl<'a> Placed<'a> {
         self.as_built
     }
 
-    /// The same gear turned on by `angle`, rad.
+    /// This gear turned by another `angle`, rad.
     pub fn turned(&self, angle: f64) -> Placed<'a> {
         Placed::new(self.as_built, self.axis, self.tooth_1 + angle)
     }
@@ -38,7 +38,7 @@ impl<'a> Placed<'a> {
         self.axis
     }
 
-    /// Centre of the outline, beside the axis by the eccentricity, mm.
+    /// Centre of the outline, mm, at the distance of the eccentricity from the axis.
     pub fn centre(&self) -> Point2<f64> {
         self.axis + self.as_built.displacement(self.tooth_1)
     }
@@ -48,8 +48,9 @@ impl<'a> Placed<'a> {
         self.tooth_1 + self.as_built.tooth_angle(f64::from(tooth))
     }
 
-    /// The teeth that reach into the disc of radius `reach` (mm) about `place`, and some beside
-    /// them, counter-clockwise. All `z` when the disc holds the centre or reaches round it.
+    /// The teeth that reach into the disc of radius `reach` (mm) about `place`, and a few more, counter-clockwise.
+    ///
+    /// All `z` teeth if the disc contains the centre or surrounds it.
     pub fn teeth_near(&self, place: Point2<f64>, reach: f64) -> Vec<u32> {
         let basic_data = self.as_built.gear().basic_data();
         let seen = (place - self.centre(), self.tooth_1);
@@ -58,10 +59,10 @@ impl<'a> Placed<'a> {
         steps.map(tooth).collect()
     }
 
-    /// A closed counter-clockwise polygon, mm, that is the gear's metal within the disc of radius `reach` about `place`.
+    /// A closed counter-clockwise polygon, mm, equal to the gear's metal within the disc of radius `reach` about `place`.
     ///
-    /// Every chord of the outline is within `chordal_error` mm of its curve. Where not
-    /// all teeth are needed the polygon is closed through the gear's centre, outside the disc.
+    /// Every chord is within `chordal_error` mm of its curve. With fewer than all teeth, the polygon closes through the gear's
+    /// centre, outside the disc.
     pub fn outline_near(
         &self,
         place: Point2<f64>,
@@ -71,7 +72,7 @@ impl<'a> Placed<'a> {
         let teeth = self.teeth_near(place, reach);
         let mut outline = Vec::new();
         for &tooth in &teeth {
-            // Each half ends in the middle of the space as built, where the next one begins.
+            // Each half ends in the middle of the space as built, where the next begins.
             let half = |side| {
                 let land = self.root_land(side, tooth, chordal_error);
                 let above = self.above_root(side, tooth, chordal_error);
@@ -99,7 +100,7 @@ impl<'a> Placed<'a> {
         points.map(self.place(side, tooth)).collect()
     }
 
-    /// One curve of a flank, tip end first, mm, chords within `chordal_error` mm; empty where it has no length.
+    /// One curve of a flank, tip end first, mm, chords within `chordal_error` mm; empty without length.
     pub fn curve(
         &self,
         side: Side,
@@ -124,8 +125,9 @@ impl<'a> Placed<'a> {
         points.map(self.place(side, tooth)).collect()
     }
 
-    /// A half tooth down to its root land, in its own frame; the right half has all the tip land there is, so that the outline does not
-    /// run back where pitch deviations of both flanks leave the middle of the land to neither.
+    /// A half tooth down to its root land, in its own frame. The right half has the whole tip land.
+    ///
+    /// Pitch deviations may leave the middle of the land to neither half. One owner keeps the outline from running back there.
     fn above_root(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
         let profile = self.as_built.profile(side, tooth);
         let start = match side {
@@ -135,8 +137,7 @@ impl<'a> Placed<'a> {
         HalfTooth::from_land(&profile, side, chordal_error, start)
     }
 
-    /// The root land up to the middle of the space as built, in the half tooth's frame; empty where the space is
-    /// closed at its root.
+    /// The root land up to the middle of the space as built, in the half tooth's frame; empty in a space closed at its root.
     fn root_land(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
         let profile = self.as_built.profile(side, tooth);
         HalfTooth::root_land(
@@ -147,7 +148,7 @@ impl<'a> Placed<'a> {
         )
     }
 
-    /// From the frame of a tooth to the picture, for the half tooth of `side`.
+    /// Transformation from the frame of the half tooth on `side` to the picture.
     fn place(&self, side: Side, tooth: u32) -> impl Fn(&Point2<f64>) -> Point2<f64> + use<> {
         let offset = self.as_built.flank_offset(side, tooth);
         let turn = UnitComplex::new(self.direction(tooth) + offset);
@@ -156,9 +157,10 @@ impl<'a> Placed<'a> {
     }
 }
 
-/// Steps counter-clockwise from tooth 1, which points in the direction `tooth_1` (rad), to the teeth that reach into the disc of radius
-/// `reach` (mm) about a `place` as seen from the gear's centre, and some beside them; all `teeth` when the disc holds the centre or
-/// reaches round it.
+/// Counter-clockwise steps from tooth 1 to the teeth that reach into the disc of radius `reach` (mm) about a place, and a few more.
+///
+/// `place` counts from the gear's centre, and tooth 1 points in the direction `tooth_1` (rad). All `teeth` if the disc contains the
+/// centre or surrounds it.
 pub(crate) fn steps_near(
     (place, tooth_1): (Vector2<f64>, f64),
     reach: f64,
@@ -166,7 +168,7 @@ pub(crate) fn steps_near(
     teeth: u32,
 ) -> RangeInclusive<i64> {
     let distance = place.norm();
-    // Two pitches more: half a tooth, half a pitch a flank may be off its place, and one to spare.
+    // Two more pitches: half a tooth, half a pitch of flank deviation, and one in reserve.
     let half_angle = if distance > reach {
         (reach / distance).asin() + 2.0 * pitch
     } else {
@@ -187,8 +189,8 @@ mod tests {
     use super::*;
     use crate::gear::{Deviations, Face, Gear, GearDesign, Profile};
 
-    /// A tooth thinner by more than half its land: its outline stays between its own two tip corners. Source: their angles,
-    /// the mean land's half angle turned with each flank.
+    /// The outline of a tooth thinner by more than half its land stays between its two tip corners. Source: the mean land's half
+    /// angle turned with each flank.
     #[test]
     fn a_thin_tooth_has_no_land_beyond_its_corners() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();

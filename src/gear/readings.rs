@@ -1,10 +1,10 @@
-//! Readings taken all round a gear, and where the flanks they touch stand.
+//! Readings all round a gear, and the displacements of the flanks.
 
 use super::{BasicGearData, Deviations, Flank};
 use crate::error::GearError;
 use std::collections::HashSet;
 
-/// Lengths read at stated places: each place at most once, at least one.
+/// Lengths read at stated places: at least one reading, and each place at most once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Readings {
     teeth: u32,
@@ -13,10 +13,10 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// `list` of a place (a tooth number, `1..=z`) and a length, mm, on a gear of `basic_data`.
+    /// Readings from a `list` of places (tooth numbers `1..=z`) and lengths, mm, on a gear of `basic_data`.
     ///
     /// # Errors
-    /// [`GearError::Readings`]: none, a place outside `1..=z`, a place twice, a length that is not finite.
+    /// [`GearError::Readings`]: no reading, a place outside `1..=z`, a place twice, a length that is not finite.
     pub fn new(basic_data: &BasicGearData, list: Vec<(u32, f64)>) -> Result<Readings, GearError> {
         let mut seen = HashSet::new();
         let teeth = basic_data.teeth();
@@ -42,26 +42,26 @@ impl Readings {
         &self.list
     }
 
-    /// Whether there is one at every tooth.
+    /// Whether every tooth has a reading.
     pub fn all_round(&self) -> bool {
         self.list.len() == self.teeth as usize
     }
 
-    /// What each is beyond the mean of all, and what it is `said` to be beyond the mean of that, mm, in the order given.
-    pub(super) fn beside(&self, said: impl Fn(u32, f64) -> f64) -> Vec<(f64, f64)> {
-        let [read, mean] = self.means(|place, mm| [mm, said(place, mm)]);
+    /// Each reading and its `expected` value, both minus their means, mm, in the order given.
+    pub(super) fn compare(&self, expected: impl Fn(u32, f64) -> f64) -> Vec<(f64, f64)> {
+        let [read, mean] = self.means(|place, mm| [mm, expected(place, mm)]);
         let list = self.list.iter();
-        list.map(|&(place, mm)| (mm - read, said(place, mm) - mean))
+        list.map(|&(place, mm)| (mm - read, expected(place, mm) - mean))
             .collect()
     }
 
-    /// Mean of `of` over all readings.
+    /// Mean of a value over all readings.
     pub(super) fn mean(&self, of: impl Fn(u32, f64) -> f64) -> f64 {
         let [mean] = self.means(|place, mm| [of(place, mm)]);
         mean
     }
 
-    /// The same of several values a reading.
+    /// Means of several values over all readings.
     pub(super) fn means<const N: usize>(&self, of: impl Fn(u32, f64) -> [f64; N]) -> [f64; N] {
         let mut sums = [0.0; N];
         for &(place, mm) in &self.list {
@@ -73,11 +73,10 @@ impl Readings {
     }
 }
 
-/// How far each flank stands beyond its undisturbed place along ascending numbers, mm at the reference circle.
+/// Displacement of each of the gear's own flanks along ascending numbers, mm at the reference circle.
 ///
-/// A pitch deviation moves a flank by `F`; a thickness `δ` moves the right flank, the one towards
-/// the next number, by `δ/2` and the left one by `−δ/2`. The gear's own flanks: the
-/// reference face decides nothing here.
+/// A pitch deviation moves a flank by `F`. A thickness `δ` moves the right flank, towards the next number, by `δ/2` and the left
+/// flank by `−δ/2`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct FlankShifts {
     pub(super) right: Vec<f64>,
@@ -85,7 +84,7 @@ pub(crate) struct FlankShifts {
 }
 
 impl FlankShifts {
-    /// Those of `deviations`, their eccentricity left aside.
+    /// The displacements by `deviations`, without their eccentricity.
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
@@ -98,7 +97,7 @@ impl FlankShifts {
             let mut shifts = vec![0.0; teeth as usize];
             let thickness = (!deviations.per_tooth.is_empty()).then_some(&deviations.per_tooth[..]);
             let pitch = deviations.pitch.as_ref().map(|pitch| pitch.flank(side));
-            // Right flanks stand at the ascending end of their tooth.
+            // Right flanks are on the ascending side of their tooth.
             let half = -side.sense() / (2.0 * basic_data.helix_cos());
             for (what, list, factor) in [
                 ("thickness of each tooth", thickness, half),
@@ -121,7 +120,7 @@ impl FlankShifts {
         })
     }
 
-    /// Adds what flanks stand out besides; none where these are empty.
+    /// Adds further displacements, which may be empty.
     pub(super) fn add(&mut self, more: &FlankShifts) {
         let both = [(&mut self.right, &more.right), (&mut self.left, &more.left)];
         for (shifts, more) in both {
@@ -131,7 +130,7 @@ impl FlankShifts {
         }
     }
 
-    /// Whether no shift differs by more than `most`, mm.
+    /// Whether no displacement differs by more than `most`, mm.
     pub(crate) fn is_near(&self, other: &FlankShifts, most: f64) -> bool {
         let near = |own: Flank| {
             let mut pairs = self.flank(own).iter().zip(other.flank(own));
@@ -140,7 +139,7 @@ impl FlankShifts {
         Flank::BOTH.into_iter().all(near)
     }
 
-    /// Of the own `flank`, tooth 1 first.
+    /// Displacements of the own `flank`, tooth 1 first.
     pub(crate) fn flank(&self, own: Flank) -> &[f64] {
         match own {
             Flank::Right => &self.right,
@@ -148,7 +147,7 @@ impl FlankShifts {
         }
     }
 
-    /// That of the `own` flank of the tooth `steps` on from `tooth` (from 1), numbers taken round past `z`.
+    /// Displacement of the `own` flank of the tooth `steps` after `tooth` (from 1), numbers modulo `z`.
     pub(super) fn at(&self, own: Flank, tooth: u32, steps: u32) -> f64 {
         let list = self.flank(own);
         let index = (tooth as usize + steps as usize).saturating_sub(1) % list.len().max(1);

@@ -1,31 +1,31 @@
 //! A profile deviation `δ` over the roll `ξ`: a piecewise cubic.
 //!
-//! What a flank has beyond its involute along the involute's normal, plus = more material. Before its first knot and after its last it
-//! is constant. Continuous; its slope too, but for the *edges* where a straight relief begins.
+//! The deviation counts along the involute's normal, plus = more material. It is constant before the first knot and after the last.
+//! Value and slope are continuous, except the slope at the *edges* where a straight relief begins.
 
 /// `δ(ξ)`, mm, of the roll, rad.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RollCurve {
-    /// Ascending; at least two.
+    /// Rolls, ascending; at least two.
     knots: Vec<f64>,
-    /// Of the stretch behind each knot but the last: coefficients of the powers of `ξ − knot`.
+    /// Cubic after each knot but the last: coefficients of the powers of `ξ − knot`.
     cubics: Vec<[f64; 4]>,
     /// Knots at which the slope jumps.
     edges: Vec<f64>,
-    /// Bounds over whole stretches, [`BLOCK`] at a time; empty of a few: there they are not worth it.
+    /// Bounds over blocks of [`BLOCK`] stretches; empty for short curves.
     blocks: Vec<[Interval; 3]>,
-    /// Of as many equal parts of the whole as it has knots: how many knots lie before; empty of a few.
+    /// Number of knots before each of as many equal parts as there are knots; empty for short curves.
     before: Vec<u32>,
 }
 
-/// Stretches whose bounds are known together (tuned: some thirty blocks of a measured trace).
+/// Stretches per block of bounds. Tuned: a measured trace has some thirty blocks.
 const BLOCK: usize = 16;
 
-/// Least and greatest value of something over an interval.
+/// Least and greatest value over an interval.
 pub(super) type Interval = [f64; 2];
 
 impl RollCurve {
-    /// The polynomial of these coefficients of the powers of `ξ − from` between two rolls, constant beyond.
+    /// The polynomial in powers of `ξ − from` between two rolls, constant beyond.
     pub(super) fn polynomial([from, to]: [f64; 2], cubic: [f64; 4]) -> RollCurve {
         RollCurve {
             knots: vec![from, to],
@@ -36,14 +36,14 @@ impl RollCurve {
         }
     }
 
-    /// The same, and exactly 0 beyond its end as far as `to`.
-    pub(super) fn and_nothing_to(mut self, to: f64) -> RollCurve {
+    /// This curve, extended by exactly 0 from its end to `to`.
+    pub(super) fn zero_until(mut self, to: f64) -> RollCurve {
         self.knots.push(to);
         self.cubics.push([0.0; 4]);
         self
     }
 
-    /// The same, its slope taken to jump at `edge`, one of its ends.
+    /// This curve with an edge at `edge`, one of its ends.
     pub(super) fn with_edge(mut self, edge: f64) -> RollCurve {
         self.edges.push(edge);
         self
@@ -51,9 +51,9 @@ impl RollCurve {
 
     /// The curve through points (roll, rad; deviation, mm) of strictly ascending roll, at least two.
     ///
-    /// Cubic between them, with the slopes of Fritsch and Carlson's monotone interpolation in the form with the harmonic mean of
-    /// neighbouring chords' slopes, 0 where these have other signs: it never leaves the range of the two points beside it. (With the mean
-    /// `2 s t/(s + t) ≤ 2 min(s, t)` each cubic's end slopes are within three times its chord's, which suffices for it to be monotonic.)
+    /// It interpolates by monotone cubics (Fritsch and Carlson). The slope at a point is the harmonic mean of the neighbouring chords'
+    /// slopes, or 0 if their signs differ. The curve never leaves the range of the two points beside it: `2 s t/(s + t) ≤ 2 min(s, t)`
+    /// keeps each end slope within three times the chord's, which makes the cubic monotone.
     pub(super) fn through(points: &[(f64, f64)]) -> RollCurve {
         let chords: Vec<f64> = points
             .windows(2)
@@ -61,7 +61,7 @@ impl RollCurve {
             .collect();
         let slope = |k: usize| match (k.checked_sub(1).map(|k| chords[k]), chords.get(k)) {
             (Some(s), Some(&t)) if s * t > 0.0 => 2.0 * s * t / (s + t),
-            // Held constant beyond its ends, and flat at a summit.
+            // Flat at the ends and at an extreme.
             _ => 0.0,
         };
         let cubic = |k: usize| {
@@ -80,7 +80,7 @@ impl RollCurve {
         }
     }
 
-    /// The sum of curves, each taken so many times; 0 of none.
+    /// The sum of curves multiplied by their factors; 0 without curves.
     pub(super) fn sum(curves: &[(f64, &RollCurve)]) -> RollCurve {
         let of = |list: fn(&RollCurve) -> &Vec<f64>| {
             let all = curves.iter().flat_map(|(_, curve)| list(curve).iter());
@@ -91,7 +91,7 @@ impl RollCurve {
         };
         let (knots, edges) = (of(|curve| &curve.knots), of(|curve| &curve.edges));
         let cubic = |pair: &[f64]| {
-            // Each curve is one cubic between neighbouring knots of all.
+            // Each curve is one cubic between neighbouring knots of the sum.
             let middle = 0.5 * (pair[0] + pair[1]);
             curves.iter().fold([0.0; 4], |sum, (times, curve)| {
                 let there = curve.cubic_at(middle, pair[0]);
@@ -111,7 +111,7 @@ impl RollCurve {
         }
     }
 
-    /// The same with the bounds of its blocks, and where its knots are.
+    /// This curve with the bounds of its blocks and the index of its knots.
     fn with_blocks(mut self) -> RollCurve {
         let count = self.cubics.len() / BLOCK;
         if count > 1 {
@@ -131,7 +131,7 @@ impl RollCurve {
         self
     }
 
-    /// Coefficients of the powers of `ξ − about` of the stretch that `xi` is in.
+    /// The cubic at `xi` in powers of `ξ − about`.
     fn cubic_at(&self, xi: f64, about: f64) -> [f64; 4] {
         match self.stretch(xi) {
             Err(held) => [held, 0.0, 0.0, 0.0],
@@ -148,7 +148,7 @@ impl RollCurve {
         }
     }
 
-    /// The stretch with `xi`, or the value held there. A knot belongs to the stretch behind it.
+    /// The stretch that contains `xi`, or the constant value there. A knot belongs to the stretch after it.
     fn stretch(&self, xi: f64) -> Result<usize, f64> {
         match self.knots_before(xi) {
             0 => Err(self.cubics[0][0]),
@@ -160,7 +160,7 @@ impl RollCurve {
         }
     }
 
-    /// How many knots are not beyond `xi`.
+    /// Number of knots up to `xi`.
     #[inline]
     fn knots_before(&self, xi: f64) -> usize {
         let knots = &self.knots;
@@ -168,7 +168,7 @@ impl RollCurve {
             return knots.partition_point(|&knot| knot <= xi);
         }
         let per_part = knots.len() as f64 / (knots[knots.len() - 1] - knots[0]);
-        // The cast takes what lies below for 0.
+        // The cast maps negative values to 0.
         let part = ((xi - knots[0]) * per_part) as usize;
         let mut before = self.before[part.min(knots.len() - 1)] as usize;
         while before < knots.len() && knots[before] <= xi {
@@ -181,7 +181,7 @@ impl RollCurve {
         before
     }
 
-    /// `δ`, mm, its slope `δ'`, mm/rad, and `δ''` at the roll `xi`; those of the greater rolls at an edge.
+    /// `δ`, mm, its slope `δ'`, mm/rad, and `δ''` at the roll `xi`; at an edge, those of the greater rolls.
     #[inline]
     pub(crate) fn jet(&self, xi: f64) -> [f64; 3] {
         match self.stretch(xi) {
@@ -195,17 +195,17 @@ impl RollCurve {
         self.jet(xi)[0]
     }
 
-    /// `δ'`, mm/rad, at the roll `xi`, rad; that of the greater rolls at an edge.
+    /// `δ'`, mm/rad, at the roll `xi`, rad; at an edge, that of the greater rolls.
     pub fn slope(&self, xi: f64) -> f64 {
         self.jet(xi)[1]
     }
 
-    /// How many knots it has between two rolls.
+    /// Number of knots between two rolls.
     pub(crate) fn knots_between(&self, low: f64, high: f64) -> usize {
         self.knots_before(high) - self.knots_before(low)
     }
 
-    /// Rolls between which it is one cubic and bends to one side, ascending: edges are among them.
+    /// Rolls, ascending, between which the curve is one cubic that bends to one side; they include the edges.
     pub(crate) fn bends(&self) -> Vec<f64> {
         let ends = self.knots.windows(2).zip(&self.cubics);
         let turns = ends.filter_map(|(ends, [.., second, third])| {
@@ -222,7 +222,7 @@ impl RollCurve {
         &self.edges
     }
 
-    /// The same, `factor` times as large.
+    /// This curve multiplied by `factor`.
     pub(super) fn scaled(&self, factor: f64) -> RollCurve {
         RollCurve::sum(&[(factor, self)])
     }
@@ -232,7 +232,7 @@ impl RollCurve {
         let first = self.knots_before(low).max(1) - 1;
         let last = self.knots_before(high);
         let last = last.min(self.cubics.len());
-        // Whole blocks inside, and what lies before and behind them.
+        // Whole blocks inside, and the stretches before and after them.
         let from = first.div_ceil(BLOCK).min(self.blocks.len());
         let to = (last / BLOCK).min(self.blocks.len());
         let mut bounds = if from < to {
@@ -244,7 +244,7 @@ impl RollCurve {
             self.bounds_of(first..last, low, high)
         };
         for end in [low, high] {
-            // Where it is held constant.
+            // Constant beyond the ends.
             if end < self.knots[0] || end >= self.knots[self.knots.len() - 1] {
                 let held = self.jet(end).map(|value| [value; 2]);
                 bounds = both(bounds, held);
@@ -253,7 +253,7 @@ impl RollCurve {
         bounds
     }
 
-    /// The same over those of these stretches that lie between the rolls.
+    /// [`RollCurve::bounds`] over those of `stretches` that lie between the rolls.
     fn bounds_of(&self, stretches: std::ops::Range<usize>, low: f64, high: f64) -> [Interval; 3] {
         let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         let mut take = |which: usize, value: f64| {
@@ -269,7 +269,7 @@ impl RollCurve {
             let [from, to] = [from, to].map(|xi| xi - self.knots[k]);
             let inside = |xi: &f64| *xi > from && *xi < to;
             let [_, b, c, d] = *cubic;
-            // Where δ'' = 0 the slope is extreme, where δ' = 0 the deviation.
+            // The slope is extreme at δ'' = 0, the deviation at δ' = 0.
             let flat = -c / (3.0 * d);
             let root = (c * c - 3.0 * b * d).sqrt();
             let still = [
@@ -293,7 +293,7 @@ impl RollCurve {
     }
 }
 
-/// What holds either.
+/// Intervals that contain both.
 fn both(one: [Interval; 3], other: [Interval; 3]) -> [Interval; 3] {
     std::array::from_fn(|k| [one[k][0].min(other[k][0]), one[k][1].max(other[k][1])])
 }
@@ -326,7 +326,7 @@ mod tests {
     }
 
     proptest! {
-        /// Source: its own points, and Fritsch and Carlson's condition: between two points nothing beyond them.
+        /// Source: the points, and Fritsch and Carlson's condition: a value between two points is within their range.
         #[test]
         fn goes_through_its_points_and_never_beyond(points in points()) {
             let curve = RollCurve::through(&points);

@@ -1,38 +1,38 @@
 //! Radial runout readings of a ball or a fork → eccentricity.
 //!
-//! A reading tells how far a probe stands from the rotation axis. That is the outline's displacement `e`, and what the
-//! own flanks do: a ball sinks into a wide space, a fork rides on a thick tooth. So a first harmonic of the
-//! tooth thickness shows like an eccentricity, and readings alone cannot tell the two apart; where pitch and
-//! thickness are known, what they do is taken out exactly. Pitch about the *datum* axis holds the eccentricity in both
-//! flanks, so it foretells the whole reading of a ball and cannot part it either.
+//! A reading is the distance of a probe from the rotation axis. It contains the outline's displacement `e` and an effect of the
+//! flanks: a ball sinks into a wide space, a fork rides on a thick tooth. A first harmonic of the tooth thickness looks like an
+//! eccentricity, and readings alone cannot distinguish the two. With known pitch and thickness, their effect is removed exactly.
+//! Pitch about the *datum* axis contains the eccentricity in both flanks, so it predicts the whole reading of a ball.
 //!
-//! Of a helical gear all of it is in the measuring plane, `α`, `s_b` and `p_b` those of the transverse section.
+//! In a helical gear everything lies in the measuring plane; `α`, `s_b` and `p_b` are transverse.
 //!
-//! - A *ball* of diameter `D_M` rests in space `i` on the right flank of tooth `i`, `x_R` beyond its place (ascending, reference
-//!   circle), and the left flank of tooth `i + 1`, `x_L` beyond its own. As a pin's (see [`super::pins`]), its centre lies at
-//!   `inv α_K = (D_M − p_b + s_b + (x_R − x_L) cos α)/d_b`, `(x_R + x_L)/(2 r)` from the space's middle. The
-//!   reading is that centre's distance from the axis, `e` added as a vector. At helical flanks, which it touches off the plane of its centre,
-//!   `D_M/cos β_b` takes the place of `D_M`: the centre lies on involutes that stand out by that.
-//! - A *fork* stands astride tooth `i`, its two plane faces inclined to its axis by `α`; it slides towards the rotation axis while
-//!   the gear turns until both faces touch. A face whose outward normal has the angle `π/2 − α` to the fork's axis touches an
-//!   involute of half base angle `ψ` at the distance `r_b (ψ + π/2 − α + const)` from the gear's centre (the
-//!   generating line rolls off). Both faces through the apex `d` therefore give, the gear turned by `σ` and its centre
-//!   at `(C_x, C_y)` from the axis, `d = C_x + (x_R − x_L)/(2 tan α) + const` and `r σ = −C_y − (x_R + x_L)/2` (own derivation).
-//!   At a helical tooth the faces lean by `β_b` from the axis, as all tangent planes of such flanks do; where they cross the measuring plane they are
-//!   the lines of this derivation.
+//! - A *ball* of diameter `D_M` rests in space `i` on two flanks. The right flank of tooth `i` is `x_R` beyond its place
+//!   (ascending, reference circle), the left flank of tooth `i + 1` is `x_L` beyond its own. As for a pin (see [`super::pins`]),
+//!   the centre lies at `inv α_K = (D_M − p_b + s_b + (x_R − x_L) cos α)/d_b`, `(x_R + x_L)/(2 r)` from the space's middle. The
+//!   reading is the distance of this centre, displaced by `e`, from the axis. On helical flanks `D_M/cos β_b` replaces `D_M`.
+//! - A *fork* sits astride tooth `i`, its two plane faces inclined to its axis by `α`. It slides towards the rotation axis while
+//!   the gear turns, until both faces touch. Let the outward normal of a face have the angle `π/2 − α` to the fork's axis. The face
+//!   touches an involute of half base angle `ψ` at the distance `r_b (ψ + π/2 − α + const)` from the gear's centre. Let the gear
+//!   be turned by `σ`, with its centre at `(C_x, C_y)` from the axis. Both faces meet at the apex `d = C_x + (x_R − x_L)/(2 tan α)
+//!   + const`, and `r σ = −C_y − (x_R + x_L)/2` (own derivation). At a helical tooth the faces are inclined to the axis by `β_b`
+//!   and cross the measuring plane in the lines of this derivation.
 
 use super::{Deviations, Excess, Flank, FlankShifts, Gear, thickness};
 use crate::error::GearError;
 use nalgebra::{Complex, Vector2};
 use std::f64::consts::TAU;
 
-/// Corrections of the eccentricity before it is given up; each leaves about `e/r` of the error.
+/// Most corrections of the eccentricity; each leaves about `e/r` of the error.
 const MOST_CORRECTIONS: usize = 50;
 
-/// What touches the flanks.
+/// A probe that touches the flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Probe {
     /// A ball of this diameter, mm, in the space after each tooth, towards the next number.
     Ball(f64),
@@ -40,32 +40,32 @@ pub enum Probe {
     Fork,
 }
 
-/// Readings all round, mm, + = outwards, from any one zero: one a tooth, tooth 1 first.
+/// Readings all round, mm, + = outwards, from any common zero: one per tooth, tooth 1 first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunoutReadings {
-    /// What was read with.
+    /// The probe.
     pub probe: Probe,
     /// The readings.
     pub mm: Vec<f64>,
 }
 
-/// What readings say of a gear whose own flanks are known. Lengths in mm.
+/// Eccentricity fitted to the readings of a gear with known flanks. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunoutFit {
     /// Eccentricity `e`.
     pub eccentricity: f64,
     /// Tooth (fractional, `1 ≤ … < z + 1`) towards which the outline is displaced.
     pub high_tooth: f64,
-    /// `F_r` of the readings: greatest less least.
+    /// `F_r` of the readings: greatest minus least.
     pub range: f64,
-    /// `F_r` that the gear as known would show.
+    /// `F_r` expected from the known gear.
     pub known_range: f64,
-    /// Each reading, and what the known flanks say of it, both without mean, eccentricity and first harmonic.
-    pub beyond: Vec<(f64, f64)>,
+    /// Each reading and its value expected from the known flanks, both without mean, eccentricity and first harmonic.
+    pub rest: Vec<(f64, f64)>,
 }
 
 impl Probe {
-    /// Pitches from the centre of a tooth to where its reading is taken.
+    /// Pitches from the centre of a tooth to the place of its reading.
     pub fn ahead(self) -> f64 {
         match self {
             Probe::Ball(_) => 0.5,
@@ -75,10 +75,10 @@ impl Probe {
 }
 
 impl RunoutReadings {
-    /// The eccentricity of `gear` that leaves no first harmonic, `known` being all that is known of its flanks.
+    /// The eccentricity of `gear`, with the flank deviations `known`, that leaves no first harmonic in the readings.
     ///
-    /// Over `z` equally spaced readings 1, `cos θ` and `sin θ` are orthogonal with the norms `z`, `z/2`, `z/2` (`z ≥ 3`), so
-    /// `2/z Σ left (cos θ, sin θ)` of what is left is the correction, to first order.
+    /// Over `z` equally spaced readings, 1, `cos θ` and `sin θ` are orthogonal with the norms `z`, `z/2`, `z/2` (`z ≥ 3`). To first
+    /// order the correction is `2/z Σ rest (cos θ, sin θ)`.
     ///
     /// # Errors
     /// [`GearError::WrongLength`]; [`GearError::Readings`] when no eccentricity explains the readings.
@@ -109,13 +109,13 @@ impl RunoutReadings {
                 }
                 let perfect = self.expected(gear, &even, e);
                 let read = self.without_first(difference(&self.mm, &perfect));
-                let said = self.without_first(difference(&expected, &perfect));
+                let flanks = self.without_first(difference(&expected, &perfect));
                 return Ok(RunoutFit {
                     eccentricity: e.norm(),
                     high_tooth: basic_data.tooth_towards(e.y.atan2(e.x)),
                     range: range(&self.mm),
                     known_range: range(&expected),
-                    beyond: read.into_iter().zip(said).collect(),
+                    rest: read.into_iter().zip(flanks).collect(),
                 });
             }
             if !(e.norm() < basic_data.reference_radius()) {
@@ -127,7 +127,7 @@ impl RunoutReadings {
         ))
     }
 
-    /// What profiles stand out where the probe touches them; the fork touches near the reference circle.
+    /// Excess of the profiles where the probe touches; the fork touches near the reference circle.
     fn touched(&self, gear: &Gear, known: &Deviations) -> Result<FlankShifts, GearError> {
         let Some(excess) = Excess::new(gear, &known.profiles)? else {
             return Ok(FlankShifts::default());
@@ -141,7 +141,7 @@ impl RunoutReadings {
         }
     }
 
-    /// What the probe would read, mm, but for a constant.
+    /// Expected readings, mm, up to a constant.
     fn expected(&self, gear: &Gear, shifts: &FlankShifts, e: Vector2<f64>) -> Vec<f64> {
         let basic_data = gear.basic_data();
         let (r, alpha) = (
@@ -161,7 +161,7 @@ impl RunoutReadings {
                     (seen + thickness::pin_centre_radius(basic_data, diameter, base)).norm()
                 }
                 Probe::Fork => {
-                    // The turn is e/r at most, and an error of it comes back e/r-fold.
+                    // The turn is at most e/r; each step multiplies its error by e/r.
                     let turned = (0..MOST_CORRECTIONS)
                         .fold(seen, |at, _| seen * Complex::from_polar(1.0, -at.im / r));
                     turned.re + (right - left) / (2.0 * alpha.tan())
@@ -171,7 +171,7 @@ impl RunoutReadings {
         (1..=basic_data.teeth()).map(reading).collect()
     }
 
-    /// Where the reading of this index is taken, rad from the centre of tooth 1, ascending.
+    /// Angle of the reading with this index, rad from the centre of tooth 1, ascending.
     fn angle(&self, index: usize) -> f64 {
         (index as f64 + self.probe.ahead()) * TAU / self.mm.len().max(1) as f64
     }
@@ -201,7 +201,7 @@ fn difference(list: &[f64], other: &[f64]) -> Vec<f64> {
     list.iter().zip(other).map(|(a, b)| a - b).collect()
 }
 
-/// Greatest less least, 0 of none.
+/// Greatest minus least value; 0 for an empty list.
 pub(crate) fn range(list: &[f64]) -> f64 {
     let greatest = list.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = list.iter().copied().fold(f64::INFINITY, f64::min);

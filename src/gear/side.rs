@@ -1,9 +1,12 @@
-//! Sides of a tooth and of a gear. Pure names with the signs that go with them.
+//! Sides of a tooth and of a gear, with their signs.
 
-/// A side of a tooth as the picture shows it, seen from the front (design frame, not the gear's own face: [`Flank`]).
+/// A side of a tooth in the picture, seen from the front. See [`Flank`] for the gear's own sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Side {
     /// Front-right: the right-hand flank of a tooth that points up, its clockwise side.
     Right,
@@ -15,12 +18,17 @@ impl Side {
     /// Both sides, right first.
     pub const BOTH: [Side; 2] = [Side::Right, Side::Left];
 
-    /// Sense in which this flank lies from its tooth's centre: −1 clockwise (right), +1 counter-clockwise.
+    /// Direction from the tooth's centre to this flank: −1 clockwise (right), +1 counter-clockwise.
     pub fn sense(self) -> f64 {
         match self {
             Side::Right => -1.0,
             Side::Left => 1.0,
         }
+    }
+
+    /// Index in a list of both sides, right first.
+    pub(crate) fn index(self) -> usize {
+        self as usize
     }
 
     /// The other side.
@@ -40,14 +48,17 @@ impl Side {
     }
 }
 
-/// A flank of a gear as its own numbering has it, seen on its reference face.
+/// A flank of a gear, seen on its reference face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Flank {
     /// The right-hand flank of a tooth that points up.
     Right,
-    /// The other.
+    /// The left-hand flank.
     Left,
 }
 
@@ -55,7 +66,12 @@ impl Flank {
     /// Both flanks, right first.
     pub const BOTH: [Flank; 2] = [Flank::Right, Flank::Left];
 
-    /// Sense in which it lies from its tooth's centre, seen on the reference face: −1 clockwise (right), +1 counter-clockwise.
+    /// Index in a list of both flanks, right first.
+    pub(crate) fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Direction from the tooth's centre, seen on the reference face: −1 clockwise (right), +1 counter-clockwise.
     pub fn sense(self) -> f64 {
         Face::Front.seen_from_front(self).sense()
     }
@@ -69,7 +85,7 @@ impl Flank {
     }
 }
 
-/// Which way a gear's reference face looks.
+/// Orientation of a gear's reference face.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -93,7 +109,7 @@ impl Face {
         }
     }
 
-    /// Sense in which tooth numbers ascend as seen from the front: −1 clockwise, +1 counter-clockwise.
+    /// Direction of ascending tooth numbers, seen from the front: −1 clockwise, +1 counter-clockwise.
     pub fn ascending(self) -> f64 {
         match self {
             Face::Front => -1.0,
@@ -101,7 +117,7 @@ impl Face {
         }
     }
 
-    /// The number of the tooth `steps` places counter-clockwise of `tooth` on a gear of so many `teeth`.
+    /// Number of the tooth `steps` places counter-clockwise of `tooth` on a gear with this number of `teeth`.
     pub fn counter_clockwise(self, teeth: u32, tooth: u32, steps: i64) -> u32 {
         let ascending = match self {
             Face::Front => -steps,
@@ -111,7 +127,7 @@ impl Face {
         u32::try_from(index).unwrap_or(0) + 1
     }
 
-    /// The side of the picture on which the gear's own `flank` stands.
+    /// The side of the gear's own `flank` in the picture.
     pub fn seen_from_front(self, flank: Flank) -> Side {
         match (self, flank) {
             (Face::Front, Flank::Right) | (Face::Back, Flank::Left) => Side::Right,

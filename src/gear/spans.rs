@@ -1,20 +1,17 @@
 //! Spans all round: mean base thickness, and each tooth's own thickness where the readings determine it.
 //!
-//! The span *at tooth i* is that over the `k` teeth `i … i + k − 1`, numbers ascending and
-//! taken round past `z`. It runs along a base tangent from the left flank of `i` to the right flank of
-//! `i + k − 1`; a flank that stands `x` (at the reference circle) beyond its place moves its end by
+//! The span *at tooth i* covers the `k` teeth `i … i + k − 1`, numbers ascending modulo `z`. It runs along a base tangent from
+//! the left flank of `i` to the right flank of `i + k − 1`. A flank displaced by `x` (at the reference circle) moves its end by
 //! `x cos α`. With pitch deviation `F` and per-tooth thickness `δ` (own derivation, beside K (15)):
 //!
 //! ```text
 //! W_k,i = (k − 1) p_b + s_b + cos α (F_R,i+k−1 − F_L,i) + cos α (δ_i + δ_i+k−1)/2
 //! ```
 //!
-//! The eccentricity does not enter. With all `z` spans and `k > 1`, the `δ` follow from
-//! `(δ_i + δ_i+k−1)/2`: the steps of `k − 1` teeth close to `gcd(z, k − 1)` cycles of
-//! `L = z/gcd(z, k − 1)` teeth, and round a cycle
-//! `δ_i = c_i − c_i+1 + c_i+2 − … + c_i+L−1` when `L` is odd. When `L` is even, a thickness that alternates
-//! along the cycle shows in no span. (The Fourier transform says the same: the eigenvalues have the
-//! amounts `|cos(π (k − 1) j/z)|`, none of them 0 exactly when no `2 (k − 1) j ≡ z (mod 2 z)`.)
+//! The eccentricity does not matter. With all `z` spans and `k > 1`, the `δ` follow from `c_i = (δ_i + δ_i+k−1)/2`. The steps
+//! of `k − 1` teeth form `gcd(z, k − 1)` cycles of `L = z/gcd(z, k − 1)` teeth. For odd `L`,
+//! `δ_i = c_i − c_i+1 + c_i+2 − … + c_i+L−1` round a cycle. For even `L`, no span shows a thickness that alternates along the
+//! cycle. The Fourier transform agrees: the eigenvalues have the absolute values `|cos(π (k − 1) j/z)|`.
 
 use super::{BasicGearData, Deviations, Flank, FlankShifts, Readings};
 use crate::error::GearError;
@@ -25,17 +22,16 @@ pub struct Spans {
     basic_data: BasicGearData,
     k: u32,
     readings: Readings,
-    /// What the flanks stand out where they are touched, beyond where they stand.
+    /// Excess of the profiles at the contacts.
     touched: FlankShifts,
 }
 
-/// What each tooth is thicker than the mean by spans all round.
+/// Thickness of each tooth beyond the mean, from spans all round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PerTooth {
     /// `δ` at the reference circle, mm, tooth 1 first; mean 0.
     pub thickness: Vec<f64>,
-    /// `L`: an error of the readings comes into a tooth's base thickness up to `L`-fold; when it is random
-    /// from reading to reading, `√L`-fold.
+    /// `L`: a tooth's base thickness has up to `L` times the error of a reading, or `√L` times for random errors.
     pub amplification: u32,
 }
 
@@ -45,13 +41,12 @@ impl Spans {
     /// # Errors
     /// [`GearError::OutOfRange`] for `k`.
     pub fn new(basic_data: &BasicGearData, k: u32, readings: Readings) -> Result<Spans, GearError> {
-        if !(1..=basic_data.teeth()).contains(&k) {
-            return Err(GearError::OutOfRange {
-                what: "number of teeth spanned",
-                value: f64::from(k),
-                allowed: "1 … number of teeth",
-            });
-        }
+        GearError::require(
+            (1..=basic_data.teeth()).contains(&k),
+            "number of teeth spanned",
+            f64::from(k),
+            "1 … number of teeth",
+        )?;
         Ok(Spans {
             basic_data: *basic_data,
             k,
@@ -60,7 +55,7 @@ impl Spans {
         })
     }
 
-    /// The same on flanks that stand out by `touched` where they are touched.
+    /// These spans on flanks with the excess `touched` at the contacts.
     pub(crate) fn touching(self, touched: FlankShifts) -> Spans {
         Spans { touched, ..self }
     }
@@ -71,7 +66,7 @@ impl Spans {
         Ok(shifts)
     }
 
-    /// Whether spans over `k` teeth at all `z` teeth determine each tooth: whether `L = z/gcd(z, k − 1)` is odd.
+    /// Whether spans over `k` teeth at all `z` teeth determine each tooth: `L = z/gcd(z, k − 1)` is odd.
     pub fn determine(z: u32, k: u32) -> bool {
         !cycle(z, k).is_multiple_of(2)
     }
@@ -86,7 +81,7 @@ impl Spans {
         &self.readings
     }
 
-    /// Mean base thickness `s_b`, mm: the one with which the gear, with the deviations `known` of it, has the readings' mean.
+    /// Mean base thickness `s_b`, mm, with which a gear with the deviations `known` has the mean of the readings.
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
@@ -97,11 +92,10 @@ impl Spans {
             .mean(|tooth, span| self.base_at(&shifts, tooth, span)))
     }
 
-    /// The thickness of each tooth beyond mean and `known` that gives every reading; `None` where the readings
-    /// do not determine it: fewer than `z`, or an even `L`.
+    /// The thickness of each tooth beyond mean and `known` that gives every reading.
     ///
-    /// Along a cycle `δ_i+k−1 = 2 c_i − δ_i`, which carries an error on without growth: that of rounding
-    /// is at most `3 L` ulps of the greatest `c_i`.
+    /// `None` with fewer than `z` readings or an even `L`. Along a cycle `δ_i+k−1 = 2 c_i − δ_i` carries an error without growth: the
+    /// rounding error is at most `3 L` ulps of the greatest `c_i`.
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
@@ -140,17 +134,17 @@ impl Spans {
         }))
     }
 
-    /// What each reading is beyond the readings' mean, and what the deviations `of` say it is, mm, in the order of the readings.
+    /// Each reading minus the mean, and its value expected from the deviations `of`, mm, in the order of the readings.
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
-    pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
+    pub fn compare(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
         let shifts = self.shifts(of)?;
-        let said = |tooth, span| span - self.base_at(&shifts, tooth, span);
-        Ok(self.readings.beside(said))
+        let expected = |tooth, span| span - self.base_at(&shifts, tooth, span);
+        Ok(self.readings.compare(expected))
     }
 
-    /// `s_b` by one reading alone, the shifts of its flanks taken out.
+    /// `s_b` from a single reading, without the shifts of its flanks.
     fn base_at(&self, shifts: &FlankShifts, first: u32, span: f64) -> f64 {
         let step = self.k - 1;
         let apart = shifts.at(Flank::Right, first, step) - shifts.at(Flank::Left, first, 0);
@@ -159,7 +153,7 @@ impl Spans {
     }
 }
 
-/// `L`: the teeth of a cycle of steps of `k − 1`.
+/// `L`: number of teeth in a cycle with steps of `k − 1`.
 fn cycle(z: u32, k: u32) -> u32 {
     z / gcd(z, k.saturating_sub(1)).max(1)
 }
@@ -172,7 +166,7 @@ fn gcd(a: u32, b: u32) -> u32 {
 mod tests {
     use super::cycle;
 
-    /// Steps of `k − 1` teeth come back after as many as the least common multiple has of them.
+    /// Steps of `k − 1` teeth return to the first tooth after `lcm(z, k − 1)/(k − 1)` steps.
     #[test]
     fn a_cycle_of_spans_ends_where_its_steps_meet_the_first_tooth() {
         for z in 3..60u32 {

@@ -1,14 +1,12 @@
-//! Mean tooth thickness as the shop measures it ⇄ base tooth thickness `s_b`.
+//! Conversions between measured mean tooth thickness and base tooth thickness `s_b`.
 //!
-//! Both ways side by side. A measurement says where it touched, too: off the
-//! involute it measures something else, and [`check_span`] and [`check_pins`] say so.
-//! All lengths in mm.
+//! The formulas hold for contact on the involute; [`check_span`] and [`check_pins`] test it. Lengths are mm.
 
 use super::{BasicGearData, Gear, involute};
 use crate::error::GearError;
 use std::f64::consts::FRAC_PI_2;
 
-/// What lies in a tooth space to be measured over. In a spur gear's both rest alike.
+/// A body in a tooth space to be measured over. In a spur gear both give the same dimension.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -21,8 +19,9 @@ pub enum MeasuringBody {
     Pin,
 }
 
-/// `s_bt` from the span `W_k` over `k` teeth: `s_bt = W_k/cos β_b − (k − 1) p_bt` (K (15); ISO 21771). The span lies in the normal of the
-/// helix: it is the transverse base tangent's times `cos β_b`.
+/// `s_bt` from the span `W_k` over `k` teeth: `s_bt = W_k/cos β_b − (k − 1) p_bt` (K (15); ISO 21771).
+///
+/// The span is normal to the helix: `cos β_b` times the length along the transverse base tangent.
 pub fn base_from_span(basic_data: &BasicGearData, k: u32, span: f64) -> f64 {
     span / normal(basic_data) - f64::from(k.saturating_sub(1)) * basic_data.base_pitch()
 }
@@ -32,7 +31,7 @@ pub fn span_from_base(basic_data: &BasicGearData, k: u32, base_thickness: f64) -
     (f64::from(k.saturating_sub(1)) * basic_data.base_pitch() + base_thickness) * normal(basic_data)
 }
 
-/// `cos β_b`: what part of a length along the transverse base tangent lies in the normal of the helix.
+/// `cos β_b`: the ratio of a normal length to the length along the transverse base tangent.
 fn normal(basic_data: &BasicGearData) -> f64 {
     match basic_data.hand() {
         None => 1.0,
@@ -40,7 +39,7 @@ fn normal(basic_data: &BasicGearData) -> f64 {
     }
 }
 
-/// What part of `2 r_K` two pins in the most opposite spaces span: 1, or `cos(π/(2z))` for odd `z`.
+/// Distance of two pins in the most opposite spaces over `2 r_K`: 1, or `cos(π/(2z))` for odd `z`.
 fn opposite(basic_data: &BasicGearData) -> f64 {
     if basic_data.teeth().is_multiple_of(2) {
         1.0
@@ -49,43 +48,42 @@ fn opposite(basic_data: &BasicGearData) -> f64 {
     }
 }
 
-/// `s_bt` from the dimension `M_dK` over two balls of diameter `D_M`; of a spur gear pins are the same.
+/// `s_bt` from the dimension `M_dK` over two balls (in a spur gear also pins) of diameter `D_M`.
 ///
-/// The pin's centre lies at `r_K`, `M_dK = 2 r_K + D_M` (even `z`) or
-/// `2 r_K cos(π/(2z)) + D_M` (odd). A circle on the involute through its centre
-/// moves both flanks by `D_M/2` along the base tangent, a ball by `D_M/(2 cos β_b)` in its transverse section:
-/// `inv α_K = (D_M/cos β_b − p_bt + s_bt)/d_b` (ISO 21771, dimension over balls).
+/// The ball's centre lies at `r_K`: `M_dK = 2 r_K + D_M` for even `z`, `2 r_K cos(π/(2z)) + D_M` for odd `z`. The ball moves both
+/// flanks by `D_M/(2 cos β_b)` along the transverse base tangent: `inv α_K = (D_M/cos β_b − p_bt + s_bt)/d_b` (ISO 21771,
+/// dimension over balls).
 ///
 /// # Errors
-/// When the pin's centre would lie inside the base circle.
+/// A centre inside the base circle.
 pub fn base_from_pins(basic_data: &BasicGearData, pin: f64, over: f64) -> Result<f64, GearError> {
     let base = basic_data.base_radius();
     let centre = (over - pin) / (2.0 * opposite(basic_data));
-    if !(centre >= base) {
-        return Err(GearError::OutOfRange {
-            what: "dimension over pins",
-            value: over,
-            allowed: "above the base diameter plus the pin",
-        });
-    }
+    GearError::require(
+        centre >= base,
+        "dimension over pins",
+        over,
+        "above the base diameter plus the pin",
+    )?;
     let inv = involute::inv_of_roll(involute::roll_at(centre, base));
     Ok(2.0 * base * inv - pin / normal(basic_data) + basic_data.base_pitch())
 }
 
-/// Radius `r_K` of the centre of a ball (of a pin in a spur gear) in a space between teeth of `base_thickness`.
+/// Radius `r_K` of the centre of a ball (in a spur gear also a pin) in a space between teeth of `base_thickness`.
 pub fn pin_centre_radius(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
     let base = basic_data.base_radius();
     let inv = (pin / normal(basic_data) - basic_data.base_pitch() + base_thickness) / (2.0 * base);
     involute::radius_at(involute::roll_of_inv(inv), base)
 }
 
-/// Dimension `M_dK` over two balls of diameter `D_M` in the most opposite spaces; of a spur gear pins are the same.
+/// Dimension `M_dK` over two balls (in a spur gear also pins) of diameter `D_M` in the most opposite spaces.
 pub fn pins_from_base(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
     2.0 * opposite(basic_data) * pin_centre_radius(basic_data, pin, base_thickness) + pin
 }
 
-/// Dimension `M_dR = 2 r_K + D_M` over two pins in the most opposite spaces of a helical gear: pins lie along the spaces, and of an odd number of teeth
-/// the planes that touch both find them opposite somewhere along the face, which is as long as that takes.
+/// Dimension `M_dR = 2 r_K + D_M` over two pins in the most opposite spaces of a helical gear.
+///
+/// The pins lie along the spaces. Also for odd `z` they are opposite each other somewhere along a face of sufficient width.
 pub fn over_helical_pins(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
     2.0 * pin_centre_radius(basic_data, pin, base_thickness) + pin
 }
@@ -102,7 +100,7 @@ pub fn base_from_helical_pins(
     base_from_pins(basic_data, pin, (over - pin) * opposite(basic_data) + pin)
 }
 
-/// Dimension over two bodies of diameter `D_M`, of a spur gear the same over balls as over pins.
+/// Dimension over two bodies of diameter `D_M`.
 pub fn over_from_base(
     basic_data: &BasicGearData,
     body: MeasuringBody,
@@ -131,15 +129,15 @@ pub fn base_from_over(
     }
 }
 
-/// Newton's steps before a diameter is given up; it needs some six.
+/// Most steps of Newton's method for a diameter; it needs some six.
 const MOST_STEPS: usize = 50;
 
-/// Diameter `D_M` of the ball (of a spur gear, or pin) that touches at the roll `ξ`, between teeth of `base_thickness`.
+/// Diameter `D_M` of the ball (in a spur gear also a pin) that touches at the roll `ξ`, between teeth of `base_thickness`.
 ///
-/// The centre has `inv α_K = ξ_K − atan ξ_K = (D_M/cos β_b − p_b + s_b)/d_b`, and the ball touches `D_M cos β_b/2` down the transverse base tangent from
-/// it (`D_M sin β_b/2` off its section): `ξ_K = ξ + D_M cos β_b/d_b`. With `k = tan² β_b` that is
-/// `k ξ_K + atan ξ_K = (1 + k) ξ + (p_b − s_b)/d_b`, whose left side rises and bends down, so that Newton's steps from `ξ_K = ξ` never pass the root.
-/// Of a spur gear no pin (not positive, or not finite) where the right side is a right angle or more.
+/// The centre has `inv α_K = ξ_K − atan ξ_K = (D_M/cos β_b − p_b + s_b)/d_b`. The ball touches `D_M cos β_b/2` down the transverse
+/// base tangent and `D_M sin β_b/2` off its section, so `ξ_K = ξ + D_M cos β_b/d_b`. With `k = tan² β_b`,
+/// `k ξ_K + atan ξ_K = (1 + k) ξ + (p_b − s_b)/d_b`. The left side rises and is concave: Newton's method from `ξ_K = ξ` never
+/// passes the root. In a spur gear the result is not positive or not finite if the right side is a right angle or more: no pin touches.
 pub fn pin_touching(basic_data: &BasicGearData, roll: f64, base_thickness: f64) -> f64 {
     let base_diameter = 2.0 * basic_data.base_radius();
     let beyond = (basic_data.base_pitch() - base_thickness) / base_diameter;
@@ -165,7 +163,7 @@ pub fn base_from_allowance(basic_data: &BasicGearData, nominal_base: f64, allowa
     nominal_base + allowance * per_normal_thickness(basic_data)
 }
 
-/// `ds_bt/ds_n = cos α_t/cos β`: base tooth thickness a tooth thickness at the reference circle in the normal section.
+/// `ds_bt/ds_n = cos α_t/cos β`: base tooth thickness per normal tooth thickness at the reference circle.
 pub fn per_normal_thickness(basic_data: &BasicGearData) -> f64 {
     basic_data.transverse_pressure_angle().cos() / basic_data.helix_cos()
 }
@@ -179,16 +177,15 @@ pub fn allowance_from_base(
     (base_thickness - nominal_base) / per_normal_thickness(basic_data)
 }
 
-/// Whether a span over `k` teeth touches the involute on both sides.
+/// Checks that a span over `k` teeth touches the involute on both sides.
 ///
-/// The anvils share `W_k` between two base tangents; some position has both
-/// contacts on the involute exactly when the symmetric one, `W_k/2` each, has.
+/// The contacts divide `W_k`. Some position has both contacts on the involute exactly if the symmetric one, `W_k/2` each, has.
 ///
 /// # Errors
 /// [`GearError::SpanOffInvolute`].
 pub fn check_span(gear: &Gear, k: u32) -> Result<(), GearError> {
     let base = gear.base_radius();
-    // In the transverse section the contacts are W_k cos β_b apart: the tangent to the base cylinder leans by β_b.
+    // In the transverse section the contacts are W_k cos β_b apart: the tangent to the base cylinder is inclined by β_b.
     let leaning = normal(gear.basic_data());
     let roll = span_from_base(gear.basic_data(), k, gear.base_thickness()) * leaning / (2.0 * base);
     if (gear.form_roll()..=gear.tip_roll()).contains(&roll) {
@@ -202,7 +199,7 @@ pub fn check_span(gear: &Gear, k: u32) -> Result<(), GearError> {
     })
 }
 
-/// Whether pins of diameter `pin` rest on the involutes, clear of the root, and stand out over the tip.
+/// Checks that pins of diameter `pin` rest on the involutes, clear of the root, and protrude beyond the tip.
 ///
 /// # Errors
 /// [`GearError::PinOffInvolute`], [`GearError::PinBelowTip`], [`GearError::PinInRoot`].
@@ -210,7 +207,7 @@ pub fn check_pins(gear: &Gear, pin: f64) -> Result<(), GearError> {
     let base = gear.base_radius();
     let centre = pin_centre_radius(gear.basic_data(), pin, gear.base_thickness());
     let tip = 2.0 * gear.tip_radius();
-    // The ball touches D_M/2 down the base tangent from its centre, which leans by β_b.
+    // The ball touches D_M/2 down the base tangent, which is inclined by β_b.
     let roll = involute::roll_at(centre, base) - pin * normal(gear.basic_data()) / (2.0 * base);
     if !(gear.form_roll()..=gear.tip_roll()).contains(&roll) {
         return Err(GearError::PinOffInvolute {
@@ -242,7 +239,7 @@ mod tests {
     use super::*;
     use crate::gear::{BasicRack, GearDesign, Hand};
 
-    /// Of 30 teeth of module 2; cut off at its tip by `lower` of what it is high, mm.
+    /// A gear with 30 teeth of module 2, its tip lowered by `lower`, mm.
     fn gear(helix_deg: f64, rack: BasicRack, lower: f64) -> Gear {
         let basic_data = BasicGearData::new(30, 2.0, 20f64.to_radians()).unwrap();
         let basic_data = match helix_deg {
@@ -266,8 +263,8 @@ mod tests {
         (1.0 - sin * sin).sqrt()
     }
 
-    /// A ball made to touch at a roll has its centre `D_M cos β_b/2` farther up the base tangent. Source: the radius of the centre by `inv α_K`; helix
-    /// angles up to 50°, where Newton's steps need their slope.
+    /// The centre of a ball that touches at a roll lies `D_M cos β_b/2` up the base tangent. Source: the radius of the centre by
+    /// `inv α_K`, for helix angles up to 50°.
     #[test]
     fn a_ball_has_its_centre_up_the_base_tangent_from_where_it_touches() {
         for helix_deg in [0.0, 15.0, 45.0, 50.0] {
@@ -287,11 +284,11 @@ mod tests {
         }
     }
 
-    /// What an error says of a pin: where it would touch, its top, its bottom, and the gear's own circles. Source: its centre by the base tangent.
+    /// An error states contact, top and bottom of a pin, and the gear's circles. Source: the pin's centre by the base tangent.
     #[test]
     fn errors_say_where_a_pin_stands() {
         let high = BasicRack::new(1.0, 1.25, 0.0).unwrap();
-        // Where the tips end below the reference circle pins near the form circle stand out, and reach the root.
+        // Tips below the reference circle: pins near the form circle protrude and reach the root.
         let shallow = BasicRack::new(1.0, 1.05, 0.0).unwrap();
         let (mut below, mut in_root, mut off) = (0, 0, 0);
         for helix_deg in [0.0, 30.0] {

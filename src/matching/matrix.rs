@@ -1,4 +1,4 @@
-//! What each wheel comes to with each pinion.
+//! The result of each wheel with each pinion, the best assignment, and simpler ways of pairing for comparison.
 
 use crate::analysis::extremes::WIDTH;
 use crate::error::{Error, GearError};
@@ -6,35 +6,37 @@ use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
 use crate::population::{Assembly, Outcome, OutcomeKind, Requirement, Standing};
+use pathfinding::kuhn_munkres::kuhn_munkres;
+use pathfinding::matrix::Matrix as Weights;
 use std::ops::ControlFlow;
 
-/// Distances from what is wanted beyond this are not told apart, mm: more than teeth differ.
+/// Greatest distinguished distance from the target, mm: more than teeth differ.
 const FARTHEST: f64 = 100.0;
 
-/// Steps of [`Fit::steps`] at most.
+/// Greatest value of [`Fit::steps`].
 pub(super) const MOST_STEPS: i64 = (FARTHEST / WIDTH) as i64;
 
-/// How gears are put together, and what is asked of them.
+/// The assembly of the gears, and its requirement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Terms {
-    /// Least and greatest centre distance, mm: the least backlash is looked for at the one, the greatest at the other.
+    /// Least and greatest centre distance, mm: the least backlash is found at the first, the greatest at the second.
     pub center_distances: [f64; 2],
     /// Radial play of both bearings together, mm.
     pub clearance: f64,
-    /// The gear that stands still.
+    /// The fixed gear.
     pub locked: Member,
-    /// The common face of helical gears, mm ([`GearPair::with_face`]); of spur gears `[0, 0]`.
+    /// The common face of helical gears, mm ([`GearPair::with_face`]); `[0, 0]` for spur gears.
     pub face: [f64; 2],
-    /// What each pair must keep over its whole mesh cycle.
+    /// The requirement for each pair over its whole mesh cycle.
     pub requirement: Requirement,
-    /// The backlash from which that of a pair is to stray least over its mesh cycle, mm; `None`: the middle of what is required, or its one
-    /// limit.
+    /// The target backlash, mm; `None`: see [`Terms::wanted`].
     pub target: Option<f64>,
 }
 
 impl Terms {
-    /// The backlash that is wanted, mm: as stated; else the middle of what is required, of a lower limit alone that limit, of an upper one
-    /// alone half of it, and 0 without any.
+    /// The target backlash, mm.
+    ///
+    /// Without a stated target it is the middle of the required range, a lower limit alone, half of an upper limit alone, or 0.
     pub fn wanted(&self) -> f64 {
         let limits = (self.requirement.min(), self.requirement.max());
         self.target.unwrap_or(match limits {
@@ -51,20 +53,20 @@ impl Terms {
 pub struct Fit {
     /// The pinion tooth whose right flank meets that of wheel tooth 1.
     pub pinion_tooth: u32,
-    /// What comes of it.
+    /// The outcome.
     pub outcome: Outcome,
-    /// Whether it is within what is required, and proven.
+    /// Whether the outcome is proven and meets the requirement.
     pub meets: bool,
-    /// How far its backlash strays from what is wanted over the mesh cycle, mm; infinite without backlash.
+    /// Greatest distance of the backlash from the target over the mesh cycle, mm; infinite without backlash.
     pub off: f64,
 }
 
 /// A wheel and a pinion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairFit {
-    /// The phase that is best: one within what is required, if any, the nearest to what is wanted.
+    /// The best phase: one that meets the requirement, if any, and nearest to the target.
     pub best: Fit,
-    /// How many assembly phases are within what is required.
+    /// Number of assembly phases that meet the requirement.
     pub meeting: u32,
 }
 
@@ -73,7 +75,7 @@ pub struct PairFit {
 pub struct Matrix {
     pub(super) wheels: usize,
     pub(super) pinions: usize,
-    /// Wheel by wheel.
+    /// The cells, wheel by wheel.
     pub(super) cells: Vec<PairFit>,
     pub(super) phases: u32,
     /// Mean base tooth thickness of each gear, mm.
@@ -81,11 +83,12 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Every one of `wheels` with every one of `pinions`, all of the same numbers of teeth, in every assembly phase: gcd(z_1, z_2) of them.
-    /// `tick` is called for each wheel with each pinion, from any thread; a break ends the work.
+    /// Every wheel with every pinion in every assembly phase, gcd(z_1, z_2) of them.
+    ///
+    /// All wheels have the same number of teeth, and so have all pinions. `tick` runs for each cell, on any thread; a break ends the work.
     ///
     /// # Errors
-    /// [`Error::Interrupted`]; gears that make no pair at one of the distances, or of other numbers of teeth than the first.
+    /// [`Error::Interrupted`]; gears that make no pair at one of the distances, or with different numbers of teeth.
     pub fn new(
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
@@ -96,7 +99,7 @@ impl Matrix {
         Ok(Matrix::of_cells(wheels, pinions, cells)?)
     }
 
-    /// The cells of their matrix, wheel by wheel. A cell depends on its own two gears alone.
+    /// The cells of the matrix, wheel by wheel. A cell depends only on its two gears.
     ///
     /// # Errors
     /// As [`Matrix::new`].
@@ -116,22 +119,21 @@ impl Matrix {
         cells.into_iter().collect()
     }
 
-    /// The matrix of these gears whose `cells`, wheel by wheel, are known.
+    /// The matrix of these gears from known `cells`, wheel by wheel.
     ///
     /// # Errors
-    /// Another number of cells than wheels times pinions; as [`Matrix::new`].
+    /// A number of cells other than wheels times pinions; as [`Matrix::new`].
     pub fn of_cells(
         wheels: &[AsBuilt],
         pinions: &[AsBuilt],
         cells: Vec<PairFit>,
     ) -> Result<Matrix, GearError> {
-        if wheels.len() * pinions.len() != cells.len() {
-            return Err(GearError::OutOfRange {
-                what: "number of cells of a matrix",
-                value: cells.len() as f64,
-                allowed: "wheels times pinions",
-            });
-        }
+        GearError::require(
+            wheels.len() * pinions.len() == cells.len(),
+            "number of cells of a matrix",
+            cells.len() as f64,
+            "wheels times pinions",
+        )?;
         Ok(Matrix {
             wheels: wheels.len(),
             pinions: pinions.len(),
@@ -144,43 +146,45 @@ impl Matrix {
         })
     }
 
-    /// Wheels and pinions.
+    /// Number of wheels and of pinions.
     pub fn size(&self) -> [usize; 2] {
         [self.wheels, self.pinions]
     }
 
-    /// Assembly phases of each pair.
+    /// Number of assembly phases of each pair.
     pub fn phases(&self) -> u32 {
         self.phases
     }
 
-    /// What wheel `wheel` comes to with pinion `pinion`, both from 0; `None` where there is no such gear.
+    /// The result of wheel `wheel` with pinion `pinion`, both from 0; `None` without such a gear.
     pub fn pair_fit(&self, wheel: usize, pinion: usize) -> Option<&PairFit> {
         let place = (wheel < self.wheels && pinion < self.pinions)
             .then_some(wheel * self.pinions + pinion)?;
         self.cells.get(place)
     }
 
-    /// Pairs that can be made at most.
+    /// Greatest possible number of pairs.
     pub fn most(&self) -> usize {
         self.wheels.min(self.pinions)
     }
 }
 
-/// Assembly phases of gears that all have the numbers of teeth of the first.
+/// Number of assembly phases of gears with equal numbers of teeth.
 ///
 /// # Errors
-/// A gear of another number of teeth.
+/// A gear with another number of teeth than the first of its kind.
 fn phase_count(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> Result<u32, GearError> {
     let teeth = |gear: &AsBuilt| gear.gear().basic_data().teeth();
     let counts = [wheels, pinions].map(|gears| gears.first().map_or(1, teeth));
     for (gears, count) in [wheels, pinions].into_iter().zip(counts) {
-        if let Some(other) = gears.iter().map(teeth).find(|other| *other != count) {
-            return Err(GearError::OutOfRange {
-                what: "number of teeth of a gear to be matched",
-                value: other.into(),
-                allowed: "that of the first of its kind",
-            });
+        for other in gears.iter().map(teeth) {
+            let what = "number of teeth of a gear to be matched";
+            GearError::require(
+                other == count,
+                what,
+                other.into(),
+                "that of the first of its kind",
+            )?;
         }
     }
     Ok(SweepPlan::phase_count(counts[0], counts[1]))
@@ -209,14 +213,14 @@ impl PairFit {
                 best = Some(fit);
             }
         }
-        // Any two numbers of teeth have one phase at least.
+        // Any two numbers of teeth have at least one phase.
         let best = best.unwrap_or(Fit::NONE);
         Ok(PairFit { best, meeting })
     }
 }
 
 impl Fit {
-    /// How far its backlash strays from what is wanted, in widths of the brackets: what is nearer is alike. Those above [`FARTHEST`] are, too.
+    /// Distance from the target in widths of the brackets: nearer values are equal, and so are values above [`FARTHEST`].
     pub(super) fn steps(&self) -> i64 {
         (self.off.min(FARTHEST) / WIDTH).round() as i64
     }
@@ -233,7 +237,7 @@ impl Fit {
         off: f64::INFINITY,
     };
 
-    /// Of the pair at the least and, where it is another, at the greatest distance.
+    /// The fit of the pair at the least and, if different, at the greatest distance.
     fn new(pairs: &[GearPair], pinion_tooth: u32, terms: &Terms) -> Result<Fit, Error> {
         let mut found: Option<Outcome> = None;
         let assembly = |pair: &GearPair| Assembly::new(pair.clone(), terms.clearance, pinion_tooth);
@@ -257,7 +261,7 @@ impl Fit {
         Ok(Fit::of(pinion_tooth, outcome, meets, terms.wanted()))
     }
 
-    /// What `outcome` comes to in the phase of `pinion_tooth` where the backlash `wanted`, mm, is wanted.
+    /// The fit of an `outcome` in the phase of `pinion_tooth` with the target backlash `wanted`, mm.
     pub fn of(pinion_tooth: u32, outcome: Outcome, meets: bool, wanted: f64) -> Fit {
         let both = outcome.least.zip(outcome.greatest);
         let off = both.map_or(f64::INFINITY, |(least, greatest)| {
@@ -272,14 +276,286 @@ impl Fit {
     }
 }
 
-/// The least distance and, where it is another, the greatest.
+/// The least distance and, if different, the greatest.
 fn ends(terms: &Terms) -> impl Iterator<Item = f64> {
     let [near, far] = terms.center_distances;
     std::iter::once(near).chain((far != near).then_some(far))
 }
 
-/// Whether an assembly that has both extremes, as `outcome` says, and stands so keeps the requirement.
+/// Whether an assembly with this outcome and standing meets the requirement: both extremes exist and lie within it.
 fn keeps(outcome: &Outcome, standing: &Standing) -> bool {
     let is_found = outcome.least.is_some() && outcome.greatest.is_some();
     is_found && !standing.below && !standing.above
+}
+
+/// Most gears of a kind for an optimal assignment, whose time grows with their cube. With more gears the nearest pairs are taken first.
+pub const MOST_EXACT: usize = 1000;
+
+/// An assignment of wheels to pinions.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assignment {
+    /// Wheel and pinion of each pair that meets the requirement, both from 0, in the order of the wheels.
+    pub pairs: Vec<(usize, usize)>,
+    /// Whether the assignment is optimal: no other has more pairs, or as many pairs nearer to the target.
+    pub is_best: bool,
+}
+
+impl Matrix {
+    /// The most pairs that meet the requirement and, among those assignments, the least sum of distances from the target.
+    pub fn assign(&self) -> Assignment {
+        let [wheels, pinions] = self.size();
+        let mut pairs = if wheels.max(pinions) <= MOST_EXACT {
+            self.best()
+        } else {
+            self.nearest_first()
+        };
+        pairs.retain(|(wheel, pinion)| self.meets(*wheel, *pinion));
+        pairs.sort_unstable();
+        Assignment {
+            pairs,
+            is_best: wheels.max(pinions) <= MOST_EXACT,
+        }
+    }
+
+    fn meets(&self, wheel: usize, pinion: usize) -> bool {
+        self.pair_fit(wheel, pinion)
+            .is_some_and(|meeting| meeting.best.meets)
+    }
+
+    fn steps(&self, wheel: usize, pinion: usize) -> i64 {
+        let meeting = self.pair_fit(wheel, pinion);
+        meeting.map_or(MOST_STEPS, |meeting| meeting.best.steps())
+    }
+
+    /// The optimal assignment: one more pair weighs more than all distances together.
+    fn best(&self) -> Vec<(usize, usize)> {
+        let [wheels, pinions] = self.size();
+        if self.most() == 0 {
+            return Vec::new();
+        }
+        let one = MOST_STEPS * (self.most() as i64 + 1);
+        let weight = |wheel: usize, pinion: usize| {
+            if self.meets(wheel, pinion) {
+                one - self.steps(wheel, pinion)
+            } else {
+                0
+            }
+        };
+        // Rows are no more than columns.
+        if wheels <= pinions {
+            let weights = Weights::from_fn(wheels, pinions, |(w, p)| weight(w, p));
+            kuhn_munkres(&weights).1.into_iter().enumerate().collect()
+        } else {
+            let weights = Weights::from_fn(pinions, wheels, |(p, w)| weight(w, p));
+            let found = kuhn_munkres(&weights).1.into_iter().enumerate();
+            found.map(|(pinion, wheel)| (wheel, pinion)).collect()
+        }
+    }
+
+    fn nearest_first(&self) -> Vec<(usize, usize)> {
+        let [wheels, pinions] = self.size();
+        let places = (0..wheels).flat_map(|wheel| (0..pinions).map(move |pinion| (wheel, pinion)));
+        let mut places: Vec<(usize, usize)> = places
+            .filter(|(wheel, pinion)| self.meets(*wheel, *pinion))
+            .collect();
+        places.sort_by_key(|(wheel, pinion)| (self.steps(*wheel, *pinion), *wheel, *pinion));
+        let mut free = [vec![true; wheels], vec![true; pinions]];
+        places.retain(|(wheel, pinion)| {
+            let both = free[0][*wheel] && free[1][*pinion];
+            if both {
+                free[0][*wheel] = false;
+                free[1][*pinion] = false;
+            }
+            both
+        });
+        places
+    }
+}
+
+/// Most thickness classes: a shop does not keep more.
+pub const MOST_CLASSES: usize = 10;
+
+/// Expected number of pairs that meet the requirement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Expected {
+    /// Assembled in any phase.
+    pub any_phase: f64,
+    /// Assembled in the best phase of each pair, with marked teeth.
+    pub best_phase: f64,
+}
+
+impl Matrix {
+    /// Expectation for random pairing.
+    pub fn at_random(&self) -> Expected {
+        let [wheels, pinions] = self.size();
+        let (wheels, pinions) = ((0..wheels).collect(), (0..pinions).collect());
+        self.expected(&[(wheels, pinions)])
+    }
+
+    /// Expectation for the best number of thickness classes, up to [`MOST_CLASSES`], and that number; `None` without gears.
+    ///
+    /// The thickest wheels go with the thinnest pinions, at random within a class.
+    pub fn by_classes(&self) -> Option<(usize, Expected)> {
+        let most = self.most().min(MOST_CLASSES);
+        let each = (1..=most).map(|count| (count, self.expected(&self.classes(count))));
+        each.reduce(|best, one| {
+            if one.1.any_phase > best.1.any_phase {
+                one
+            } else {
+                best
+            }
+        })
+    }
+
+    /// Wheels and pinions of each class.
+    fn classes(&self, count: usize) -> Vec<(Vec<usize>, Vec<usize>)> {
+        let sorted = |member: usize, sign: f64| {
+            let thickness = &self.thicknesses[member];
+            let mut order: Vec<usize> = (0..thickness.len()).collect();
+            order.sort_by(|a, b| (sign * thickness[*a]).total_cmp(&(sign * thickness[*b])));
+            order
+        };
+        let (wheels, pinions) = (sorted(0, 1.0), sorted(1, -1.0));
+        let part = |order: &[usize], class: usize| {
+            let border = |class: usize| class * order.len() / count;
+            order[border(class)..border(class + 1)].to_vec()
+        };
+        let each = (0..count).map(|class| (part(&wheels, class), part(&pinions, class)));
+        each.collect()
+    }
+
+    fn expected(&self, classes: &[(Vec<usize>, Vec<usize>)]) -> Expected {
+        let (mut any_phase, mut best_phase) = (0.0, 0.0);
+        for (wheels, pinions) in classes {
+            let (mut meeting, mut meets) = (0u64, 0u64);
+            for &wheel in wheels {
+                for found in pinions
+                    .iter()
+                    .filter_map(|pinion| self.pair_fit(wheel, *pinion))
+                {
+                    meeting += u64::from(found.meeting);
+                    meets += u64::from(found.best.meets);
+                }
+            }
+            let places = wheels.len() * pinions.len();
+            if places == 0 {
+                continue;
+            }
+            // Each pair of a class is equally likely any of its cells.
+            let pairs = wheels.len().min(pinions.len()) as f64 / places as f64;
+            any_phase += pairs * meeting as f64 / f64::from(self.phases);
+            best_phase += pairs * meets as f64;
+        }
+        Expected {
+            any_phase,
+            best_phase,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::population::{Outcome, OutcomeKind};
+    use proptest::prelude::*;
+
+    /// A matrix of distances from the target, µm; `None`: outside the requirement.
+    fn matrix(wheels: usize, pinions: usize, off_um: &[Option<u32>]) -> Matrix {
+        let cell = |off: &Option<u32>| PairFit {
+            best: Fit {
+                pinion_tooth: 1,
+                outcome: Outcome {
+                    kind: OutcomeKind::Clear,
+                    least: Some(0.0),
+                    greatest: Some(0.0),
+                    is_proven: true,
+                },
+                meets: off.is_some(),
+                off: off.map_or(1.0, |um| 1e-3 * f64::from(um)),
+            },
+            meeting: u32::from(off.is_some()),
+        };
+        Matrix {
+            wheels,
+            pinions,
+            cells: off_um.iter().map(cell).collect(),
+            phases: 1,
+            thicknesses: [vec![1.0; wheels], vec![1.0; pinions]],
+        }
+    }
+
+    /// Number of pairs and sum of their distances of the best assignment of the wheels from `wheel` on to free pinions.
+    fn brute(matrix: &Matrix, wheel: usize, free: u32) -> (usize, i64) {
+        if wheel == matrix.wheels {
+            return (0, 0);
+        }
+        let mut best = brute(matrix, wheel + 1, free);
+        for pinion in 0..matrix.pinions {
+            if free & 1 << pinion != 0 && matrix.meets(wheel, pinion) {
+                let (pairs, off) = brute(matrix, wheel + 1, free & !(1 << pinion));
+                let here = (pairs + 1, off + matrix.steps(wheel, pinion));
+                if here.0 > best.0 || here.0 == best.0 && here.1 < best.1 {
+                    best = here;
+                }
+            }
+        }
+        best
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        /// Source: every possible assignment.
+        #[test]
+        fn no_other_assignment_is_better(
+            wheels in 1..7usize,
+            pinions in 1..7usize,
+            off in prop::collection::vec(prop::option::weighted(0.5, 0..50u32), 36),
+        ) {
+            let matrix = matrix(wheels, pinions, &off[..wheels * pinions]);
+            let found = matrix.assign();
+            let sum: i64 = found.pairs.iter().map(|(w, p)| matrix.steps(*w, *p)).sum();
+            prop_assert_eq!((found.pairs.len(), sum), brute(&matrix, 0, u32::MAX));
+            prop_assert!(found.is_best);
+        }
+
+        /// The assignment for many gears: each gear once, only pairs that meet the requirement, and no further pair possible.
+        #[test]
+        fn nearest_first_leaves_no_pair_over(
+            off in prop::collection::vec(prop::option::weighted(0.5, 0..50u32), 64),
+        ) {
+            let matrix = matrix(8, 8, &off);
+            let pairs = matrix.nearest_first();
+            for (index, (wheel, pinion)) in pairs.iter().enumerate() {
+                prop_assert!(matrix.meets(*wheel, *pinion));
+                prop_assert!(pairs[..index].iter().all(|other| other.0 != *wheel && other.1 != *pinion));
+            }
+            for wheel in (0..8).filter(|wheel| pairs.iter().all(|pair| pair.0 != *wheel)) {
+                for pinion in (0..8).filter(|pinion| pairs.iter().all(|pair| pair.1 != *pinion)) {
+                    prop_assert!(!matrix.meets(wheel, pinion));
+                }
+            }
+        }
+    }
+
+    /// 500 random 8 × 8 matrices. Source: every possible assignment.
+    #[test]
+    fn eight_by_eight() {
+        let mut state = 1u64;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as u32
+        };
+        for _ in 0..500 {
+            let off: Vec<Option<u32>> = (0..64)
+                .map(|_| (next() % 3 != 0).then(|| next() % 40))
+                .collect();
+            let matrix = matrix(8, 8, &off);
+            let found = matrix.assign();
+            let sum: i64 = found.pairs.iter().map(|(w, p)| matrix.steps(*w, *p)).sum();
+            assert_eq!((found.pairs.len(), sum), brute(&matrix, 0, 0xff));
+        }
+    }
 }

@@ -1,11 +1,11 @@
 //! Selective assembly: which measured wheel goes with which measured pinion, and which teeth meet.
 //!
-//! A [`Matrix`] has what every wheel comes to with every pinion in every assembly phase; [`Matrix::assign`] picks the pairs that assemble
-//! the most within what is required and, among those, come nearest to a wanted backlash. Beside it stand what random pairing and thickness
-//! classes would come to ([`Matrix::at_random`], [`Matrix::by_classes`]). Needs the feature `matching`.
+//! A [`Matrix`] holds the result of every wheel with every pinion in every assembly phase. [`Matrix::assign`] finds the most pairs that
+//! meet the requirement and, among those, the pairs nearest to a target backlash. [`Matrix::at_random`] and [`Matrix::by_classes`] give
+//! the expectation for random pairing and for thickness classes. The module needs the feature `matching`.
 //!
-//! A cell of the matrix is an assembly of a [population](crate::population) a phase. `gearlash-files` (`matching`) reads the folders and writes the
-//! result.
+//! A cell of the matrix is an assembly of a [population](crate::population) per phase. `gearlash-files` (`matching`) reads the folders
+//! and writes the result.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
@@ -31,10 +31,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod assignment;
-mod classes;
 mod matrix;
 
-pub use assignment::{Assignment, MOST_EXACT};
-pub use classes::{Expected, MOST_CLASSES};
-pub use matrix::{Fit, Matrix, PairFit, Terms};
+pub use matrix::{Assignment, Expected, Fit, MOST_CLASSES, MOST_EXACT, Matrix, PairFit, Terms};

@@ -1,33 +1,34 @@
-//! Where measurements of one gear contradict each other: left flanks reversed, thickness stated twice, spans that refuse it.
+//! Measurements of one gear that contradict each other: reversed left flanks, thickness stated twice, an eccentricity counted twice.
 
-use super::finding::{Finding, ThicknessBesidePitch};
-use super::pitch_statement::PitchStatement;
+use super::finding::{Eccentricity, Finding, RunoutSource, ThicknessBesidePitch};
+use super::flank_correlation::{
+    anticorrelation_p_value, datum_anticorrelation_p_value, first_harmonic_difference,
+    first_harmonic_energy,
+};
+use super::pitch_statement::{EccentricitySource, PitchStatement};
 use super::settle::Flanks;
-use super::statement::ThicknessStatement;
-use crate::gear::{Deviations, Pitch, Spans, range};
+use super::thickness_statement::ThicknessStatement;
+use crate::gear::{Deviations, Flank, Pitch, Spans, range};
 
-/// The probability below which flanks that go against each other count as reversed. Tuned: of unrelated curves, white
-/// or random walks, at most 2 in 4000 were suspected; of curves with common waves of up to 5 µm and noise of
-/// ±1 µm, one of them reversed, 84 % were found at z = 20 and 91 % at z = 44. About the
-/// datum axis, with 0, 2 and 20 µm of eccentricity, at most 2 in 4000 were suspected; reversed, all of 4000 were found from
-/// 20 µm on, of 5 µm 57 … 96 %. `cargo test -p gearlash-files --test all_round reversed_flanks -- --nocapture` prints the counts.
+/// Below this probability, opposed flanks count as reversed. Tuned: of unrelated curves, white or random walks, at most 2 in
+/// 4000 were suspected. One reversed flank was found in 84 % of curves at z = 20 and in 91 % at z = 44, with common waves
+/// up to 5 µm and noise of ±1 µm. About the datum axis, with 0, 2 and 20 µm of eccentricity, at most 2 in 4000 were suspected. Reversed
+/// flanks were found in all of 4000 cases from 20 µm on, and in 57 … 96 % at 5 µm. `cargo test -p gearlash-files --test all_round reversed_flanks -- --nocapture` prints the counts.
 const UNRELATED: f64 = 1e-3;
-/// How many times less energy must be left in the spans by one sign of the left flank than by the other. Tuned:
-/// noise `ε` alone comes there only within 30° of one direction of as many dimensions as there are readings, the
-/// change of sign being as large as `ε` besides; 1 in 400 with 7 readings, none with 20.
+/// Ratio of the energies left in the spans by the two signs of the left flank, above which the sign is clear. Tuned: noise alone
+/// reaches it in 1 of 400 cases with 7 readings and in none with 20.
 const CLEARER: f64 = 4.0;
-/// Fewest spans that are asked which sign they bear out; all round, fewer bear out the one that is stated.
+/// Fewest spans that decide the sign. All round, fewer may confirm the stated sign.
 const FEWEST_SPANS: usize = 7;
-/// Two curves are the same when this part of the energy at most is in their difference. Tuned: thickness of 4 µm r.m.s.,
-/// measured twice with 1 µm a flank, leaves 0.19; unrelated curves leave 2.
+/// Two curves are equal if their difference has at most this share of the energy. Tuned: thickness of 4 µm r.m.s., measured twice
+/// with 1 µm per flank, leaves 0.19; unrelated curves leave 2.
 const SAME: f64 = 0.2;
-/// Most tooth numbers by which a list is sought moved. Tuned: counting from 0 makes 1, the first tooth of a span some ten;
-/// farther on a smooth curve is the same as any other.
+/// Greatest shift of a list in tooth numbers that is tried. Tuned: counting from 0 gives 1, the first tooth of a span some ten.
 const MOST_SHIFT: usize = 12;
-/// Standard deviations by which the spans must refuse the stated thickness.
+/// Standard deviations by which the spans must contradict the stated thickness.
 const CERTAIN: f64 = 3.0;
 
-/// Everything that contradicts; of the pitch its curves as `measured`.
+/// All contradictions, except those of the first harmonic. `pitch` has its curves as measured.
 pub(super) fn findings(
     statement: &ThicknessStatement,
     cross_check: Option<&ThicknessStatement>,
@@ -53,7 +54,7 @@ pub(super) fn findings(
     findings
 }
 
-/// Whether the left flank's sign looks reversed: by the spans where they can tell, by the flanks alone otherwise.
+/// Whether the left flank's sign looks reversed: by the spans if they decide, otherwise by the flanks alone.
 fn reversed(
     measured: &Pitch,
     own: &Pitch,
@@ -62,19 +63,20 @@ fn reversed(
     flanks: &Flanks,
 ) -> bool {
     let other = measured.clone().read_as_material();
-    let other_own = match is_datum {
-        true => other
+    let other_own = if is_datum {
+        other
             .separate_eccentricity(flanks.gears.most())
             .ok()
-            .map(|parts| parts.pitch),
-        false => Some(other),
+            .map(|parts| parts.pitch)
+    } else {
+        Some(other)
     };
     let left_over = |pitch: &Pitch| -> Option<f64> {
         let known = Deviations {
             pitch: Some(pitch.clone()),
             ..flanks.stated.clone()
         };
-        let beside = spans?.beside(&known).ok()?;
+        let beside = spans?.compare(&known).ok()?;
         let left = beside.iter().map(|(read, said)| (read - said).powi(2));
         Some(left.sum())
     };
@@ -91,14 +93,15 @@ fn reversed(
             return false;
         }
     }
-    let p_value = match is_datum {
-        true => measured.datum_anticorrelation_p_value(flanks.gears.most()),
-        false => measured.anticorrelation_p_value(),
+    let p_value = if is_datum {
+        datum_anticorrelation_p_value(measured, flanks.gears.most())
+    } else {
+        anticorrelation_p_value(measured)
     };
     p_value < UNRELATED
 }
 
-/// What eccentricity datum-axis flanks hold with the left one reversed and as stated, µm.
+/// Eccentricity in datum-axis pitch with the left flanks reversed and as stated, µm.
 fn eccentricities(measured: &Pitch, flanks: &Flanks) -> Option<[f64; 2]> {
     let note = flanks.eccentricity.as_ref()?;
     let turned = measured.clone().read_as_material();
@@ -106,7 +109,7 @@ fn eccentricities(measured: &Pitch, flanks: &Flanks) -> Option<[f64; 2]> {
     Some([1000.0 * turned.eccentricity, note.in_pitch.um])
 }
 
-/// Per-tooth thickness that stands beside what the pitch of both flanks says of it.
+/// Compares stated per-tooth thickness with the thickness in the pitch of both flanks.
 fn beside_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch> {
     let mean = per_tooth.iter().sum::<f64>() / per_tooth.len().max(1) as f64;
     let energy: f64 = per_tooth.iter().map(|t| (t - mean).powi(2)).sum();
@@ -144,7 +147,7 @@ fn beside_pitch(pitch: &Pitch, per_tooth: &[f64]) -> Option<ThicknessBesidePitch
     }
 }
 
-/// By how many tooth numbers `list` is moved where it is the `same` as another, and whether the other's value stands farther on.
+/// The shift in tooth numbers at which `list` is the `same` as another list, and whether the shift is down.
 fn moved(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bool)> {
     let most = MOST_SHIFT.min(list.len() / 2);
     (1..=most).find_map(|by| {
@@ -158,10 +161,10 @@ fn moved(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bo
     })
 }
 
-/// Per-tooth thickness that spans on the same gear do not show.
+/// Stated per-tooth thickness that spans on the same gear contradict.
 ///
-/// Regression of what the spans show beside the pitch on what the stated thickness makes of them: the
-/// slope is 1 where they agree. Below 1/2 the spans are more even with nothing stated.
+/// The spans without the effect of the pitch are regressed on the spans expected from the stated thickness. The slope is 1 if they
+/// agree. Below 1/2 the spans are more even without the stated thickness.
 fn refused(spans: &Spans, flanks: &Flanks) -> Option<Finding> {
     let stated = &flanks.stated;
     if stated.per_tooth.is_empty() {
@@ -175,9 +178,9 @@ fn refused(spans: &Spans, flanks: &Flanks) -> Option<Finding> {
         pitch: stated.pitch.clone(),
         ..Deviations::default()
     };
-    let pitch = spans.beside(&pitch).ok()?;
+    let pitch = spans.compare(&pitch).ok()?;
     let pairs: Vec<(f64, f64)> = spans
-        .beside(&alone)
+        .compare(&alone)
         .ok()?
         .iter()
         .zip(pitch)
@@ -199,5 +202,96 @@ fn refused(spans: &Spans, flanks: &Flanks) -> Option<Finding> {
             .all_round
             .and_then(|note| note.amplification)
             .is_some(),
+    })
+}
+
+/// Greatest relative difference at which own-axis pitch seems to contain the stated eccentricity: 25 % of the amount or 14.5° of the
+/// direction. A harmonic of the gear's own pitch, of any direction and up to twice the amount, comes so near once in 64 times.
+const SAME_ECCENTRICITY: f64 = 0.25;
+/// Greatest share of the first harmonics' energy that an eccentricity leaves. A wave common to both flanks of a tooth leaves
+/// `sin² (α − π/(2z))`, 0.1 at 20°. Noise of a tenth of an eccentricity, at 20 teeth, leaves some 0.001.
+const NOT_JOINT: f64 = 0.05;
+/// Standard deviations by which the harmonic must exceed the rest of the pitch: white deviations do so once in e^(4²/2) = 3000 times.
+const STANDS_OUT: f64 = 4.0;
+
+/// A contradiction in the first harmonic of `pitch`, with its curves as `measured`. `by_readings`: the runout is stated by readings.
+pub(super) fn first_harmonic(
+    pitch: &PitchStatement,
+    measured: &Pitch,
+    by_readings: bool,
+    flanks: &Flanks,
+) -> Option<Finding> {
+    if pitch.is_datum() {
+        not_joint(pitch, measured, flanks)
+    } else {
+        held(measured, by_readings, flanks)
+    }
+}
+
+/// Own-axis pitch that contains the eccentricity of the runout, both flanks jointly.
+fn held(measured: &Pitch, by_readings: bool, flanks: &Flanks) -> Option<Finding> {
+    let gear = flanks.gears.most();
+    let in_runout = flanks.in_runout.filter(|stated| stated.um > 0.0)?;
+    let found = measured.separate_eccentricity(gear).ok()?;
+    let in_pitch = Eccentricity {
+        um: 1000.0 * found.eccentricity,
+        high_tooth: found.high_tooth,
+    };
+    // Least squares of `datum`: deviations of s leave s cos α/√z in either component of the eccentricity.
+    let basic_data = gear.basic_data();
+    let rest = Flank::BOTH.map(|side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>());
+    let z = f64::from(basic_data.teeth());
+    let free = (2.0 * z - 4.0).max(1.0);
+    let deviation =
+        (rest.iter().sum::<f64>() / free / z).sqrt() * basic_data.transverse_pressure_angle().cos();
+    let left = first_harmonic_energy(&found.pitch);
+    let jointly = left <= NOT_JOINT * first_harmonic_energy(measured);
+    if !(jointly && found.eccentricity > STANDS_OUT * deviation) {
+        return None;
+    }
+    if in_runout.distance_um(&in_pitch, basic_data) > SAME_ECCENTRICITY * in_runout.um {
+        // The same amount in another direction: one of the two directions may be wrong.
+        let as_large = (in_pitch.um - in_runout.um).abs() <= SAME_ECCENTRICITY * in_runout.um;
+        return (as_large && !by_readings).then_some(Finding::StatedEccentricityElsewhere {
+            in_pitch,
+            stated: in_runout,
+        });
+    }
+    Some(Finding::OwnPitchHoldsEccentricity {
+        in_pitch,
+        in_runout,
+        runout: if by_readings {
+            RunoutSource::Readings {
+                left: flanks.runout.stated(),
+            }
+        } else {
+            RunoutSource::Total
+        },
+    })
+}
+
+/// Datum-axis pitch whose first harmonic is not that of an eccentricity alone.
+///
+/// For white deviations `s` the energy left by the joint fit is exponential with the mean `z s²`. It exceeds the rest by
+/// [`STANDS_OUT`] if it is above `STANDS_OUT²/2` times this mean.
+fn not_joint(pitch: &PitchStatement, measured: &Pitch, flanks: &Flanks) -> Option<Finding> {
+    if pitch.eccentricity == Some(EccentricitySource::Runout) {
+        // The rest counts as the gear's own pitch.
+        return None;
+    }
+    let (own, note) = (flanks.stated.pitch.as_ref()?, flanks.eccentricity?);
+    let (left, all) = (first_harmonic_energy(own), first_harmonic_energy(measured));
+    let z = f64::from(flanks.gears.most().basic_data().teeth());
+    let squares = |side| own.flank(side).iter().map(|f| f * f).sum::<f64>();
+    // Without the harmonic: its energy is z/2 times its squares. Means and harmonics are fitted.
+    let rest = (Flank::BOTH.map(squares).iter().sum::<f64>() - 2.0 * left / z).max(0.0);
+    let white = z * rest / (2.0 * z - 6.0).max(1.0);
+    let stands_out = left > STANDS_OUT.powi(2) / 2.0 * white;
+    (stands_out && left > NOT_JOINT * all).then(|| Finding::FirstHarmonicNotEccentricity {
+        // The amplitude is 2/z times the coefficient, as the root mean square of both flanks.
+        left_um: 1000.0 * 2.0 / z * (left / 2.0).sqrt(),
+        left_percent: 100.0 * left / all,
+        alike: first_harmonic_difference(measured) <= NOT_JOINT * all,
+        eccentricity_um: note.in_pitch.um,
     })
 }

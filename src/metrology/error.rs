@@ -1,18 +1,18 @@
-//! Measurements that no gear has.
+//! Errors of measurements that no gear can have.
 
 use super::finding::Outlier;
 use crate::error::GearError;
 use crate::gear::Flank;
 
-/// One thing that is wrong with the measurements of a gear.
+/// An error in the measurements of a gear.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeasurementError {
-    /// A statement of the thickness that is no number, or whose readings go with no tooth: pins inside the base circle, a place twice.
+    /// A thickness statement that is not a number, or readings that no tooth can have: pins inside the base circle, a place twice.
     #[error("{error}")]
     Thickness {
         /// Which statement.
         role: StatementRole,
-        /// What is wrong.
+        /// The cause.
         error: GearError,
     },
     /// No gear of this design has the stated thickness.
@@ -20,9 +20,9 @@ pub enum MeasurementError {
     NoGear {
         /// Which statement.
         role: StatementRole,
-        /// Why.
+        /// The cause.
         error: GearError,
-        /// The reading that may be the reason, if there is one.
+        /// Outliers that may be the cause.
         suspects: Vec<Outlier>,
     },
     /// A span or a pin that does not touch the involute where the thickness is measured.
@@ -30,20 +30,20 @@ pub enum MeasurementError {
     OffInvolute {
         /// Which statement.
         role: StatementRole,
-        /// Where it touches.
+        /// The place of contact.
         error: GearError,
-        /// What would touch.
+        /// Measurements that would touch the involute.
         fits: Fits,
-        /// The reading that may be the reason, if there is one.
+        /// Outliers that may be the cause.
         suspects: Vec<Outlier>,
     },
-    /// Per-tooth thickness that is not one number a tooth, or is not determined.
+    /// Per-tooth thickness without one number per tooth, or not determined.
     #[error("{0}")]
     PerTooth(GearError),
-    /// Pitch that is not one number a tooth.
+    /// Pitch without one number per tooth.
     #[error("{0}")]
     Pitch(GearError),
-    /// A flank half a pitch or more from where it belongs.
+    /// A flank half a pitch or more off its place.
     #[error(
         "the {} flank of tooth {tooth} stands {off_um:.1} µm from the mean, allowed is less than half a pitch, {half_pitch_um:.1} µm",
         flank.name()
@@ -53,29 +53,29 @@ pub enum MeasurementError {
         flank: Flank,
         /// The tooth.
         tooth: u32,
-        /// How far, µm.
+        /// Deviation, µm.
         off_um: f64,
         /// Half a pitch, µm.
         half_pitch_um: f64,
     },
-    /// Pitch about the datum axis and a runout, and nothing says which eccentricity counts.
+    /// Pitch about the datum axis and a runout, without a choice of the eccentricity.
     #[error(
         "pitch measured about the datum axis already contains the eccentricity, and the runout would count it twice"
     )]
     EccentricityTwice,
-    /// The eccentricity of the runout is to count, and none is stated.
+    /// The eccentricity of a runout is chosen, but no runout is stated.
     #[error("no runout is stated, or no high tooth of it")]
     NoRunout,
-    /// An eccentricity is to count of pitch about the gear's own axis.
+    /// An eccentricity is chosen from pitch about the gear's own axis.
     #[error("values about the gear's own axis contain no eccentricity")]
     NoEccentricityInOwnPitch,
     /// No eccentricity explains pitch about the datum axis.
     #[error("{0}")]
     DatumPitch(GearError),
-    /// The fixed point of mean thickness and eccentricity was not reached.
+    /// The iteration of mean thickness and eccentricity did not converge.
     #[error("no eccentricity goes with the stated thickness")]
     NotSettled,
-    /// A runout that is no number or whose high tooth is none of the gear's, or readings that are not one number a tooth or that no eccentricity explains.
+    /// A runout that is not a number, a high tooth that does not exist, or readings that no eccentricity explains.
     #[error("{0}")]
     Runout(GearError),
     /// A runout of the tooth depth or more.
@@ -90,29 +90,29 @@ pub enum MeasurementError {
     /// No ball rests on the involutes of this gear.
     #[error("no ball rests on the involutes of this gear")]
     NoBall,
-    /// A profile that no flank of the gear has.
+    /// A profile that no flank of the gear can have.
     #[error("{error}")]
     Profile {
         /// The own flank.
         flank: Flank,
-        /// What of it.
+        /// The key at fault.
         key: ProfileKey,
-        /// Why.
+        /// The cause.
         error: GearError,
     },
     /// Deviations that leave a tooth without tip or neck, or a space without room.
     #[error("{error}")]
     Deviations {
-        /// What they leave.
+        /// The error.
         error: GearError,
-        /// The deviations that do.
+        /// The deviations at fault.
         cause: DeviationCause,
-        /// The values that may be the reason.
+        /// Outliers that may be the cause.
         suspects: Vec<Outlier>,
     },
 }
 
-/// What is said of a profile, as a key of a pair file says it.
+/// A key of a profile statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProfileKey {
     /// Profile slope.
@@ -127,25 +127,25 @@ pub enum ProfileKey {
     Range,
     /// Measured traces.
     Trace,
-    /// All of it together.
+    /// All keys together.
     All,
 }
 
-/// Which of two statements of the thickness.
+/// The role of a thickness statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StatementRole {
-    /// The one that counts.
+    /// The statement that determines the gear.
     Counts,
-    /// The one that it is compared with.
+    /// The statement used for comparison.
     CrossCheck,
 }
 
-/// What would touch the involute of a gear.
+/// Measurements that touch the involute of a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fits {
-    /// Spans over the least and greatest number of teeth, if there is any.
+    /// The least and greatest number of teeth for a span; `None` if no span fits.
     Spans(Option<(u32, u32)>),
-    /// A pin of this diameter, mm, if there is any.
+    /// Diameter of a pin, mm; `None` if no pin fits.
     Pin(Option<f64>),
 }
 

@@ -1,29 +1,31 @@
-//! What measurements of one gear say of each other and of themselves: each finding with its numbers.
+//! Findings about the measurements of one gear, each with its numbers.
 //!
-//! A finding changes nothing: every value counts as it stands. `right` and `left` are the gear's *own* flanks.
+//! A finding changes no value. `right` and `left` are the gear's *own* flanks.
 
-use super::notes::{Eccentricity, EccentricityNote, ThicknessStatements};
-use crate::gear::{Flank, Probe};
+use crate::gear::{BasicGearData, Flank, Probe};
 
-/// Something that a user should know of the measurements of one gear.
+/// A finding about the measurements of one gear.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Finding {
-    /// Single pitch deviations of a flank do not sum to 0; the rest is shared out evenly.
+    /// Single pitch deviations of a flank do not sum to 0; the rest is distributed evenly.
     PitchDoesNotClose {
         /// The own flank.
         flank: Flank,
         /// Their sum, µm.
         sum_um: f64,
-        /// What rounding of the sheet may leave of it, µm.
+        /// Greatest sum from rounding of the sheet, µm.
         rounding_um: f64,
     },
-    /// What was made of runout readings.
+    /// The eccentricity fitted to runout readings.
     RunoutReadings(FittedReadings),
-    /// Runout readings contradict the flanks, which count.
+    /// Runout readings contradict the stated flanks; the flanks are used.
     RunoutContradictsFlanks(RunoutContradiction),
-    /// A runout has no direction: extremes are over all of them, single poses take tooth 1.
+    /// A runout has no direction: extremes cover all directions, single poses use tooth 1.
     RunoutWithoutDirection {
         /// `F_r`, µm.
         total_um: f64,
@@ -32,27 +34,27 @@ pub enum Finding {
     EccentricityInPitch(EccentricityNote),
     /// Dimensions over pins give the mean thickness only.
     PinsGiveMeanOnly {
-        /// How many there are.
+        /// Number of readings.
         readings: usize,
-        /// Whether pitch is known; otherwise it is taken as even.
+        /// Whether pitch is known; otherwise it counts as even.
         with_pitch: bool,
     },
     /// Spans all round give each tooth's thickness.
     SpansGiveEachTooth {
         /// `k`.
         spanned: u32,
-        /// `z`, and as many spans.
+        /// `z`, the number of spans.
         teeth: u32,
-        /// The growth of a reading's error: at worst this, at random its root.
+        /// Amplification of a reading's error: this factor at worst, its square root for random errors.
         amplification: u32,
         /// Whether pitch is known; otherwise all unevenness counts as thickness.
         with_pitch: bool,
     },
-    /// Profiles were measured on some teeth; the others take their mean.
+    /// Profiles were measured on some teeth; the others use their mean.
     ProfileOfSomeTeeth {
         /// The own flank.
         flank: Flank,
-        /// How many teeth were measured.
+        /// Number of measured teeth.
         measured: u32,
         /// `z`.
         teeth: u32,
@@ -63,28 +65,28 @@ pub enum Finding {
         spanned: u32,
         /// `z`.
         teeth: u32,
-        /// How many spans.
+        /// Number of spans.
         readings: usize,
-        /// Why.
+        /// The reason.
         why: MeanOnly,
-        /// Whether unknown pitch at the teeth that were read stays in the mean thickness.
+        /// Whether unknown pitch at the measured teeth affects the mean thickness.
         pitch_in_mean: bool,
     },
-    /// The left flanks go against the right ones, as if their sign were reversed.
+    /// The left flanks oppose the right ones, as if their sign were reversed.
     LeftFlankReversed {
-        /// Of pitch about the datum axis the eccentricity that it holds with the left flanks reversed and as stated, µm.
+        /// Eccentricity in datum-axis pitch with the left flanks reversed and as stated, µm.
         eccentricity_um: Option<[f64; 2]>,
     },
-    /// Per-tooth thickness stands beside the pitch of both flanks, which gives it, too; the two add.
+    /// Per-tooth thickness is stated although the pitch of both flanks contains it; the two add.
     ThicknessBesidePitch(ThicknessBesidePitch),
-    /// Spans do not show the per-tooth thickness that is stated.
+    /// Spans contradict the stated per-tooth thickness.
     SpansRefuseThickness {
-        /// The part of it that they show: 1 where they agree.
+        /// The share of it that the spans show: 1 if they agree.
         shown: f64,
-        /// Whether the spans give each tooth's thickness, and so count.
+        /// Whether the spans determine each tooth's thickness.
         spans_count: bool,
     },
-    /// The mean of per-tooth thickness is more than any allowance.
+    /// The mean of per-tooth thickness exceeds any allowance.
     PerToothMeanTooLarge {
         /// The mean, µm.
         mean_um: f64,
@@ -96,14 +98,14 @@ pub enum Finding {
         /// Standard deviation about it, µm.
         scatter_um: f64,
     },
-    /// Values in µm are that of the whole tooth or pitch in mm.
+    /// Values in µm equal the whole tooth thickness or pitch in mm.
     LooksLikeWhole {
-        /// What they are.
+        /// The quantity.
         quantity: Quantity,
         /// Their mean, as stated in µm.
         mean_um: f64,
     },
-    /// What a tolerance field of the tooth thickness means.
+    /// The allowances of a tolerance field of the tooth thickness.
     ThicknessField {
         /// Reference diameter, mm.
         diameter_mm: f64,
@@ -114,36 +116,36 @@ pub enum Finding {
     },
     /// An allowance makes the teeth thicker than nominal.
     AllowanceThickens {
-        /// The greatest, µm.
+        /// The greatest allowance, µm.
         um: f64,
     },
-    /// The cross-check is the same measurement as the statement that counts.
+    /// The cross-check is the same kind of measurement as the thickness statement.
     CrossCheckOfSameKind(SameKind),
-    /// The first harmonic of pitch about the datum axis is not that of an eccentricity alone; what is left counts as the gear's own pitch.
+    /// The first harmonic of datum-axis pitch is not that of an eccentricity alone; the rest counts as the gear's own pitch.
     FirstHarmonicNotEccentricity {
-        /// Amplitude left on a flank, µm.
+        /// Remaining amplitude on a flank, µm.
         left_um: f64,
-        /// The part of its energy, per cent.
+        /// Remaining share of its energy, per cent.
         left_percent: f64,
-        /// Whether both flanks move alike, as an index error of the machine moves them.
+        /// Whether both flanks move together, as by an index error of the machine.
         alike: bool,
         /// The eccentricity taken from it, µm.
         eccentricity_um: f64,
     },
-    /// Pitch about the gear's own axis holds the very eccentricity that the runout states.
+    /// Pitch about the gear's own axis contains the eccentricity of the stated runout.
     OwnPitchHoldsEccentricity {
-        /// In the pitch.
+        /// The eccentricity in the pitch.
         in_pitch: Eccentricity,
-        /// In the runout.
+        /// The eccentricity in the runout.
         in_runout: Eccentricity,
-        /// How the runout is stated.
+        /// Form of the runout statement.
         runout: RunoutSource,
     },
-    /// Pitch about the gear's own axis holds an eccentricity as large as the stated one, towards another tooth.
+    /// Pitch about the gear's own axis contains an eccentricity of the stated amount towards another tooth.
     StatedEccentricityElsewhere {
-        /// In the pitch.
+        /// The eccentricity in the pitch.
         in_pitch: Eccentricity,
-        /// As stated.
+        /// The stated eccentricity.
         stated: Eccentricity,
     },
     /// A single value far from all the others.
@@ -153,7 +155,7 @@ pub enum Finding {
 }
 
 impl Finding {
-    /// Whether it tells of something that is in order.
+    /// Whether the finding needs no action.
     pub fn is_in_order(&self) -> bool {
         match self {
             Finding::ThicknessStatedTwice(compared) => compared.agree(),
@@ -165,54 +167,57 @@ impl Finding {
     }
 }
 
-/// What is known of the flanks on which a runout was read.
+/// Knowledge of the flanks on which a runout was read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum FlankKnowledge {
     /// No pitch.
     NoPitch,
     /// Pitch free of eccentricity.
     Pitch,
-    /// Pitch about the datum axis that holds the eccentricity, the one of the readings being taken out of it.
+    /// Datum-axis pitch that contains the eccentricity; the eccentricity of the readings is removed from it.
     DatumPitch,
 }
 
-/// What was made of runout readings.
+/// The eccentricity fitted to runout readings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedReadings {
-    /// What was known of the flanks.
+    /// Knowledge of the flanks.
     pub knowledge: FlankKnowledge,
-    /// What touched them.
+    /// The probe.
     pub probe: Probe,
-    /// How far another ball moves the eccentricity at most, µm; `None` where the ball is stated or there is none.
+    /// Greatest change of the eccentricity by another ball, µm; `None` with a stated ball or a fork.
     pub by_ball_um: Option<f64>,
-    /// The gear's.
+    /// The gear's eccentricity.
     pub eccentricity: Eccentricity,
-    /// The readings' own first harmonic, as if the flanks stood where they belong.
+    /// The readings' first harmonic without any effect of the flanks.
     pub first_harmonic: Eccentricity,
-    /// Whether what the stated flanks do to that harmonic was taken out.
+    /// Whether the effect of the stated flanks on that harmonic was removed.
     pub flanks_taken_out: bool,
-    /// `F_r`: greatest reading less least, µm.
+    /// `F_r`: greatest minus least reading, µm.
     pub range_um: f64,
-    /// What of a reading is neither eccentricity nor said by the flanks, µm at most.
+    /// Greatest part of a reading that neither eccentricity nor flanks explain, µm.
     pub left_um: f64,
 }
 
-/// Runout readings beside what the flanks say of them, without mean and first harmonic.
+/// Runout readings and their values expected from the flanks, without mean and first harmonic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RunoutContradiction {
-    /// What touched the flanks.
+    /// The probe.
     pub probe: Probe,
-    /// By how much the readings vary at most, µm.
+    /// Greatest variation of the readings, µm.
     pub read_um: f64,
-    /// By how much they would by the flanks, µm.
+    /// Greatest variation expected from the flanks, µm.
     pub said_um: f64,
-    /// The tooth where they lie farthest apart: at it, or in the space after it.
+    /// The tooth of the greatest difference: at the tooth, or in the space after it.
     pub tooth: u32,
-    /// How far, µm.
+    /// The greatest difference, µm.
     pub apart_um: f64,
     /// `F_r` of the readings, µm.
     pub range_um: f64,
@@ -220,57 +225,66 @@ pub struct RunoutContradiction {
     pub known_range_um: f64,
 }
 
-/// Why spans give the mean thickness only.
+/// The reason why spans give the mean thickness only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum MeanOnly {
-    /// No more was asked for.
+    /// Per-tooth thickness was not requested.
     AsAsked,
     /// There are fewer spans than teeth.
     TooFew,
-    /// Thickness that alternates shows in none of them; spans over `other` teeth would show it.
+    /// The spans do not show alternating thickness; spans over `other` teeth would.
     Undetermined {
-        /// The least such number, if there is any.
+        /// The least such number; `None` if there is none.
         other: Option<u32>,
     },
 }
 
-/// Per-tooth thickness beside that of the pitch of both flanks.
+/// Stated per-tooth thickness compared with the thickness in the pitch of both flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum ThicknessBesidePitch {
-    /// It says the same.
+    /// Both are equal.
     Same,
-    /// It takes back what the pitch says.
+    /// They are equal with opposite signs.
     TakenBack,
-    /// It says what the pitch would with the left flanks reversed.
+    /// They are equal with the left flanks reversed.
     SameIfReversed,
-    /// It says the same, moved in tooth number.
+    /// They are equal after a shift in tooth numbers.
     SameIfMoved {
-        /// By so many teeth.
+        /// Number of teeth.
         by: usize,
-        /// Down, towards lower numbers; otherwise up.
+        /// Whether the shift is towards lower numbers.
         down: bool,
     },
-    /// It says something else.
+    /// They differ.
     Different {
-        /// Greatest less least by the list, µm.
+        /// Greatest minus least thickness of the list, µm.
         list_um: f64,
-        /// The same by the pitch, µm.
+        /// Greatest minus least thickness in the pitch, µm.
         pitch_um: f64,
-        /// The tooth where they lie farthest apart.
+        /// The tooth of the greatest difference.
         tooth: u32,
-        /// How far, µm.
+        /// The greatest difference, µm.
         apart_um: f64,
     },
 }
 
 /// A list or value stated in µm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Quantity {
     /// Per-tooth thickness.
     PerTooth,
@@ -278,45 +292,54 @@ pub enum Quantity {
     Pitch,
 }
 
-/// What two statements of the thickness have in common.
+/// The common kind of two thickness statements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum SameKind {
-    /// A span over as many teeth.
+    /// Spans over the same number of teeth.
     Span,
-    /// A dimension over the same pins.
+    /// Dimensions over the same pins.
     OverPins,
-    /// An allowance.
+    /// Allowances.
     Allowance,
 }
 
-/// How a runout is stated.
+/// Form of a runout statement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum RunoutSource {
-    /// Its amount and high tooth.
+    /// Amount and high tooth.
     Total,
-    /// By readings.
+    /// Readings.
     Readings {
-        /// The eccentricity that is left to them beside the pitch.
+        /// The eccentricity in the readings beyond that of the pitch.
         left: Option<Eccentricity>,
     },
 }
 
-/// A single value that lies far from all the others.
+/// A single value far from all others.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Outlier {
-    /// Of spans or dimensions over pins.
+    /// A span or a dimension over pins.
     Reading(ReadingOutlier),
-    /// Of pitch deviations.
+    /// A pitch deviation.
     Pitch(PitchOutlier),
 }
 
-/// A length that stands out.
+/// An outlier among spans or dimensions over pins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ReadingOutlier {
@@ -330,26 +353,29 @@ pub struct ReadingOutlier {
     pub off_um: f64,
     /// The median, mm.
     pub median_mm: f64,
-    /// Of so many readings.
+    /// Number of readings.
     pub readings: usize,
-    /// Whether what the stated flanks do was taken out of them first.
+    /// Whether the effect of the stated flanks was removed from the readings.
     pub flanks_taken_out: bool,
-    /// Why that is too far.
+    /// The criterion.
     pub why: TooFar,
 }
 
-/// Why a length lies too far from the others.
+/// The criterion of an outlier among lengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum TooFar {
-    /// By more than even a coarse gear varies, µm.
+    /// The distance exceeds the variation of a coarse gear, µm.
     CoarseGear(f64),
-    /// Half of the others lie within so many µm.
+    /// Half of the other values lie within this distance, µm.
     HalfWithin(f64),
 }
 
-/// A pitch deviation that stands out.
+/// An outlier among pitch deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PitchOutlier {
@@ -363,8 +389,101 @@ pub struct PitchOutlier {
     pub off_um: f64,
     /// Whether that is the distance from the neighbours' mean.
     pub from_neighbours: bool,
-    /// What even a coarse gear varies by, µm.
+    /// Variation of a coarse gear, µm.
     pub coarse_um: f64,
-    /// Half of the others lie within so many µm.
+    /// Half of the other values lie within this distance, µm.
     pub half_within_um: f64,
+}
+
+/// Results about one gear for tables and reports.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct GearNotes {
+    /// The eccentricity of datum-axis pitch.
+    pub eccentricity: Option<EccentricityNote>,
+    /// The evaluation of readings all round.
+    pub all_round: Option<AllRoundNote>,
+    /// The comparison with a second thickness statement.
+    pub thickness: Option<ThicknessStatements>,
+}
+
+/// An eccentricity: amount and direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Eccentricity {
+    /// `e`, µm.
+    pub um: f64,
+    /// The tooth (fractional) in the direction of the eccentricity.
+    pub high_tooth: f64,
+}
+
+impl Eccentricity {
+    /// Distance between the two displacements, µm.
+    pub(super) fn distance_um(&self, other: &Eccentricity, basic_data: &BasicGearData) -> f64 {
+        let angle = (other.high_tooth - self.high_tooth) * basic_data.angular_pitch();
+        let (sin, cos) = angle.sin_cos();
+        (other.um * cos - self.um).hypot(other.um * sin)
+    }
+}
+
+/// The eccentricity in datum-axis pitch, and the stated one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct EccentricityNote {
+    /// From the pitch of both flanks; a first harmonic of the gear's own pitch is indistinguishable from it.
+    pub in_pitch: Eccentricity,
+    /// From the runout, if stated.
+    pub stated: Option<Eccentricity>,
+    /// Whether the gear has the stated eccentricity; otherwise that of the pitch.
+    pub stated_counts: bool,
+    /// Distance between the two displacements, µm, if both are known.
+    pub difference_um: Option<f64>,
+}
+
+/// Evaluation of readings all round.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct AllRoundNote {
+    /// Number of readings.
+    pub readings: usize,
+    /// Amplification of a reading's error in a tooth's thickness: this factor at worst, its square root for random errors.
+    ///
+    /// `None` if the readings give the mean thickness only.
+    pub amplification: Option<u32>,
+}
+
+/// Two statements of the thickness of one gear, as base thickness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ThicknessStatements {
+    /// Least and greatest `s_b` of the thickness statement, mm.
+    pub counts: [f64; 2],
+    /// Least and greatest `s_b` of the cross-check, mm.
+    pub cross: [f64; 2],
+    /// Middle of the cross-check minus middle of the thickness statement, µm.
+    pub difference_um: f64,
+    /// Gap between the two ranges, µm; 0 if they share a value.
+    pub gap_um: f64,
+    /// Greatest gap at which they agree, µm.
+    pub tolerance_um: f64,
+}
+
+impl ThicknessStatements {
+    /// Compares two ranges of `s_b`, mm, least value first.
+    pub fn new(counts: [f64; 2], cross: [f64; 2], tolerance_um: f64) -> ThicknessStatements {
+        let middle = |range: [f64; 2]| (range[0] + range[1]) / 2.0;
+        let gap = (cross[0] - counts[1]).max(counts[0] - cross[1]);
+        ThicknessStatements {
+            counts,
+            cross,
+            difference_um: 1000.0 * (middle(cross) - middle(counts)),
+            gap_um: 1000.0 * gap.max(0.0),
+            tolerance_um,
+        }
+    }
+
+    /// Whether both may describe one tooth.
+    pub fn agree(&self) -> bool {
+        self.gap_um <= self.tolerance_um
+    }
 }

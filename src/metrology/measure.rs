@@ -1,75 +1,73 @@
-//! Everything that was measured of one gear, and the gear it means.
+//! The measurements of one gear, and the gear built from them.
 
 use super::error::{MeasurementError, StatementRole};
-use super::finding::{Finding, Outlier, Quantity};
-use super::notes::{GearNotes, ThicknessStatements};
+use super::finding::{Finding, GearNotes, Outlier, Quantity, ThicknessStatements};
 use super::pitch_statement::PitchStatement;
 use super::runout::{Runout, RunoutStatement};
-use super::settle::{FlankStatements, Flanks};
-use super::statement::ThicknessStatement;
-use super::toleranced::Toleranced;
-use super::tooth::StatedTooth;
-use super::{all_round, contradictions, doubts, first_harmonic, profile};
+use super::settle::{FlankStatements, Flanks, StatedTooth};
+use super::thickness_statement::{ThicknessStatement, Toleranced};
+use super::{contradictions, outliers, plausibility, profile};
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Modification, Pitch};
 
-/// What was measured of one gear.
+/// The measurements of one gear.
 ///
 /// Lengths are mm; deviations, allowance and runout are µm, as inspection sheets print them, and their names say so.
 /// `right` and `left` are the gear's own flanks; lists of one value a tooth begin with tooth 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurements {
-    /// What the drawing says.
+    /// The design.
     pub design: GearDesign,
-    /// Which way the reference face looks.
+    /// Orientation of the reference face.
     pub face: Face,
     /// The mean tooth thickness.
     pub thickness: ThicknessStatement,
-    /// What each tooth is thicker than the mean, µm at the reference circle; may be empty.
+    /// Thickness of each tooth beyond the mean, µm at the reference circle; may be empty.
     pub per_tooth_um: Vec<f64>,
-    /// A second statement of the thickness: compared, and never built.
+    /// A second thickness statement, for comparison only.
     pub cross_check: Option<CrossCheck>,
     /// Pitch deviation of both flanks.
     pub pitch: Option<PitchStatement>,
     /// Runout.
     pub runout: RunoutStatement,
-    /// Profile deviation of the gear's own right flanks, and of its left ones. A span, a dimension over pins and a pitch are those of the
-    /// flanks where they touch; every other thickness is that of their involutes.
+    /// Profile deviations of the gear's own right flanks and of its left ones.
+    ///
+    /// A span, a dimension over pins and a pitch belong to the flanks at the contacts; other thickness statements to the involutes.
     pub profiles: [Modification; 2],
 }
 
 /// A second statement of the tooth thickness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrossCheck {
-    /// What it states.
+    /// The statement.
     pub statement: ThicknessStatement,
-    /// How far the two may lie apart as base thickness, µm.
+    /// Greatest difference of both base thicknesses, µm.
     pub tolerance_um: f64,
 }
 
 impl CrossCheck {
-    /// Tuned: two readings of 1 µm each, and what a pin's own diameter adds. Above it lies a slip of a
-    /// micrometer's thimble line, 10 µm; below it the rounding of printed lengths, 0.5 µm each.
+    /// Default tolerance. Tuned: two readings of 1 µm each, and the error of a pin's diameter. A slip of a micrometer's thimble line
+    /// is 10 µm; the rounding of printed lengths is 0.5 µm each.
     pub const TOLERANCE_UM: f64 = 3.0;
 }
 
-/// A gear as its measurements say it is.
+/// A gear built from its measurements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredGear {
     /// The gear, in one or both materials.
     pub as_built: Toleranced<AsBuilt>,
-    /// Where its flanks stand beside the mean thickness, and its eccentricity.
+    /// Deviations of the flanks beside the mean thickness, and the eccentricity.
     pub deviations: Deviations,
-    /// Its runout: as stated, or what its readings hold beside the flanks.
+    /// The runout: as stated, or fitted to its readings.
     pub runout: Runout,
-    /// Findings about them.
+    /// Findings about the measurements.
     pub findings: Vec<Finding>,
-    /// What the measurements say of each other; for tables and reports.
+    /// Comparisons of the measurements, for tables and reports.
     pub notes: GearNotes,
 }
 
 impl Measurements {
-    /// Of a gear of `design` of which nothing was measured: nominal.
+    /// A nominal gear of `design` without measurements.
     pub fn nominal(design: GearDesign, face: Face) -> Measurements {
         Measurements {
             design,
@@ -83,10 +81,10 @@ impl Measurements {
         }
     }
 
-    /// The gear that they mean, and what they say of each other.
+    /// Builds the gear and collects the findings.
     ///
     /// # Errors
-    /// Everything that no gear has.
+    /// All errors in the measurements.
     pub fn measure(&self) -> Result<MeasuredGear, Vec<MeasurementError>> {
         let pitch = match self.curves() {
             Ok(pitch) => pitch,
@@ -121,7 +119,7 @@ impl Measurements {
         };
         let runout = self.runout.check(&self.design.basic_data);
         if let Err(error) = runout.and_then(|()| statements.runout.check(&gears)) {
-            // It is reported; the rest is checked without it.
+            // Report it and check the rest without runout.
             errors.push(error);
             (statements.runout, statements.readings) = (Runout::default(), None);
         }
@@ -138,7 +136,7 @@ impl Measurements {
         }
     }
 
-    /// What is wrong with the thickness and the runout by themselves, where pitch and per-tooth thickness are not understood.
+    /// Errors of the thickness and the runout alone, for invalid pitch or per-tooth thickness.
     pub fn check_thickness_and_runout(&self) -> Vec<MeasurementError> {
         let checked = self
             .tooth()
@@ -150,16 +148,17 @@ impl Measurements {
         checked.err().into_iter().collect()
     }
 
-    /// Checks the profiles; gives the pitch of the involutes whose flanks were `measured`.
+    /// Checks the profiles and returns the pitch of the involutes of the `measured` flanks.
     fn check_profiles(
         &self,
         measured: Option<&Pitch>,
     ) -> Result<Option<Pitch>, Vec<MeasurementError>> {
         let without = Deviations::default();
-        // That there is no such gear is reported of the thickness itself.
-        let gears = match self.profiles.iter().all(Modification::is_none) {
-            true => None,
-            false => self.tooth().gears(&without).ok(),
+        // An impossible gear is an error of the thickness.
+        let gears = if self.profiles.iter().all(Modification::is_none) {
+            None
+        } else {
+            self.tooth().gears(&without).ok()
         };
         let Some(gears) = gears else {
             return Ok(measured.cloned());
@@ -181,7 +180,7 @@ impl Measurements {
         }
     }
 
-    /// The pitch curves as measured, whose eccentricity counts once.
+    /// The pitch curves as measured. Checks that the eccentricity counts once.
     fn curves(&self) -> Result<Option<Pitch>, Vec<MeasurementError>> {
         let Some(pitch) = &self.pitch else {
             return Ok(None);
@@ -208,17 +207,14 @@ impl Measurements {
                 teeth,
             }));
         }
-        match self.per_tooth_um.iter().find(|um| !um.is_finite()) {
-            Some(um) => Err(MeasurementError::PerTooth(GearError::OutOfRange {
-                what: "per-tooth thickness (µm)",
-                value: *um,
-                allowed: "a number",
-            })),
-            None => Ok(()),
-        }
+        let check = |&um: &f64| {
+            GearError::require(um.is_finite(), "per-tooth thickness (µm)", um, "a number")
+        };
+        let checked = self.per_tooth_um.iter().try_for_each(check);
+        checked.map_err(MeasurementError::PerTooth)
     }
 
-    /// The gear with `flanks`, its pitch as `measured`.
+    /// The gear with `flanks`. `measured` is its pitch as measured.
     fn gear(
         &self,
         flanks: Flanks,
@@ -226,12 +222,11 @@ impl Measurements {
     ) -> Result<MeasuredGear, MeasurementError> {
         let basic_data = &self.design.basic_data;
         let outliers: Vec<Outlier> = [
-            self.thickness
-                .outlier(basic_data, &flanks.stated)
+            outliers::of_readings(&self.thickness, basic_data, &flanks.stated)
                 .map(Outlier::Reading),
             self.pitch
                 .as_ref()
-                .and_then(|pitch| pitch.outlier(basic_data))
+                .and_then(|pitch| outliers::of_pitch(pitch, basic_data))
                 .map(Outlier::Pitch),
         ]
         .into_iter()
@@ -273,7 +268,7 @@ impl Measurements {
             });
         }
         findings.extend(profile::findings(basic_data.teeth(), &self.profiles));
-        findings.extend(all_round::finding(&self.thickness, flanks));
+        findings.extend(plausibility::readings_all_round(&self.thickness, flanks));
         findings.extend(contradictions::findings(
             &self.thickness,
             cross_check,
@@ -290,29 +285,30 @@ impl Measurements {
             });
         }
         let half_pitch = 0.5 * std::f64::consts::PI * basic_data.module();
-        let whole = doubts::looks_like_whole(Quantity::PerTooth, per_tooth_um, half_pitch);
-        let off_mean = || doubts::off_mean(&self.thickness, basic_data, per_tooth_um);
+        let whole = plausibility::looks_like_whole(Quantity::PerTooth, per_tooth_um, half_pitch);
+        let off_mean = || plausibility::off_mean(&self.thickness, basic_data, per_tooth_um);
         findings.extend(whole.or_else(off_mean));
-        findings.extend(doubts::of_allowance(&self.thickness));
+        findings.extend(plausibility::of_allowance(&self.thickness));
         let pitch_um = self.pitch.iter().flat_map(|pitch| {
             let both = Flank::BOTH.map(|flank| pitch.values(flank).iter().copied());
             both.into_iter().flatten()
         });
         let pitch_um: Vec<f64> = pitch_um.collect();
-        findings.extend(doubts::looks_like_whole(
+        findings.extend(plausibility::looks_like_whole(
             Quantity::Pitch,
             &pitch_um,
             2.0 * half_pitch,
         ));
-        findings.extend(cross_check.and_then(|check| doubts::same_kind(&self.thickness, check)));
+        findings
+            .extend(cross_check.and_then(|check| plausibility::same_kind(&self.thickness, check)));
         findings.extend(pitch.and_then(|(pitch, measured)| {
             let by_readings = self.runout.readings().is_some();
-            first_harmonic::finding(pitch, measured, by_readings, flanks)
+            contradictions::first_harmonic(pitch, measured, by_readings, flanks)
         }));
         findings
     }
 
-    /// The cross-check beside the statement that counts, of a gear with these `flanks`.
+    /// Comparison of thickness statement and cross-check for a gear with these `flanks`.
     fn compare(&self, flanks: &Flanks) -> Result<Option<ThicknessStatements>, MeasurementError> {
         let Some(check) = &self.cross_check else {
             return Ok(None);

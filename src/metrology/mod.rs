@@ -1,14 +1,14 @@
-//! From measurements of one gear to the gear they mean, and to what they say of each other.
+//! Evaluation of the measurements of one gear.
 //!
-//! [`Measurements`] is what a shop has: a design, one statement of the tooth thickness (and perhaps a second to compare it with),
-//! deviations of single teeth, pitch of both flanks, runout. [`Measurements::measure`] makes one gear of it, a [`MeasuredGear`]:
+//! [`Measurements`] hold the data of a shop: a design, a statement of the tooth thickness (and a second for comparison), deviations
+//! of single teeth, pitch of both flanks, runout. [`Measurements::measure`] builds a [`MeasuredGear`]:
 //!
-//! - Pitch about the datum axis contains the eccentricity. It is taken out exactly, which takes the mean thickness; readings of
-//!   the thickness give the mean once the pitch is known. The two settle in a fixed point.
-//! - Spans all round give each tooth's thickness where they determine it; pitch explains its part of them.
-//! - Runout readings of a ball or a fork give the eccentricity once what the flanks do to them is taken out.
+//! - Pitch about the datum axis contains the eccentricity. Removing it exactly needs the mean thickness, and readings of the
+//!   thickness need the pitch. Both are found in a fixed-point iteration.
+//! - Spans all round give each tooth's thickness if they determine it. The effect of the pitch is removed first.
+//! - Runout readings of a ball or a fork give the eccentricity after removing the effect of the flanks.
 //!
-//! What contradicts, stands out or looks as if something else were meant is a [`Finding`] with its numbers; it changes nothing.
+//! Contradictions, outliers and implausible values are [`Finding`]s with their numbers. A finding changes no value.
 //!
 //! ```
 //! use gearlash::gear::{BasicGearData, BasicRack, Face, GearDesign};
@@ -38,33 +38,27 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod all_round;
 mod contradictions;
-mod doubts;
-mod eccentricity;
 mod error;
 mod finding;
-mod first_harmonic;
+mod flank_correlation;
 mod measure;
-mod notes;
 mod outliers;
 mod pitch_statement;
+mod plausibility;
 mod profile;
 mod runout;
-mod runout_fit;
 mod settle;
-mod statement;
-mod toleranced;
-mod tooth;
+mod thickness_statement;
 
 pub use error::{DeviationCause, Fits, MeasurementError, ProfileKey, StatementRole};
 pub use finding::{
-    Finding, FittedReadings, FlankKnowledge, MeanOnly, Outlier, PitchOutlier, Quantity,
-    ReadingOutlier, RunoutContradiction, RunoutSource, SameKind, ThicknessBesidePitch, TooFar,
+    AllRoundNote, Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge,
+    GearNotes, MeanOnly, Outlier, PitchOutlier, Quantity, ReadingOutlier, RunoutContradiction,
+    RunoutSource, SameKind, ThicknessBesidePitch, ThicknessStatements, TooFar,
 };
+pub use flank_correlation::{anticorrelation_p_value, datum_anticorrelation_p_value};
 pub use measure::{CrossCheck, MeasuredGear, Measurements};
-pub use notes::{AllRoundNote, Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
 pub use pitch_statement::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
 pub use runout::{ProbeReadings, ReadWith, Runout, RunoutStatement};
-pub use statement::ThicknessStatement;
-pub use toleranced::Toleranced;
+pub use thickness_statement::{ThicknessStatement, Toleranced};

@@ -1,12 +1,13 @@
-//! Pitch deviation of both flanks as an inspection sheet states it, and the cumulative curves it means.
+//! Pitch deviation of both flanks as stated on an inspection sheet, and its cumulative curves.
 
 use super::error::MeasurementError;
 use super::finding::Finding;
+use super::runout::RunoutStatement;
 use crate::error::GearError;
 use crate::gear::{BasicGearData, Flank, Pitch, PitchAxis};
 use std::f64::consts::PI;
 
-/// What a pitch value counts from.
+/// Kind of a pitch value.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -29,7 +30,7 @@ impl PitchKind {
     }
 }
 
-/// What `+` means.
+/// Meaning of a positive pitch value.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -42,7 +43,7 @@ pub enum PitchSense {
     Material,
 }
 
-/// Which eccentricity is the gear's where pitch about the datum axis and runout both state one.
+/// The source of the gear's eccentricity if datum-axis pitch and runout both contain one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -54,16 +55,16 @@ pub enum EccentricitySource {
     Runout,
 }
 
-/// Pitch deviation of the gear's own right and left flanks, µm at the reference circle, one value a tooth, tooth 1 first.
+/// Pitch deviation of the gear's own right and left flanks, µm at the reference circle, one value per tooth, tooth 1 first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PitchStatement {
-    /// What a value counts from.
+    /// Kind of the values.
     pub kind: PitchKind,
-    /// The axis about which it was measured.
+    /// The axis of the measurement.
     pub axis: PitchAxis,
-    /// What `+` means.
+    /// Meaning of a positive value.
     pub sense: PitchSense,
-    /// Which eccentricity counts; needed where the axis is the datum axis and a runout is stated.
+    /// The source of the eccentricity; required for datum-axis pitch with a stated runout.
     pub eccentricity: Option<EccentricitySource>,
     /// Right flanks, µm.
     pub right_um: Vec<f64>,
@@ -71,8 +72,8 @@ pub struct PitchStatement {
     pub left_um: Vec<f64>,
 }
 
-/// Sheets round single pitch deviations to 0.1 µm: half of that a tooth, 0.05 µm, may be left in
-/// their sum; more is a slip, or not a list of single deviations.
+/// Greatest sum of single pitch deviations per tooth, µm: half of the 0.1 µm to which sheets round. A greater sum is a mistake, or
+/// the values are not single deviations.
 const ROUNDING_UM: f64 = 0.05;
 
 impl PitchStatement {
@@ -81,7 +82,7 @@ impl PitchStatement {
         self.axis == PitchAxis::Datum
     }
 
-    /// The values of a flank as they are stated, µm.
+    /// The values of a flank as stated, µm.
     pub fn values(&self, flank: Flank) -> &[f64] {
         match flank {
             Flank::Right => &self.right_um,
@@ -92,7 +93,7 @@ impl PitchStatement {
     /// The cumulative curves as measured, each within half a pitch.
     ///
     /// # Errors
-    /// [`MeasurementError::Pitch`] for lists that are not one value a tooth, [`MeasurementError::PitchOffHalf`] for each flank that is off by more.
+    /// [`MeasurementError::Pitch`] for lists without one value per tooth, [`MeasurementError::PitchOffHalf`] for each flank off by more.
     pub fn curves(&self, basic_data: &BasicGearData) -> Result<Pitch, Vec<MeasurementError>> {
         let teeth = basic_data.teeth();
         let lengths = Flank::BOTH.map(|flank| self.values(flank).len());
@@ -128,7 +129,23 @@ impl PitchStatement {
         if off.is_empty() { Ok(pitch) } else { Err(off) }
     }
 
-    /// Each flank whose single pitches do not close the circle.
+    /// Checks that the eccentricity of this pitch and that of `runout` count once.
+    ///
+    /// # Errors
+    /// [`MeasurementError::EccentricityTwice`], [`MeasurementError::NoRunout`], [`MeasurementError::NoEccentricityInOwnPitch`].
+    pub fn check_eccentricity(&self, runout: &RunoutStatement) -> Result<(), MeasurementError> {
+        let runout = runout.runout();
+        match (self.is_datum(), self.eccentricity) {
+            (true, None) if runout.total_um > 0.0 => Err(MeasurementError::EccentricityTwice),
+            (true, Some(EccentricitySource::Runout)) if runout.stated().is_none() => {
+                Err(MeasurementError::NoRunout)
+            }
+            (false, Some(_)) => Err(MeasurementError::NoEccentricityInOwnPitch),
+            _ => Ok(()),
+        }
+    }
+
+    /// Each flank whose single pitch deviations do not sum to 0.
     pub(super) fn open_circles(&self) -> Vec<Finding> {
         if self.kind != PitchKind::Single {
             return Vec::new();

@@ -1,45 +1,45 @@
-//! Runout as it is stated: an amount and a high tooth, or readings of a ball or a fork.
+//! Runout: an amount with a high tooth, or readings of a ball or a fork and the eccentricity fitted to them.
 
 use super::error::MeasurementError;
-use super::notes::Eccentricity;
-use super::toleranced::Toleranced;
+use super::finding::{Eccentricity, Finding, FittedReadings, FlankKnowledge, RunoutContradiction};
+use super::thickness_statement::Toleranced;
 use crate::error::GearError;
-use crate::gear::{BasicGearData, Gear};
+use crate::gear::{BasicGearData, Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
 
-/// What is stated of how far the teeth stand from the rotation axis.
+/// A statement of the radial runout.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum RunoutStatement {
-    /// Nothing: none.
+    /// No runout.
     #[default]
     None,
     /// Radial runout `F_r`, twice the eccentricity.
     Total {
         /// `F_r`, µm.
         total_um: f64,
-        /// The tooth (fractional, `1 ≤ … < z + 1`) at the highest reading; `None`: it may be any.
+        /// The tooth (fractional, `1 ≤ … < z + 1`) with the highest reading; `None` if unknown.
         high_tooth: Option<f64>,
     },
     /// Readings all round.
     Readings(ProbeReadings),
 }
 
-/// Runout readings, from any one zero.
+/// Runout readings from any common zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProbeReadings {
-    /// One a tooth, tooth 1 first, µm, + = outwards.
+    /// One reading per tooth, tooth 1 first, µm, + = outwards.
     pub um: Vec<f64>,
-    /// What was read with.
+    /// The probe.
     pub with: ReadWith,
 }
 
-/// What touched the flanks.
+/// A probe that touches the flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ReadWith {
     /// A fork astride each tooth.
     Fork,
     /// A ball of this diameter, mm, in the space after each tooth, towards the next number.
     Ball(f64),
-    /// A ball there whose diameter is not known: taken as one that touches at the reference circle.
+    /// A ball of unknown diameter in that space: one that touches at the reference circle is assumed.
     AnyBall,
 }
 
@@ -49,7 +49,7 @@ impl ProbeReadings {
         self.um.iter().map(|um| um / 1000.0).collect()
     }
 
-    /// Greatest reading less least, µm.
+    /// Greatest minus least reading, µm.
     pub fn range_um(&self) -> f64 {
         let mm = self.mm();
         let greatest = mm.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -59,7 +59,7 @@ impl ProbeReadings {
 }
 
 impl RunoutStatement {
-    /// The readings, where there are any.
+    /// The readings, if stated.
     pub fn readings(&self) -> Option<&ProbeReadings> {
         match self {
             RunoutStatement::Readings(readings) => Some(readings),
@@ -67,7 +67,7 @@ impl RunoutStatement {
         }
     }
 
-    /// The runout as it is stated; of readings that are not yet fitted, their range.
+    /// The runout as stated; for readings their range, before the fit.
     pub(super) fn runout(&self) -> Runout {
         match self {
             RunoutStatement::None => Runout::default(),
@@ -88,51 +88,46 @@ impl RunoutStatement {
         }
     }
 
-    /// Checks that it states numbers of a gear of `basic_data`.
+    /// Checks the numbers for a gear of `basic_data`.
     pub(super) fn check(&self, basic_data: &BasicGearData) -> Result<(), MeasurementError> {
-        let wrong = |what, value, allowed| {
-            Err(MeasurementError::Runout(GearError::OutOfRange {
-                what,
-                value,
-                allowed,
-            }))
+        let require = |holds, what, value, allowed| {
+            let checked = GearError::require(holds, what, value, allowed);
+            checked.map_err(MeasurementError::Runout)
         };
         match self {
-            RunoutStatement::Total { total_um, .. } if !(*total_um >= 0.0) => {
-                wrong("runout (µm)", *total_um, "0 or more")
-            }
+            RunoutStatement::None => Ok(()),
             RunoutStatement::Total {
-                high_tooth: Some(high_tooth),
-                ..
-            } if !(*high_tooth >= 1.0 && *high_tooth < f64::from(basic_data.teeth()) + 1.0) => {
-                wrong(
+                total_um,
+                high_tooth,
+            } => {
+                require(*total_um >= 0.0, "runout (µm)", *total_um, "0 or more")?;
+                let (tooth, teeth) = (high_tooth.unwrap_or(1.0), f64::from(basic_data.teeth()));
+                let allowed = "1 up to, but not including, the number of teeth + 1";
+                require(
+                    (1.0..teeth + 1.0).contains(&tooth),
                     "high tooth",
-                    *high_tooth,
-                    "1 up to, but not including, the number of teeth + 1",
+                    tooth,
+                    allowed,
                 )
             }
-            RunoutStatement::Readings(readings) => {
-                match readings.um.iter().find(|um| !um.is_finite()) {
-                    Some(um) => wrong("a runout reading (µm)", *um, "a number"),
-                    None => Ok(()),
-                }
-            }
-            _ => Ok(()),
+            RunoutStatement::Readings(readings) => readings.um.iter().try_for_each(|&um| {
+                require(um.is_finite(), "a runout reading (µm)", um, "a number")
+            }),
         }
     }
 }
 
-/// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
+/// Runout `F_r`, µm, and the direction of the displacement.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Runout {
     /// `F_r = 2 e`, µm.
     pub total_um: f64,
-    /// `None` where none is stated: of a runout above 0 it may then be any.
+    /// The high tooth; `None` if unknown.
     pub high_tooth: Option<f64>,
 }
 
 impl Runout {
-    /// That of an eccentricity, mm, which readings hold.
+    /// The runout of an eccentricity, mm, fitted to readings.
     pub(super) fn fitted(eccentricity: f64, high_tooth: f64) -> Runout {
         let total_um = 2000.0 * eccentricity;
         Runout {
@@ -146,7 +141,7 @@ impl Runout {
         self.total_um / 2000.0
     }
 
-    /// The eccentricity, where a runout is stated with its high tooth.
+    /// The eccentricity, if the high tooth is known.
     pub fn stated(&self) -> Option<Eccentricity> {
         self.high_tooth.map(|high_tooth| Eccentricity {
             um: self.total_um / 2.0,
@@ -154,10 +149,10 @@ impl Runout {
         })
     }
 
-    /// Checks that it stays below the tooth depth of each of `gears`.
+    /// Checks that the runout is below the tooth depth of each of `gears`.
     pub(super) fn check(&self, gears: &Toleranced<Gear>) -> Result<(), MeasurementError> {
         let depth_of = |gear: &Gear| gear.tip_radius() - gear.root_radius();
-        // Both thicknesses have one tip circle; the thicker tooth has the higher root.
+        // Both gears have one tip circle; the thicker tooth has the higher root.
         let depth_mm = depth_of(gears.most()).min(depth_of(gears.least()));
         if self.total_um / 1000.0 < depth_mm {
             return Ok(());
@@ -166,4 +161,169 @@ impl Runout {
             depth_um: 1000.0 * depth_mm,
         })
     }
+}
+
+/// Standard deviations by which the readings must contradict the flanks.
+const CERTAIN: f64 = 3.0;
+/// Greatest unexplained rest of the readings, µm r.m.s. Tuned: readings and flanks of 1 µm each leave some 2 µm at a ball; 5 µm
+/// r.m.s. belong to another gear.
+const MOST_LEFT_UM: f64 = 3.0;
+
+/// The eccentricity fitted to the readings.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ReadingsFit {
+    pub fit: RunoutFit,
+    probe: Probe,
+    /// The fit without flank deviations.
+    plain: RunoutFit,
+    /// Greatest change of the eccentricity by another ball, µm; `None` with a stated ball or a fork.
+    by_ball_um: Option<f64>,
+}
+
+impl ReadingsFit {
+    /// Fits the eccentricity of `gear` with the flank deviations `known`.
+    pub(super) fn new(
+        readings: &ProbeReadings,
+        gear: &Gear,
+        known: &Deviations,
+    ) -> Result<ReadingsFit, MeasurementError> {
+        let probe = match readings.with {
+            ReadWith::Fork => Probe::Fork,
+            ReadWith::Ball(diameter) => {
+                check_ball(gear, diameter).map_err(MeasurementError::Ball)?;
+                Probe::Ball(diameter)
+            }
+            ReadWith::AnyBall => Probe::Ball(usual_ball(gear).ok_or(MeasurementError::NoBall)?),
+        };
+        let with = |probe, known: &Deviations| {
+            let mm = readings.mm();
+            let fit = RunoutReadings { probe, mm }.fit(gear, known);
+            fit.map_err(MeasurementError::Runout)
+        };
+        let fit = with(probe, known)?;
+        let plain = with(probe, &Deviations::default())?;
+        let by_ball_um = (readings.with == ReadWith::AnyBall).then(|| {
+            let others = extreme_balls(gear).into_iter().filter_map(|ball| {
+                let other = with(Probe::Ball(ball), known).ok()?;
+                let (this, other) = (eccentricity(&fit), eccentricity(&other));
+                Some(this.distance_um(&other, gear.basic_data()))
+            });
+            others.fold(0.0, f64::max)
+        });
+        Ok(ReadingsFit {
+            fit,
+            probe,
+            plain,
+            by_ball_um,
+        })
+    }
+
+    /// The readings' first harmonic without any effect of the flanks.
+    pub(super) fn first_harmonic(&self) -> Option<Eccentricity> {
+        (self.plain.eccentricity > 0.0).then(|| eccentricity(&self.plain))
+    }
+
+    /// Findings about the readings; `all` is the fit with all known deviations.
+    pub(super) fn findings(&self, knowledge: FlankKnowledge, all: &RunoutFit) -> Vec<Finding> {
+        let mut findings = vec![Finding::RunoutReadings(FittedReadings {
+            knowledge,
+            probe: self.probe,
+            by_ball_um: self.by_ball_um,
+            eccentricity: eccentricity(&self.fit),
+            first_harmonic: eccentricity(&self.plain),
+            flanks_taken_out: self.plain != self.fit,
+            range_um: 1000.0 * all.range,
+            left_um: 1000.0 * greatest(&all.rest, |r, s| r - s),
+        })];
+        if knowledge != FlankKnowledge::NoPitch {
+            findings.extend(self.contradiction(all));
+        }
+        findings
+    }
+
+    /// Contradiction between the readings without eccentricity and the flanks.
+    ///
+    /// The readings are regressed on the values expected from the flanks. The slope is 1 if they agree. They contradict each other
+    /// with a slope below 1/2, or if most of the energy is left over.
+    fn contradiction(&self, all: &RunoutFit) -> Option<Finding> {
+        let sum = |of: fn(f64, f64) -> f64| -> f64 {
+            all.rest.iter().map(|&(read, said)| of(read, said)).sum()
+        };
+        let (said, shared) = (sum(|_, s| s * s), sum(|r, s| r * s));
+        let left = sum(|r, s| (r - s).powi(2));
+        let count = all.rest.len() as f64;
+        let refused = said > 0.0 && count > 5.0 && {
+            let slope = shared / said;
+            let about = all.rest.iter().map(|(r, s)| (r - slope * s).powi(2));
+            // Four fitted values: mean, both components of the first harmonic, slope.
+            let deviation = (about.sum::<f64>() / (count - 4.0) / said).sqrt();
+            slope + CERTAIN * deviation < 0.5
+        };
+        let foreign = left > sum(|r, _| r * r).max(said) / 2.0
+            && 1000.0 * (left / count).sqrt() > MOST_LEFT_UM;
+        if !(refused || foreign) {
+            return None;
+        }
+        let apart = |&(read, said): &(f64, f64)| (read - said).abs();
+        let numbered = (1..).zip(&all.rest);
+        let (tooth, worst) = numbered.max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
+        Some(Finding::RunoutContradictsFlanks(RunoutContradiction {
+            probe: self.probe,
+            read_um: 1000.0 * greatest(&all.rest, |r, _| r),
+            said_um: 1000.0 * greatest(&all.rest, |_, s| s),
+            tooth,
+            apart_um: 1000.0 * apart(worst),
+            range_um: 1000.0 * all.range,
+            known_range_um: 1000.0 * all.known_range,
+        }))
+    }
+}
+
+/// Checks that a ball of `diameter` rests on the involutes of `gear`, clear of the root. It may lie below the tips.
+fn check_ball(gear: &Gear, diameter: f64) -> Result<(), GearError> {
+    match thickness::check_pins(gear, diameter) {
+        Err(GearError::PinBelowTip { .. }) => Ok(()),
+        checked => checked,
+    }
+}
+
+/// Diameter of the ball that touches `gear` at the reference circle: `α_K = α + (p_b − s_b)/d_b − inv α` at its centre.
+///
+/// If there is none, the least ball that rests on the involutes.
+fn usual_ball(gear: &Gear) -> Option<f64> {
+    let roll = gear.basic_data().transverse_pressure_angle().tan();
+    let ball = thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness());
+    let there = ball > 0.0 && ball.is_finite();
+    if there {
+        Some(ball)
+    } else {
+        extreme_balls(gear).first().copied()
+    }
+}
+
+/// The least and the greatest ball that rest on the involutes of `gear`, within a twentieth of their height.
+fn extreme_balls(gear: &Gear) -> Vec<f64> {
+    let (form, tip) = (gear.form_roll(), gear.tip_roll());
+    let fitting: Vec<f64> = (0..=20)
+        .map(|part| form + f64::from(part) / 20.0 * (tip - form))
+        .map(|roll| thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness()))
+        .filter(|&ball| ball > 0.0 && ball.is_finite() && check_ball(gear, ball).is_ok())
+        .collect();
+    [fitting.first(), fitting.last()]
+        .into_iter()
+        .flatten()
+        .copied()
+        .collect()
+}
+
+fn eccentricity(fit: &RunoutFit) -> Eccentricity {
+    Eccentricity {
+        um: 1000.0 * fit.eccentricity,
+        high_tooth: fit.high_tooth,
+    }
+}
+
+fn greatest(pairs: &[(f64, f64)], of: impl Fn(f64, f64) -> f64) -> f64 {
+    let amounts = pairs.iter().map(|&(read, said)| of(read, said).abs());
+    amounts.fold(0.0, f64::max)
 }

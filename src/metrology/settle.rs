@@ -1,58 +1,176 @@
-//! The flanks of a gear as its measurements state them, and the mean thickness that goes with them.
+//! Mean thickness and flanks of a gear, solved together from its measurements.
 
-use super::eccentricity;
-use super::error::MeasurementError;
-use super::finding::{Finding, FlankKnowledge};
-use super::notes::{AllRoundNote, Eccentricity, EccentricityNote};
+use super::error::{DeviationCause, Fits, MeasurementError, StatementRole};
+use super::finding::{
+    AllRoundNote, Eccentricity, EccentricityNote, Finding, FlankKnowledge, Outlier,
+};
+use super::outliers;
 use super::pitch_statement::{EccentricitySource, PitchStatement};
-use super::runout::{ProbeReadings, Runout};
-use super::runout_fit::ReadingsFit;
-use super::toleranced::Toleranced;
-use super::tooth::StatedTooth;
-use crate::gear::{Deviations, Gear, Pitch};
+use super::runout::{ProbeReadings, ReadingsFit, Runout};
+use super::thickness_statement::{ThicknessStatement, Toleranced};
+use crate::error::GearError;
+use crate::gear::{AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, thickness};
 
-/// What measurements say of the flanks.
+/// A design and one statement of its tooth thickness.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StatedTooth<'a> {
+    pub design: &'a GearDesign,
+    pub statement: &'a ThicknessStatement,
+    pub role: StatementRole,
+}
+
+impl StatedTooth<'_> {
+    /// The gear at one or both limits of the thickness, checked for contact on the involute.
+    ///
+    /// `known` are the deviations in its readings.
+    pub(super) fn gears(&self, known: &Deviations) -> Result<Toleranced<Gear>, MeasurementError> {
+        let design = self.design;
+        let no_gear = |error| MeasurementError::NoGear {
+            role: self.role,
+            error,
+            suspects: self.suspects(known),
+        };
+        let round = design.rack.check_tip_round(&design.basic_data);
+        round.map_err(no_gear)?;
+        let base = self.statement.base_thickness(design, known);
+        let base = base.map_err(|error| MeasurementError::Thickness {
+            role: self.role,
+            error,
+        })?;
+        let gears = base.try_map(|&base| Gear::new(*design, base));
+        let gears = gears.map_err(no_gear)?;
+        gears.try_map(|gear| {
+            let check = self.statement.check(gear);
+            check.map_err(|error| self.off_involute(error, gear, known))
+        })?;
+        Ok(gears)
+    }
+
+    /// The gears with `deviations`.
+    pub(super) fn as_built(
+        &self,
+        gears: &Toleranced<Gear>,
+        face: Face,
+        deviations: &Deviations,
+        suspects: &[Outlier],
+    ) -> Result<Toleranced<AsBuilt>, MeasurementError> {
+        gears.try_map(|gear| {
+            AsBuilt::new(gear.clone(), face, deviations).map_err(|error| {
+                let thickness_alone = Deviations {
+                    pitch: None,
+                    ..deviations.clone()
+                };
+                let profiles_alone = Deviations {
+                    profiles: deviations.profiles.clone(),
+                    ..Deviations::default()
+                };
+                let by_spans = matches!(self.statement, ThicknessStatement::SpanReadings { .. });
+                let profiles = AsBuilt::new(gear.clone(), face, &profiles_alone);
+                let cause = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
+                    Err(_) if profiles.is_err() => DeviationCause::Profile,
+                    Err(_) if by_spans => DeviationCause::Spans,
+                    Err(_) => DeviationCause::PerTooth,
+                    Ok(_) => DeviationCause::Pitch,
+                };
+                MeasurementError::Deviations {
+                    error,
+                    cause,
+                    suspects: suspects.to_vec(),
+                }
+            })
+        })
+    }
+
+    fn suspects(&self, known: &Deviations) -> Vec<Outlier> {
+        let outlier = outliers::of_readings(self.statement, &self.design.basic_data, known);
+        outlier.map(Outlier::Reading).into_iter().collect()
+    }
+
+    fn off_involute(&self, error: GearError, gear: &Gear, known: &Deviations) -> MeasurementError {
+        let by_span = matches!(
+            self.statement,
+            ThicknessStatement::Span { .. } | ThicknessStatement::SpanReadings { .. }
+        );
+        MeasurementError::OffInvolute {
+            role: self.role,
+            error,
+            fits: if by_span {
+                Fits::Spans(fitting_spans(gear))
+            } else {
+                Fits::Pin(fitting_pin(gear))
+            },
+            suspects: if by_span {
+                self.suspects(known)
+            } else {
+                Vec::new()
+            },
+        }
+    }
+}
+
+/// The least and the greatest number of teeth whose span touches the involutes of `gear`.
+fn fitting_spans(gear: &Gear) -> Option<(u32, u32)> {
+    let fits = |teeth: &u32| thickness::check_span(gear, *teeth).is_ok();
+    let teeth = gear.basic_data().teeth();
+    Some(((2..=teeth).find(fits)?, (2..=teeth).rev().find(fits)?))
+}
+
+/// The diameter of a pin that touches the involutes of `gear`, mm.
+fn fitting_pin(gear: &Gear) -> Option<f64> {
+    let (form, tip) = (gear.form_roll(), gear.tip_roll());
+    // Halfway up the involute first; a pin that touches higher is larger and stands out further.
+    [0.5, 0.6, 0.7, 0.8, 0.9]
+        .map(|part| {
+            let roll = form + part * (tip - form);
+            thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness())
+        })
+        .into_iter()
+        .find(|&pin| pin > 0.0 && thickness::check_pins(gear, pin).is_ok())
+}
+
+/// Statements about the flanks.
 pub(super) struct FlankStatements<'a> {
     pub tooth: StatedTooth<'a>,
-    /// Stated thickness of each tooth beyond the mean and pitch free of eccentricity.
+    /// Stated per-tooth thickness, and pitch free of eccentricity.
     pub stated: Deviations,
-    /// Pitch about the datum axis, and its curves.
+    /// Datum-axis pitch with its curves.
     pub datum: Option<(&'a PitchStatement, &'a Pitch)>,
-    /// As stated; of readings that are not yet fitted, their range.
+    /// The runout as stated; for readings their range, before the fit.
     pub runout: Runout,
     pub readings: Option<&'a ProbeReadings>,
 }
 
-/// The gear in one or both materials, and where its flanks stand.
+/// The gear at one or both limits of the thickness, with its flanks.
 pub(super) struct Flanks {
     pub gears: Toleranced<Gear>,
-    /// What is stated, the eccentricity taken out of the pitch; without what spans add.
+    /// The stated deviations, with the eccentricity removed from the pitch, without the thickness from spans.
     pub stated: Deviations,
-    /// All there is.
+    /// All deviations.
     pub deviations: Deviations,
     pub eccentricity: Option<EccentricityNote>,
     pub all_round: Option<AllRoundNote>,
-    /// As stated, or as its readings say beside all that is known.
+    /// The runout as stated, or fitted to its readings.
     pub runout: Runout,
-    /// The eccentricity that the runout shows by itself.
+    /// The eccentricity in the runout alone.
     pub in_runout: Option<Eccentricity>,
-    /// Findings about its readings.
+    /// Findings about the runout readings.
     pub of_readings: Vec<Finding>,
 }
 
-/// Each round of mean thickness and eccentricity leaves about `e/r` of the error.
+/// Most rounds; each leaves about `e/r` of the error.
 const MOST_ROUNDS: usize = 50;
 
 impl FlankStatements<'_> {
-    /// Of datum-axis pitch the eccentricity is taken out, which takes the mean thickness (where on a tooth its
-    /// flanks stand); readings all round give the mean thickness once the pitch is known. So the two take turns, beginning
-    /// with the `gears` of what is stated without that pitch.
+    /// Solves mean thickness and eccentricity in turns.
+    ///
+    /// Removing the eccentricity from datum-axis pitch needs the mean thickness, and readings all round need the pitch. The iteration
+    /// starts with `gears` without that pitch.
     pub(super) fn settle(self, mut gears: Toleranced<Gear>) -> Result<Flanks, MeasurementError> {
         let basic_data = &self.tooth.design.basic_data;
         let counts = self.datum.and_then(|(pitch, _)| pitch.eccentricity);
         let mut runout = self.runout;
         let mut stated = self.stated;
-        // Without the pitch, from which it is to be taken out.
+        // The fit without the datum-axis pitch.
         let mut fit = fitted(self.readings, &mut runout, &gears, &stated)?;
         let mut in_pitch = None;
         if let Some((_, readings)) = self.datum {
@@ -60,7 +178,7 @@ impl FlankStatements<'_> {
             let rounding = 1e-13 * basic_data.reference_radius();
             let mut settled = false;
             for _ in 0..MOST_ROUNDS {
-                let parts = eccentricity::separate(readings, gears.most(), counts, &runout);
+                let parts = separate(readings, gears.most(), counts, &runout);
                 let (pitch, found) = parts.map_err(MeasurementError::DatumPitch)?;
                 stated.pitch = Some(pitch);
                 in_pitch = Some(found);
@@ -96,15 +214,16 @@ impl FlankStatements<'_> {
                     (Some(_), false) => FlankKnowledge::Pitch,
                     (Some(_), true) => FlankKnowledge::DatumPitch,
                 };
-                let all = match by_runout {
-                    true => ReadingsFit::new(readings, gears.most(), &deviations)?.fit,
-                    false => fit.fit.clone(),
+                let all = if by_runout {
+                    ReadingsFit::new(readings, gears.most(), &deviations)?.fit
+                } else {
+                    fit.fit.clone()
                 };
                 fit.findings(knowledge, &all)
             }
             _ => Vec::new(),
         };
-        let note = in_pitch.map(|found| eccentricity::beside(found, counts, &runout, basic_data));
+        let note = in_pitch.map(|found| eccentricity_note(found, counts, &runout, basic_data));
         let (eccentricity, high_tooth) = match note.filter(|note| !note.stated_counts) {
             Some(note) => (note.in_pitch.um / 1000.0, Some(note.in_pitch.high_tooth)),
             None => (runout.eccentricity(), runout.high_tooth),
@@ -137,7 +256,7 @@ impl FlankStatements<'_> {
     }
 }
 
-/// Gives `runout` the eccentricity that its readings hold beside what is `known`, if it has readings.
+/// Fits the eccentricity of the readings, if any, beside the `known` deviations, and stores it in `runout`.
 fn fitted(
     readings: Option<&ProbeReadings>,
     runout: &mut Runout,
@@ -151,4 +270,44 @@ fn fitted(
     *runout = Runout::fitted(fit.fit.eccentricity, fit.fit.high_tooth);
     runout.check(gears)?;
     Ok(Some(fit))
+}
+
+/// Own pitch of `gear` and eccentricity, separated from datum-axis `readings`.
+///
+/// # Errors
+/// [`GearError::DatumPitch`] if an eccentricity moves the measuring circle off the involute.
+fn separate(
+    readings: &Pitch,
+    gear: &Gear,
+    counts: Option<EccentricitySource>,
+    runout: &Runout,
+) -> Result<(Pitch, Eccentricity), GearError> {
+    let separated = readings.separate_eccentricity(gear)?;
+    let in_pitch = Eccentricity {
+        um: 1000.0 * separated.eccentricity,
+        high_tooth: separated.high_tooth,
+    };
+    let pitch = match runout.stated() {
+        Some(stated) if counts == Some(EccentricitySource::Runout) => {
+            readings.without_eccentricity(gear, runout.eccentricity(), stated.high_tooth)?
+        }
+        _ => separated.pitch,
+    };
+    Ok((pitch, in_pitch))
+}
+
+/// Comparison of the eccentricity `in_pitch` with that of `runout`.
+fn eccentricity_note(
+    in_pitch: Eccentricity,
+    counts: Option<EccentricitySource>,
+    runout: &Runout,
+    basic_data: &BasicGearData,
+) -> EccentricityNote {
+    let stated = counts.and(runout.stated());
+    EccentricityNote {
+        in_pitch,
+        stated,
+        stated_counts: counts == Some(EccentricitySource::Runout),
+        difference_um: stated.map(|stated| in_pitch.distance_um(&stated, basic_data)),
+    }
 }

@@ -1,4 +1,4 @@
-//! A pair as assembled, be its gears known by data or by drawings.
+//! A pair as assembled, with gears given by data or by drawings.
 
 use super::pair::OutlinePair;
 use crate::error::Error;
@@ -8,11 +8,11 @@ use nalgebra::Point2;
 
 /// Two gears at a centre distance.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a run has one of them")]
+#[expect(clippy::large_enum_variant, reason = "a run has a single pair")]
 pub enum AssembledPair {
-    /// Both gears are known by their data.
+    /// Both gears are given by data.
     Data(GearPair),
-    /// One gear at least is known by its drawing.
+    /// At least one gear is given by a drawing.
     Drawn(OutlinePair),
 }
 
@@ -29,7 +29,7 @@ impl From<OutlinePair> for AssembledPair {
 }
 
 impl AssembledPair {
-    /// The pair of gears by their data; `None` of a pair with a drawn gear.
+    /// The pair of gears given by data; `None` with a drawn gear.
     pub fn data(&self) -> Option<&GearPair> {
         match self {
             AssembledPair::Data(pair) => Some(pair),
@@ -37,7 +37,7 @@ impl AssembledPair {
         }
     }
 
-    /// The pair with a drawn gear; `None` of gears by their data.
+    /// The pair with a drawn gear; `None` with both gears given by data.
     pub fn drawn(&self) -> Option<&OutlinePair> {
         match self {
             AssembledPair::Data(_) => None,
@@ -53,7 +53,7 @@ impl AssembledPair {
         }
     }
 
-    /// The same gears at another centre distance, mm.
+    /// These gears at another centre distance, mm.
     ///
     /// # Errors
     /// As [`GearPair::at`] and [`OutlinePair::at`].
@@ -64,7 +64,7 @@ impl AssembledPair {
         })
     }
 
-    /// Whether its teeth wind about their axes.
+    /// Whether the gears are helical.
     pub fn is_helical(&self) -> bool {
         self.data().is_some_and(GearPair::is_helical)
     }
@@ -84,7 +84,7 @@ impl AssembledPair {
         ToothNumbers::teeth(self, member)
     }
 
-    /// Operating pitch radius `r_w`, mm: of drawn gears `a z/(z_1 + z_2)`.
+    /// Operating pitch radius `r_w`, mm; `a z/(z_1 + z_2)` for drawn gears.
     pub fn operating_pitch_radius(&self, member: Member) -> f64 {
         match self {
             AssembledPair::Data(pair) => pair.operating_pitch_radius(member),
@@ -92,7 +92,7 @@ impl AssembledPair {
         }
     }
 
-    /// Lost motion at `member`, rad, of a backlash `j_wt`, mm.
+    /// Lost motion at `member`, rad, for a backlash `j_wt`, mm.
     pub fn angle(&self, member: Member, j_wt: f64) -> f64 {
         j_wt / self.operating_pitch_radius(member)
     }

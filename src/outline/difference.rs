@@ -1,78 +1,76 @@
-//! Two outlines of one gear: how far one lies from the other.
+//! Comparison of two outlines, A and B, of one gear.
 //!
-//! The deviation at a point of A's outline is its distance from the nearest point of B's, along B's normal there, positive where B has
-//! more metal. B is turned about its centre so that the mean square of the deviations is least; a gear lies nearly as well on itself turned
-//! by any whole tooth, so each is tried. Both centres stay where they are: what eccentricity there is between the outlines is shown as
-//! deviation.
+//! The deviation at a point of A is its distance from the nearest point of B, positive where B has more metal. B is turned about its
+//! centre to the least mean square of the deviations. A gear fits itself nearly as well after a turn by whole teeth, so every such
+//! turn is tried. Both centres stay: an eccentricity between the outlines appears as deviation.
 //!
-//! Curves are taken as chords. Mean and root mean square are over its length, by the middles of short pieces (midpoint rule); greatest
-//! and least are those of all points of A's chords: from one point of a chord to another the distance from any one edge of B is convex, so
-//! that its greater end bounds it.
+//! Curves become chords. Mean and root mean square use the midpoint rule on short pieces of A. Greatest and least deviation cover all
+//! points of A's chords: along a chord the distance from an edge of B is convex, so its greater end bounds it.
 
-use super::boundary::{Boundary, Near};
-use super::error::OutlineError;
 use super::gear::OutlineGear;
+use super::polygon::{Boundary, Near};
+use crate::error::OutlineError;
 use crate::numeric::wrap_angle;
 use crate::parallel;
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::{PI, TAU};
 
-/// Pieces a tooth, or more, for mean and root mean square (tuned: of a chord 1 mm long, at module 2, some 75: the mean of what lies between
-/// it and its arc is off by less than 1e-4 of the arc's height).
+/// Least number of pieces per tooth for mean and root mean square. Tuned: a chord of 1 mm at module 2 has some 75 pieces; the error
+/// of the mean is less than 1e-4 of the arc's height.
 const PIECES: u32 = 1000;
 
-/// Pieces in all, or more, where teeth are many: what a large gear takes is some seconds.
+/// Least total number of pieces for many teeth: a large gear takes some seconds.
 const MOST_PIECES: u32 = 1_000_000;
 
-/// Pieces a tooth by which one tooth is chosen before another (tuned: a tooth 0.5 µm thicker is found among 80 drawn with chords of 1 µm).
+/// Pieces per tooth for the choice of the turn. Tuned: a tooth 0.5 µm thicker is found among 80 drawn with chords of 1 µm.
 const CHOOSING: u32 = 40;
 
-/// Turns that fit as well within this root mean square, mm, are not distinguished: rounding of a drawing's decimals.
-const ALIKE: f64 = 1e-6;
+/// Turns within this root mean square, mm, fit equally well: rounding of a drawing's decimals.
+const EQUAL_FIT: f64 = 1e-6;
 
-/// Steps of the turn at most (tuned): of outlines that are near each other each leaves a small share of what was left.
+/// Most steps of the turn. Tuned: for similar outlines each leaves a small share of the error.
 const STEPS: u32 = 12;
 
-/// A step of the turn, rad, that is none: rounding.
+/// A smaller step of the turn, rad, is rounding.
 const SETTLED: f64 = 1e-14;
 
-/// How far B lies from A somewhere.
+/// Deviation of B from A at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
-    /// Where on A: from its centre, as its drawing lies, mm.
+    /// Point of A from its centre, in the frame of its drawing, mm.
     pub point: Point2<f64>,
     /// Unit normal of A there, out of the metal.
     pub normal: Vector2<f64>,
-    /// How far B lies beyond it, mm; negative where B has less metal.
+    /// Distance of B beyond A, mm; negative where B has less metal.
     pub beyond: f64,
-    /// A's tooth whose even place is nearest, 1 to z.
+    /// A's tooth with the nearest even place, 1 to z.
     pub tooth: u32,
 }
 
-/// Two outlines of one gear, B turned to lie on A as well as it can.
+/// Deviations of outline B, turned to fit outline A.
 #[derive(Debug, Clone)]
 pub struct OutlineDifference {
     /// Turn of B's drawing about its centre, rad counter-clockwise, −π to π.
     pub rotation: f64,
-    /// B's tooth that comes to lie on A's tooth 1.
+    /// B's tooth that lies on A's tooth 1.
     pub tooth: u32,
-    /// How many turns by whole teeth fit as well, this one included; of these it is the least turn.
+    /// Number of turns by whole teeth that fit equally well, including this one, the least of them.
     pub alike: u32,
     /// Mean deviation, mm.
     pub mean: f64,
     /// Root of the mean square of the deviations, mm.
     pub root_mean_square: f64,
-    /// Where B lies farthest beyond A.
+    /// The greatest deviation.
     pub greatest: Deviation,
-    /// Where B lies farthest within A.
+    /// The least deviation.
     pub least: Deviation,
-    /// How far each deviation may be off, mm: both outlines' bounds and their chords (of a gear by its data add 1e-6 of its tip radius).
+    /// Error bound of each deviation, mm: both outlines' bounds and their chords. For a gear given by data add 1e-6 of its tip radius.
     pub bound: f64,
-    /// At short distances along A, counter-clockwise.
+    /// Deviations at short distances along A, counter-clockwise.
     pub along: Vec<Deviation>,
 }
 
-/// A point of A's chords, and the place of B that is nearest.
+/// A point of A's chords and the nearest point of B.
 #[derive(Clone, Copy)]
 struct ComparedPoint {
     point: Point2<f64>,
@@ -83,7 +81,7 @@ struct ComparedPoint {
 struct Midpoint {
     edge: usize,
     point: Point2<f64>,
-    /// The piece's share of the length of all.
+    /// The piece's share of the whole length.
     share: f64,
 }
 
@@ -93,10 +91,10 @@ struct Both {
 }
 
 impl OutlineDifference {
-    /// How far `b` lies from `a`, curves taken as chords within `chord` mm (> 0).
+    /// Deviations of `b` from `a`, with curves replaced by chords within `chord` mm (> 0).
     ///
     /// # Errors
-    /// [`OutlineError::OtherGear`]: their numbers of teeth differ.
+    /// [`OutlineError::OtherGear`]: the numbers of teeth differ.
     pub fn new(
         a: &OutlineGear,
         b: &OutlineGear,
@@ -117,7 +115,7 @@ impl OutlineDifference {
         let (near, _) = both.settle(&both.points(z * CHOOSING), turn(0));
         let squares = both.by_whole_teeth(a, near);
         let least = squares.iter().copied().fold(f64::INFINITY, f64::min);
-        let alike = |k: &u32| squares[*k as usize].sqrt() <= least.sqrt() + ALIKE;
+        let alike = |k: &u32| squares[*k as usize].sqrt() <= least.sqrt() + EQUAL_FIT;
         let alike: Vec<u32> = (0..z).filter(alike).collect();
         let chosen = alike.iter().copied();
         let chosen = chosen.min_by(|j, k| turn(*j).abs().total_cmp(&turn(*k).abs()));
@@ -167,7 +165,7 @@ impl OutlineDifference {
 }
 
 impl Both {
-    /// Points along A, the middles of so many equal lengths or more, none of which is of two chords.
+    /// Midpoints of at least `count` pieces of A. No piece crosses a corner.
     fn points(&self, count: u32) -> Vec<Midpoint> {
         let edges = 0..self.a.corners().len();
         let length = |edge: usize| {
@@ -188,10 +186,10 @@ impl Both {
         edges.flat_map(of_edge).collect()
     }
 
-    /// The mean square of the deviations with B turned by `turn` and each whole number of teeth more, 0 to z − 1 (to first order).
+    /// The mean square of the deviations with B turned by `turn` plus each whole number of teeth, 0 to z − 1, to first order.
     ///
-    /// The points of one tooth of A are carried to each other tooth. There A lies some `a_j` and B some `b_j` from the first; of a turn by k
-    /// teeth more `b_(j−k) − a_j` is left, whose mean square needs of `k` but the sum of products `a_j b_(j−k)`.
+    /// The points of tooth 1 of A are rotated to each other tooth, where A and B have the distances `a_j` and `b_j`. After a turn by k
+    /// teeth the deviation is `b_(j−k) − a_j`. Its mean square depends on `k` only by the sum of the products `a_j b_(j−k)`.
     fn by_whole_teeth(&self, a: &OutlineGear, turn: f64) -> Vec<f64> {
         let z = a.teeth() as usize;
         let half_pitch = 0.5 * a.pitch();
@@ -221,14 +219,14 @@ impl Both {
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let squares = product(&a_off, &a_off) + product(&b_off, &b_off);
         parallel::map(0..z, |k| {
-            // What stands at a tooth was k teeth before.
+            // Tooth j takes the values of tooth j − k.
             let (head, tail) = a_off.split_at(k * points.len());
             let (before, after) = b_off.split_at(b_off.len() - head.len());
             (squares - 2.0 * (product(tail, before) + product(head, after))).max(0.0)
         })
     }
 
-    /// The place of B, turned by `turn`, nearest to a point of A.
+    /// The point of B, turned by `turn`, nearest to a point of A.
     fn sample(&self, point: Point2<f64>, turn: f64) -> ComparedPoint {
         ComparedPoint {
             point,
@@ -248,7 +246,7 @@ impl Both {
                     normal,
                     ..
                 } = self.sample(at.point, turn).near;
-                // A turn by δ moves the metal by δ × the arm of its normal.
+                // A turn by δ moves the metal by δ times the arm of its normal.
                 let arm = point.coords.perp(&normal);
                 square += at.share * signed * signed;
                 product += at.share * signed * arm;
@@ -266,7 +264,7 @@ impl Both {
         best
     }
 
-    /// The point of A at which B lies farthest beyond it, or with `sign` −1 within it, to within `tolerance` mm, and its edge.
+    /// The point of A with the greatest deviation, or the least if `sign` is −1, within `tolerance` mm, and its edge.
     fn farthest(
         &self,
         corners: &[ComparedPoint],
@@ -285,7 +283,7 @@ impl Both {
         for (edge, sample) in corners.iter().enumerate() {
             look(edge, *sample);
         }
-        // Where nothing crosses, the nearest two points are a corner of either and a point of the other.
+        // Without a crossing, the two nearest points are a corner of one outline and a point of the other.
         for corner in self.b.corners() {
             let near = self.a.nearest(Rotation2::new(turn) * corner);
             look(near.edge, self.sample(near.point, turn));
@@ -297,14 +295,14 @@ impl Both {
         let back = Rotation2::new(-turn);
         while let Some((edge, [from, to])) = open.pop() {
             let length = (to.point - from.point).norm();
-            // No deviation changes by more than one moves along.
+            // A deviation changes by no more than the distance along A.
             let mut most = 0.5 * (value(&from) + value(&to) + length);
             for of in [from.near.edge, to.near.edge] {
                 let ends = [from, to].map(|end| self.b.distance_of_edge(of, back * end.point));
                 most = most.min(ends[0].max(ends[1]));
             }
             let known = look(edge, from);
-            // Below zero the corners have said it.
+            // The corners decide below zero.
             if most <= known + tolerance || known < 0.0 || length <= tolerance {
                 continue;
             }

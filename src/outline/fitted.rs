@@ -1,37 +1,100 @@
-//! The involute that an outline looks like: a finding with its residual, from which nothing is computed.
+//! Fits to an outline: the centre from its tips, and the involute that its flanks resemble.
 //!
-//! Points of the middle flanks are laid on involutes of one base circle, each flank where it stands. The distance of a point from an
-//! involute, along the normal, is `r_b (θ − inv α − c)`, with its polar angle `θ`, `cos α = r_b / r`, and `c` where the flank starts on the
-//! base circle; its derivative by `r_b` is `θ + α − c'` (Gauss–Newton, the `c` of each flank eliminated). Of straight lines only the ends are
-//! taken: lines along a flank are chords of something.
+//! The fitted involute is a finding with its residual; no result depends on it. Points of the middle flanks are fitted to involutes
+//! of one base circle, each flank with its own start. The distance of a point from an involute, along the normal, is
+//! `r_b (θ − inv α − c)`, with its polar angle `θ`, `cos α = r_b / r`, and the start `c` of the flank on the base circle. The
+//! derivative by `r_b` is `θ + α − c'` (Gauss–Newton, with each `c` eliminated). Straight lines contribute their ends only, because
+//! lines along a flank are chords.
 //!
-//! A base circle says `m cos α` and no more: every rack of that base pitch cuts it. Standard modules at usual pressure angles that have it
-//! are offered, as many as fit.
+//! A base circle determines only `m cos α`: every rack of that base pitch generates it. The fit offers all standard modules at usual
+//! pressure angles with that base circle.
 
 use super::gear::OutlineGear;
 use super::half::HalfOutline;
+use super::path::{ClosedPath, PathSegment};
+use super::polygon;
+use super::teeth::find;
+use crate::error::OutlineError;
 use crate::gear::{PartCurve, Side, involute};
-use nalgebra::Complex;
+use nalgebra::{Complex, Matrix3, Point2, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Shares of the tooth depth, from the root, between which a flank is looked at: above fillets and undercut, below tip rounding and relief
-/// (a standard tooth's undercut ends at 0.44 of its depth even with ten teeth).
+/// Rounds of the centre (tuned): each finds the tips again about the centre of the last round.
+const CENTRE_ROUNDS: u32 = 8;
+
+/// A fitted centre and its residual.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedCentre {
+    /// In the drawing, mm.
+    pub centre: Point2<f64>,
+    /// Greatest distance of a tip from the fitted circle, mm.
+    pub residual: f64,
+}
+
+/// The centre of the circle through the middles of the tips, by least squares of `x² + y² + a x + b y + c` (Kåsa 1976).
+///
+/// # Errors
+/// As [`super::OutlineGear::new`].
+pub fn fit_centre(segments: &[PathSegment]) -> Result<FittedCentre, OutlineError> {
+    let mut fitted = FittedCentre {
+        centre: centroid(segments),
+        residual: 0.0,
+    };
+    for _ in 0..CENTRE_ROUNDS {
+        let path = ClosedPath::new(segments, fitted.centre)?;
+        let tips: Vec<Point2<f64>> = find(&path)?.iter().map(|tooth| tooth.tip).collect();
+        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for tip in &tips {
+            let row = Vector3::new(tip.x, tip.y, 1.0);
+            normal += row * row.transpose();
+            right -= row * tip.coords.norm_squared();
+        }
+        let Some(solved) = normal.lu().solve(&right) else {
+            return Ok(fitted);
+        };
+        let off = Point2::new(-0.5 * solved.x, -0.5 * solved.y);
+        let radii = tips.iter().map(|tip| (tip - off).norm());
+        let radius = (off.coords.norm_squared() - solved.z).sqrt();
+        fitted = FittedCentre {
+            centre: fitted.centre + off.coords,
+            residual: radii
+                .map(|found| (found - radius).abs())
+                .fold(0.0, f64::max),
+        };
+    }
+    Ok(fitted)
+}
+
+/// The centroid of the area that the segments' ends and middles enclose.
+fn centroid(segments: &[PathSegment]) -> Point2<f64> {
+    let points: Vec<Point2<f64>> = segments
+        .iter()
+        .flat_map(|segment| [segment.start(), segment.at(0.5)])
+        .collect();
+    // A path without area: the first point. The caller reports the error.
+    let first = points.first().copied().unwrap_or_default();
+    polygon::centroid(&points).unwrap_or(first)
+}
+
+/// Range of the tooth depth, from the root, used for the fit: above fillets and undercut, below tip rounding and relief.
+///
+/// The undercut of a standard tooth ends at 0.44 of its depth even with ten teeth.
 const MIDDLE: [f64; 2] = [0.5, 0.9];
 
-/// Points of a flank at least: with two any base circle fits.
+/// Fewest points of a flank: any base circle fits two points.
 const LEAST_POINTS: usize = 3;
 
 /// Parts into which a curve is divided for its points (tuned).
 const PARTS: u32 = 8;
 
-/// A residual up to this share of the height of the involute's arc above its chord is one of an involute. Tuned: with 20 teeth of module 2
-/// that is some 6 µm, which a ground gear keeps; arcs with a radius a quarter greater leave 0.13 of it, straight flanks 0.67.
+/// Greatest residual of an involute, over the height of its arc above the chord. Tuned: with 20 teeth of module 2 this is some 6 µm,
+/// which a ground gear meets. Arcs with a radius a quarter greater leave 0.13, straight flanks 0.67.
 const CURVED: f64 = 0.1;
 
-/// Rounds at most; each squares the error.
+/// Most rounds of the base radius; each squares the error.
 const ROUNDS: u32 = 40;
 
-/// Modules that differ by less than this share are the same: rounding of a drawing's decimals.
+/// Modules with a smaller relative difference are equal: rounding of a drawing's decimals.
 const SAME: f64 = 1e-6;
 
 /// ISO 54, both series, and DIN 780 below 1; mm.
@@ -44,20 +107,20 @@ const MODULES: [f64; 48] = [
 /// Usual pressure angles, degrees, the commonest first.
 const ANGLES_DEG: [f64; 3] = [20.0, 14.5, 25.0];
 
-/// The involute that the flanks of an outline look like.
+/// The involute fitted to the flanks of an outline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FittedInvolute {
     /// Base radius `r_b`, mm.
     pub base_radius: f64,
-    /// How far off it can be, mm, as no point of a flank is drawn worse than the residual and the outline's bound.
+    /// Error bound of the base radius, mm, from the residual and the outline's bound.
     pub base_radius_error: f64,
     /// Mean tooth thickness on the base circle, mm.
     pub base_thickness: f64,
     /// Greatest distance of a point of the middle flanks from its involute, along the normal, mm.
     pub residual: f64,
-    /// The residual up to which it is called an involute, mm.
+    /// Greatest residual of an involute, mm.
     pub limit: f64,
-    /// Standard gears with this base circle: none, one or several.
+    /// Standard gears with this base circle.
     pub standard: Vec<StandardGear>,
 }
 
@@ -72,12 +135,11 @@ pub struct StandardGear {
     pub shift: f64,
 }
 
-/// A point of a flank: radius, and angle from the flank's first point.
+/// A point of a flank: radius and angle from the flank's first point.
 type Polar = (f64, f64);
 
 impl OutlineGear {
-    /// The involute that its flanks look like; `None` where they do not, or have fewer than three points between half and nine tenths of
-    /// their depth.
+    /// The involute fitted to the flanks; `None` if they are no involutes or have fewer than three points in the middle of their depth.
     pub fn fitted_involute(&self) -> Option<FittedInvolute> {
         let depth = self.tip_radius() - self.root_radius();
         let range = MIDDLE.map(|share| self.root_radius() + share * depth);
@@ -85,7 +147,7 @@ impl OutlineGear {
         let halves = teeth.flat_map(|tooth| Side::BOTH.map(|side| self.half(side, tooth)));
         let mut flanks: Vec<(f64, Vec<Polar>)> = Vec::new();
         for half in halves {
-            flanks.push(half.middle(range)?);
+            flanks.push(middle(half, range)?);
         }
         let radii = flanks
             .iter()
@@ -107,7 +169,7 @@ impl OutlineGear {
         if !(residual <= limit) {
             return None;
         }
-        // Both start before the tooth's centre line, the left one in its mirrored frame.
+        // Both flanks start before the tooth's centre line, the left one in its mirrored frame.
         let half_angles = starts
             .chunks(2)
             .map(|sides| 0.5 * (-sides[0] - sides[1]).rem_euclid(TAU));
@@ -132,9 +194,9 @@ fn distances(points: &[Polar], base: f64) -> Vec<f64> {
     points.iter().map(distance).collect()
 }
 
-/// The base radius with the least squares, mm, and how much an error of every point changes it at most.
+/// The base radius by least squares, mm, and the greatest ratio of its error to the errors of the points.
 fn base_radius(flanks: &[(f64, Vec<Polar>)], lowest: f64) -> Option<(f64, f64)> {
-    // From a pressure angle of 20° there.
+    // The start assumes a pressure angle of 20° at the lowest point.
     let mut base = lowest * 20f64.to_radians().cos();
     for _ in 0..ROUNDS {
         let (mut product, mut square, mut sum) = (0.0, 0.0, 0.0);
@@ -155,7 +217,7 @@ fn base_radius(flanks: &[(f64, Vec<Polar>)], lowest: f64) -> Option<(f64, f64)> 
         }
         let step = -product / square;
         base += step;
-        // Beyond this there is no involute in reach of its points.
+        // No involute of a base circle beyond this range reaches the points.
         if !(base > 0.5 * lowest && base < lowest) {
             return None;
         }
@@ -186,31 +248,29 @@ fn standard(teeth: f64, base: f64, error: f64, half_angle: f64) -> Vec<StandardG
     found
 }
 
-impl HalfOutline {
-    /// Its points between two radii, and the direction of the first; `None` where they are too few.
-    fn middle(&self, [low, high]: [f64; 2]) -> Option<(f64, Vec<Polar>)> {
-        let mut points: Vec<Complex<f64>> = Vec::new();
-        for piece in &self.pieces {
-            let parts = match piece.curve {
-                PartCurve::Line(_) => 1,
-                _ => PARTS,
-            };
-            let [from, to] = piece.ends;
-            for k in 0..=parts {
-                let t = from + (to - from) * f64::from(k) / f64::from(parts);
-                let point = piece.point(t);
-                let inside = (low..=high).contains(&point.norm());
-                let known = points.last();
-                let new = known.is_none_or(|last| (last - point).norm() > SAME * (high - low));
-                if inside && new {
-                    points.push(point);
-                }
+/// The points of a half tooth between two radii, and the direction of the first; `None` with too few points.
+fn middle(half: &HalfOutline, [low, high]: [f64; 2]) -> Option<(f64, Vec<Polar>)> {
+    let mut points: Vec<Complex<f64>> = Vec::new();
+    for piece in &half.pieces {
+        let parts = match piece.curve {
+            PartCurve::Line(_) => 1,
+            _ => PARTS,
+        };
+        let [from, to] = piece.ends;
+        for k in 0..=parts {
+            let t = from + (to - from) * f64::from(k) / f64::from(parts);
+            let point = piece.point(t);
+            let inside = (low..=high).contains(&point.norm());
+            let known = points.last();
+            let new = known.is_none_or(|last| (last - point).norm() > SAME * (high - low));
+            if inside && new {
+                points.push(point);
             }
         }
-        let first = *points.first().filter(|_| points.len() >= LEAST_POINTS)?;
-        let polar = |point: &Complex<f64>| (point.norm(), (point * first.conj()).arg());
-        Some((first.arg(), points.iter().map(polar).collect()))
     }
+    let first = *points.first().filter(|_| points.len() >= LEAST_POINTS)?;
+    let polar = |point: &Complex<f64>| (point.norm(), (point * first.conj()).arg());
+    Some((first.arg(), points.iter().map(polar).collect()))
 }
 
 #[cfg(test)]
@@ -242,7 +302,7 @@ mod tests {
         Gear::new(design, thickness).unwrap()
     }
 
-    /// Gears drawn as chords, whose ends lie on the flank, give back what they were drawn from.
+    /// Gears drawn as chords, whose ends lie on the flank, give back their data.
     #[test]
     fn a_drawn_gear_gives_its_module_back() {
         for (teeth, module, angle, allowance) in [
@@ -269,14 +329,14 @@ mod tests {
                 (module, angle.to_radians())
             );
             assert!((standard.shift - gear.generating_shift()).abs() < 1e-8);
-            // By its data it has curves in place of chords.
+            // An outline from data has curves in place of chords.
             let exact = OutlineGear::from(&AsBuilt::perfect(gear, Face::Front));
             let exact = exact.fitted_involute().unwrap();
             assert!((exact.base_radius - found.base_radius).abs() < 1e-9 * module);
         }
     }
 
-    /// A base circle of no standard gear is reported by itself.
+    /// A base circle without a standard gear is reported alone.
     #[test]
     fn another_module_is_not_called_standard() {
         let gear = gear(30, 1.937, 20.0, 0.0);
@@ -286,8 +346,8 @@ mod tests {
         assert_eq!(found.standard, []);
     }
 
-    /// Every second corner 1 µm farther out: flanks lie at the pressure angle, so that some 0.4 µm of it are along their normals, half to
-    /// either side of what is fitted; the module is still within what that allows.
+    /// Every second corner is moved outwards by 1 µm: some 0.4 µm along the normals at the pressure angle, half to either side of the
+    /// fit. The module is still within the error bound.
     #[test]
     fn the_residual_is_what_the_points_are_off() {
         let gear = gear(20, 2.0, 20.0, 0.0);
@@ -313,7 +373,7 @@ mod tests {
         assert_eq!(found.standard[0].module, 2.0);
     }
 
-    /// Flanks that are arcs of half the radius of the involute's curvature, straight ones, and ones with too few points are no involutes.
+    /// Arcs of half the involute's radius of curvature, straight flanks, and flanks with too few points are no involutes.
     #[test]
     fn other_flanks_are_no_involutes() {
         let z = 20;

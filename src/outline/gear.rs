@@ -1,45 +1,44 @@
-//! A gear by its outline: its teeth where they stand, and the axis it turns about.
+//! A gear given by its outline: its teeth and its axis of rotation.
 
-use super::error::OutlineError;
 use super::half::HalfOutline;
-use super::path::ClosedPath;
-use super::segment::PathSegment;
+use super::path::{ClosedPath, PathSegment};
 use super::teeth::{FoundTooth, find};
-use crate::gear::{Face, PartCurve, Side};
-use crate::numeric::bisect;
+use crate::error::OutlineError;
+use crate::gear::{Face, Side};
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
-/// A tooth that points past +y by no more than this share of a pitch points there: pitch deviations and eccentricities are less, and who
-/// means another tooth says so with the direction of tooth 1.
+/// A tooth that points past +y by at most this share of a pitch counts as pointing there: pitch deviations and eccentricities are less.
 const UPRIGHT: f64 = 0.1;
 
-/// Teeth off their even places by more than this share of a pitch are no gear; contact counts on it when it chooses the teeth in reach.
+/// Greatest distance of a tooth from its even place, in pitches. Contact relies on it for the choice of teeth in reach.
 const UNEVEN: f64 = 0.5;
 
-/// How a path is read as a gear.
+/// How to read a path as a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutlineReading {
     /// The centre of the outline in the drawing, mm.
     pub centre: Point2<f64>,
-    /// The face that the picture shows; the drawing shows the reference face.
+    /// The face shown in the picture; the drawing shows the reference face.
     pub face: Face,
-    /// The number of teeth there should be; `None`: those found.
+    /// The expected number of teeth; `None`: any.
     pub teeth: Option<u32>,
-    /// Direction of tooth 1 in the drawing, rad counter-clockwise from +x: the tooth nearest to it. `None`: the first at or clockwise of +y.
+    /// Direction of tooth 1 in the drawing, rad counter-clockwise from +x: the nearest tooth is tooth 1.
+    ///
+    /// `None`: the first tooth at or clockwise of +y.
     pub first_tooth: Option<f64>,
-    /// How far the path may lie from what was drawn, mm.
+    /// Error bound of the path, mm.
     pub bound: f64,
 }
 
-/// A gear by its outline, in its own frame: tooth 1 on +x, the geometric centre at the origin.
+/// A gear given by its outline, in its own frame: tooth 1 on +x, the geometric centre at the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutlineGear {
     pub(super) face: Face,
-    /// Right halves and left ones (mirrored), tooth 1 first.
+    /// Right half teeth and left ones (mirrored), tooth 1 first.
     pub(super) halves: [Arc<[HalfOutline]>; 2],
-    /// The whole path about the geometric centre, turned by `turned` from where tooth 1 is on +x.
+    /// The whole path about the geometric centre, turned by `turned` from tooth 1 on +x.
     pub(super) path: Arc<[PathSegment]>,
     pub(super) turned: f64,
     pub(super) tip_radius: f64,
@@ -49,10 +48,10 @@ pub struct OutlineGear {
 }
 
 impl OutlineGear {
-    /// The gear that `segments` draw, in order, each starting where the one before ends.
+    /// The gear drawn by `segments`, in order, each starting at the end of the one before.
     ///
     /// # Errors
-    /// [`OutlineError`]: an open or self-crossing path, a centre that is not inside, teeth that are too few, uneven, or others than stated.
+    /// [`OutlineError`]: an open or self-crossing path, a centre outside, too few or uneven teeth, an unexpected number of teeth.
     pub fn new(
         segments: &[PathSegment],
         reading: &OutlineReading,
@@ -103,7 +102,7 @@ impl OutlineGear {
         let (sin, cos) = directions[first].sin_cos();
         let back = Complex::new(cos, -sin);
         let count = found.len();
-        // Numbers run clockwise on a front face.
+        // Tooth numbers ascend clockwise on a front face.
         let ascending = reading.face.ascending() as isize;
         let halves = [0, 1].map(|side| {
             let tooth = |number: usize| {
@@ -130,10 +129,10 @@ impl OutlineGear {
         })
     }
 
-    /// The same outline off its axis: the eccentricity, mm, towards `high_tooth` (fractional, `1 ≤ … < z + 1`).
+    /// This outline with an eccentricity, mm, towards `high_tooth` (fractional, `1 ≤ … < z + 1`).
     ///
     /// # Errors
-    /// [`OutlineError::Eccentric`]: half the tooth depth or more.
+    /// [`OutlineError::Eccentric`]: an eccentricity of half the tooth depth or more.
     pub fn with_runout(
         self,
         eccentricity: f64,
@@ -163,7 +162,7 @@ impl OutlineGear {
         self.halves[0].len() as u32
     }
 
-    /// The face the picture shows.
+    /// The face shown in the picture.
     pub fn face(&self) -> Face {
         self.face
     }
@@ -183,12 +182,12 @@ impl OutlineGear {
         self.displacement.norm()
     }
 
-    /// The outline's centre from the axis with tooth 1 on +x, mm.
+    /// Displacement of the outline's centre from the axis with tooth 1 on +x, mm.
     pub(crate) fn displacement(&self) -> Complex<f64> {
         self.displacement
     }
 
-    /// How far the outline may lie from what was drawn, mm.
+    /// Error bound of the outline, mm.
     pub fn bound(&self) -> f64 {
         self.bound
     }
@@ -198,9 +197,9 @@ impl OutlineGear {
         self.tip_radius + self.eccentricity()
     }
 
-    /// The half of tooth `tooth` (1 to z) on a side.
+    /// The half tooth on a side of `tooth` (1 to z).
     pub(crate) fn half(&self, side: Side, tooth: u32) -> &HalfOutline {
-        &self.halves[usize::from(side == Side::Left)][tooth as usize - 1]
+        &self.halves[side.index()][tooth as usize - 1]
     }
 
     /// Angle of the (fractional) tooth's even place from tooth 1, rad, counter-clockwise.
@@ -208,8 +207,9 @@ impl OutlineGear {
         self.face.ascending() * (tooth - 1.0) * self.pitch()
     }
 
-    /// Points along the closed outline with tooth 1 turned to the direction `tooth_1`, rad, about its axis: chords within `chord` mm of
-    /// its curves (those of a gear by its data are chords already).
+    /// Points along the closed outline about the axis, with tooth 1 in the direction `tooth_1`, rad.
+    ///
+    /// Chords are within `chord` mm of the curves; the path of a gear given by data consists of chords already.
     pub fn points(&self, tooth_1: f64, chord: f64) -> Vec<Point2<f64>> {
         let turn = UnitComplex::new(tooth_1 - self.turned);
         let displaced = self.displacement * Complex::from_polar(1.0, tooth_1);
@@ -223,14 +223,15 @@ impl OutlineGear {
         TAU / f64::from(self.teeth())
     }
 
-    /// Mean of half the angle that a tooth spans on the circle of `radius`, mm, or on the nearest one that all teeth reach within the
-    /// middle nine tenths of their depth.
+    /// Mean of half the angle that a tooth spans on the circle of `radius`, mm.
+    ///
+    /// The radius is limited to the middle nine tenths of the depth, which all teeth reach.
     pub(super) fn half_angle(&self, radius: f64) -> f64 {
         let margin = 0.05 * (self.tip_radius - self.root_radius);
         let radius = radius.clamp(self.root_radius + margin, self.tip_radius - margin);
         let angles = (1..=self.teeth()).flat_map(|tooth| {
             let half = Side::BOTH.map(|side| self.half(side, tooth).angle_at(radius));
-            // Clockwise of the centre line on its own side, wherever the tooth stands.
+            // Each flank is clockwise of the centre line in its own frame.
             let [right, left] = half;
             right
                 .zip(left)
@@ -250,14 +251,15 @@ fn direction(tooth: &FoundTooth, radius: f64) -> f64 {
     right + 0.5 * (-left - right).rem_euclid(TAU)
 }
 
-/// How far each of the teeth in these directions, rad, counter-clockwise in order, stands from its even place; the even places are where the
-/// greatest distance is least.
+/// Distance of each tooth from its even place, rad, from directions in counter-clockwise order.
+///
+/// The even places minimise the greatest distance.
 fn off_even_places(directions: &[f64]) -> Vec<f64> {
     let pitch = TAU / directions.len() as f64;
     let mut off: Vec<f64> = Vec::with_capacity(directions.len());
     for (k, direction) in directions.iter().enumerate() {
         let there = direction - directions[0] - pitch * k as f64;
-        // On from the tooth before: places add up over the teeth.
+        // Continue from the tooth before: distances accumulate over the teeth.
         let before = off.last().copied().unwrap_or(0.0);
         off.push(there - TAU * ((there - before) / TAU).round());
     }
@@ -266,7 +268,7 @@ fn off_even_places(directions: &[f64]) -> Vec<f64> {
     off.iter().map(|off| off - 0.5 * (most + least)).collect()
 }
 
-/// Which of the teeth in these directions (rad, in the picture) has the number 1.
+/// Index of tooth 1 among the teeth in these directions (rad, in the picture).
 fn first_tooth(directions: &[f64], reading: &OutlineReading) -> usize {
     // From the drawing to the picture.
     let seen = |angle: f64| match reading.face {
@@ -286,40 +288,4 @@ fn first_tooth(directions: &[f64], reading: &OutlineReading) -> usize {
     let order = directions.iter().enumerate();
     let first = order.min_by(|a, b| beyond(*a.1).total_cmp(&beyond(*b.1)));
     first.map_or(0, |(index, _)| index)
-}
-
-impl ClosedPath {
-    /// Least and greatest radius, mm.
-    fn radii(&self) -> (f64, f64) {
-        let mut radii = (f64::INFINITY, 0.0f64);
-        for chord in 0..self.marks.len() {
-            let [from, to] = self.chord(chord);
-            let curve = &self.parts[self.marks[chord].part].curve;
-            let (least, most) = radius_range(curve, from, to);
-            radii = (radii.0.min(least), radii.1.max(most));
-        }
-        radii
-    }
-}
-
-/// Least and greatest radius of a curve between two parameters, mm.
-fn radius_range(curve: &PartCurve, from: f64, to: f64) -> (f64, f64) {
-    let ends = [curve.radius(from), curve.radius(to)];
-    let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-    // A line's chord ends at the point nearest to the centre.
-    if let PartCurve::Line(_) = curve {
-        return (least, most);
-    }
-    // Stationary where the normal points along the radius: one place at most in so short a chord.
-    let across = |t: f64| {
-        let (point, normal) = curve.at(t);
-        point.coords.perp(&normal)
-    };
-    let start = across(from);
-    if start * across(to) >= 0.0 {
-        return (least, most);
-    }
-    let [low, high] = bisect(from, to, 0.0, |t| across(t) * start > 0.0);
-    let there = curve.radius(0.5 * (low + high));
-    (least.min(there), most.max(there))
 }

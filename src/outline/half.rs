@@ -1,18 +1,19 @@
-//! Half a tooth of an outline: the pieces of its curves from the tip region down to the middle of the space.
+//! A half tooth of an outline: its curves from the tip region down to the middle of the space.
 
 use crate::gear::PartCurve;
+use crate::numeric::bisect;
 use nalgebra::{Complex, Point2};
 
-/// Share of a piece within which a point is at its end: far above rounding, far below what an edge could be rounded by.
+/// Share of a piece within which a point counts as its end: far above rounding, far below a rounded edge.
 const AT_END: f64 = 1e-9;
 
-/// A piece of a curve in the frame of its half tooth's side: the gear's own, its tooth 1 on +x, mirrored in the x axis on the left side.
+/// A piece of a curve in the frame of its side: the gear's frame with tooth 1 on +x, mirrored in the x axis on the left side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfPiece {
     pub(crate) curve: PartCurve,
     /// Parameters of its two ends, the one nearer the tip first.
     pub(crate) ends: [f64; 2],
-    /// How the curve's frame is turned.
+    /// Rotation of the curve's frame.
     pub(crate) turn: Complex<f64>,
     pub(crate) mirrored: bool,
     /// Whether the outline has an edge at each end.
@@ -34,13 +35,13 @@ impl HalfPiece {
         self.turn * if self.mirrored { normal.conj() } else { normal }
     }
 
-    /// Parameters of its ends, the lesser first.
+    /// Parameters of the ends, the lesser first.
     pub(crate) fn range(&self) -> (f64, f64) {
         let [from, to] = self.ends;
         (from.min(to), from.max(to))
     }
 
-    /// Whether it has an edge at `t`: at an end, or as near to it as a search ends.
+    /// Whether there is an edge at `t`: at an end, or within the tolerance of a search.
     pub(crate) fn is_corner(&self, t: f64) -> bool {
         let (low, high) = self.range();
         let near = AT_END * (high - low);
@@ -48,25 +49,22 @@ impl HalfPiece {
     }
 }
 
-/// Half a tooth on one side.
+/// A half tooth on one side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HalfOutline {
-    /// From the tip to the root.
+    /// The pieces from the tip to the root.
     pub(crate) pieces: Vec<HalfPiece>,
-    /// Radius above which it is tip, mm.
+    /// Radius above which the half tooth counts as tip, mm.
     pub(crate) tip_limit: f64,
-    /// Radius below which it is root, mm.
+    /// Radius below which the half tooth counts as root, mm.
     pub(crate) root_limit: f64,
 }
 
-/// Steps into which a piece is divided to find where it passes a radius (tuned: a flank has no two such places within a 32nd of it).
+/// Steps per piece in the search for a radius. Tuned: a flank passes a radius at most once within a 32nd of it.
 const STEPS: u32 = 32;
 
-/// Halvings of such a step, to the last bit.
-const HALVINGS: u32 = 60;
-
 impl HalfOutline {
-    /// Least and greatest radius, mm, of the ends of its pieces.
+    /// Least and greatest radius of the ends of the pieces, mm.
     pub(super) fn end_radii(&self) -> [f64; 2] {
         let ends = self
             .pieces
@@ -77,13 +75,13 @@ impl HalfOutline {
         })
     }
 
-    /// Angle, rad, in the frame of its side, of the place nearest the tip at which it passes `radius`, mm, inwards.
+    /// Angle at which the half tooth, from the tip, first passes `radius`, mm, inwards: rad, in the frame of its side.
     pub(super) fn angle_at(&self, radius: f64) -> Option<f64> {
         let (piece, t) = self.passes(radius)?;
         Some(self.pieces[piece].point(t).arg())
     }
 
-    /// Its pieces from the tip down to where it first passes `radius`, mm, inwards; all where it does not.
+    /// The pieces from the tip down to the first passage through `radius`, mm, inwards; all pieces without a passage.
     pub(crate) fn down_to(&self, radius: f64) -> Vec<HalfPiece> {
         let Some((last, t)) = self.passes(radius) else {
             return self.pieces.clone();
@@ -93,7 +91,7 @@ impl HalfOutline {
         pieces
     }
 
-    /// The piece and the parameter at which it first passes `radius`, mm, inwards.
+    /// Piece and parameter of the first passage through `radius`, mm, inwards.
     fn passes(&self, radius: f64) -> Option<(usize, f64)> {
         let mut reached = false;
         for (index, piece) in self.pieces.iter().enumerate() {
@@ -104,14 +102,8 @@ impl HalfOutline {
                 if piece.point(t).norm() >= radius {
                     (reached, before) = (true, t);
                 } else if reached {
-                    let (mut above, mut below) = (before, t);
-                    for _ in 0..HALVINGS {
-                        let middle = 0.5 * (above + below);
-                        match piece.point(middle).norm() >= radius {
-                            true => above = middle,
-                            false => below = middle,
-                        }
-                    }
+                    let beyond = |t: f64| piece.point(t).norm() >= radius;
+                    let [above, _] = bisect(before, t, 0.0, beyond);
                     return Some((index, above));
                 }
             }
@@ -119,7 +111,7 @@ impl HalfOutline {
         None
     }
 
-    /// Marks the ends at which neighbouring pieces do not continue each other's direction within `tolerance`, rad.
+    /// Marks as edges the joints at which the direction changes by more than `tolerance`, rad.
     pub(super) fn mark_corners(&mut self, tolerance: f64) {
         for k in 1..self.pieces.len() {
             let (before, after) = (&self.pieces[k - 1], &self.pieces[k]);

@@ -1,12 +1,11 @@
-//! Gears by their outline alone: a closed path that someone drew or traced, and the teeth found on it.
+//! Gears given by their outline alone: a closed path, drawn or traced, and the teeth found on it.
 //!
-//! An outline has no module, no base circle and no line of action; nothing is computed from guessed ones (what flanks look like is a
-//! finding: [`OutlineGear::fitted_involute`]). What is left is what turning one gear
-//! against the other needs: half teeth, their numbers and an axis ([`crate::contact::OutlineKernel`]).
+//! An outline has no module, no base circle and no line of action, and none are guessed. [`OutlineGear::fitted_involute`] is a
+//! finding only. An outline gear has half teeth, tooth numbers and an axis, which contact needs ([`crate::contact::OutlineKernel`]).
 //!
-//! A gear by its data becomes an outline by `OutlineGear::from`, so that either may stand in a pair; how far two outlines of one gear lie apart
-//! is `difference`, spans and pins on one are [`crate::gauge`]'s. Files become [`OutlineGear`]s in `gearlash-files` (`drawing`, `outlines`),
-//! studies of them are made by [`crate::analysis::study::Study::of_drawn`].
+//! `OutlineGear::from` converts a gear given by data, so a pair may combine both. [`OutlineDifference`] compares two outlines of one
+//! gear; [`crate::gauge`] measures spans and pins on an outline. `gearlash-files` (`drawing`, `outlines`) reads files into
+//! [`OutlineGear`]s, and [`crate::analysis::study::Study::of_drawn`] makes studies of them.
 //!
 //! ```
 //! use gearlash::contact::OutlineKernel;
@@ -41,10 +40,7 @@
 //! ```
 
 mod assembled_pair;
-mod boundary;
-mod centre;
 mod difference;
-mod error;
 mod fitted;
 mod gear;
 mod half;
@@ -52,17 +48,15 @@ mod of_gear;
 mod pair;
 mod path;
 pub mod polygon;
-mod segment;
 mod teeth;
 
+pub use crate::error::OutlineError;
 pub use assembled_pair::AssembledPair;
-pub use centre::{FittedCentre, fit_centre};
 pub use difference::{Deviation, OutlineDifference};
-pub use error::OutlineError;
-pub use fitted::{FittedInvolute, StandardGear};
+pub use fitted::{FittedCentre, FittedInvolute, StandardGear, fit_centre};
 pub use gear::{OutlineGear, OutlineReading};
 pub use of_gear::{of_gear, of_section};
 pub use pair::OutlinePair;
-pub use segment::PathSegment;
+pub use path::PathSegment;
 
 pub(crate) use half::{HalfOutline, HalfPiece};

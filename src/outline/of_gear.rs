@@ -1,35 +1,36 @@
-//! The other way round: a gear by its data as a drawn outline, and as a gear by its outline.
+//! Conversion of a gear given by data to a drawn outline and to an outline gear.
 
 use super::gear::OutlineGear;
 use super::half::{HalfOutline, HalfPiece};
-use super::segment::PathSegment;
+use super::path::PathSegment;
 use crate::gear::{AsBuilt, Face, Placed, ProfilePart, Side, smooth};
 use nalgebra::{Complex, Point2};
 use std::f64::consts::FRAC_PI_2;
 
-/// Half a root land, mm, that is none: some hundred times the rounding of the largest gears.
+/// A shorter half root land counts as none, mm: some hundred times the rounding of the largest gears.
 const NO_LAND: f64 = 1e-9;
 
-/// Chords of a gear by its data, drawn, of its tip radius: a tenth of a line's width in the largest picture.
+/// Chordal error of the drawn path over the tip radius: a tenth of a line's width in the largest picture.
 const CHORD: f64 = 1e-6;
 
-/// The closed outline of `gear` as its reference face shows it, mm, counter-clockwise.
+/// The closed outline of `gear` seen on its reference face, mm, counter-clockwise.
 ///
-/// The rotation axis is the origin: a gear with runout stands beside it by its eccentricity. The undisturbed centre line of
-/// tooth 1 points up (+y), and teeth count clockwise. Flanks, fillets included, are chords within `chordal_error` mm (> 0) of
-/// their curves; tip and root lands are the arcs they are. Fillets that cross in a narrow space end where their chords do.
+/// The rotation axis is the origin, and the outline is displaced by the eccentricity. The undisturbed centre line of tooth 1 points
+/// up (+y), and teeth count clockwise. Flanks and fillets are chords within `chordal_error` mm (> 0) of their curves; tip and root
+/// lands are arcs. Fillets that cross in a narrow space end at the crossing of their chords.
 pub fn of_gear(gear: &AsBuilt, chordal_error: f64) -> Vec<PathSegment> {
     placed_outline(gear, FRAC_PI_2, chordal_error)
 }
 
-/// The same of the transverse section of a helical gear at `b`, mm along its axis from the measuring plane, away from the viewer of a pair:
-/// turned with the helix against that of the measuring plane, about an axis off which the gear stands in the same direction.
+/// [`of_gear`] of the transverse section of a helical gear at `b`, mm along the axis from the measuring plane away from the viewer.
+///
+/// The outline turns with the helix; the direction of the eccentricity is constant.
 pub fn of_section(gear: &AsBuilt, b: f64, chordal_error: f64) -> Vec<PathSegment> {
     let turned = b * gear.gear().basic_data().twist();
     placed_outline(&gear.section_at(b), FRAC_PI_2 + turned, chordal_error)
 }
 
-/// The outline with tooth 1 at `tooth_1`, rad, as seen from the front, before the reference face is turned to the viewer.
+/// The outline with tooth 1 at `tooth_1`, rad, seen from the front, mirrored to show the reference face.
 fn placed_outline(gear: &AsBuilt, tooth_1: f64, chordal_error: f64) -> Vec<PathSegment> {
     let placed = Placed::new(gear, Point2::origin(), tooth_1);
     let centre = placed.centre();
@@ -66,7 +67,7 @@ fn placed_outline(gear: &AsBuilt, tooth_1: f64, chordal_error: f64) -> Vec<PathS
     }
 }
 
-/// Of a gear by its data: its exact curves, every tooth where it was measured to be.
+/// The outline gear of a gear given by data: its exact curves, every tooth at its measured place.
 impl From<&AsBuilt> for OutlineGear {
     fn from(built: &AsBuilt) -> OutlineGear {
         let gear = built.gear();
@@ -145,7 +146,7 @@ fn land(centre: Point2<f64>, ends: [Point2<f64>; 2]) -> PathSegment {
     }
 }
 
-/// Where the flanks of a space, tip first, leave no root land, both end in one point of its middle, in which they mirror each other.
+/// Ends both flanks of a space, tip first, in one point of its middle if they leave no root land.
 fn end_in_space(left: &mut Vec<Point2<f64>>, right: &mut Vec<Point2<f64>>, centre: Point2<f64>) {
     let middle = ((left[0] - centre) + (right[0] - centre)).normalize();
     let beyond = |point: &Point2<f64>| middle.perp(&(point - centre));

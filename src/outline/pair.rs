@@ -1,12 +1,12 @@
-//! Two gears by their outlines, at a centre distance, and how they stand at a mating.
+//! Two gears given by their outlines at a centre distance, and their rotations at a mating.
 
-use super::error::OutlineError;
 use super::gear::OutlineGear;
+use crate::error::OutlineError;
 use crate::gear::{Face, Side, steps_near};
 use crate::pair::{Mating, Member, Pose, ToothNumbers};
 use nalgebra::{Complex, Point2, Vector2};
 
-/// A pair of which one gear at least is known by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
+/// A pair with at least one gear given by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutlinePair {
     gears: [OutlineGear; 2],
@@ -17,10 +17,10 @@ pub struct OutlinePair {
 }
 
 impl OutlinePair {
-    /// Two gears at `center_distance` `a`, mm, the gear `locked` standing still.
+    /// Two gears at `center_distance` `a`, mm, with the gear `locked` fixed.
     ///
     /// # Errors
-    /// [`OutlineError::TooNear`]: a gear reaches over the other's axis.
+    /// [`OutlineError::TooNear`]: a gear reaches the other's axis.
     pub fn new(
         wheel: OutlineGear,
         pinion: OutlineGear,
@@ -47,7 +47,7 @@ impl OutlinePair {
         Ok(pair)
     }
 
-    /// The same gears at another centre distance.
+    /// These gears at another centre distance.
     ///
     /// # Errors
     /// As [`OutlinePair::new`].
@@ -61,7 +61,7 @@ impl OutlinePair {
         &self.gears[usize::from(member == Member::Pinion)]
     }
 
-    /// The centre distance, mm, down to which no gear reaches over the other's axis.
+    /// The centre distance, mm, at which a gear reaches the other's axis.
     pub fn least_distance(&self) -> f64 {
         let [wheel, pinion] = &self.gears;
         let least = |gear: &OutlineGear, mate: &OutlineGear| gear.reach() + mate.eccentricity();
@@ -73,7 +73,7 @@ impl OutlinePair {
         self.center_distance
     }
 
-    /// The gear that stands still.
+    /// The fixed gear.
     pub fn locked(&self) -> Member {
         self.locked
     }
@@ -83,14 +83,16 @@ impl OutlinePair {
         self.locked.mate()
     }
 
-    /// Operating pitch radius `r_w = a z/(z_1 + z_2)`, mm: what the ratio alone says.
+    /// Operating pitch radius `r_w = a z/(z_1 + z_2)`, mm, from the ratio alone.
     pub fn operating_pitch_radius(&self, member: Member) -> f64 {
         let teeth = |member| f64::from(self.gear(member).teeth());
         self.center_distance * teeth(member) / (teeth(Member::Wheel) + teeth(Member::Pinion))
     }
 
-    /// Rotation of a gear at `mating`, rad, counted from where tooth 1 points at the mate: as of [`crate::pair::Pose`], a mean tooth's flank
-    /// passes through the operating pitch point; the free gear's is its nominal one.
+    /// Rotation of a gear at `mating`, rad, counted from tooth 1 pointing at the mate.
+    ///
+    /// As in [`crate::pair::Pose`], the flank of a mean tooth passes through the operating pitch point; the free gear has its nominal
+    /// rotation.
     pub fn rotation(&self, member: Member, mating: &Mating) -> f64 {
         let gear = self.gear(member);
         let half = self.half_angles[usize::from(member == Member::Pinion)];
@@ -101,9 +103,10 @@ impl OutlinePair {
         -mating.flank.sense() * half - gear.tooth_angle(tooth) + sense * onward * gear.pitch()
     }
 
-    /// Least and greatest radial clearance `a − r_a − r_f,mate`, mm, of `member`'s tips in its mate's spaces about their geometric centres: of the
-    /// highest tip in the shallowest space, and of the lowest in the deepest. A tip counts as no higher, and a space as no deeper, than the ends of the
-    /// curves that it is drawn by.
+    /// Least and greatest radial clearance `a − r_a − r_f,mate`, mm, of `member`'s tips in its mate's spaces.
+    ///
+    /// The least is that of the highest tip in the shallowest space, the greatest that of the lowest tip in the deepest space, about the
+    /// geometric centres. Heights and depths are those of the ends of the drawn curves.
     pub fn radial_clearance(&self, member: Member) -> [f64; 2] {
         let (own, mate) = (self.gear(member), self.gear(member.mate()));
         let tips = half_ends(own).map(|[_, greatest]| greatest);
@@ -127,15 +130,17 @@ impl OutlinePair {
         points.iter().map(|point| axis + point.coords).collect()
     }
 
-    /// Centre of a gear's outline at `rotation`, rad, in the picture, mm: beside the axis by the eccentricity.
+    /// Centre of a gear's outline at `rotation`, rad, in the picture, mm, displaced from the axis by the eccentricity.
     pub fn centre(&self, member: Member, rotation: f64) -> Point2<f64> {
         let off = self.gear(member).displacement();
         let off = off * Complex::from_polar(1.0, member.mate_direction() + rotation);
         self.axis(member) + Vector2::new(off.re, off.im)
     }
 
-    /// Teeth of a gear at `rotation`, rad, that reach into the disc of radius `reach` (mm) about `place` in the picture, and some beside
-    /// them, counter-clockwise: number, and direction of the even place from [`OutlinePair::centre`], rad. All when the disc holds that centre.
+    /// Teeth of a gear at `rotation`, rad, that reach into the disc of radius `reach` (mm) about `place`, and a few more.
+    ///
+    /// Each has its number and the direction of its even place from [`OutlinePair::centre`], rad, in counter-clockwise order. All teeth
+    /// if the disc contains that centre.
     pub fn teeth_near(
         &self,
         member: Member,
@@ -188,7 +193,7 @@ mod tests {
     use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Pose};
 
-    /// Centres and teeth near a place as of the same gears by their data, at every pitch of a revolution, of either face. Source:
+    /// Centres and teeth near a place equal those of the gears given by data, at every pitch of a revolution, on either face. Source:
     /// [`crate::gear::Placed`].
     #[test]
     fn teeth_stand_where_those_of_the_data_do() {

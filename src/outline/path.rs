@@ -1,29 +1,201 @@
-//! A closed path about a centre, counter-clockwise, that does not cross itself.
+//! Paths: the segments of a drawing, and the closed path about a centre that they make.
 
-use super::error::OutlineError;
 use super::polygon;
-use super::segment::PathSegment;
-use crate::gear::PartCurve;
-use nalgebra::Point2;
+use crate::error::OutlineError;
+use crate::gear::{Circle, Cubic, Line, PartCurve};
+use crate::numeric::bisect;
+use nalgebra::{Point2, Vector2};
 
-/// Ends of neighbouring segments nearer than this share of the outline's size are one: rounding of decimals in a file.
+/// Most chords of one segment: a limit for pictures of curves far outside the drawing.
+const MOST_CHORDS: f64 = 1e6;
+
+/// A segment of a drawn path, mm, from its start to its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PathSegment {
+    /// Straight between two points.
+    Line([Point2<f64>; 2]),
+    /// An arc of a circle.
+    Arc {
+        /// Its centre.
+        centre: Point2<f64>,
+        /// Its radius.
+        radius: f64,
+        /// Direction from the centre to its start, rad.
+        start: f64,
+        /// The angle to its end, rad, counter-clockwise positive; at most a whole turn.
+        sweep: f64,
+    },
+    /// Cubic Bézier curve of four control points.
+    Cubic([Point2<f64>; 4]),
+}
+
+impl PathSegment {
+    /// This segment as a curve with the metal on its left, and the parameters of start and end.
+    pub(super) fn part(&self) -> (PartCurve, [f64; 2]) {
+        match *self {
+            PathSegment::Line([from, to]) => (
+                PartCurve::Line(Line::new(from, to)),
+                [0.0, (to - from).norm()],
+            ),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => (
+                PartCurve::Circle(Circle::new(centre, radius, sweep > 0.0)),
+                [start, start + sweep],
+            ),
+            PathSegment::Cubic(points) => (PartCurve::Cubic(Cubic::new(points)), [0.0, 1.0]),
+        }
+    }
+
+    /// The point at the share `u`, 0 to 1, of the parameter.
+    pub fn at(&self, u: f64) -> Point2<f64> {
+        let (curve, [from, to]) = self.part();
+        curve.point(from + (to - from) * u)
+    }
+
+    /// The start point.
+    pub fn start(&self) -> Point2<f64> {
+        match self {
+            PathSegment::Line([start, _]) | PathSegment::Cubic([start, ..]) => *start,
+            PathSegment::Arc { .. } => self.at(0.0),
+        }
+    }
+
+    /// The end point.
+    pub fn end(&self) -> Point2<f64> {
+        match self {
+            PathSegment::Line([_, end]) | PathSegment::Cubic([.., end]) => *end,
+            PathSegment::Arc { .. } => self.at(1.0),
+        }
+    }
+
+    /// This segment in reverse direction.
+    pub fn reversed(&self) -> PathSegment {
+        match *self {
+            PathSegment::Line([from, to]) => PathSegment::Line([to, from]),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => PathSegment::Arc {
+                centre,
+                radius,
+                start: start + sweep,
+                sweep: -sweep,
+            },
+            PathSegment::Cubic([a, b, c, d]) => PathSegment::Cubic([d, c, b, a]),
+        }
+    }
+
+    /// This segment moved by `by`, mm.
+    pub fn moved(&self, by: Vector2<f64>) -> PathSegment {
+        self.mapped(|point| point + by, |start, sweep| (start, sweep))
+    }
+
+    /// This segment mirrored in the y axis, as seen from the other side.
+    pub fn mirrored(&self) -> PathSegment {
+        self.mapped(
+            |point| Point2::new(-point.x, point.y),
+            |start, sweep| (std::f64::consts::PI - start, -sweep),
+        )
+    }
+
+    /// This segment with mapped points, and mapped start and sweep of an arc.
+    fn mapped(
+        &self,
+        place: impl Fn(Point2<f64>) -> Point2<f64>,
+        turn: impl Fn(f64, f64) -> (f64, f64),
+    ) -> PathSegment {
+        match *self {
+            PathSegment::Line(points) => PathSegment::Line(points.map(place)),
+            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(place)),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => {
+                let (start, sweep) = turn(start, sweep);
+                PathSegment::Arc {
+                    centre: place(centre),
+                    radius,
+                    start,
+                    sweep,
+                }
+            }
+        }
+    }
+
+    /// An upper bound of the length, mm: for a cubic curve, that of its control polygon.
+    pub fn length(&self) -> f64 {
+        match *self {
+            PathSegment::Line([from, to]) => (to - from).norm(),
+            PathSegment::Arc { radius, sweep, .. } => radius * sweep.abs(),
+            PathSegment::Cubic(points) => {
+                let steps = points.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+                steps.sum()
+            }
+        }
+    }
+
+    /// Whether all numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        let finite = |point: &Point2<f64>| point.x.is_finite() && point.y.is_finite();
+        match self {
+            PathSegment::Line(points) => points.iter().all(finite),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => finite(centre) && (radius + start + sweep).is_finite() && *radius > 0.0,
+            PathSegment::Cubic(points) => points.iter().all(finite),
+        }
+    }
+
+    /// Points from the start, without the end, whose chords are within `chordal_error` mm (> 0) of the segment.
+    pub fn chords(&self, chordal_error: f64) -> impl Iterator<Item = Point2<f64>> {
+        let pieces = match *self {
+            PathSegment::Line(_) => 1.0,
+            // The height of an arc above its chord is 2 r sin²(angle / 4).
+            PathSegment::Arc { radius, sweep, .. } => {
+                let half_sine = (chordal_error / (2.0 * radius)).sqrt().min(1.0);
+                sweep.abs() / (4.0 * half_sine.asin())
+            }
+            // |P''| Δ²/8, with the greater second derivative of both ends.
+            PathSegment::Cubic([a, b, c, d]) => {
+                let bends = [(a - b) + (c - b), (b - c) + (d - c)];
+                let bend = bends.map(|bend| 6.0 * bend.norm());
+                (bend[0].max(bend[1]) / (8.0 * chordal_error)).sqrt()
+            }
+        };
+        let pieces = pieces.ceil().clamp(1.0, MOST_CHORDS) as u32;
+        (0..pieces).map(move |i| self.at(f64::from(i) / f64::from(pieces)))
+    }
+}
+
+/// Ends of neighbouring segments within this share of the outline's length are equal: rounding of decimals in a file.
 const CLOSED: f64 = 1e-9;
 
-/// A chord for each so much that a curve turns, rad (tuned: chords of a fillet stay within 0.05 % of its radius).
+/// Greatest turn of a curve per chord, rad. Tuned: chords of a fillet stay within 0.05 % of its radius.
 const CHORD_TURN: f64 = 0.06;
 
-/// Chords of one segment at most.
-const MOST_CHORDS: f64 = 512.0;
+/// Most chords of one segment in the search for teeth.
+const MOST_SEARCH_CHORDS: f64 = 512.0;
 
 /// A segment of the path about its centre, the metal on its left.
 #[derive(Debug, Clone)]
 pub(super) struct PathPart {
     pub curve: PartCurve,
-    /// Parameters where it starts and ends.
+    /// Parameters of start and end.
     pub ends: [f64; 2],
 }
 
-/// A point of the path: which part, at which parameter, and where.
+/// A point of the path with its part and parameter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mark {
     pub part: usize,
@@ -35,18 +207,18 @@ pub(super) struct Mark {
 #[derive(Debug, Clone)]
 pub(super) struct ClosedPath {
     pub parts: Vec<PathPart>,
-    /// Points along it; each chord from one to the next (and from the last to the first) is of one part, that of its first point.
+    /// Points along the path. Each chord from a point to the next (cyclically) lies on the part of its first point.
     pub marks: Vec<Mark>,
 }
 
 impl ClosedPath {
-    /// `segments` in order, each starting where the one before ends, in either direction, about `centre`.
+    /// The path of `segments` about `centre`: in order, in either direction, each starting at the end of the one before.
     pub fn new(segments: &[PathSegment], centre: Point2<f64>) -> Result<ClosedPath, OutlineError> {
         if let Some(index) = segments.iter().position(|segment| !segment.is_finite()) {
             return Err(OutlineError::NotFinite { index });
         }
         let size = segments.iter().map(PathSegment::length).sum::<f64>();
-        // Segments without length are no part of the path.
+        // Segments without length are ignored.
         let there = segments
             .iter()
             .filter(|segment| segment.length() > CLOSED * size);
@@ -57,7 +229,7 @@ impl ClosedPath {
         for (k, segment) in about.iter().enumerate() {
             let (from, to) = (segment.end(), about[(k + 1) % about.len()].start());
             let gap_mm = (to - from).norm();
-            // Segments left out may have bridged as much each.
+            // Each ignored segment may have bridged as much.
             if gap_mm > CLOSED * size * segments.len() as f64 {
                 let (from, to) = (from + centre.coords, to + centre.coords);
                 return Err(OutlineError::Open { from, to, gap_mm });
@@ -95,7 +267,7 @@ impl ClosedPath {
         path
     }
 
-    /// The chord from a mark to the next: where it starts and ends in the parameter of its part.
+    /// The chord from a mark to the next: the parameters of its ends.
     pub fn chord(&self, mark: usize) -> [f64; 2] {
         let Mark { part, t, .. } = self.marks[mark];
         match self.marks.get(mark + 1) {
@@ -104,12 +276,24 @@ impl ClosedPath {
         }
     }
 
-    /// Its points, as the corners of a polygon.
+    /// Least and greatest radius of the path, mm.
+    pub fn radii(&self) -> (f64, f64) {
+        let mut radii = (f64::INFINITY, 0.0f64);
+        for chord in 0..self.marks.len() {
+            let [from, to] = self.chord(chord);
+            let curve = &self.parts[self.marks[chord].part].curve;
+            let (least, most) = radius_range(curve, from, to);
+            radii = (radii.0.min(least), radii.1.max(most));
+        }
+        radii
+    }
+
+    /// The points as corners of a polygon.
     fn corners(&self) -> Vec<Point2<f64>> {
         self.marks.iter().map(|mark| mark.point).collect()
     }
 
-    /// Near where two chords cross, those that share an end apart. Chords are compared while their ranges of x overlap.
+    /// A point near the crossing of two chords without a common end. Chords are compared if their ranges of x overlap.
     fn crossing(&self) -> Option<Point2<f64>> {
         let count = self.marks.len();
         let ends = |k: usize| [self.marks[k].point, self.marks[(k + 1) % count].point];
@@ -137,27 +321,87 @@ impl ClosedPath {
     }
 }
 
-/// Whether two chords cross in their insides.
+/// Least and greatest radius of a curve between two parameters, mm.
+fn radius_range(curve: &PartCurve, from: f64, to: f64) -> (f64, f64) {
+    let ends = [curve.radius(from), curve.radius(to)];
+    let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    // A chord of a line ends at the point nearest to the centre.
+    if let PartCurve::Line(_) = curve {
+        return (least, most);
+    }
+    // The radius is stationary where the normal is radial: at most once in a short chord.
+    let across = |t: f64| {
+        let (point, normal) = curve.at(t);
+        point.coords.perp(&normal)
+    };
+    let start = across(from);
+    if start * across(to) >= 0.0 {
+        return (least, most);
+    }
+    let [low, high] = bisect(from, to, 0.0, |t| across(t) * start > 0.0);
+    let there = curve.radius(0.5 * (low + high));
+    (least.min(there), most.max(there))
+}
+
+/// Whether two chords cross between their ends.
 fn cross([a, b]: [Point2<f64>; 2], [c, d]: [Point2<f64>; 2]) -> bool {
     let side = |from: Point2<f64>, to: Point2<f64>, of: Point2<f64>| (to - from).perp(&(of - from));
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
-/// Parameters at which a part is cut into chords, its start first, its end left out. Of a line also the point nearest to the centre.
+/// Parameters at which a part is cut into chords, from its start, without its end. A line is also cut at the point nearest to the centre.
 fn cuts(curve: &PartCurve, [from, to]: [f64; 2]) -> Vec<f64> {
     if let PartCurve::Line(_) = curve {
         let (start, normal) = curve.at(from);
         // Along the line, `i n`.
         let foot = from - (start.y * normal.x - start.x * normal.y);
-        return match foot > from && foot < to {
-            true => vec![from, foot],
-            false => vec![from],
+        return if foot > from && foot < to {
+            vec![from, foot]
+        } else {
+            vec![from]
         };
     }
     let (_, half_turn) = curve.spread(from.min(to), from.max(to));
     let count = (2.0 * half_turn / CHORD_TURN)
         .ceil()
-        .clamp(1.0, MOST_CHORDS);
+        .clamp(1.0, MOST_SEARCH_CHORDS);
     let at = |k: u32| from + (to - from) * f64::from(k) / count;
     (0..count as u32).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Source: points of the segment itself, 50 to a chord, against the chord between the points on both sides of them.
+    #[test]
+    fn chords_of_arcs_and_cubics_are_within_their_error() {
+        let points = [[0.0, 0.0], [1.0, 2.0], [3.0, -1.0], [4.0, 1.0]];
+        let arc = |sweep| PathSegment::Arc {
+            centre: Point2::new(1.0, -2.0),
+            radius: 5.0,
+            start: 0.3,
+            sweep,
+        };
+        let cubic = PathSegment::Cubic(points.map(Point2::from));
+        for (part, least_share) in [(arc(2.9), 0.9), (arc(-0.7), 0.9), (cubic, 0.5)] {
+            for error in [1e-1, 1e-3, 1e-6] {
+                let mut points: Vec<Point2<f64>> = part.chords(error).collect();
+                assert_eq!(points[0], part.start());
+                points.push(part.end());
+                let count = points.len() - 1;
+                let mut most: f64 = 0.0;
+                for i in 0..50 * count {
+                    let at = part.at(i as f64 / (50 * count) as f64);
+                    let chord = points[i / 50 + 1] - points[i / 50];
+                    most = most.max((at - points[i / 50]).perp(&chord).abs() / chord.norm());
+                }
+                assert!(most <= error * (1.0 + 1e-6), "{most} of {error}");
+                assert!(
+                    most > least_share * error || count < 20,
+                    "{most} of {error}"
+                );
+            }
+        }
+    }
 }

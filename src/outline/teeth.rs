@@ -1,24 +1,23 @@
-//! The teeth of a closed path: where its radius rises and falls, and the halves it is cut into.
+//! The teeth of a closed path, found by its radius, and their halves.
 //!
-//! A tooth is a stretch that rises from the lower third of the depth into the upper third and falls back; what wobbles within a third is
-//! none. Its tip region reaches from where it first comes within a twentieth of the depth of its top to where it last leaves
-//! that; a root region likewise. A half tooth runs from the far end of the tip region to the middle, along the path, of the root region:
-//! the land of the tip whole, as its far end may be what reaches a mate.
+//! A tooth is a stretch that rises from the lower third of the depth into the upper third and falls back. Its tip region lies within a
+//! twentieth of the depth of its top; a root region likewise. A half tooth runs from the far end of the tip region to the middle,
+//! along the path, of the root region. It contains the whole tip land, because its far end may touch a mate.
 
-use super::error::OutlineError;
 use super::half::{HalfOutline, HalfPiece};
 use super::path::{ClosedPath, PathPart};
+use crate::error::OutlineError;
 use crate::gear::Side;
 use crate::numeric::bisect;
 use nalgebra::{Complex, Point2};
 
-/// Share of the depth in which a tip or a root region lies.
+/// Share of the depth of a tip or root region.
 const REGION: f64 = 0.05;
 
-/// Share of the depth that is called tip or root where it touches.
+/// Share of the depth in which a contact counts as on the tip or root.
 const NAMED: f64 = 0.01;
 
-/// Edges turn by more than this, rad: below it lies what decimals of a file do to tangent curves (tuned).
+/// Least turn of an edge, rad. Tuned: decimals of a file turn tangent curves by less.
 const EDGE: f64 = 1e-6;
 
 /// A tooth's two halves, in the frame of the path.
@@ -29,7 +28,7 @@ pub(super) struct FoundTooth {
     pub halves: [HalfOutline; 2],
 }
 
-/// A place on the path.
+/// A place on the path: chord and parameter.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     chord: usize,
@@ -51,13 +50,14 @@ pub(super) fn find(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
         .position(|&radius| radius == least)
         .unwrap_or(0);
     let count = radii.len();
-    // Runs above and below by turns, the first one below.
+    // Runs below and above alternate, the first one below.
     let mut runs: Vec<Vec<usize>> = vec![vec![]];
     for k in (start..start + count).map(|k| k % count) {
         let above = runs.len().is_multiple_of(2);
-        let changes = match above {
-            true => radii[k] <= least + third,
-            false => radii[k] >= most - third,
+        let changes = if above {
+            radii[k] <= least + third
+        } else {
+            radii[k] >= most - third
         };
         if changes {
             runs.push(vec![]);
@@ -66,7 +66,7 @@ pub(super) fn find(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
             run.push(k);
         }
     }
-    // It ends where it started, below.
+    // The path ends as it started, below.
     if !runs.len().is_multiple_of(2)
         && runs.len() > 1
         && let Some(last) = runs.pop()
@@ -101,7 +101,7 @@ struct Region {
     from: Place,
     to: Place,
     middle: Place,
-    /// The radius from which on it is called so, mm.
+    /// Radius from which a contact counts as in the region, mm.
     limit: f64,
 }
 
@@ -132,7 +132,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Where a chord's part passes `radius`, which lies between those at the chord's ends; an end where it does not.
+    /// The place where a chord passes `radius`, which lies between the radii of its ends.
     fn passes(&self, chord: usize, radius: f64) -> Place {
         let [from, to] = self.path.chord(chord);
         let curve = &self.path.parts[self.path.marks[chord].part].curve;
@@ -142,7 +142,7 @@ impl Walk<'_> {
         Place { chord, t }
     }
 
-    /// The stretches of chords from one place to another, counter-clockwise: chord and its parameters.
+    /// The stretches of chords from one place to another, counter-clockwise: chord and parameters.
     fn stretches(&self, from: Place, to: Place) -> Vec<(usize, [f64; 2])> {
         let count = self.radii.len();
         let steps = (to.chord + count - from.chord) % count;
@@ -160,7 +160,7 @@ impl Walk<'_> {
         (0..=steps).map(stretch).collect()
     }
 
-    /// The place half the way along the path's chords.
+    /// The place halfway along the path's chords.
     fn halfway(&self, from: Place, to: Place) -> Place {
         let stretches = self.stretches(from, to);
         let length = |&(chord, [start, end]): &(usize, [f64; 2])| {

@@ -1,5 +1,6 @@
-//! Backlash in every unit in use, each from the circumferential backlash `j_wt`. Symbols and conversions as in ISO 21771
-//! (of helical gears, too); a sign stays what it is: negative means interference.
+//! Backlash in all usual units, converted from the circumferential backlash `j_wt`.
+//!
+//! Symbols and conversions follow ISO 21771, also for helical gears. Negative values mean interference.
 
 use super::gear_pair::{GearPair, Member};
 use crate::gear::{Gear, involute};
@@ -10,23 +11,24 @@ use crate::gear::{Gear, involute};
 pub struct Backlash {
     /// Circumferential backlash `j_wt`: an arc of the operating pitch circles.
     pub j_wt: f64,
-    /// Transverse backlash `j_t = j_wt r/r_w`: the same lost motion as an arc of the reference circle, for both gears alike.
+    /// Transverse backlash `j_t = j_wt r/r_w`: the lost motion as an arc of the reference circle, equal for both gears.
     pub j_t: f64,
     /// Normal backlash `j_bn = j_wt cos α_wt cos β_b`: along the normal of the flanks.
     pub j_bn: f64,
-    /// Radial backlash `j_r = a − a_0`: how far the centre distance can fall until the backlash is gone, of involutes alone;
-    /// `None` where some is left on touching base circles. `j_wt/(2 tan α_wt)`, its first order, differs by some 1 %.
+    /// Radial backlash `j_r = a − a_0`: the reduction of the centre distance that removes the backlash of involutes.
+    ///
+    /// `None` if some backlash is left on touching base circles. The first order, `j_wt/(2 tan α_wt)`, differs by some 1 %.
     pub j_r: Option<f64>,
     pitch_radii: [f64; 2],
 }
 
 impl Backlash {
-    /// Base circle backlash `j_bt = φ_j r_b = j_wt r_b/r_w`, mm: along the line of action in the transverse section; of spur gears `j_bn`.
+    /// Base circle backlash `j_bt = φ_j r_b = j_wt r_b/r_w`, mm, along the line of action in the transverse section; `j_bn` for spur gears.
     pub fn j_bt(&self, assembly: &GearPair) -> f64 {
         self.j_wt * assembly.operating_pressure_angle().cos()
     }
 
-    /// Lost motion `φ_j = j_wt/r_w`, rad: how far `gear` turns where its mate stands still.
+    /// Lost motion `φ_j = j_wt/r_w` of `gear`, rad, with its mate fixed.
     pub fn angle(&self, gear: Member) -> f64 {
         let [wheel, pinion] = self.pitch_radii;
         self.j_wt
@@ -36,14 +38,14 @@ impl Backlash {
             }
     }
 
-    /// The same in arcmin.
+    /// Lost motion of `gear`, arcmin.
     pub fn arcmin(&self, gear: Member) -> f64 {
         arcmin(self.angle(gear))
     }
 }
 
 impl GearPair {
-    /// The circumferential backlash `j_wt`, mm, of this pair in every unit.
+    /// The circumferential backlash `j_wt`, mm, of this pair in all units.
     pub fn backlash(&self, j_wt: f64) -> Backlash {
         let angle = self.operating_pressure_angle();
         let wheel_radius = self.operating_pitch_radius(Member::Wheel);
@@ -56,10 +58,8 @@ impl GearPair {
             pitch_radii: [wheel_radius, self.operating_pitch_radius(Member::Pinion)],
         }
     }
-}
 
-impl GearPair {
-    /// `a − a_0`, mm, of a base circle backlash, mm: `j_bt = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
+    /// `a − a_0`, mm, for a base circle backlash, mm: `j_bt = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
     /// from `d(inv α) = tan² α dα` and `dj_bt/da = 2 sin α_w`.
     fn radial_backlash(&self, j_bt: f64) -> Option<f64> {
         let base = |member| self.gear(member).gear().base_radius();
@@ -70,7 +70,7 @@ impl GearPair {
     }
 }
 
-/// What backlash is shown in, at any centre distance of two gears.
+/// A unit for showing backlash, at any centre distance of two gears.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum BacklashUnit {
     /// `j_wt` in µm.
@@ -80,13 +80,13 @@ pub enum BacklashUnit {
     Arcmin {
         /// The gear that turns.
         at: Member,
-        /// Its part of the centre distance, `r_w/a = r_b/(r_b1 + r_b2)`.
+        /// Its share of the centre distance, `r_w/a = r_b/(r_b1 + r_b2)`.
         share: f64,
     },
 }
 
 impl BacklashUnit {
-    /// Arcmin at the gear `at` of the two.
+    /// Arcmin at the gear `at`.
     pub fn arcmin(at: Member, wheel: &Gear, pinion: &Gear) -> BacklashUnit {
         let gear = match at {
             Member::Wheel => wheel,
@@ -104,7 +104,7 @@ impl BacklashUnit {
         }
     }
 
-    /// In this unit, `j_wt` of `j_wt_um` µm at centre distance `a`, mm.
+    /// Converts `j_wt_um`, `j_wt` in µm, to this unit at centre distance `a`, mm.
     pub fn of_um(self, j_wt_um: f64, a: f64) -> f64 {
         match self {
             BacklashUnit::Um => j_wt_um,
@@ -162,7 +162,7 @@ mod tests {
         }
     }
 
-    /// Another way: `j_bn` and `j_t` are arcs of the base and of the reference circle, under the same lost motion, at either gear.
+    /// `j_bn` and `j_t` are arcs of the base and of the reference circle for one lost motion, at either gear.
     #[test]
     fn arcs_of_one_lost_motion() {
         let pair = pair();
@@ -177,7 +177,7 @@ mod tests {
         assert!(backlash.j_r.unwrap() < 0.0);
     }
 
-    /// The other way round: `j_bn = (d_b1 + d_b2) (inv α_wt − inv α_w0)` at `a_0 = a − j_r`, and its first order `j_wt/(2 tan α_wt)`.
+    /// The inverse: `j_bn = (d_b1 + d_b2) (inv α_wt − inv α_w0)` at `a_0 = a − j_r`, and its first order `j_wt/(2 tan α_wt)`.
     #[test]
     fn without_radial_backlash_none_is_left() {
         let pair = pair();
@@ -193,7 +193,7 @@ mod tests {
             let first_order = j_wt * 0.9 / (2.0 * 0.19f64.sqrt());
             assert!((j_r / first_order - 1.0).abs() < 0.5 * j_wt.abs());
         }
-        // inv α_wt = √0.19/0.9 − acos 0.9 = 0.0333: more than (d_b1 + d_b2) times that is left at any distance.
+        // inv α_wt = √0.19/0.9 − acos 0.9 = 0.0333: a backlash above (d_b1 + d_b2) times that remains at any distance.
         let most = 100.0 * 20f64.to_radians().cos() * (0.19f64.sqrt() / 0.9 - 0.9f64.acos()) / 0.9;
         assert!(pair.backlash(0.999 * most).j_r.is_some());
         assert_eq!(pair.backlash(1.001 * most).j_r, None);

@@ -1,4 +1,4 @@
-//! Two gears at a centre distance, one of them locked.
+//! Two gears at a centre distance, one of them fixed.
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, involute};
@@ -57,7 +57,7 @@ impl Member {
     }
 }
 
-/// How far the modules of two gears that mesh may lie apart, of the greater one: what a hot plastic gear (1e-4 a K, 200 K) has beyond a steel one.
+/// Greatest relative difference of the modules of two mating gears: that of a hot plastic gear (1e-4/K, 200 K) and a steel gear.
 pub const MOST_UNEQUAL: f64 = 0.02;
 
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
@@ -72,7 +72,7 @@ pub struct GearPair {
 }
 
 impl GearPair {
-    /// Two gears at `center_distance` `a`, mm, the wheel standing still.
+    /// Two gears at `center_distance` `a`, mm, with the wheel fixed.
     ///
     /// # Errors
     /// As [`GearPair::with_locked`].
@@ -84,11 +84,11 @@ impl GearPair {
         GearPair::with_locked(wheel, pinion, center_distance, Member::Wheel)
     }
 
-    /// Two gears at `center_distance` `a`, mm, the gear `locked` standing still.
+    /// Two gears at `center_distance` `a`, mm, with the gear `locked` fixed.
     ///
     /// # Errors
-    /// Unequal pressure or helix angle, or modules farther apart than [`MOST_UNEQUAL`]; base circles that overlap
-    /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then. Of helical gears one hand on both, and profiles that deviate, too.
+    /// Unequal pressure or helix angles; modules that differ by more than [`MOST_UNEQUAL`]; overlapping base circles
+    /// (`a ≤ r_b1 + r_b2`), without an operating pressure angle. Helical gears of one hand or with profile deviations.
     pub fn with_locked(
         wheel: AsBuilt,
         pinion: AsBuilt,
@@ -96,7 +96,7 @@ impl GearPair {
         locked: Member,
     ) -> Result<GearPair, GearError> {
         let (w, p) = (*wheel.gear().basic_data(), *pinion.gear().basic_data());
-        // Of the greater one, whichever gear has it; with the rounding of both lengths.
+        // A share of the greater module, plus the rounding of both.
         let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * w.module().max(p.module());
         for (what, wheel, pinion, most) in [
             ("module (mm)", w.module(), p.module(), most),
@@ -124,13 +124,12 @@ impl GearPair {
         if let Some(hand) = w.hand().filter(|_| w.hand() == p.hand()) {
             return Err(GearError::SameHand { hand: hand.name() });
         }
-        if w.hand().is_some() && (wheel.is_modified() || pinion.is_modified()) {
-            return Err(GearError::OutOfRange {
-                what: "helix angle, degrees, of gears whose profiles deviate",
-                value: w.helix_angle().to_degrees(),
-                allowed: "0: between such helical teeth the lost motion varies along the face",
-            });
-        }
+        GearError::require(
+            w.hand().is_none() || !(wheel.is_modified() || pinion.is_modified()),
+            "helix angle, degrees, of gears whose profiles deviate",
+            w.helix_angle().to_degrees(),
+            "0: between such helical teeth the lost motion varies along the face",
+        )?;
         let least = w.base_radius() + p.base_radius();
         if !(center_distance > least && center_distance.is_finite()) {
             return Err(GearError::BaseCirclesOverlap {
@@ -147,8 +146,10 @@ impl GearPair {
         })
     }
 
-    /// This pair with its gears facing each other from `from` to `to`, mm along the axis: 0 in the measuring plane, in which tooth 1, pitch and
-    /// runout are stated, growing away from the viewer. Without it they do so in that plane alone; between spur gears it makes no difference.
+    /// This pair with the common face from `from` to `to`, mm along the axis away from the viewer.
+    ///
+    /// 0 is the measuring plane, in which tooth 1, pitch and runout are stated. Without a face the gears face each other in that plane
+    /// alone, which makes no difference for spur gears.
     ///
     /// # Errors
     /// Ends that are not finite, or not in this order.
@@ -165,42 +166,50 @@ impl GearPair {
         })
     }
 
-    /// The common face, mm along the axis, from its end towards the viewer.
+    /// The common face, mm along the axis, the end nearest to the viewer first.
     pub fn face(&self) -> [f64; 2] {
         self.face
     }
 
-    /// Whether its teeth wind about their axes.
+    /// Whether the gears are helical.
     pub fn is_helical(&self) -> bool {
         self.wheel.gear().basic_data().hand().is_some()
     }
 
-    /// Whether profiles of either gear deviate from the involute.
+    /// Whether either gear has profile deviations.
     pub fn is_modified(&self) -> bool {
         self.wheel.is_modified() || self.pinion.is_modified()
     }
 
-    /// Whether the gears' base pitches `p_b` differ by more than the rounding of their lengths, as those of unlike temperature do.
+    /// Whether the base pitches `p_b` differ by more than rounding, as at different temperatures.
     pub fn base_pitches_differ(&self) -> bool {
         let [wheel, pinion] =
             [&self.wheel, &self.pinion].map(|gear| gear.gear().basic_data().base_pitch());
         (wheel - pinion).abs() > 8.0 * f64::EPSILON * wheel
     }
 
-    /// The same gears at another centre distance.
+    /// These gears at another centre distance.
     ///
     /// # Errors
     /// As [`GearPair::with_locked`].
     pub fn at(&self, center_distance: f64) -> Result<GearPair, GearError> {
-        let moved = GearPair::with_locked(
-            self.wheel.clone(),
-            self.pinion.clone(),
-            center_distance,
-            self.locked,
-        )?;
+        self.with_gears(self.wheel.clone(), self.pinion.clone(), center_distance)
+    }
+
+    /// Other gears with this pair's locked gear and common face, at a centre distance, mm.
+    ///
+    /// # Errors
+    /// As [`GearPair::with_locked`].
+    pub fn with_gears(
+        &self,
+        wheel: AsBuilt,
+        pinion: AsBuilt,
+        center_distance: f64,
+    ) -> Result<GearPair, GearError> {
+        let pair = GearPair::with_locked(wheel, pinion, center_distance, self.locked)?;
         Ok(GearPair {
             face: self.face,
-            ..moved
+            ..pair
         })
     }
 
@@ -222,7 +231,7 @@ impl GearPair {
         self.center_distance
     }
 
-    /// The gear that stands still.
+    /// The fixed gear.
     pub fn locked(&self) -> Member {
         self.locked
     }
@@ -232,14 +241,14 @@ impl GearPair {
         self.locked.mate()
     }
 
-    /// How far the teeth of one gear stand turned at `b`, mm along the axis, rad, counter-clockwise as seen from the front.
+    /// Rotation of one gear's teeth at `b`, mm along the axis: rad, counter-clockwise as seen from the front.
     pub(crate) fn twist(&self, member: Member, b: f64) -> f64 {
         b * self.gear(member).gear().basic_data().twist()
     }
 
-    /// This helical pair in its section at `b`, mm along the axis, alone: a pair of one plane, its teeth counted as in the measuring plane.
+    /// The transverse section of this helical pair at `b`, mm along the axis, as a plane pair with the tooth numbers of the measuring plane.
     ///
-    /// Teeth wind about the axis, an eccentricity does not: seen from the teeth it turns, by `−τ(b)`.
+    /// The teeth wind about the axis and the eccentricity does not: relative to the teeth it turns by `−τ(b)`.
     pub fn section(&self, b: f64) -> GearPair {
         let at = |member| self.gear(member).section(self.twist(member, b));
         GearPair {
@@ -274,7 +283,7 @@ impl GearPair {
 
     /// Half the angle a mean tooth spans on the operating pitch circle, rad (ISO 21771: `ψ_b − inv α_wt`).
     ///
-    /// Defined beyond the tip too: the undisturbed flank produced to the pitch point.
+    /// If the pitch point lies beyond the tip, the value is that of the extended undisturbed flank.
     pub fn operating_half_angle(&self, member: Member) -> f64 {
         self.gear(member).gear().half_base_angle() - involute::inv(self.operating_pressure_angle())
     }

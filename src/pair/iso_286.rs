@@ -1,16 +1,16 @@
-//! A drawing's centre distance such as `30 js7`, after ISO 286.
+//! A centre distance with a tolerance field such as `30 js7`, after ISO 286.
 
 use crate::error::GearError;
 use std::str::FromStr;
 
-/// Where the tolerances come from: to stand beside every one shown.
+/// Source of the tolerances, shown beside every one of them.
 pub const ISO_286_SOURCE: &str =
     "after ISO 286-1, tolerance grades as widely printed, standard not consulted";
 
 /// The grades of the table.
 const GRADES: std::ops::RangeInclusive<usize> = 5..=10;
 
-/// Up to which size, mm; tolerance by grade, µm. It begins above 3 mm.
+/// Rows: greatest size, mm; tolerance by grade, µm. The table begins above 3 mm.
 const TABLE: [(f64, [u16; 6]); 12] = [
     (6.0, [5, 8, 12, 18, 30, 48]),
     (10.0, [6, 9, 15, 22, 36, 58]),
@@ -39,10 +39,10 @@ impl DesignatedDistance {
         self.nominal
     }
 
-    /// Half the tolerance grade, µm: the distance may be off by so much on either side.
+    /// Half the tolerance grade, µm: the greatest deviation on either side.
     ///
     /// # Errors
-    /// A nominal distance beyond the table: 3 mm or less, or above 500 mm.
+    /// A nominal distance outside the table: 3 mm or less, or above 500 mm.
     pub fn tolerance_um(&self) -> Result<f64, GearError> {
         let row = TABLE.iter().find(|(up_to, _)| self.nominal <= *up_to);
         match row {

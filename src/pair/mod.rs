@@ -1,7 +1,6 @@
-//! Two gears put together: centre distance, which teeth mate, where each gear stands.
+//! Two gears put together: centre distance, mating teeth, rotations.
 //!
-//! Bookkeeping only: the simulation and the analytic models both read it, and
-//! share nothing else.
+//! The simulation and the analytic models share nothing but these data.
 
 mod backlash;
 mod gear_pair;

@@ -1,9 +1,9 @@
-//! Which teeth mate, and the rotations of both gears that follow (design section 3).
+//! Mating teeth, and the rotations of both gears that follow (design section 3).
 
 use super::{GearPair, Member};
 use crate::gear::{Face, Side};
 
-/// Mating (w, p) at a flank, and a fraction of a pitch beyond it.
+/// A pair of mating teeth (w, p) at a flank, and a fraction of a pitch beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mating {
@@ -13,7 +13,7 @@ pub struct Mating {
     pub pinion_tooth: u32,
     /// The flank, seen from the front, that passes through the operating pitch point.
     pub flank: Side,
-    /// Pitches beyond that pose, in the direction in which ascending teeth of the locked gear come into mesh.
+    /// Pitches beyond that pose, towards ascending teeth of the locked gear.
     pub fraction: f64,
 }
 
@@ -44,7 +44,7 @@ impl Mating {
         }
     }
 
-    /// The mating of the same wheel tooth at `flank`, the gears put together as they are.
+    /// The mating of the same wheel tooth at `flank`, in the same assembly phase.
     pub fn at_flank(&self, pair: &impl ToothNumbers, flank: Side) -> Mating {
         let steps = self.steps_to(flank);
         Mating {
@@ -54,13 +54,14 @@ impl Mating {
         }
     }
 
-    /// From the tooth that faces this mating's flank to the one that faces `flank` of the same tooth, counter-clockwise:
-    /// the tooth facing a front-left flank is the one clockwise of that facing the front-right flank.
+    /// Steps, counter-clockwise, from the tooth that faces this mating's flank to the tooth that faces `flank` of the same tooth.
+    ///
+    /// The tooth facing a front-left flank is clockwise of the tooth facing the front-right flank.
     fn steps_to(&self, flank: Side) -> i64 {
         i64::from(self.flank == Side::Left) - i64::from(flank == Side::Left)
     }
 
-    /// The mating of wheel tooth 1 at its right flank, the gears put together as they are.
+    /// The mating of wheel tooth 1 at its right flank, in the same assembly phase.
     pub fn of_wheel_tooth_1(&self, pair: &impl ToothNumbers) -> Mating {
         let right = self.at_flank(pair, Side::Right);
         let ascending = pair.shown_face(Member::Wheel).ascending();
@@ -71,11 +72,11 @@ impl Mating {
         }
     }
 
-    /// The mating `pitches` beyond (before, where negative), named by the teeth of the last whole pitch: `0 ≤ fraction < 1`.
+    /// The mating `pitches` later (earlier if negative), named by the teeth of the last whole pitch: `0 ≤ fraction < 1`.
     pub fn onward(&self, pair: &impl ToothNumbers, pitches: f64) -> Mating {
         let beyond = self.fraction + pitches;
         let whole = beyond.floor();
-        // Ascending numbers stand counter-clockwise on a gear that shows its back.
+        // Numbers ascend counter-clockwise on a gear that shows its back.
         let steps = (pair.shown_face(pair.locked()).ascending() * whole) as i64;
         let (wheel_steps, pinion_steps) = match pair.locked() {
             Member::Wheel => (steps, -steps),
@@ -90,13 +91,13 @@ impl Mating {
     }
 }
 
-/// How the teeth of a pair are numbered.
+/// The tooth numbers of a pair.
 pub trait ToothNumbers {
     /// Teeth of one of the gears.
     fn teeth(&self, member: Member) -> u32;
-    /// The face of a gear that the viewer sees.
+    /// The face of a gear towards the viewer.
     fn shown_face(&self, member: Member) -> Face;
-    /// The gear that stands still.
+    /// The fixed gear.
     fn locked(&self) -> Member;
 
     /// The tooth of a gear `steps` places counter-clockwise of `tooth`.
@@ -121,10 +122,9 @@ impl ToothNumbers for GearPair {
     }
 }
 
-/// A pose: both gears' rotations and the teeth that mate there.
+/// A pose: the rotations of both gears, and the teeth that mate there.
 ///
-/// Rotations count from the position in which tooth 1 points at the mate, rad,
-/// counter-clockwise.
+/// Rotations count from tooth 1 pointing at the mate, rad, counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pose {
@@ -134,7 +134,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The pose of `mating` with the gears at these rotations, rad, the free one at its nominal rotation.
+    /// The pose of `mating` with the gears at these rotations, rad; that of the free gear is nominal.
     pub(crate) fn at(mating: Mating, locked_rotation: f64, free_rotation: f64) -> Pose {
         Pose {
             mating,
@@ -145,10 +145,9 @@ impl Pose {
 
     /// The pose of `mating` on `assembly`.
     ///
-    /// The locked gear's undisturbed flank passes through the operating pitch
-    /// point (its tooth's centre stands half an operating tooth thickness beside
-    /// the line of centres), and so does the flank of the tooth facing it: that
-    /// is the free gear's nominal rotation. A fraction rolls both on.
+    /// The locked gear's undisturbed flank passes through the operating pitch point: its tooth's centre is half an operating tooth
+    /// thickness off the line of centres. At the free gear's nominal rotation the flank of the facing tooth passes through it too. A
+    /// fraction rolls both gears further.
     pub fn new(assembly: &GearPair, mating: Mating) -> Pose {
         let at_pitch_point = |member: Member| {
             let tooth = f64::from(mating.tooth(member));
@@ -167,10 +166,11 @@ impl Pose {
         }
     }
 
-    /// This pose of `assembly` in its section at `b`, mm along the axis, a pose of [`GearPair::section`]: both gears' teeth rolled on by their twist, and named anew.
+    /// This pose in the section of `assembly` at `b`, mm along the axis: a pose of [`GearPair::section`].
     ///
-    /// Gears in mesh wind as they roll: `r_b1 τ_1 + r_b2 τ_2 = 0`. Where base pitches are equal, so do they as their pitches go by; else the free gear's
-    /// teeth stand there as its own twist says, not as the pitches do by which the locked gear's have rolled on.
+    /// The teeth of both gears roll by their twist and get new numbers. Helices of mating gears wind as the gears roll:
+    /// `r_b1 τ_1 + r_b2 τ_2 = 0`. With unequal base pitches, the free gear's teeth follow its own twist instead of the locked gear's
+    /// pitches.
     pub fn in_section(&self, assembly: &GearPair, b: f64) -> Pose {
         let locked = assembly.gear(assembly.locked());
         let twist = assembly.twist(assembly.locked(), b);
@@ -178,11 +178,11 @@ impl Pose {
         let pitches = onward / locked.gear().basic_data().angular_pitch();
         let pose = Pose::new(assembly, self.mating.onward(assembly, pitches));
         let free = assembly.gear(assembly.free()).gear().basic_data();
-        // Helix and pressure angles are equal: so are base pitches then.
+        // Helix and pressure angles are equal, and so are the base pitches.
         if free.module() == locked.gear().basic_data().module() {
             return pose;
         }
-        // As many pitches of the free gear as the locked one's, which `pose` has, against its twist; and what this pose, of a section itself, has of that.
+        // `pose` has rolled the free gear by as many pitches as the locked gear: replace that by its twist, and keep this pose's own offset.
         let by_pitches = -twist * free.angular_pitch() / locked.gear().basic_data().angular_pitch();
         let own = self.free_rotation - Pose::new(assembly, self.mating).free_rotation;
         Pose {
@@ -192,7 +192,7 @@ impl Pose {
         }
     }
 
-    /// The mating this pose was made for.
+    /// The mating of this pose.
     pub fn mating(&self) -> &Mating {
         &self.mating
     }
@@ -202,21 +202,22 @@ impl Pose {
         self.locked_rotation
     }
 
-    /// Nominal rotation of the free gear, rad: undisturbed flanks meet in the operating pitch point
-    /// (of the mating's flank, rolled on by the fraction).
+    /// Nominal rotation of the free gear, rad: undisturbed flanks of the mating meet in the operating pitch point, then roll by the
+    /// fraction.
     pub fn free_rotation(&self) -> f64 {
         self.free_rotation
     }
 
-    /// Rotation of one of the gears of `assembly`, rad, the free one at its nominal rotation.
+    /// Rotation of one of the gears of `assembly`, rad; that of the free gear is nominal.
     pub fn rotation(&self, assembly: &GearPair, member: Member) -> f64 {
-        match member == assembly.locked() {
-            true => self.locked_rotation,
-            false => self.free_rotation,
+        if member == assembly.locked() {
+            self.locked_rotation
+        } else {
+            self.free_rotation
         }
     }
 
-    /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's.
+    /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's tooth.
     ///
     /// Counter-clockwise on one gear is clockwise on the other.
     pub fn facing_tooth(&self, assembly: &GearPair, side: Side, steps: i64) -> u32 {

@@ -1,14 +1,17 @@
-//! Which poses a simulation takes.
+//! The poses of a simulation.
 
 use super::{Mating, Member, ToothNumbers};
 use crate::gear::Side;
 
 /// The poses of a simulation.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum SweepPlan {
-    /// A right-flank and a left-flank pose of each mating, at each fraction of a pitch beyond.
+    /// A right-flank and a left-flank pose of each mating at each fraction of a pitch.
     Matings {
         /// Wheel and pinion tooth of each mating.
         matings: Vec<(u32, u32)>,
@@ -19,14 +22,14 @@ pub enum SweepPlan {
     Revolution {
         /// Number of pitches: `z_1`, or lcm(z_1, z_2) for a hunting cycle.
         pitches: u64,
-        /// Poses a pitch.
+        /// Poses per pitch.
         steps_per_pitch: u32,
         /// Mating (right flank) of the first pose.
         start: (u32, u32),
     },
     /// Every assembly phase, each over its full period of lcm(z_1, z_2) pitches.
     Phases {
-        /// Poses a pitch.
+        /// Poses per pitch.
         steps_per_pitch: u32,
         /// `z_1` and `z_2`.
         teeth: (u32, u32),
@@ -47,7 +50,7 @@ impl SweepPlan {
         }
     }
 
-    /// Until the same teeth meet again: lcm(z_1, z_2) pitches.
+    /// A full period until the same teeth meet again: lcm(z_1, z_2) pitches.
     pub fn hunting_cycle(
         assembly: &impl ToothNumbers,
         steps_per_pitch: u32,
@@ -63,7 +66,7 @@ impl SweepPlan {
         }
     }
 
-    /// Assembly phases of two gears: gcd(z_1, z_2), the ways to put them together that differ.
+    /// Number of assembly phases of two gears: gcd(z_1, z_2).
     pub fn phase_count(wheel_teeth: u32, pinion_teeth: u32) -> u32 {
         let (mut a, mut b) = (wheel_teeth, pinion_teeth);
         while b != 0 {
@@ -78,9 +81,9 @@ impl SweepPlan {
         u64::from(wheel_teeth / phases) * u64::from(pinion_teeth)
     }
 
-    /// The runs this plan makes of one pair as assembled: one, or one a phase, named by the teeth that mate.
+    /// The runs of this plan for one pair: one run, or one run per phase, named by its mating teeth.
     ///
-    /// Phases (1, 1), (1, 2), … (1, gcd) are all there are: tooth 1 of the wheel meets every gcd-th pinion tooth.
+    /// The phases are (1, 1), (1, 2), … (1, gcd): tooth 1 of the wheel meets every gcd-th pinion tooth.
     pub fn parts(&self) -> Vec<(Option<(u32, u32)>, SweepPlan)> {
         let &SweepPlan::Phases {
             steps_per_pitch,
@@ -103,7 +106,7 @@ impl SweepPlan {
             .collect()
     }
 
-    /// Number of poses of one pair as assembled.
+    /// Number of poses of one pair.
     pub fn poses(&self) -> u64 {
         match self {
             SweepPlan::Matings { matings, fractions } => {
@@ -121,7 +124,7 @@ impl SweepPlan {
         }
     }
 
-    /// The matings in order. In a revolution each names the pair of the last whole step and the fraction beyond it.
+    /// The matings in order. In a revolution each has the teeth of the last whole pitch and the fraction beyond it.
     pub fn matings(&self, assembly: &impl ToothNumbers) -> Vec<Mating> {
         match self {
             SweepPlan::Matings { matings, fractions } => {

@@ -7,7 +7,7 @@ use super::scatters::{GearScatter, Scatters, phase_count};
 use crate::analysis::extremes::phases_differ;
 use crate::error::{Error, GearError};
 use crate::gear::{AsBuilt, Deviations};
-use crate::pair::{GearPair, Member};
+use crate::pair::Member;
 use crate::parallel;
 
 /// How many standard deviations of a flank's cumulative pitch deviation the worst case takes.
@@ -212,8 +212,7 @@ fn assembly(
         Some(play) => play.mean(),
         None => population.clearance(),
     };
-    let pair =
-        GearPair::with_locked(wheel, pinion, distance, pair.locked())?.with_face(pair.face())?;
+    let pair = pair.with_gears(wheel, pinion, distance)?;
     Ok(Assembly::new(pair, play, population.phase()))
 }
 

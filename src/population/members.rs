@@ -124,8 +124,7 @@ impl Population {
             true => (stream(Factor::Phase).uniform() * phases) as u32 + 1,
             false => self.phase,
         };
-        let pair = GearPair::with_locked(wheel, pinion, distance, self.pair.locked())?
-            .with_face(self.pair.face())?;
+        let pair = self.pair.with_gears(wheel, pinion, distance)?;
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
     }
 

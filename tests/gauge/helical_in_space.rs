@@ -220,7 +220,7 @@ fn readings_go_back_to_the_thickness() {
         let readings = PinReadings::new(data, body, 5.5, Readings::new(data, list).unwrap());
         let back = readings.base_thickness(&space.deviations).unwrap();
         assert!((back - base).abs() < PICOMETRE, "{body:?}: {back} {base}");
-        for (read, said) in readings.beside(&space.deviations).unwrap() {
+        for (read, said) in readings.compare(&space.deviations).unwrap() {
             assert!((read - said).abs() < PICOMETRE, "{body:?}");
         }
     }

@@ -32,7 +32,7 @@ fn readings_of_the_virtual_ball_give_the_eccentricity_back() {
             assert!((fit.eccentricity - 0.021).abs() < PICOMETRE);
             assert!((fit.high_tooth - 5.25).abs() < 1e-6, "{}", fit.high_tooth);
             assert!((fit.range - fit.known_range).abs() < PICOMETRE);
-            for (read, said) in fit.beyond {
+            for (read, said) in fit.rest {
                 assert!((read - said).abs() < PICOMETRE, "{read} {said}");
             }
         }

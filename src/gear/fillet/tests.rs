@@ -43,7 +43,7 @@ fn the_neck_is_where_the_fillets_are_nearest() {
     assert!(crossing > 0);
 }
 
-/// A trochoid that turns back towards the centre has a cusp, and is refused. Source: the distances of 5000 of its points.
+/// A trochoid that turns back towards the centre has a cusp and is refused. Source: the distances of 5000 of its points.
 #[test]
 fn a_fillet_that_turns_back_is_refused() {
     let mut refused = [0; 3];
@@ -79,8 +79,8 @@ fn a_fillet_that_turns_back_is_refused() {
     assert!(refused.iter().all(|count| *count > 5), "{refused:?}");
 }
 
-/// The shift from which on no fillet turns back, to the last bit, is that from which `S` has no place below 0. Source: `S` at 200 000 places of the fillet
-/// of that shift, least of them next to none.
+/// The least shift without a cusp, to the last bit, is the least shift at which `S` is nowhere negative. Source: `S` at 200 000
+/// places of that fillet.
 #[test]
 fn the_border_of_turning_back_is_where_the_speed_is_next_to_none() {
     for helix in [0.0, 8.0] {
@@ -93,7 +93,7 @@ fn the_border_of_turning_back_is_where_the_speed_is_next_to_none() {
         let low = refused.fold(f64::NEG_INFINITY, f64::max);
         let border = bisect(low, low + 0.005, 0.0, |x_e| at(x_e).is_err())[1];
         let fillet = at(border).unwrap();
-        // (As far as the tool's round reaches: undercut takes off the rest.)
+        // The tool's round reaches as far as this; undercut removes the rest.
         let end = FRAC_PI_2 - basic_data.transverse_pressure_angle();
         let speeds = (0..=200_000).map(|k| fillet.speed(end * f64::from(k) / 2e5));
         let least = speeds.fold(f64::INFINITY, f64::min);
@@ -101,8 +101,8 @@ fn the_border_of_turning_back_is_where_the_speed_is_next_to_none() {
     }
 }
 
-/// Fillets as a tool cuts them, the first of spur gears: ordinary, undercut, the centre of the round outside the pitch line, steep, of few teeth
-/// whose fillets bulge, of great gears, and with a sharp tool.
+/// Fillets as a tool cuts them, spur gears first: ordinary, undercut, centre of the round outside the pitch line, steep, few teeth
+/// with convex fillets, large gears, a sharp tool.
 fn cut() -> Vec<Fillet> {
     let mut fillets = Vec::new();
     for (teeth, helix, x_e, dedendum, round) in [
@@ -127,7 +127,7 @@ fn cut() -> Vec<Fillet> {
     fillets
 }
 
-/// `S` and `q` by differences of points and normals; at the fillet's ends of those beyond them.
+/// `S` and `q` by differences of points and normals, also beyond the fillet's ends.
 fn differences(fillet: &Fillet, gamma: f64) -> (f64, f64) {
     const STEP: f64 = 1e-5;
     let [before, after] = [gamma - STEP, gamma + STEP];
@@ -139,8 +139,8 @@ fn differences(fillet: &Fillet, gamma: f64) -> (f64, f64) {
     (along / (2.0 * STEP), turned / (2.0 * STEP))
 }
 
-/// What is said of the speed and turn of a stretch against its points: wide stretches enclose both, and narrow ones by next to nothing.
-/// Source: differences of points and normals, which `tests/models/rack_positions.rs` holds against the tool.
+/// Bounds of a stretch enclose speed and turn at its points; for a narrow stretch they are tight. Source: differences of points and
+/// normals, which `tests/models/rack_positions.rs` compares with the tool.
 #[test]
 fn speed_and_turn_of_a_stretch_are_enclosed() {
     for (which, fillet) in cut().into_iter().enumerate() {
@@ -160,7 +160,7 @@ fn speed_and_turn_of_a_stretch_are_enclosed() {
                 assert!((fillet.speed(gamma) - s).abs() < room, "{which} {gamma}");
                 assert!(spread.0 + room > s.abs() * 0.5 * (high - low));
                 assert!(spread.1 + room > q.abs() * 0.5 * (high - low));
-                // Over next to no stretch nothing is left between the bounds.
+                // Over a tiny stretch the bounds agree.
                 let near = (
                     gamma.min(fillet.end - 1e-9),
                     gamma.min(fillet.end - 1e-9) + 1e-9,
@@ -175,7 +175,7 @@ fn speed_and_turn_of_a_stretch_are_enclosed() {
                 }
                 let (d, w) = fillet.spread(near.0, near.1);
                 let half = 0.5 * (near.1 - near.0);
-                // (What a spur gear's spread says takes `h_0` by its amount.)
+                // A spur gear's spread uses |h_0|.
                 let exact = fillet.is_elliptic() || fillet.depth >= 0.0;
                 let off = [d / half - s, w / half - q.abs()];
                 assert!(
@@ -196,8 +196,8 @@ fn speed_and_turn_of_a_stretch_are_enclosed() {
     }
 }
 
-/// The second derivative's parts across and along the tangent are no greater from 0 up to `γ` than the bend at `γ` allows, and where the helix is next
-/// to none the bend is the circle's. Source: differences, as above.
+/// The bend at `γ` bounds the second derivative across and along the tangent from 0 to `γ`. A tiny helix angle gives the bend
+/// of the circle. Source: differences.
 #[test]
 fn the_bend_of_a_fillet_is_enough() {
     for (which, fillet) in cut().into_iter().enumerate() {
@@ -222,8 +222,8 @@ fn the_bend_of_a_fillet_is_enough() {
     }
 }
 
-/// The greatest radius of curvature from a place up, and the greatest angle to the radius, are those of 2000 points, or up to a 16th above (64 stretches
-/// bound them): ∞ where a fillet bulges.
+/// The greatest radius of curvature and the greatest angle to the radius are at most a 16th above the values at 2000 points. The
+/// radius is ∞ where a fillet is convex.
 #[test]
 fn the_greatest_of_a_fillet_are_those_of_its_points() {
     let mut bulging = 0;
@@ -259,7 +259,7 @@ fn the_greatest_of_a_fillet_are_those_of_its_points() {
     assert!(bulging > 0);
 }
 
-/// The pitch point lies where point and normal say: `L` along the normal from the point. Source: both.
+/// The pitch point lies at the distance `L` along the normal from the point. Source: point and normal.
 #[test]
 fn the_normal_passes_through_the_pitch_point() {
     for fillet in cut() {

@@ -1,7 +1,7 @@
 //! A cubic Bézier curve, the metal on its left.
 //!
-//! Bounds come from control points: a piece of the curve lies in the hull of its own control points (subdivision, de Casteljau),
-//! and its tangent in the cone of their differences.
+//! Bounds come from control points. A piece of the curve lies in the hull of its control points (de Casteljau subdivision). Its
+//! tangent lies in the cone of their differences.
 
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;
@@ -13,7 +13,7 @@ pub struct Cubic {
 }
 
 impl Cubic {
-    /// The curve of these control points, mm; they do not all coincide.
+    /// The curve of these control points, mm, which must not all coincide.
     pub fn new(points: [Point2<f64>; 4]) -> Cubic {
         Cubic { points }
     }
@@ -39,7 +39,7 @@ impl Cubic {
         ((b - a) * (s * s) + (c - b) * (2.0 * s * t) + (d - c) * (t * t)) * 3.0
     }
 
-    /// Where control points coincide at an end the curve leaves it towards the next one that does not.
+    /// The unit normal. If control points coincide at an end, the tangent points to the next different one.
     pub(super) fn normal(&self, t: f64) -> Vector2<f64> {
         let [a, b, c, d] = self.points;
         let rise = self.rise(t);
@@ -88,24 +88,26 @@ impl Cubic {
         let reach = reach.fold(0.0, f64::max);
         let along = Vector2::new(-normal.y, normal.x);
         let steps = piece.windows(2).map(|pair| pair[1] - pair[0]);
-        // A step that is nothing but rounding has no direction, and no share in the tangent.
+        // A step of the size of rounding has no direction.
         let steps = steps.filter(|step| step.norm() > 4.0 * f64::EPSILON * middle.coords.norm());
         let turn = steps.map(|step| along.perp(&step).atan2(along.dot(&step)).abs());
         let turn = turn.fold(0.0, f64::max);
-        // Wider than half a plane the steps' cone is no bound.
+        // A cone wider than half a plane is no bound.
         (reach, if turn < 0.5 * PI { turn } else { PI })
     }
 
-    /// `P''` runs straight from its one end to the other.
+    /// `P''` is linear in the parameter: its greatest length is at an end.
     pub(super) fn bend(&self, _: f64) -> (f64, f64) {
         let [a, b, c, d] = self.points;
         let ends = [(c - b) - (b - a), (d - c) - (c - b)];
         (6.0 * ends[0].norm().max(ends[1].norm()), 0.0)
     }
 
-    /// `P' × P'' / |P'|³`. With `e` the steps between the control points of the piece both are quadratic: up to factors
-    /// `e_0 u² + 2 e_1 ut + e_2 t²` and, one degree of it being `u + t` = 1, `(e_0 × e_1) u² + (e_0 × e_2) ut + (e_1 × e_2) t²`; the first
-    /// lies in the hull of `e`, the second between its coefficients.
+    /// Bounds of `P' × P'' / |P'|³`.
+    ///
+    /// With the steps `e` between the control points of the piece and `u + t = 1`, both are quadratic up to factors: `P'` is
+    /// `e_0 u² + 2 e_1 ut + e_2 t²` and the cross product is `(e_0 × e_1) u² + (e_0 × e_2) ut + (e_1 × e_2) t²`. The first lies in
+    /// the hull of `e`, the second between its coefficients.
     pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
         let [a, b, c, d] = self.piece(low, high);
         let steps = [b - a, c - b, d - c];
@@ -113,7 +115,7 @@ impl Cubic {
         let least = steps.iter().map(|step| along.dot(step));
         let least = least.fold(f64::INFINITY, f64::min);
         let most = steps.iter().map(|step| step.norm()).fold(0.0, f64::max);
-        // Control points are rounded by some units in the last place, a turn by that times the steps.
+        // Control points are rounded by some units in the last place; that times the steps rounds a turn.
         let rounded = 16.0 * f64::EPSILON * a.coords.norm();
         if !(least > 1e6 * rounded) {
             return None;
@@ -145,7 +147,7 @@ impl Cubic {
 mod tests {
     use super::*;
 
-    /// A flank's, of a root, one that turns by more than half a turn, and one of an S.
+    /// A flank, a root, a curve that turns by more than half a turn, and an S.
     fn curves() -> [Cubic; 4] {
         [
             [[50.0, 3.0], [51.0, 2.6], [52.2, 2.3], [53.0, 1.6]],
@@ -165,7 +167,7 @@ mod tests {
         [0.95, 0.96],
     ];
 
-    /// `P'` and `P''` at a parameter, from points beside it.
+    /// `P'` and `P''` at a parameter, from neighbouring points.
     fn differences(curve: &Cubic, t: f64) -> [Vector2<f64>; 2] {
         let step = 1e-4;
         let [before, here, behind] = [t - step, t, t + step].map(|t| curve.point(t));
@@ -179,7 +181,7 @@ mod tests {
         (0..=200).map(move |k| low + (high - low) * f64::from(k) / 200.0)
     }
 
-    /// Bounds hold at every place between, and of a short stretch are nearly reached. Source: points and their differences.
+    /// Bounds hold at every place between; for a short stretch they are tight. Source: points and their differences.
     #[test]
     fn reach_and_turn_hold_and_are_near() {
         for curve in curves() {
@@ -207,7 +209,7 @@ mod tests {
         assert!(curves()[3].spread(0.0, 1.0).1 < 0.5 * PI);
     }
 
-    /// The greatest `P''` stands at an end. Source: differences of points.
+    /// The greatest `P''` is at an end. Source: differences of points.
     #[test]
     fn a_bend_is_the_greatest_second_difference() {
         for curve in curves() {
@@ -219,7 +221,7 @@ mod tests {
         }
     }
 
-    /// Bounds of the curvature hold at every place between, and of a short stretch are nearly reached. Source: differences of points.
+    /// Bounds of the curvature hold at every place between; for a short stretch they are tight. Source: differences of points.
     #[test]
     fn curvature_stays_within_its_bounds() {
         let mut known = 0;
@@ -261,7 +263,7 @@ mod tests {
         assert!(known >= 18, "{known}");
     }
 
-    /// Where the curve comes to rest, and of steps as short as rounding, nothing is known.
+    /// A curve with zero speed, or with steps as short as rounding, has no bounds.
     #[test]
     fn a_cusp_has_no_curvature() {
         let points = [[40.0, 0.0], [40.0, 0.0], [41.0, 0.5], [42.0, 2.0]];

@@ -1,35 +1,31 @@
-//! The parts a half tooth is made of: what every method asks of a curve, answered by each kind of curve in a file of its own.
+//! The parts of a half tooth: curves with one common set of methods.
 //!
-//! All for the right-hand half tooth (clockwise side), its centre line on +x. A part runs over an interval of its parameter; its
-//! unit normal points out of the metal, and `dP/dt = i n · speed` with the sign of `speed`. Another kind of curve is another
-//! file beside these and another variant of [`PartCurve`]; what only involutes can do (contact in closed form) asks for
-//! the variant.
+//! Parts belong to the right-hand half tooth (clockwise side), its centre line on +x. A part covers an interval of its parameter.
+//! Its unit normal points out of the metal, and `dP/dt = i n · speed` with the sign of `speed`. A new kind of curve is a new type
+//! and a new variant of [`PartCurve`]. Methods for involutes alone (contact in closed form) match the variant.
 
-mod arc;
-mod circle;
+mod closed_form;
 mod cubic;
-mod involute;
-mod line;
 mod modified;
 
 pub use super::fillet::Fillet;
-pub use arc::Arc;
-pub use circle::Circle;
+pub use closed_form::{Arc, Circle, InvoluteFlank, Line};
 pub use cubic::Cubic;
-pub use involute::InvoluteFlank;
-pub use line::Line;
 pub use modified::ModifiedFlank;
 
 use nalgebra::{Point2, Vector2};
 
-/// One of the four parts of a half tooth, by the place it has in it. Parameters are those of the usual curves.
+/// One of the four parts of a half tooth. Parameters are those of the usual curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum ProfilePart {
     /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
     Tip,
-    /// The flank, an involute. Parameter: roll `ξ`, rad. (A straight flank has its place and its name.)
+    /// The flank, an involute. Parameter: roll `ξ`, rad. A straight flank has this name too.
     Involute,
     /// Generated fillet. Parameter: `γ`, see [`super::Fillet`], rad.
     Fillet,
@@ -46,7 +42,7 @@ impl ProfilePart {
         ProfilePart::Root,
     ];
 
-    /// Whether it is a tip land or a root land.
+    /// Whether the part is a tip land or a root land.
     pub fn is_land(self) -> bool {
         matches!(self, ProfilePart::Tip | ProfilePart::Root)
     }
@@ -65,46 +61,46 @@ impl ProfilePart {
 /// The curve of a part.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PartCurve {
-    /// About the gear's centre. Parameter: angle past the tooth's centre line, rad.
+    /// An arc about the gear's centre. Parameter: angle past the tooth's centre line, rad.
     Arc(Arc),
-    /// Parameter: roll `ξ`, rad.
+    /// An involute. Parameter: roll `ξ`, rad.
     Involute(InvoluteFlank),
-    /// With a profile deviation. Parameter: roll `ξ` of its involute, rad.
+    /// An involute with a profile deviation. Parameter: roll `ξ` of the involute, rad.
     Modified(ModifiedFlank),
     /// A generated fillet. Parameter: `γ`, see [`Fillet`], rad.
     Trochoid(Fillet),
-    /// Parameter: distance from its end at the root, mm.
+    /// A straight line. Parameter: distance from its end at the root, mm.
     Line(Line),
-    /// About any point. Parameter: angle at its centre, rad.
+    /// An arc about any point. Parameter: angle at its centre, rad.
     Circle(Circle),
-    /// Parameter: 0 to 1.
+    /// A cubic Bézier curve. Parameter: 0 to 1.
     Cubic(Cubic),
 }
 
-/// A curve at one parameter.
+/// Point, normal, speed and curvature of a curve at one parameter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Osculating {
-    /// mm.
+    /// The point, mm.
     pub point: Point2<f64>,
-    /// Out of the metal.
+    /// The unit normal, out of the metal.
     pub normal: Vector2<f64>,
-    /// `dP/dt = i n · speed`, mm a unit of the parameter.
+    /// `dP/dt = i n · speed`, mm per unit of the parameter.
     pub speed: f64,
-    /// 1/mm, above 0 where the metal bulges.
+    /// The curvature, 1/mm, positive where the metal is convex.
     pub curvature: f64,
 }
 
-/// What a curve is asked, by the variant that answers.
-macro_rules! ask {
-    ($curve:expr, $question:ident($($argument:expr),*)) => {
+/// Calls a method of the curve of any variant.
+macro_rules! call {
+    ($curve:expr, $method:ident($($argument:expr),*)) => {
         match $curve {
-            PartCurve::Arc(curve) => curve.$question($($argument),*),
-            PartCurve::Involute(curve) => curve.$question($($argument),*),
-            PartCurve::Modified(curve) => curve.$question($($argument),*),
-            PartCurve::Trochoid(curve) => curve.$question($($argument),*),
-            PartCurve::Line(curve) => curve.$question($($argument),*),
-            PartCurve::Circle(curve) => curve.$question($($argument),*),
-            PartCurve::Cubic(curve) => curve.$question($($argument),*),
+            PartCurve::Arc(curve) => curve.$method($($argument),*),
+            PartCurve::Involute(curve) => curve.$method($($argument),*),
+            PartCurve::Modified(curve) => curve.$method($($argument),*),
+            PartCurve::Trochoid(curve) => curve.$method($($argument),*),
+            PartCurve::Line(curve) => curve.$method($($argument),*),
+            PartCurve::Circle(curve) => curve.$method($($argument),*),
+            PartCurve::Cubic(curve) => curve.$method($($argument),*),
         }
     };
 }
@@ -113,54 +109,55 @@ impl PartCurve {
     /// The point at `t`, mm.
     #[inline]
     pub fn point(&self, t: f64) -> Point2<f64> {
-        ask!(self, point(t))
+        call!(self, point(t))
     }
 
     /// The unit normal at `t`, out of the metal.
     #[inline]
     pub fn normal(&self, t: f64) -> Vector2<f64> {
-        ask!(self, normal(t))
+        call!(self, normal(t))
     }
 
-    /// Point and normal at `t` at the price of one; the last digit may be another than that of either by itself.
+    /// Point and normal at `t`, computed together. The last digit may differ from [`PartCurve::point`] and [`PartCurve::normal`].
     #[inline]
     pub fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {
-        ask!(self, at(t))
+        call!(self, at(t))
     }
 
     /// Radius about the gear's centre at `t`, mm.
     pub fn radius(&self, t: f64) -> f64 {
-        ask!(self, radius(t))
+        call!(self, radius(t))
     }
 
-    /// `dP/dt = i n · speed`, mm a unit of the parameter.
+    /// `dP/dt = i n · speed`, mm per unit of the parameter.
     #[inline]
     pub fn speed(&self, t: f64) -> f64 {
-        ask!(self, speed(t))
+        call!(self, speed(t))
     }
 
-    /// `(d, w)`: every point with parameter in `[low, high]` lies within `d` mm of the middle one, and its normal within the angle
-    /// `w`, rad, of the middle one's.
+    /// Bounds `(d, w)` over `[low, high]`: every point lies within `d` mm of the middle point, and its normal within `w` rad of the
+    /// middle normal.
     pub fn spread(&self, low: f64, high: f64) -> (f64, f64) {
-        ask!(self, spread(low, high))
+        call!(self, spread(low, high))
     }
 
-    /// `(A, B)` such that over a piece of length `Δ` on the near side of `t` the part of the second derivative across the chord is at
-    /// most `A + B Δ`; `t` is the piece's greater end.
+    /// Bounds `(A, B)` of the second derivative across the chord of a piece of length `Δ`: at most `A + B Δ`.
+    ///
+    /// `t` is the greater end of the piece.
     pub fn bend(&self, t: f64) -> (f64, f64) {
-        ask!(self, bend(t))
+        call!(self, bend(t))
     }
 
-    /// Least and greatest turn of the normal along `i n`, 1/mm, between two parameters: above 0 where the metal bulges; where it is known.
+    /// Bounds of the normal's turn along `i n`, 1/mm, between two parameters, positive where the metal is convex; `None` if unknown.
     pub fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
-        ask!(self, convexity(low, high))
+        call!(self, convexity(low, high))
     }
 
-    /// Whether it is an arc about the origin.
+    /// Whether the curve is an arc about the origin.
     pub(crate) fn is_about_the_origin(&self) -> bool {
         match self {
             PartCurve::Arc(_) => true,
-            // To the rounding of where a drawing puts its centre.
+            // Within the rounding of the centre in a drawing.
             PartCurve::Circle(circle) => {
                 circle.centre().coords.norm() <= 256.0 * f64::EPSILON * circle.radius(0.0)
             }
@@ -168,7 +165,7 @@ impl PartCurve {
         }
     }
 
-    /// Lengths, mm, whose rounding a point at `t` has beside that of its own coordinates: of a circle its radius, and that times the angle.
+    /// Further lengths, mm, whose rounding enters a point at `t`: for a circle the radius, and the radius times the angle.
     pub(crate) fn rounded_lengths(&self, t: f64) -> f64 {
         match self {
             PartCurve::Circle(circle) => circle.speed(t).abs() * (1.0 + t.abs()),
@@ -176,7 +173,7 @@ impl PartCurve {
         }
     }
 
-    /// What an involute, deviating or not, is at a roll.
+    /// Point, normal, speed and curvature of an involute, with or without deviation, at a roll; `None` for other curves.
     #[inline]
     pub(crate) fn osculating(&self, xi: f64) -> Option<Osculating> {
         match self {
@@ -203,7 +200,7 @@ impl PartCurve {
         }
     }
 
-    /// The stretches between two parameters, in order, cut at the edges between them: a chord over one would be bounded by nothing.
+    /// The stretches between two parameters, in order, cut at the edges: no bound holds for a chord across an edge.
     pub(crate) fn between_edges(&self, from: f64, to: f64) -> Vec<[f64; 2]> {
         let (low, high) = (from.min(to), from.max(to));
         let inside = self.edges().iter().copied();
@@ -217,7 +214,7 @@ impl PartCurve {
 
     /// Greatest curvature between two parameters, 1/mm, where it is known.
     pub fn curvature(&self, from: f64, to: f64) -> Option<f64> {
-        ask!(self, curvature(from, to))
+        call!(self, curvature(from, to))
     }
 }
 
@@ -226,9 +223,9 @@ impl PartCurve {
 pub struct Part {
     /// The curve.
     pub curve: PartCurve,
-    /// Parameters of its two ends, the one nearer the tip first. Equal ends: the part has no length.
+    /// Parameters of the two ends, the one nearer the tip first. A part with equal ends has no length.
     pub ends: [f64; 2],
-    /// Whether the outline has an edge at each end. (Where a land ends is one tooth's to know.)
+    /// Whether the outline has an edge at each end. The ends of lands depend on the tooth.
     pub corners: [bool; 2],
 }
 
@@ -239,26 +236,27 @@ impl Part {
         (from.min(to), from.max(to))
     }
 
-    /// Whether the outline has an edge at `t`: an end, or beyond it, that is one.
+    /// Whether the outline has an edge at `t`, which may lie beyond an end.
     pub fn is_corner(&self, t: f64) -> bool {
         let [from, to] = self.ends;
-        let at = match from > to {
-            true => [t >= from, t <= to],
-            false => [t <= from, t >= to],
+        let at = if from > to {
+            [t >= from, t <= to]
+        } else {
+            [t <= from, t >= to]
         };
-        // The last point before an edge stands for it on its side.
+        // The last point before an edge counts as the edge.
         let inside = |edges: &[f64]| edges.iter().any(|edge| t == *edge || t == edge.next_down());
         at[0] && self.corners[0] || at[1] && self.corners[1] || inside(self.curve.edges())
     }
 
-    /// The stretches without an edge inside, the lesser first: parameters of their ends, those at an edge on their own side of it.
+    /// The stretches without an edge inside, by the parameters of their ends, the lesser first. Ends at an edge lie on their own side.
     pub fn stretches(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let (low, high) = self.range();
         smooth(self.curve.edges(), low, high)
     }
 }
 
-/// An interval of a curve's parameter, cut at the edges inside it: both sides of an edge end on their own side.
+/// Splits an interval of a curve's parameter at the edges inside it. Ends at an edge lie on their own side.
 pub(crate) fn smooth(edges: &[f64], low: f64, high: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
     let inside = edges
         .iter()

@@ -1,13 +1,12 @@
 //! An involute with a profile deviation: `P = E (r_b − i (r_b ξ + δ))`, `E = e^{i(ξ − ψ_b)}`.
 //!
-//! Every point lies on the line of action of its involute's, `δ` farther out of the metal. With `a = r_b ξ + δ`
+//! Every point lies `δ` outside the involute, on the same line of action. With `a = r_b ξ + δ`
 //!
 //! ```text
 //! P' = E (a − iδ'),   |P'| = h = √(a² + δ'²),   P'' = E (r_b + 2δ') + iE (a − δ'')
 //! ```
 //!
-//! so that the normal is turned by `−atan(δ'/a)` from the involute's `−iE`, and turns by
-//! `κ = (1 − (δ'' a − δ' (r_b + δ'))/h²)/h` a length.
+//! The normal is the involute's `−iE` turned by `−atan(δ'/a)`. The curvature is `κ = (1 − (δ'' a − δ' (r_b + δ'))/h²)/h`.
 
 use super::Osculating;
 use crate::gear::RollCurve;
@@ -23,13 +22,14 @@ pub struct ModifiedFlank {
     /// `ψ_b`, rad.
     half_base: f64,
     deviation: Arc<RollCurve>,
-    /// What [`ModifiedFlank::bend`] says of the whole flank, but for `r_b ξ`.
+    /// [`ModifiedFlank::bend`] over the whole flank, without the term `r_b ξ`.
     bend: (f64, f64),
 }
 
 impl ModifiedFlank {
-    /// The involute that leaves the circle of radius `base` (mm) at the angle `half_base` (rad) from the tooth's centre line, with a
-    /// deviation, of which the rolls of `range` count; `None` where it is not regular there: where `r_b ξ + δ` or its slope is not above 0.
+    /// The involute that leaves the circle of radius `base` (mm) at the angle `half_base` (rad) from the centre line, with a deviation.
+    ///
+    /// `None` if the flank is irregular in the rolls of the range: `r_b ξ + δ` or its slope is not above 0.
     pub(in crate::gear) fn new(
         base: f64,
         half_base: f64,
@@ -47,21 +47,21 @@ impl ModifiedFlank {
         if !(arm > 0.0 && base > slope) {
             return None;
         }
-        // A chord is parallel to a tangent, and those are off E by Δ and this.
+        // A chord is parallel to a tangent, whose angle from E is at most Δ plus this.
         let off = (slope / arm).atan();
         let along = base + 2.0 * slope;
         flank.bend = (value + second + along * off, along);
         Some(flank)
     }
 
-    /// Its deviation.
+    /// The deviation.
     pub fn deviation(&self) -> &RollCurve {
         &self.deviation
     }
 
     /// Interval of `a` over rolls, mm.
     fn arms(&self, low: f64, high: f64) -> [f64; 2] {
-        // It rises with the roll, or the flank is none.
+        // It rises with the roll on a regular flank.
         [low, high].map(|xi| self.base * xi + self.deviation.at(xi))
     }
 
@@ -71,7 +71,7 @@ impl ModifiedFlank {
         let (sin, cos) = (xi - self.half_base).sin_cos();
         let base = self.base;
         let [value, slope, _] = self.deviation.jet(xi);
-        // Where nothing deviates it is the involute to the last bit.
+        // Without a deviation this is the involute to the last bit.
         let point = Point2::new(
             base * (cos + xi * sin) + value * sin,
             base * (sin - xi * cos) - value * cos,
@@ -86,7 +86,7 @@ impl ModifiedFlank {
         (point, (normal * arm - along * slope).normalize())
     }
 
-    /// Point, normal, speed and curvature at the price of one.
+    /// Point, normal, speed and curvature, computed together.
     pub(super) fn osculating(&self, xi: f64) -> Osculating {
         let (sin, cos) = (xi - self.half_base).sin_cos();
         let base = self.base;
@@ -106,9 +106,9 @@ impl ModifiedFlank {
         }
     }
 
-    /// Whether it bulges everywhere between two rolls: so that it lies on one side of each of its tangents.
+    /// Whether the flank is convex between two rolls: it then lies on one side of each of its tangents.
     ///
-    /// At an edge that is so where its slope falls: the normal turns by `−atan(δ'/a)`.
+    /// It is convex at an edge if the slope falls there, because the normal turns by `−atan(δ'/a)`.
     pub fn is_convex(&self, low: f64, high: f64) -> bool {
         let edges = self.deviation.edges();
         let falls =
@@ -118,9 +118,9 @@ impl ModifiedFlank {
         inside.clone().all(falls) && super::smooth(edges, low, high).all(bulges)
     }
 
-    /// Bounds over the whole decide, or over halves of it: a deviation of a few knots needs some dozens.
+    /// Convexity by bounds over the stretch, or over its halves: a deviation of a few knots needs some dozens.
     fn bulges(&self, low: f64, high: f64, depth: u32) -> bool {
-        // Finer than a thousandth of a flank nothing is decided any more: it counts as hollow.
+        // A thousandth of a flank without a decision counts as hollow.
         const DEEPEST: u32 = 10;
         let middle = 0.5 * (low + high);
         self.convexity(low, high)
@@ -139,9 +139,9 @@ impl ModifiedFlank {
         steepest.atan2(self.arms(low, high)[0])
     }
 
-    /// Least radius of curvature between two rolls, mm: 0 where it has an edge between, or bulges no more somewhere.
+    /// Least radius of curvature between two rolls, mm: 0 across an edge or where the flank is not convex.
     pub fn least_bend_radius(&self, low: f64, high: f64) -> f64 {
-        // Over so many parts the bounds are near enough to what they bound.
+        // Tuned: bounds over 16 parts are tight enough.
         const PARTS: u32 = 16;
         let at = |k: u32| low + (high - low) * f64::from(k) / f64::from(PARTS);
         if self
@@ -170,7 +170,7 @@ impl ModifiedFlank {
 
     pub(super) fn radius(&self, xi: f64) -> f64 {
         match self.deviation.at(xi) {
-            // To the last bit that of the involute.
+            // The involute's radius to the last bit.
             0.0 => self.base * (1.0 + xi * xi).sqrt(),
             value => self.base.hypot(self.base * xi + value),
         }
@@ -181,15 +181,14 @@ impl ModifiedFlank {
         (self.base * xi + value).hypot(slope)
     }
 
-    /// The longer half is no longer than its greatest speed times its width; the normal turns with `E` and by the change of
-    /// `atan(δ'/a)`.
+    /// The longer half is at most its greatest speed times its width. The normal turns with `E` and by the change of `atan(δ'/a)`.
     pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
         let half = 0.5 * (high - low);
         let [_, slopes, _] = self.deviation.bounds(low, high);
         let arms = self.arms(low, high);
         let reach = arms[1].hypot(most(slopes)) * half;
         let tilts = slopes.map(|slope| {
-            // The steeper at the shorter arm.
+            // The greater tilt has the shorter arm.
             [arms[0], arms[1]].map(|arm| slope.atan2(arm))
         });
         let tilt = tilts[1][0].max(tilts[1][1]) - tilts[0][0].min(tilts[0][1]);
@@ -212,9 +211,10 @@ impl ModifiedFlank {
         ];
         let tilted = slopes.map(|slope| slope * (self.base + slope));
         let rest = [bent[0] - tilted[1], bent[1] - tilted[0]];
-        let gentlest = match slopes[0] <= 0.0 && slopes[1] >= 0.0 {
-            true => 0.0,
-            false => slopes[0].abs().min(slopes[1].abs()),
+        let gentlest = if slopes[0] <= 0.0 && slopes[1] >= 0.0 {
+            0.0
+        } else {
+            slopes[0].abs().min(slopes[1].abs())
         };
         let speeds = [near.hypot(gentlest), far.hypot(most(slopes))];
         let squares = speeds.map(|speed| speed * speed);
@@ -232,7 +232,7 @@ impl ModifiedFlank {
     }
 }
 
-/// The greatest amount in an interval.
+/// The greatest absolute value in an interval.
 fn most([least, most]: [f64; 2]) -> f64 {
     least.abs().max(most.abs())
 }
@@ -241,7 +241,7 @@ fn most([least, most]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of 40 mm base radius, 20 µm of crowning and a hollow of 30 µm.
+    /// Flanks of 40 mm base radius: 20 µm of crowning, and a hollow of 30 µm.
     fn flanks() -> [ModifiedFlank; 2] {
         [[-0.02, 0.08, -0.08, 0.0], [0.01, -0.12, 0.12, 0.02]].map(|coefficients| {
             let curve = Arc::new(RollCurve::polynomial([0.0, 1.0], coefficients));
@@ -249,7 +249,7 @@ mod tests {
         })
     }
 
-    /// How fast the normal turns a length, from points 2e-5 rad apart.
+    /// Turn of the normal per length, from points 2e-5 rad apart.
     fn turned(flank: &ModifiedFlank, xi: f64) -> f64 {
         let [(from, before), (to, behind)] = [xi - 1e-5, xi + 1e-5].map(|xi| flank.at(xi));
         before.perp(&behind).asin() / (to - from).norm()
@@ -286,7 +286,7 @@ mod tests {
         }
     }
 
-    /// An edge has no radius: 0 where one lies between, and not where one lies beside.
+    /// The radius is 0 across an edge and positive beside it.
     #[test]
     fn an_edge_bends_with_no_radius() {
         let curve = RollCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]).with_edge(0.4);
@@ -296,7 +296,7 @@ mod tests {
         assert!(flank.least_bend_radius(0.5, 0.8) > 0.0);
     }
 
-    /// Bounds hold at every place between, and are nearly reached where the stretch is short.
+    /// Bounds hold at every place between and are tight for a short stretch.
     #[test]
     fn no_place_of_a_flank_is_more_curved_than_its_bounds() {
         for flank in flanks() {

@@ -152,7 +152,7 @@ fn gears_with_profiles() -> Vec<(&'static str, AsBuilt)> {
     all.into_iter().map(built).collect()
 }
 
-/// What a curve says of itself against its own points. Source: differences of them.
+/// The values of every curve agree with differences of its points.
 #[test]
 fn curves_are_as_they_say() {
     for (what, part) in parts() {
@@ -184,7 +184,7 @@ fn curves_are_as_they_say() {
     }
 }
 
-/// No point leaves its chord by more than the bend says, and no normal turns faster than the curvature, where one is known.
+/// The bend bounds the distance of every point from its chord, and the curvature, if known, bounds the turn of every normal.
 #[test]
 fn bend_and_curvature_bound_the_curve() {
     for (what, part) in parts() {

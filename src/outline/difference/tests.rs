@@ -1,4 +1,4 @@
-//! Polygons whose distance from each other is known in closed form.
+//! Polygons with a distance from each other in closed form.
 
 use super::*;
 use crate::gear::Face;
@@ -71,7 +71,7 @@ fn an_outline_does_not_differ_from_itself() {
     for value in found {
         near(value, 0.0, 1e-12);
     }
-    // All its teeth are alike.
+    // All teeth are equal.
     assert_eq!((same.tooth, same.alike), (1, Z));
 }
 
@@ -243,9 +243,10 @@ fn arcs_between_the_same_corners() {
     let known = height(9.0) - height(12.0);
     for (a, b, sign) in [(&flatter, &fuller, 1.0), (&fuller, &flatter, -1.0)] {
         let found = OutlineDifference::new(a, b, 1e-6).unwrap();
-        let (far, near_by) = match sign > 0.0 {
-            true => (found.greatest.beyond, found.least.beyond),
-            false => (found.least.beyond, found.greatest.beyond),
+        let (far, near_by) = if sign > 0.0 {
+            (found.greatest.beyond, found.least.beyond)
+        } else {
+            (found.least.beyond, found.greatest.beyond)
         };
         near(far, sign * known, found.bound);
         near(near_by, 0.0, found.bound);

@@ -2,6 +2,7 @@
 
 use super::*;
 use gearlash::gear::{BasicGearData, BasicRack, Gear, GearDesign, Pitch};
+use gearlash::metrology::{anticorrelation_p_value, datum_anticorrelation_p_value};
 use proptest::collection::vec;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -67,7 +68,7 @@ pub(super) const GEARS: usize = 4000;
 fn suspected(name: &str, dice: &mut Dice, flanks: impl Fn(&mut Dice) -> [Vec<f64>; 2]) -> usize {
     let suspect = |_: &usize| {
         let [right, left] = flanks(dice);
-        Pitch::from_cumulative(&right, &left).anticorrelation_p_value() < 1e-3
+        anticorrelation_p_value(&Pitch::from_cumulative(&right, &left)) < 1e-3
     };
     let count = (0..GEARS).filter(suspect).count();
     println!("{name}: {count} of {GEARS}");
@@ -136,7 +137,7 @@ fn suspected_about_datum(
         let to = dice.list(1, TAU / 2.0)[0];
         let [right, left] = about_datum(own, e, to);
         let left = if turned { negative(&left) } else { left };
-        Pitch::from_cumulative(&right, &left).datum_anticorrelation_p_value(&gear) < 1e-3
+        datum_anticorrelation_p_value(&Pitch::from_cumulative(&right, &left), &gear) < 1e-3
     };
     let count = (0..GEARS).filter(suspect).count();
     println!("{name}, e = {e} µm: {count} of {GEARS}");

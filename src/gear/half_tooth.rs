@@ -1,19 +1,95 @@
-//! A half tooth as a polygon with a proven chordal error.
+//! A half tooth: its exact curves, and the polygon cut from them with a proven chordal error.
 //!
-//! Every vertex lies on its curve; between two vertices of parameters `t − Δ`
-//! and `t` the curve leaves the chord by at most `max |P''·u| Δ²/8`, `u` across
-//! the chord (the remainder of linear interpolation). With `|P''·u| ≤ A + B Δ`
-//! from [`Profile`], a step that solves `(A + B Δ) Δ²/8 = δ` keeps the bound
-//! `δ`. All teeth of a gear share the two half teeth; a tooth is a rotation of each.
+//! The parts follow each other from the middle of the tip land to the middle of the tooth space. The left-hand half is the
+//! mirror image of the right-hand one in the x axis.
+//!
+//! Every vertex of the polygon lies on its curve. Between vertices of parameters `t − Δ` and `t` the curve leaves the chord by at
+//! most `max |P''·u| Δ²/8`, `u` across the chord (the remainder of linear interpolation). With `|P''·u| ≤ A + B Δ` from
+//! [`Profile`], a step that solves `(A + B Δ) Δ²/8 = δ` keeps the bound `δ`.
 
-use super::{Profile, ProfilePart, Side};
-use nalgebra::Point2;
+use super::part::{Part, ProfilePart};
+use super::{Gear, Side};
+use nalgebra::{Point2, Vector2};
 use std::ops::Range;
+
+/// The exact half tooth of a gear on either side.
+#[derive(Debug, Clone, Copy)]
+pub struct Profile<'a> {
+    gear: &'a Gear,
+    parts: &'a [Part; 4],
+}
+
+impl<'a> Profile<'a> {
+    /// The half tooth of `gear` without profile deviation.
+    pub fn new(gear: &'a Gear) -> Profile<'a> {
+        Profile::of(gear, gear.parts())
+    }
+
+    /// A half tooth of `gear` with these parts.
+    pub(super) fn of(gear: &'a Gear, parts: &'a [Part; 4]) -> Profile<'a> {
+        Profile { gear, parts }
+    }
+
+    /// The gear.
+    pub fn gear(&self) -> &'a Gear {
+        self.gear
+    }
+
+    /// One part.
+    pub fn part(&self, part: ProfilePart) -> &'a Part {
+        &self.parts[part as usize]
+    }
+
+    /// Parameters at the two ends of `part`, the end nearer the tip first.
+    ///
+    /// Parameters descend along involute and fillet and ascend along the lands. The root land of a full tip round has no length.
+    pub fn range(&self, part: ProfilePart) -> (f64, f64) {
+        let [from, to] = self.part(part).ends;
+        (from, to)
+    }
+
+    /// The point of `part` at `parameter`, mm, on the half tooth of `side`.
+    pub fn point(&self, part: ProfilePart, parameter: f64, side: Side) -> Point2<f64> {
+        let right = self.part(part).curve.point(parameter);
+        Point2::new(right.x, -side.sense() * right.y)
+    }
+
+    /// The unit normal of `part` at `parameter`, out of the metal, on the half tooth of `side`.
+    pub fn normal(&self, part: ProfilePart, parameter: f64, side: Side) -> Vector2<f64> {
+        let right = self.part(part).curve.normal(parameter);
+        Vector2::new(right.x, -side.sense() * right.y)
+    }
+
+    /// Bounds `(A, B)` of the second derivative across the chord of a piece of length `Δ`: at most `A + B Δ`.
+    ///
+    /// `parameter` is the greater end of the piece.
+    pub(super) fn bend(&self, part: ProfilePart, parameter: f64) -> (f64, f64) {
+        self.part(part).curve.bend(parameter)
+    }
+
+    /// Bound, mm, on the distance of `part` between two parameters from the chord through its points there:
+    /// `(A + B Δ) Δ²/8`, see [`super::HalfTooth`].
+    pub fn chordal_error(&self, part: ProfilePart, from: f64, to: f64) -> f64 {
+        let span = (to - from).abs();
+        let (a, b) = self.bend(part, from.max(to));
+        (a + b * span) * span * span / 8.0
+    }
+
+    /// Greatest curvature of `part` between two parameters, 1/mm; `None` for a fillet.
+    pub(crate) fn curvature(&self, part: ProfilePart, from: f64, to: f64) -> Option<f64> {
+        self.part(part).curve.curvature(from, to)
+    }
+
+    /// Radius about the gear's centre at `parameter` of `part`, mm.
+    pub fn radius(&self, part: ProfilePart, parameter: f64) -> f64 {
+        self.part(part).curve.radius(parameter)
+    }
+}
 
 /// One chord of a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
-    /// The curve it stands for.
+    /// The part that it approximates.
     pub curve: ProfilePart,
     /// Parameters of the curve at its two ends, the one nearer the tip first.
     pub parameters: [f64; 2],
@@ -21,7 +97,7 @@ pub struct Segment {
 
 /// The polygon of one half tooth, from the middle of the tip land to the middle of the space.
 ///
-/// In the tooth's own frame, its centre line on +x.
+/// It lies in the tooth's own frame, with the centre line on +x. All teeth of a gear share two half teeth and rotate them.
 #[derive(Debug, Clone)]
 pub struct HalfTooth {
     side: Side,
@@ -39,7 +115,7 @@ impl HalfTooth {
         HalfTooth::of_pieces(profile, side, chordal_error, &whole)
     }
 
-    /// The vertices down to the root land where the tip land starts at the parameter `start`, up to its near corner.
+    /// The vertices down to the root land. The tip land starts at the parameter `start`.
     pub fn from_land(
         profile: &Profile,
         side: Side,
@@ -53,7 +129,7 @@ impl HalfTooth {
         HalfTooth::of_pieces(profile, side, chordal_error, &pieces).points
     }
 
-    /// The vertices of a root land that reaches to the parameter `end`; none where that is not beyond its start.
+    /// The vertices of a root land up to the parameter `end`; none if `end` is not beyond its start.
     pub fn root_land(
         profile: &Profile,
         side: Side,
@@ -65,7 +141,7 @@ impl HalfTooth {
         HalfTooth::of_pieces(profile, side, chordal_error, &land).points
     }
 
-    /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chordal_error` mm.
+    /// A finer polygon of the chords `window` (not empty), within `chordal_error` mm.
     pub fn recut(&self, profile: &Profile, window: Range<usize>, chordal_error: f64) -> HalfTooth {
         let mut pieces: Vec<(ProfilePart, (f64, f64))> = Vec::new();
         for &Segment { curve, parameters } in &self.segments[window] {
@@ -118,7 +194,7 @@ impl HalfTooth {
         }
     }
 
-    /// Which half.
+    /// The side of the tooth.
     pub fn side(&self) -> Side {
         self.side
     }
@@ -133,7 +209,7 @@ impl HalfTooth {
         &self.points
     }
 
-    /// How many vertices lead down to the root land, its first included.
+    /// Number of vertices down to the root land, including its first.
     pub fn above_root(&self) -> usize {
         let mut segments = self.segments.iter();
         match segments.position(|segment| segment.curve == ProfilePart::Root) {
@@ -142,19 +218,19 @@ impl HalfTooth {
         }
     }
 
-    /// What each chord stands for.
+    /// The part and parameters of each chord.
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }
 
-    /// Profile part and parameter that the point `at` of chord `segment` stands for.
+    /// Profile part and parameter of the point `at` of chord `segment`.
     ///
-    /// Off by less than the chord's own range of parameters.
+    /// The error is less than the chord's range of parameters.
     pub fn locate(&self, segment: usize, at: &Point2<f64>) -> (ProfilePart, f64) {
         let Segment { curve, parameters } = self.segments[segment];
         let chord = self.points[segment + 1] - self.points[segment];
         let part = (at - self.points[segment]).dot(&chord) / chord.norm_squared();
-        // A chord without length has no part: its start will do.
+        // A chord without length: its start.
         let part = if part.is_finite() {
             part.clamp(0.0, 1.0)
         } else {
@@ -167,10 +243,10 @@ impl HalfTooth {
     }
 }
 
-/// Parameters from `high` down to `low`, each piece as long as `step` of its upper end allows.
+/// Parameters from `high` down to `low`. Each piece is at most as long as `step` of its upper end.
 ///
-/// A step at the upper end is good for all below it (the bend rises with the parameter): a stretch of a few
-/// such steps is cut evenly, which is faster and hardly more.
+/// The bend rises with the parameter, so the step at the upper end suits all pieces below it. A stretch of a few such steps is cut
+/// evenly, which is faster and adds few pieces.
 fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
     const FEW: f64 = 64.0;
     // A straight part is one chord.
@@ -178,9 +254,12 @@ fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
     if pieces <= FEW {
         let width = (high - low) / pieces;
         let pieces = pieces as u32;
-        let at = |i| match i < pieces {
-            true => high - f64::from(i) * width,
-            false => low,
+        let at = |i| {
+            if i < pieces {
+                high - f64::from(i) * width
+            } else {
+                low
+            }
         };
         return (0..=pieces).map(at).collect();
     }
@@ -197,9 +276,9 @@ fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
     }
 }
 
-/// The `Δ` with `(A + B Δ) Δ² = 8 δ`, never above it.
+/// The greatest `Δ` with `(A + B Δ) Δ² ≤ 8 δ`, to rounding.
 ///
-/// Newton's method on the increasing convex left side, from a start above the root.
+/// Newton's method on the increasing convex left side, starting above the root.
 fn step((a, b): (f64, f64), chordal_error: f64) -> f64 {
     if a == 0.0 && b == 0.0 {
         return f64::INFINITY;
@@ -220,7 +299,7 @@ fn step((a, b): (f64, f64), chordal_error: f64) -> f64 {
     loop {
         let excess = (a + b * delta) * delta * delta - target;
         let next = delta - excess / ((2.0 * a + 3.0 * b * delta) * delta);
-        // The last step may still stand above the root by its rounding: 1e-12 covers it.
+        // The last step may exceed the root by rounding: 1e-12 covers it.
         if !(next < delta * (1.0 - 1e-14)) {
             return delta * (1.0 - 1e-12);
         }
@@ -233,7 +312,7 @@ mod tests {
     use super::*;
     use crate::gear::{Gear, GearDesign};
 
-    /// Parts of a chord stand for the same parts of its parameters, beyond its ends for the ends.
+    /// A point at a fraction of a chord has the parameter at that fraction, clamped to the chord's ends.
     #[test]
     fn a_part_of_a_chord_is_that_part_of_its_parameters() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();

@@ -1,0 +1,702 @@
+//! A gear as built: the place of every flank, and the axis of rotation.
+
+use super::modified_flanks::{ModifiedHalves, end_at};
+use super::{
+    BasicGearData, Face, Flank, Gear, Modification, PartCurve, Pitch, Profile, ProfilePart,
+    RollCurve, Side, involute, thickness,
+};
+use crate::error::GearError;
+use nalgebra::{UnitComplex, Vector2};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Measured deviations beside the mean thickness. Lengths in mm; empty or zero where nothing was measured.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Deviations {
+    /// Tooth thickness added to the mean, per tooth, at the reference circle; empty or `z` values.
+    pub per_tooth: Vec<f64>,
+    /// Pitch deviation of both flanks, free of eccentricity.
+    pub pitch: Option<Pitch>,
+    /// Distance `e` of the outline's centre from the rotation axis, half the runout `F_r`.
+    pub eccentricity: f64,
+    /// Tooth (fractional, `1 ≤ … < z + 1`) towards which the outline is displaced.
+    pub high_tooth: f64,
+    /// Whether the direction is unknown: a pose uses `high_tooth`, extremes cover all directions.
+    pub any_direction: bool,
+    /// Profile deviation of the gear's own right flanks, and of its left ones.
+    pub profiles: [Modification; 2],
+}
+
+impl Deviations {
+    /// Adds the rotations by thickness and pitch to the `offsets` of the right and left flanks, rad, counter-clockwise.
+    fn offsets(
+        &self,
+        basic_data: &BasicGearData,
+        face: Face,
+        mut offsets: [Vec<f64>; 2],
+    ) -> Result<[Vec<f64>; 2], GearError> {
+        let teeth = basic_data.teeth();
+        let length = |what, list: &[f64]| match list.len() {
+            found if found == teeth as usize => Ok(()),
+            found => Err(GearError::WrongLength { what, found, teeth }),
+        };
+        let r = basic_data.reference_radius();
+        if !self.per_tooth.is_empty() {
+            length("thickness of each tooth", &self.per_tooth)?;
+            for side in Side::BOTH {
+                for (offset, thickness) in offsets[side.index()].iter_mut().zip(&self.per_tooth) {
+                    *offset += side.sense() * thickness / (2.0 * r * basic_data.helix_cos());
+                }
+            }
+        }
+        if let Some(pitch) = &self.pitch {
+            for own in Flank::BOTH {
+                let curve = pitch.flank(own);
+                length("pitch", curve)?;
+                for &f in curve {
+                    let is_near = f.abs() < PI * basic_data.module() / 2.0;
+                    let allowed = "less than half a pitch";
+                    GearError::require(is_near, "pitch deviation (mm)", f, allowed)?;
+                }
+                let side = face.seen_from_front(own);
+                for (offset, f) in offsets[side.index()].iter_mut().zip(curve) {
+                    *offset += face.ascending() * f / r;
+                }
+            }
+        }
+        Ok(offsets)
+    }
+}
+
+/// A gear with every tooth at its measured place.
+///
+/// Clones share the list of teeth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsBuilt {
+    gear: Gear,
+    face: Face,
+    /// Rotation of each tooth's flank from its undisturbed place, rad, counter-clockwise: front-right flanks, front-left flanks.
+    offsets: [Arc<[f64]>; 2],
+    eccentricity: f64,
+    high_tooth: f64,
+    any_direction: bool,
+    /// Right and left half teeth; `None` without profile deviations.
+    modified: Option<Arc<[ModifiedHalves; 2]>>,
+}
+
+impl AsBuilt {
+    /// A `gear` with `deviations`, its reference face turned to `face`.
+    ///
+    /// A thickness `δ_s` turns each flank outwards by `δ_s/(2 r)`. A pitch deviation `F` turns it by `F/r` along ascending
+    /// numbers. The fillet turns with its flank about the geometric centre (design section 4).
+    ///
+    /// # Errors
+    /// Lists without one value per tooth; a pitch deviation of half a pitch; a runout of the tooth depth or more; a high tooth outside
+    /// `1 ≤ … < z + 1`. Profile deviations as in [`Modification::curves`], on straight flanks, or too large for any flank.
+    /// Deviations that leave a tooth without a tip or close a space.
+    pub fn new(gear: Gear, face: Face, deviations: &Deviations) -> Result<AsBuilt, GearError> {
+        let teeth = gear.basic_data().teeth() as usize;
+        let offsets = Side::BOTH.map(|_| vec![0.0; teeth]);
+        let offsets = deviations.offsets(gear.basic_data(), face, offsets)?;
+        let as_built = AsBuilt {
+            modified: modified(&gear, face, &deviations.profiles)?.map(Arc::new),
+            offsets: offsets.map(Arc::from),
+            face,
+            eccentricity: deviations.eccentricity,
+            high_tooth: deviations.high_tooth,
+            any_direction: deviations.any_direction,
+            gear,
+        };
+        as_built.checked()
+    }
+
+    /// This gear, after checking runout and teeth.
+    fn checked(self) -> Result<AsBuilt, GearError> {
+        self.check_runout()?;
+        self.check_teeth()?;
+        Ok(self)
+    }
+
+    /// A gear without deviations.
+    pub fn perfect(gear: Gear, face: Face) -> AsBuilt {
+        let teeth = gear.basic_data().teeth() as usize;
+        let undisturbed: Arc<[f64]> = Arc::from(vec![0.0; teeth]);
+        AsBuilt {
+            gear,
+            face,
+            offsets: [Arc::clone(&undisturbed), undisturbed],
+            eccentricity: 0.0,
+            high_tooth: 1.0,
+            any_direction: false,
+            modified: None,
+        }
+    }
+
+    /// This gear with another runout: the eccentricity, mm, towards `high_tooth`.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of a runout.
+    pub fn with_runout(&self, eccentricity: f64, high_tooth: f64) -> Result<AsBuilt, GearError> {
+        let other = AsBuilt {
+            eccentricity,
+            high_tooth,
+            any_direction: false,
+            ..self.clone()
+        };
+        other.check_runout()?;
+        Ok(other)
+    }
+
+    /// This gear with another runout: the eccentricity, mm, in an unknown direction.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of a runout.
+    pub fn with_runout_of_any_direction(&self, eccentricity: f64) -> Result<AsBuilt, GearError> {
+        Ok(AsBuilt {
+            any_direction: true,
+            ..self.with_runout(eccentricity, 1.0)?
+        })
+    }
+
+    /// This gear with its deviations from the perfect nominal gear multiplied by `factor`, for a picture.
+    ///
+    /// Mean thickness, per-tooth thickness, pitch and eccentricity are enlarged. Root and fillet are the nominal gear's and turn
+    /// with their flank.
+    ///
+    /// # Errors
+    /// As [`Gear::new`] for the perfect gear; a factor that leaves a tooth without tip, a space without room
+    /// or a runout of the tooth depth.
+    pub fn exaggerated(&self, factor: f64) -> Result<AsBuilt, GearError> {
+        // Straight flanks have no nominal thickness.
+        let gear = if self.gear.is_generated() {
+            Gear::nominal(*self.gear.design())?
+        } else {
+            self.gear.clone()
+        };
+        let thicker = self.gear.half_base_angle() - gear.half_base_angle();
+        let enlarged = |side: Side| {
+            let offsets = self.offsets[side.index()].iter();
+            let enlarged = offsets.map(|offset| factor * (offset + side.sense() * thicker));
+            enlarged.collect()
+        };
+        let exaggerated = AsBuilt {
+            modified: self.modified_of(&gear, factor)?,
+            offsets: Side::BOTH.map(enlarged),
+            eccentricity: factor * self.eccentricity,
+            gear,
+            ..*self
+        };
+        exaggerated.checked()
+    }
+
+    /// This gear with all lengths multiplied by `factor`, as by a change of temperature. Angles stay.
+    ///
+    /// # Errors
+    /// As [`Gear::expanded`].
+    pub fn expanded(&self, factor: f64) -> Result<AsBuilt, GearError> {
+        let gear = self.gear.expanded(factor)?;
+        Ok(AsBuilt {
+            modified: self.modified_of(&gear, factor)?,
+            eccentricity: factor * self.eccentricity,
+            gear,
+            ..self.clone()
+        })
+    }
+
+    /// The half teeth of `gear` with this gear's profile deviations multiplied by `factor`.
+    fn modified_of(
+        &self,
+        gear: &Gear,
+        factor: f64,
+    ) -> Result<Option<Arc<[ModifiedHalves; 2]>>, GearError> {
+        let Some(sides) = &self.modified else {
+            return Ok(None);
+        };
+        let [right, left] = sides.each_ref().map(|side| side.exaggerated(gear, factor));
+        Ok(Some(Arc::new([right?, left?])))
+    }
+
+    /// This gear without an eccentricity of unknown direction.
+    pub(crate) fn centred(&self) -> AsBuilt {
+        AsBuilt {
+            eccentricity: if self.any_direction {
+                0.0
+            } else {
+                self.eccentricity
+            },
+            any_direction: false,
+            ..self.clone()
+        }
+    }
+
+    /// This gear with the flanks of `side` turned by `angle`, rad, counter-clockwise: every tooth gets thicker or thinner by it.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of thickness.
+    pub(crate) fn with_side_turned(&self, side: Side, angle: f64) -> Result<AsBuilt, GearError> {
+        let mut other = self.clone();
+        let list = &mut other.offsets[side.index()];
+        *list = list.iter().map(|offset| offset + angle).collect();
+        other.check_teeth()?;
+        Ok(other)
+    }
+
+    /// The gear of mean thickness.
+    pub fn gear(&self) -> &Gear {
+        &self.gear
+    }
+
+    /// Which way the reference face looks.
+    pub fn face(&self) -> Face {
+        self.face
+    }
+
+    /// Eccentricity `e`, mm.
+    pub fn eccentricity(&self) -> f64 {
+        self.eccentricity
+    }
+
+    /// The high tooth, fractional.
+    pub fn high_tooth(&self) -> f64 {
+        self.high_tooth
+    }
+
+    /// Whether the direction of the eccentricity is unknown; [`AsBuilt::high_tooth`] is then arbitrary.
+    pub fn any_direction(&self) -> bool {
+        self.any_direction
+    }
+
+    /// Rotation of a tooth's flank from its undisturbed place, rad, counter-clockwise.
+    ///
+    /// `tooth` counts from 1 and lies in `1..=z`.
+    pub fn flank_offset(&self, side: Side, tooth: u32) -> f64 {
+        self.offsets[side.index()][tooth as usize - 1]
+    }
+
+    /// End of a half tooth's root land: the middle of the space with its deviations, where the next half tooth begins.
+    ///
+    /// It is the land's parameter ([`ProfilePart::Root`]), rad, about the centre line turned with the flank. It is never less than
+    /// the land's other end.
+    pub fn root_end(&self, side: Side, tooth: u32) -> f64 {
+        let across = self.counter_clockwise(tooth, side.sense() as i64);
+        // The rotations of the two flanks widen the space.
+        let widening = side.sense()
+            * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
+        let (start, _) = self.profile(side, tooth).range(ProfilePart::Root);
+        let middle = self.gear.part(ProfilePart::Root).ends[1];
+        (middle + 0.5 * widening).max(start)
+    }
+
+    /// Far end of a half tooth's tip land, at the corner with the other flank.
+    ///
+    /// It is the land's parameter ([`ProfilePart::Tip`]), rad, about the centre line turned with the flank. The deviations of both
+    /// flanks widen the land. On a tooth thinner than half of it, the far corner lies on the near half (above 0).
+    pub fn land_start(&self, side: Side, tooth: u32) -> f64 {
+        let widening = self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
+        let (_, corner) = self.profile(side.other(), tooth).range(ProfilePart::Tip);
+        -corner - widening
+    }
+
+    /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.
+    pub fn tooth_angle(&self, tooth: f64) -> f64 {
+        self.face.ascending() * (tooth - 1.0) * self.gear.basic_data().angular_pitch()
+    }
+
+    /// The number of the tooth `steps` places counter-clockwise of `tooth`.
+    pub fn counter_clockwise(&self, tooth: u32, steps: i64) -> u32 {
+        let teeth = self.gear.basic_data().teeth();
+        self.face.counter_clockwise(teeth, tooth, steps)
+    }
+
+    /// Cosine of the angle between high tooth and mate, with the gear at `rotation`, rad, from tooth 1 pointing at the mate.
+    pub fn towards_mate(&self, rotation: f64) -> f64 {
+        (rotation + self.tooth_angle(self.high_tooth)).cos()
+    }
+
+    /// Displacement of the outline's centre from the axis, mm, with tooth 1 turned to the angle `tooth_1`.
+    pub fn displacement(&self, tooth_1: f64) -> Vector2<f64> {
+        UnitComplex::new(tooth_1 + self.tooth_angle(self.high_tooth))
+            * Vector2::new(self.eccentricity, 0.0)
+    }
+
+    /// Greatest radius of the outline about the rotation axis, mm.
+    pub fn reach(&self) -> f64 {
+        self.gear.tip_radius() + self.eccentricity
+    }
+
+    /// Checks that the axis is inside the body, within the tooth depth, and that the high tooth exists.
+    pub(super) fn check_runout(&self) -> Result<(), GearError> {
+        let depth = self.gear.tip_radius() - self.gear.root_radius();
+        GearError::require(
+            self.eccentricity >= 0.0 && 2.0 * self.eccentricity < depth,
+            "runout (mm)",
+            2.0 * self.eccentricity,
+            "at least 0 and less than the tooth depth",
+        )?;
+        GearError::require(
+            self.eccentricity < self.gear.root_radius(),
+            "runout (mm)",
+            2.0 * self.eccentricity,
+            "less than the root diameter: the axis would lie outside the gear's body",
+        )?;
+        let teeth = f64::from(self.gear.basic_data().teeth());
+        GearError::require(
+            self.eccentricity == 0.0 || (1.0..teeth + 1.0).contains(&self.high_tooth),
+            "tooth towards which the runout points",
+            self.high_tooth,
+            "1 up to, but not including, the number of teeth + 1",
+        )
+    }
+
+    /// Checks that every tooth keeps a tip land and a neck, and that every space is open at the form circle.
+    pub(super) fn check_teeth(&self) -> Result<(), GearError> {
+        let gear = &self.gear;
+        for tooth in 1..=gear.basic_data().teeth() {
+            let widening =
+                self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
+            let own = |side: Side, tooth: u32, place: ProfilePart| {
+                self.profile(side, tooth).part(place).ends
+            };
+            let tip: f64 = Side::BOTH
+                .map(|side| own(side, tooth, ProfilePart::Tip)[1])
+                .iter()
+                .sum();
+            // The fillet and the start of the root land turn with the lower end of a modified flank.
+            let land = gear.part(ProfilePart::Root).ends[0];
+            let turned = |side: Side, tooth: u32| own(side, tooth, ProfilePart::Root)[0] - land;
+            let both: f64 = Side::BOTH.map(|side| turned(side, tooth)).iter().sum();
+            let neck = 2.0 * gear.neck_half_angle() + both;
+            GearError::require(
+                tip + widening > 0.0,
+                "tip thickness of the thinnest tooth (mm)",
+                (tip + widening) * gear.tip_radius(),
+                "above 0: the deviations leave this tooth without a tip",
+            )?;
+            GearError::require(
+                neck + widening > 0.0,
+                "thickness of the thinnest tooth at its neck (rad)",
+                neck + widening,
+                "above 0: the deviations let undercut from both sides meet and cut this tooth off",
+            )?;
+            let next = self.counter_clockwise(tooth, 1);
+            let narrowing =
+                self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, next);
+            let space = gear.basic_data().angular_pitch()
+                - 2.0 * gear.form_half_angle()
+                - turned(Side::Left, tooth)
+                - turned(Side::Right, next);
+            GearError::require(
+                space - narrowing > 0.0,
+                "space width at the form circle (mm)",
+                (space - narrowing) * gear.form_radius(),
+                "above 0: the deviations close a tooth space",
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The half tooth on `side` of `tooth`, in its own frame.
+    pub fn profile(&self, side: Side, tooth: u32) -> Profile<'_> {
+        self.shape(side, self.shape_of(side, tooth))
+    }
+
+    /// Number of different half teeth on `side`: 1 unless profiles were measured tooth by tooth.
+    pub(crate) fn shapes(&self, side: Side) -> usize {
+        self.halves(side).map_or(1, |halves| halves.shapes.len())
+    }
+
+    /// Index of a tooth's half-tooth shape on `side`.
+    pub(crate) fn shape_of(&self, side: Side, tooth: u32) -> usize {
+        self.halves(side).map_or(0, |halves| halves.shape_of(tooth))
+    }
+
+    /// The half tooth of a shape on `side`.
+    pub(crate) fn shape(&self, side: Side, shape: usize) -> Profile<'_> {
+        match self.halves(side) {
+            Some(halves) => Profile::of(&self.gear, &halves.shapes[shape]),
+            None => Profile::new(&self.gear),
+        }
+    }
+
+    fn halves(&self, side: Side) -> Option<&ModifiedHalves> {
+        let sides = self.modified.as_ref()?;
+        Some(&sides[side.index()])
+    }
+
+    /// Profile deviation of the flank on `side` of `tooth` over the roll; `None` without profile deviations.
+    pub fn modification(&self, side: Side, tooth: u32) -> Option<&RollCurve> {
+        match &self.profile(side, tooth).part(ProfilePart::Involute).curve {
+            PartCurve::Modified(flank) => Some(flank.deviation()),
+            _ => None,
+        }
+    }
+
+    /// Whether the profiles of one side differ between teeth.
+    pub(crate) fn has_unlike_profiles(&self) -> bool {
+        Side::BOTH.into_iter().any(|side| self.shapes(side) > 1)
+    }
+
+    /// Whether the gear has profile deviations.
+    pub fn is_modified(&self) -> bool {
+        self.modified.is_some()
+    }
+
+    /// Whether all flanks are involutes and all fillets are generated by the rack, as gear formulas assume.
+    pub fn is_generated(&self) -> bool {
+        self.modified.is_none() && self.gear.is_generated()
+    }
+
+    /// Two gears without profile deviations: one that encloses this gear and one that this gear encloses.
+    ///
+    /// Their flanks are turned by the greatest and by the least deviation of each flank. An involute with the constant deviation `D`
+    /// is an involute turned by `D/r_b`. The last value is the greatest range of deviations on one flank, mm.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of thickness.
+    pub(crate) fn enclosing(&self) -> Result<([AsBuilt; 2], f64), GearError> {
+        let mut enclosing = [self.unmodified(), self.unmodified()];
+        let mut range = 0.0f64;
+        let base = self.gear.base_radius();
+        for side in Side::BOTH {
+            let bounds = self.deviations(side);
+            range = bounds
+                .iter()
+                .fold(range, |range, [least, most]| range.max(most - least));
+            for (which, other) in [1, 0].into_iter().zip(&mut enclosing) {
+                let list = &mut other.offsets[side.index()];
+                let turned = |(tooth, offset): (u32, &f64)| {
+                    let deviation = bounds[self.shape_of(side, tooth)][which];
+                    offset + side.sense() * deviation / base
+                };
+                *list = (1..).zip(list.iter()).map(turned).collect();
+            }
+        }
+        for other in &enclosing {
+            other.check_teeth()?;
+        }
+        Ok((enclosing, range))
+    }
+
+    /// Least and greatest deviation, mm, of each shape on a side.
+    pub(crate) fn deviations(&self, side: Side) -> Vec<[f64; 2]> {
+        let bounds = |shape| {
+            let part = self.shape(side, shape).part(ProfilePart::Involute);
+            let (low, high) = part.range();
+            match &part.curve {
+                PartCurve::Modified(flank) => flank.deviation().bounds(low, high)[0],
+                _ => [0.0; 2],
+            }
+        };
+        (0..self.shapes(side)).map(bounds).collect()
+    }
+
+    /// Whether a profile lies outside its involute anywhere.
+    pub(crate) fn stands_out(&self) -> bool {
+        let sides = Side::BOTH.iter().flat_map(|side| self.deviations(*side));
+        sides.into_iter().any(|[_, most]| most > 0.0)
+    }
+
+    /// This gear without its profile deviations.
+    pub fn unmodified(&self) -> AsBuilt {
+        AsBuilt {
+            modified: None,
+            ..self.clone()
+        }
+    }
+
+    /// This gear with all teeth `thicker`, mm at the reference circle, and with pitch and per-tooth thickness of `further` added.
+    ///
+    /// The tool cuts the thickness: root and fillet follow, as in [`Gear::new`]. Runout and profiles stay.
+    ///
+    /// # Errors
+    /// As [`Gear::new`] and [`AsBuilt::new`]; a gear with straight flanks.
+    pub fn varied(&self, thicker: f64, further: &Deviations) -> Result<AsBuilt, GearError> {
+        GearError::require(
+            self.gear.is_generated(),
+            "scatter of straight flanks (mm)",
+            thicker,
+            "none: only teeth that a rack cuts are varied",
+        )?;
+        let basic_data = self.gear.basic_data();
+        let base = thickness::base_from_allowance(basic_data, self.gear.base_thickness(), thicker);
+        let gear = if thicker == 0.0 {
+            self.gear.clone()
+        } else {
+            Gear::new(*self.gear.design(), base)?
+        };
+        let modified = self.modified_of(&gear, 1.0)?;
+        let own = self.offsets.each_ref().map(|offsets| offsets.to_vec());
+        let offsets = further.offsets(basic_data, self.face, own)?;
+        let varied = AsBuilt {
+            gear,
+            modified,
+            offsets: offsets.map(Arc::from),
+            ..self.clone()
+        };
+        varied.checked()
+    }
+
+    /// The transverse section of this helical gear at `b`, mm along the axis from the measuring plane away from the viewer.
+    ///
+    /// See [`crate::pair::GearPair::section`].
+    #[must_use]
+    pub fn section_at(&self, b: f64) -> AsBuilt {
+        self.section(b * self.gear.basic_data().twist())
+    }
+
+    /// The transverse section in which the teeth are turned by `angle`, rad, counter-clockwise as seen from the front.
+    ///
+    /// The teeth keep their places of the measuring plane. The eccentricity is constant along the axis, so it turns back by `angle`.
+    pub(crate) fn section(&self, angle: f64) -> AsBuilt {
+        let teeth = self.face.ascending() * angle / self.gear.basic_data().angular_pitch();
+        let count = f64::from(self.gear.basic_data().teeth());
+        let high_tooth = 1.0 + (self.high_tooth - 1.0 - teeth).rem_euclid(count);
+        AsBuilt {
+            high_tooth,
+            ..self.clone()
+        }
+    }
+
+    /// This gear with its reference face turned to `face`.
+    ///
+    /// Turning the gear over exchanges right and left in the picture, and clockwise and counter-clockwise.
+    #[must_use]
+    pub fn facing(&self, face: Face) -> AsBuilt {
+        if face == self.face {
+            return self.clone();
+        }
+        let turned = |side: Side| {
+            let across = self.offsets[side.other().index()].iter();
+            across.map(|offset| -offset).collect()
+        };
+        let swapped = |[right, left]: &[ModifiedHalves; 2]| Arc::new([left.clone(), right.clone()]);
+        AsBuilt {
+            face,
+            offsets: Side::BOTH.map(turned),
+            modified: self.modified.as_deref().map(swapped),
+            ..self.clone()
+        }
+    }
+
+    /// Mean arc thickness at the reference circle, mm, that profile deviations add to a tooth.
+    pub(crate) fn arc_of_profiles(&self) -> f64 {
+        let basic_data = self.gear().basic_data();
+        let (r, base) = (basic_data.reference_radius(), basic_data.base_radius());
+        let roll = involute::roll_at(r, base);
+        let of_flank = |side: Side, tooth: u32| {
+            let there = end_at(base, roll, self.modification(side, tooth)?);
+            there.map(|there| r * (roll - there))
+        };
+        let of_side = |side: Side| -> f64 {
+            let teeth = 1..=basic_data.teeth();
+            teeth.filter_map(|tooth| of_flank(side, tooth)).sum()
+        };
+        Side::BOTH.map(of_side).iter().sum::<f64>() / f64::from(basic_data.teeth())
+    }
+}
+
+/// The half teeth on both sides of the picture with the gear's profile deviations; `None` without any.
+pub(super) fn modified(
+    gear: &Gear,
+    face: Face,
+    profiles: &[Modification; 2],
+) -> Result<Option<[ModifiedHalves; 2]>, GearError> {
+    if profiles.iter().all(Modification::is_none) {
+        return Ok(None);
+    }
+    if !gear.is_generated() {
+        return Err(GearError::Profile {
+            what: "is no involute",
+        });
+    }
+    let halves = Side::BOTH.map(|side| {
+        let own = Flank::BOTH.map(|own| face.seen_from_front(own));
+        let which = usize::from(own[0] != side);
+        ModifiedHalves::new(gear, &profiles[which].curves(gear)?)
+    });
+    let [right, left] = halves;
+    Ok(Some([right?, left?]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{GearDesign, Pitch, Profile, Side};
+
+    /// Both half teeth of a space end in the same direction, on either face, whatever the deviations; the land
+    /// widens and narrows with the space, and a space closed at its root leaves none.
+    #[test]
+    fn root_lands_meet_in_the_middle_of_the_space() {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let mut right = vec![0.0; 20];
+        (right[4], right[9]) = (0.9, -0.9);
+        let deviations = Deviations {
+            per_tooth: (0..20).map(|k| 0.01 * f64::from(k % 3)).collect(),
+            pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
+            ..Deviations::default()
+        };
+        let (start, middle) = Profile::new(&gear).range(ProfilePart::Root);
+        for face in [Face::Front, Face::Back] {
+            let built = AsBuilt::new(gear.clone(), face, &deviations).unwrap();
+            let end = |side: Side, tooth: u32| {
+                let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
+                turned + side.sense() * built.root_end(side, tooth)
+            };
+            for tooth in 1..=20 {
+                let next = built.counter_clockwise(tooth, 1);
+                let apart = end(Side::Left, tooth) - end(Side::Right, next);
+                let closed = built.root_end(Side::Left, tooth) == start;
+                let whole = apart - std::f64::consts::TAU * (apart / std::f64::consts::TAU).round();
+                assert!(closed || whole.abs() < 1e-14, "{whole} at tooth {tooth}");
+            }
+            let ends = (1..=20).map(|tooth| built.root_end(Side::Right, tooth));
+            let (least, most) = ends.fold((middle, middle), |(l, m), e| (l.min(e), m.max(e)));
+            assert!(least == start && most > middle + 0.02);
+        }
+    }
+
+    /// In two steps as in one.
+    #[test]
+    fn a_gear_varied_is_the_gear_made_so() {
+        let design = GearDesign::plain(30, 2.0);
+        let wave = |phase: f64| -> Vec<f64> {
+            (0..30)
+                .map(|k| 0.004 * (f64::from(k) + phase).sin())
+                .collect()
+        };
+        let deviations = |per_tooth: Vec<f64>, phase: f64| Deviations {
+            per_tooth,
+            pitch: Some(Pitch::from_cumulative(&wave(phase), &wave(2.0 * phase))),
+            eccentricity: 0.01,
+            high_tooth: 3.0,
+            ..Deviations::default()
+        };
+        let thick = vec![0.002; 30];
+        for face in [Face::Front, Face::Back] {
+            let nominal = Gear::nominal(design).unwrap();
+            let own = deviations(Vec::new(), 1.0);
+            let plain = AsBuilt::new(nominal, face, &own).unwrap();
+            let varied = plain
+                .varied(-0.05, &deviations(thick.clone(), 0.3))
+                .unwrap();
+            let base = design.nominal_base_thickness() - 0.05 * 20f64.to_radians().cos();
+            let gear = Gear::new(design, base).unwrap();
+            let own = AsBuilt::new(gear.clone(), face, &own).unwrap();
+            let other = AsBuilt::new(gear.clone(), face, &deviations(thick.clone(), 0.3)).unwrap();
+            let turned = match face {
+                Face::Front => Face::Back,
+                Face::Back => Face::Front,
+            };
+            let over = AsBuilt::new(gear, turned, &deviations(thick.clone(), 0.3)).unwrap();
+            assert_eq!(other.facing(turned), over);
+            assert_eq!(varied.gear(), own.gear());
+            assert_eq!((varied.eccentricity(), varied.high_tooth()), (0.01, 3.0));
+            for side in Side::BOTH {
+                for tooth in 1..=30 {
+                    let sum = own.flank_offset(side, tooth) + other.flank_offset(side, tooth);
+                    assert!((varied.flank_offset(side, tooth) - sum).abs() < 1e-16);
+                }
+            }
+        }
+    }
+}

@@ -406,7 +406,7 @@ impl Error {
     }
 
     /// Message of an error that concerns a single pose: a lost contact or a failed certificate. `None` for other errors.
-    pub fn of_one_pose(&self) -> Option<String> {
+    pub fn pose_failure(&self) -> Option<String> {
         match self {
             Error::ContactLost {
                 wheel_tooth,

@@ -344,7 +344,7 @@ pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
 
 /// Whether wheel and pinion have unlike teeth: in any direction an eccentricity alone makes no tooth another.
 fn deviate(assembly: &GearPair) -> [bool; 2] {
-    Member::BOTH.map(|one| assembly.gear(one).centred().has_unlike_teeth())
+    Member::BOTH.map(|one| assembly.gear(one).centred().has_different_teeth())
 }
 
 /// Matings that differ: after them every deviation of both gears is where it was.

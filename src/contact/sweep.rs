@@ -309,7 +309,7 @@ fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>
     match tried {
         None => Ok(None),
         Some(Ok(found)) => Ok(Some(Ok(found))),
-        Some(Err(error)) => match error.of_one_pose() {
+        Some(Err(error)) => match error.pose_failure() {
             Some(reason) => Ok(Some(Err(reason))),
             None => Err(error),
         },

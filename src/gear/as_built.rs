@@ -432,7 +432,7 @@ impl AsBuilt {
     }
 
     /// Whether the profiles of one side differ between teeth.
-    pub(crate) fn has_unlike_profiles(&self) -> bool {
+    pub(crate) fn has_different_profiles(&self) -> bool {
         Side::BOTH.into_iter().any(|side| self.shapes(side) > 1)
     }
 

@@ -210,7 +210,7 @@ pub(super) fn read(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{BasicGearData, BasicRack, GearDesign};
+    use crate::gear::GearDesign;
 
     /// Exact readings give back the eccentricity: issue 5 asks for 1e-6 µm and 1e-6 rad.
     #[test]
@@ -258,14 +258,7 @@ mod tests {
     }
 
     pub(in crate::gear) fn gear(teeth: u32) -> Gear {
-        let basic_data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-        Gear::nominal(GearDesign {
-            basic_data,
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        })
-        .unwrap()
+        Gear::nominal(GearDesign::plain(teeth, 3.0)).unwrap()
     }
 
     /// design.md section 6: F_R = −e sin(ψ − α)/cos α, F_L = −e sin(ψ + α)/cos α to first order.

@@ -16,8 +16,8 @@ pub struct Inspection {
 
 impl AsBuilt {
     /// Whether the teeth differ: a flank is off its place, the gear is eccentric, or profiles differ.
-    pub fn has_unlike_teeth(&self) -> bool {
-        Inspection::of(self).deviates() || self.has_unlike_profiles()
+    pub fn has_different_teeth(&self) -> bool {
+        Inspection::of(self).deviates() || self.has_different_profiles()
     }
 }
 

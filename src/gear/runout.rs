@@ -14,9 +14,9 @@
 //! - A *fork* sits astride tooth `i`, its two plane faces inclined to its axis by `α`. It slides towards the rotation axis while
 //!   the gear turns, until both faces touch. Let the outward normal of a face have the angle `π/2 − α` to the fork's axis. The face
 //!   touches an involute of half base angle `ψ` at the distance `r_b (ψ + π/2 − α + const)` from the gear's centre. Let the gear
-//!   be turned by `σ`, with its centre at `(C_x, C_y)` from the axis. Both faces meet at the apex `d = C_x + (x_R − x_L)/(2 tan α)
-//!   + const`, and `r σ = −C_y − (x_R + x_L)/2` (own derivation). At a helical tooth the faces are inclined to the axis by `β_b`
-//!   and cross the measuring plane in the lines of this derivation.
+//!   be turned by `σ`, with its centre at `(C_x, C_y)` from the axis. Both faces meet at the apex
+//!   `d = C_x + (x_R − x_L)/(2 tan α) + const`, and `r σ = −C_y − (x_R + x_L)/2` (own derivation). At a helical tooth the faces are
+//!   inclined to the axis by `β_b` and cross the measuring plane in the lines of this derivation.
 
 use super::{Deviations, Excess, Flank, FlankShifts, Gear, thickness};
 use crate::error::GearError;

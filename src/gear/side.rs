@@ -95,7 +95,7 @@ pub enum Face {
     /// Its numbers run clockwise in the picture.
     #[default]
     Front,
-    // The viewer sees the other face: own right flanks stand on the left.
+    // The viewer sees the other face: own right flanks are on the left.
     /// Its numbers run counter-clockwise in the picture.
     Back,
 }

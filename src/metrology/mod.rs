@@ -11,16 +11,11 @@
 //! Contradictions, outliers and implausible values are [`Finding`]s with their numbers. A finding changes no value.
 //!
 //! ```
-//! use gearlash::gear::{BasicGearData, BasicRack, Face, GearDesign};
+//! use gearlash::gear::{BasicGearData, Face, GearDesign};
 //! use gearlash::metrology::{Finding, Measurements, Outlier, ThicknessStatement};
 //!
 //! // A gear of module 3 with 21 teeth, and spans over 3 teeth at every first tooth; that at tooth 5 was read one thimble line off.
-//! let design = GearDesign {
-//!     basic_data: BasicGearData::new(21, 3.0, 20f64.to_radians())?,
-//!     profile_shift: 0.0,
-//!     rack: BasicRack::ISO_53_A,
-//!     tip_diameter: None,
-//! };
+//! let design = GearDesign::standard(BasicGearData::new(21, 3.0, 20f64.to_radians())?);
 //! let mut readings: Vec<(u32, f64)> = (1..=21).map(|tooth| (tooth, 22.99)).collect();
 //! readings[4].1 += 0.010;
 //! let measurements = Measurements {

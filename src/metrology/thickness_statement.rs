@@ -269,13 +269,8 @@ impl ThicknessStatement {
                 mm.try_map(|&mm| thickness::base_from_over(basic_data, *body, *pin_mm, mm))
             }
             ThicknessStatement::SpanReadings { .. } | ThicknessStatement::PinReadings { .. } => {
-                let spans = self.spans(basic_data)?;
-                let base = match (spans, self.pins(basic_data)?) {
-                    (Some(spans), _) => spans.base_thickness(known)?,
-                    (None, Some(pins)) => pins.base_thickness(known)?,
-                    (None, None) => nominal,
-                };
-                Ok(Toleranced::Single(base))
+                let base = self.base_touching(basic_data, known, &FlankShifts::default());
+                base.map(Toleranced::Single)
             }
         }
     }
@@ -332,6 +327,7 @@ impl ThicknessStatement {
         }
     }
 
+    /// `s_b`, mm, from readings of flanks with profile deviations.
     fn base_of_readings(&self, design: &GearDesign, known: &Deviations) -> Result<f64, GearError> {
         let basic_data = &design.basic_data;
         let rounding = 4.0 * f64::EPSILON * basic_data.reference_radius();
@@ -410,6 +406,7 @@ impl ThicknessStatement {
         ))
     }
 
+    /// `s_b`, mm, from readings of flanks with the excess `touched` at the contacts.
     fn base_touching(
         &self,
         basic_data: &BasicGearData,

@@ -138,7 +138,7 @@ impl Assembly {
         match found {
             Ok(found) => Ok(Outcome::of(&found)),
             Err(Error::Gear(_)) => Ok(Outcome::without(OutcomeKind::Impossible)),
-            Err(error) if error.of_one_pose().is_some() => {
+            Err(error) if error.pose_failure().is_some() => {
                 Ok(Outcome::without(OutcomeKind::Unproven))
             }
             Err(error) => Err(error),

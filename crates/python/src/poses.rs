@@ -163,7 +163,7 @@ fn exact(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<Foun
                     status: found.status(),
                 })
             }
-            Err(error) if error.of_one_pose().is_some() => Ok(FoundPose {
+            Err(error) if error.pose_failure().is_some() => Ok(FoundPose {
                 j_wt_um: f64::NAN,
                 error_bound_um: f64::NAN,
                 status: Status::Unproven,

@@ -93,7 +93,7 @@ pub fn map(
                         class: PoseClass::of(bench.assembly(), &found),
                         backlash: found.angle().map(|angle| angle * radius),
                     }),
-                    Err(error) if error.of_one_pose().is_some() => Ok(MapCell {
+                    Err(error) if error.pose_failure().is_some() => Ok(MapCell {
                         class: PoseClass::Unproven,
                         backlash: None,
                     }),

@@ -152,7 +152,7 @@ impl ExactKernel {
         let effort = Effort::of_pose();
         let found = self.found_within(&Pose::new(assembly, mating), &effort);
         let found = match found {
-            Err(error) if error.of_one_pose().is_some() => Ok(None),
+            Err(error) if error.pose_failure().is_some() => Ok(None),
             found => found.map(|found| Some(found.lost_motion)),
         };
         (found, effort.used())

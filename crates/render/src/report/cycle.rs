@@ -83,13 +83,13 @@ fn others(page: &Page) -> Markup {
 fn has_like_teeth(pair: &GearPair) -> bool {
     Member::BOTH
         .iter()
-        .all(|member| !pair.gear(*member).has_unlike_teeth())
+        .all(|member| !pair.gear(*member).has_different_teeth())
 }
 
 fn both_deviate(pair: &GearPair) -> bool {
     Member::BOTH
         .iter()
-        .all(|member| pair.gear(*member).has_unlike_teeth())
+        .all(|member| pair.gear(*member).has_different_teeth())
 }
 
 /// In which of several ways the gears are put together.

@@ -61,7 +61,7 @@ fn search<T>(
     }
     match look() {
         Ok(found) => Ok(Ok(found)),
-        Err(error) => match error.of_one_pose() {
+        Err(error) => match error.pose_failure() {
             Some(reason) => Ok(Err(format!(
                 "the search met a pose without proof: {reason}"
             ))),

@@ -15,11 +15,11 @@ const STEPS: usize = 40;
 /// The centre distance up to which a pair is in mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshesTo {
-    /// Here every pose has its contacts, mm: proven, but where it is the distance without backlash.
+    /// Here every pose has its contacts, mm.
     pub low: f64,
     /// Here one has not, mm.
     pub high: f64,
-    /// Why the bracket is wider than wanted.
+    /// Why that is not proven.
     pub doubt: Option<Doubt>,
 }
 
@@ -41,16 +41,16 @@ impl MeshesTo {
         else {
             return Ok(None);
         };
-        let kernel = ExactKernel::new(assembly);
-        let (mut in_mesh, mut high) = (nearest, assembly.center_distance());
-        let (mut low, mut doubt) = (nearest, Some(Doubt::Effort));
+        let (mut low, mut high, mut doubt) = (nearest, assembly.center_distance(), None);
         let mut apart = vec![lost];
-        let mut at = nearest;
+        let mut at = low;
+        let kernel = ExactKernel::new(assembly);
         for _ in 0..STEPS {
-            if !(in_mesh < high) {
+            if !(low < high) {
                 return Ok(None);
             }
             if effort.is_nearly_spent() {
+                doubt = doubt.or(Some(Doubt::Effort));
                 break;
             }
             let pair = assembly.at(at)?;
@@ -65,22 +65,16 @@ impl MeshesTo {
                         apart.extend(there.lost);
                     }
                     Some(greatest) => {
-                        in_mesh = at;
-                        doubt = greatest.doubt.filter(|_| !greatest.high.is_finite());
-                        // A greatest backlash that is bounded is one of poses that all have contacts.
-                        if doubt.is_none() {
-                            low = at;
-                        }
+                        low = at;
+                        doubt = greatest.doubt;
                     }
                 }
             }
-            if high - in_mesh <= WIDTH {
+            if high - low <= WIDTH {
                 break;
             }
-            at = 0.5 * (in_mesh + high);
+            at = 0.5 * (low + high);
         }
-        let is_wide = high - low > WIDTH;
-        let doubt = is_wide.then(|| doubt.unwrap_or(Doubt::Effort));
         Ok((high > nearest).then_some(MeshesTo { low, high, doubt }))
     }
 }

@@ -82,9 +82,10 @@ impl ExactKernel {
         ExactKernel::of(assembly, Section::new(assembly))
     }
 
-    /// The kernel of the same teeth at another centre distance, or in another direction of their runouts, in a time that does not depend on the number of teeth.
+    /// The kernel of the same gears at another centre distance, in a time that does not depend on the number of teeth.
     ///
-    /// It is that of [`ExactKernel::new`] to the last bit of any result. The gears of `assembly` are no more eccentric than those of this kernel's.
+    /// It is that of [`ExactKernel::new`] to the last bit of any result. `assembly` is one that
+    /// [`GearPair::at`] made of this kernel's.
     pub fn at(&self, assembly: &GearPair) -> ExactKernel {
         ExactKernel::of(assembly, self.section.at(assembly))
     }

@@ -1,7 +1,6 @@
 //! Bounds of the lost motion over a stretch of one mating, which close with the square of its length.
 
 use super::course::{Course, PARTS};
-use super::on_line::{OnLine, Sum};
 use super::over::Over;
 use super::room::{greatest, least};
 use super::table::{Bounds, Table};
@@ -73,35 +72,24 @@ impl Cell {
     pub fn bounded(self, course: &Course, table: &Table) -> Cell {
         let posed = course.posed(self.mating);
         let ends = course.posed_at_ends(self.mating);
-        let overs = [0, 1].map(|k| Over {
-            stretch: [self.from, self.to],
-            side: &course.sides[k],
-            ends: [self.from, self.to].map(|at| posed[k].on(at)),
-            faces: ends.iter().map(|end| end[k]).collect(),
-            effort: course.effort,
+        let rooms = [0, 1].map(|k| {
+            let over = Over {
+                stretch: [self.from, self.to],
+                side: &course.sides[k],
+                ends: [self.from, self.to].map(|at| posed[k].on(at)),
+                faces: ends.iter().map(|end| end[k]).collect(),
+                effort: course.effort,
+            };
+            over.rooms(table.steps(k, self.mating, self.part))
         });
-        let on_line = |k: usize| overs[k].room_on_line(table, (k, self.mating, self.part));
-        let sum = match on_line(0).and_then(|right| Some([right, on_line(1)?])) {
-            Some(sides) => OnLine::sum(&sides),
-            None => {
-                let steps = |k: usize| table.steps(k, self.mating, self.part);
-                let rooms = [0, 1].map(|k| overs[k].rooms(steps(k)));
-                let (lowest, low) = least(&rooms);
-                let (highest, high) = greatest(&rooms);
-                Sum {
-                    low,
-                    high,
-                    lowest,
-                    highest,
-                }
-            }
-        };
+        let (lowest, low) = least(&rooms);
+        let (highest, high) = greatest(&rooms);
         let width = self.to - self.from;
         Cell {
-            low: sum.low.max(self.low),
-            high: sum.high.min(self.high),
-            lowest: self.from + sum.lowest * width,
-            highest: self.from + sum.highest * width,
+            low: low.max(self.low),
+            high: high.min(self.high),
+            lowest: self.from + lowest * width,
+            highest: self.from + highest * width,
             ..self
         }
     }

@@ -70,7 +70,7 @@ impl Dip {
                     }
                 }
             };
-            is_clear_over((at, play), 1.0, (mate, self), 1e-14 * distance, &path)
+            is_clear_over((at, play), 1.0, mate, self.deepest, 1e-14 * distance, &path)
         })
     }
 

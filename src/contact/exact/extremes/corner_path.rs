@@ -13,7 +13,6 @@
 //! radius about the free axis ([`super::super::search_free_proof`], 1.), so a corner that is clear at one rotation is clear at all greater gaps.
 
 use super::super::shape::{C, HalfToothShape};
-use super::dip::Dip;
 use crate::gear::ProfilePart;
 
 /// Steps of the search for a fillet's parameter (it takes 8).
@@ -63,9 +62,8 @@ impl CornerPath {
         }
     }
 
-    /// Whether the corner is clear of the fillet that `dip` tells of, which is `mate`'s, by more than `need` mm for every turn within `half` of the middle.
-    pub fn is_clear(&self, mate: &HalfToothShape, dip: &Dip, half: f64, need: f64) -> bool {
-        let deepest = dip.deepest;
+    /// Whether the corner is clear of the fillet of `mate`, from `deepest` up, by more than `need` mm for every turn within `half` of the middle.
+    pub fn is_clear(&self, mate: &HalfToothShape, deepest: f64, half: f64, need: f64) -> bool {
         let along = |z: C, n: C| z.re * n.re + z.im * n.im;
         let rest = self.jerk * half * half * half / 6.0;
         let radius = self.point.norm();
@@ -88,18 +86,6 @@ impl CornerPath {
             + rest;
         let farthest = -least(radial.map(|value| -value), half) + rest;
         let farthest = farthest + 0.5 * beside * beside / nearest;
-        let is_in_front = |point: C, normal: C| {
-            let height = [
-                along(self.point - point, normal),
-                along(self.speed, normal),
-                along(self.acceleration, normal),
-            ];
-            least(height, half) - rest > need
-        };
-        let chord = dip.chord(nearest, farthest);
-        if chord.is_some_and(|(point, normal)| is_in_front(point, normal)) {
-            return true;
-        }
         let low = around_radius(mate, nearest, deepest).map(|(low, _)| low);
         let high = if farthest >= mate.form_radius() {
             Some(mate.fillet_end)
@@ -122,7 +108,12 @@ impl CornerPath {
         } else {
             normal
         };
-        is_in_front(outer.point, normal)
+        let height = [
+            along(self.point - outer.point, normal),
+            along(self.speed, normal),
+            along(self.acceleration, normal),
+        ];
+        least(height, half) - rest > need
     }
 }
 
@@ -181,7 +172,8 @@ pub(super) fn around_radius(
 pub(super) fn is_clear_over(
     (at, half): (f64, f64),
     per_place: f64,
-    (mate, dip): (&HalfToothShape, &Dip),
+    mate: &HalfToothShape,
+    deepest: f64,
     need: f64,
     path: &dyn Fn(f64) -> CornerPath,
 ) -> bool {
@@ -190,11 +182,11 @@ pub(super) fn is_clear_over(
         let Some((at, half, cuts)) = open.pop() else {
             return true;
         };
-        if path(at).is_clear(mate, dip, half * per_place.abs(), need) {
+        if path(at).is_clear(mate, deepest, half * per_place.abs(), need) {
             continue;
         }
         // A single place that is not clear ends it: the middle, and at first both ends.
-        let is_clear = |at: f64| path(at).is_clear(mate, dip, 0.0, need);
+        let is_clear = |at: f64| path(at).is_clear(mate, deepest, 0.0, need);
         let ends_clear = || cuts > 0 || (is_clear(at - half) && is_clear(at + half));
         if cuts == MOST_CUTS || !is_clear(at) || !ends_clear() {
             return false;
@@ -208,7 +200,6 @@ pub(super) fn is_clear_over(
 #[cfg(test)]
 mod tests {
     use super::super::super::shape::turn;
-    use super::super::dip::Tip;
     use super::*;
     use crate::gear::{Gear, GearDesign, Profile};
 
@@ -262,8 +253,6 @@ mod tests {
         for teeth in [12, 18, 40] {
             let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
             let shape = HalfToothShape::new(&Profile::new(&gear));
-            let near = 1.9 * shape.form_radius();
-            let dip = Dip::new(Tip::Locked, [&shape, &shape], 0.0, near).unwrap();
             for k in 1..20 {
                 let gamma = shape.fillet_end * f64::from(k) / 20.0;
                 let sample = shape.at(ProfilePart::Fillet, gamma);
@@ -274,7 +263,7 @@ mod tests {
                         acceleration: C::ZERO,
                         jerk: 0.0,
                     };
-                    let clear = path.is_clear(&shape, &dip, 0.0, 0.0);
+                    let clear = path.is_clear(&shape, 0.0, 0.0, 0.0);
                     assert_eq!(clear, height > 0.0, "{teeth} {gamma} {height}");
                 }
             }

@@ -6,7 +6,6 @@ use super::super::section::Section;
 use super::super::shape::HalfToothShape;
 use super::super::teeth::reduced;
 use super::dip::{Dip, Tip};
-use super::on_line::jerk;
 use crate::contact::Effort;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
@@ -36,8 +35,6 @@ pub(super) struct SideCourse<'a> {
     /// Eccentricities of the locked and the free gear.
     pub off: [f64; 2],
     pub dips: Vec<Dip>,
-    /// A bound of the third derivative of the gap on the line of action by the locked gear's rotation.
-    pub jerk: f64,
     /// How much farther on the locked teeth stand in one section of the common face than in the measuring plane, rad: least and greatest.
     pub turns: [f64; 2],
 }
@@ -80,7 +77,7 @@ impl<'a> Course<'a> {
                 ]
             });
             let dips = reached.into_iter().flatten();
-            let mut side = SideCourse {
+            SideCourse {
                 problem,
                 mirror,
                 sense: mirror * onward,
@@ -92,10 +89,7 @@ impl<'a> Course<'a> {
                     let [one, other] = turns.map(|turn| mirror * turn);
                     [one.min(other), one.max(other)]
                 },
-                jerk: f64::NAN,
-            };
-            side.jerk = jerk(&side);
-            side
+            }
         };
         Course {
             kernel,

@@ -48,8 +48,6 @@ pub(super) struct Dip {
     pub(super) free: Outline,
     /// Of the gear whose fillet it is, from the joint inwards.
     chords: Vec<Chord>,
-    /// Ends of the chords, and their radii.
-    knots: Vec<(f64, C)>,
     /// The locked half tooth's angle lies this near to `middle` while the corner is below the form circle, at the least distance.
     half: f64,
     middle: f64,
@@ -123,24 +121,9 @@ impl Dip {
             locked: Outline::new(locked),
             free: Outline::new(free),
             chords: chords.collect(),
-            knots: points.iter().map(|point| (point.norm(), *point)).collect(),
             half: cos.max(-1.0).acos(),
             middle: -turning.arg(),
         })
-    }
-
-    /// A chord of the fillet that reaches at least from the radius `nearest` to `farthest`, or to the joint: its outer end and its normal out of the metal.
-    /// `None` below the fillet in reach.
-    pub fn chord(&self, nearest: f64, farthest: f64) -> Option<(C, C)> {
-        let inner = self.knots.partition_point(|(radius, _)| *radius > nearest);
-        let beyond = self
-            .knots
-            .partition_point(|(radius, _)| *radius >= farthest);
-        let (_, outer) = self.knots[beyond.max(1) - 1];
-        let (_, inner) = *self.knots.get(inner.max(1))?;
-        let along = inner - outer;
-        let normal = -C::i() * along / length(along);
-        Some((outer, if normal.im > 0.0 { -normal } else { normal }))
     }
 
     /// Whether the corner may be below the form circle while the locked half tooth stands within `play` of the angle `at`.

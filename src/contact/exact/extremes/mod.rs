@@ -18,7 +18,6 @@ mod dips_over_face;
 mod enclosed;
 mod extreme;
 mod fillet;
-mod on_line;
 mod over;
 mod rolls;
 mod room;

@@ -126,7 +126,7 @@ impl<'a> Over<'a> {
     }
 
     /// Whether the corner of `dip` at `step` is clear of the fillet while the side has the room of a broken line.
-    pub fn is_clear(&self, step: i64, dip: &Dip, line: &[Piece]) -> bool {
+    fn is_clear(&self, step: i64, dip: &Dip, line: &[Piece]) -> bool {
         let problem = self.side.problem;
         let angle = self.ends[0].angle_to(&self.ends[1]);
         let need = self.rounding() * problem.free.shape.base;
@@ -142,7 +142,7 @@ impl<'a> Over<'a> {
             };
             let [from, to] = piece.over;
             let over = (0.5 * (from + to), 0.5 * (to - from));
-            corner_path::is_clear_over(over, angle, (mate, dip), need, &path)
+            corner_path::is_clear_over(over, angle, mate, dip.deepest, need, &path)
         })
     }
 

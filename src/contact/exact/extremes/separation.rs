@@ -99,8 +99,6 @@ pub(super) struct Separation {
     pub slope: f64,
     /// Whether it is the touch itself; else only a rotation at which they are apart.
     pub touches: bool,
-    /// Direction that keeps them apart, rad.
-    beta: f64,
     rolls: [f64; 2],
     arcs: [Arc; 2],
 }
@@ -150,7 +148,6 @@ impl Separation {
             gap,
             slope: -along / state.turning,
             touches: touches && gap.is_finite(),
-            beta,
             rolls: [beta - pair.locked_base, beta - gap - pair.free_base],
             arcs,
         }
@@ -159,19 +156,6 @@ impl Separation {
     /// Rolls of the locked and the free involute in the direction that keeps them apart.
     pub fn rolls(&self) -> [f64; 2] {
         self.rolls
-    }
-
-    /// The second derivative of the gap of endless involutes by the rotation of the locked gear: see [`super::on_line`].
-    pub fn second(&self, posed: &PosedFlanks) -> f64 {
-        let (between, rate) = posed.between(self.gap);
-        let offset = posed.centre - C::from(posed.problem.distance);
-        let speed = C::i() * offset + rate * self.slope;
-        let acceleration = C::i() * rate * (self.slope * self.slope) - offset;
-        let direction = turn(self.beta);
-        let along = |z: C| (direction * z.conj()).re;
-        let across = |z: C| (direction * z.conj()).im;
-        let tilt = along(speed) * along(speed) / across(between);
-        -(across(acceleration) + tilt) / (across(rate) + self.arcs[1].base)
     }
 
     /// What involutes that end have less room than endless ones at most, between this pose and `other`, rad of the free gear; of endless ones
@@ -245,7 +229,6 @@ mod tests {
             gap: 0.0,
             slope: 0.0,
             touches: true,
-            beta: 0.0,
             rolls,
             arcs: bases.map(|base| Arc {
                 base,

@@ -113,11 +113,6 @@ impl SideTable {
         table
     }
 
-    /// Whether no flank is off any other, and no tip may dip into a fillet.
-    pub fn is_alike(&self) -> bool {
-        self.spread == 0.0 && self.dipping.iter().all(Vec::is_empty)
-    }
-
     /// Places of step 0 at a mating.
     pub fn places(&self, mating: u64) -> [i64; 2] {
         let counts = [&self.locked, &self.free].map(|offsets| offsets.len() as i64 - 2 * self.pad);

@@ -23,8 +23,6 @@ pub(super) struct Table {
     slack: f64,
     /// Of each side, how far the outlines' centres are apart; `None` where no corner comes near a fillet.
     distances: Option<Distances>,
-    /// Where all flanks are alike, what [`Table::of_part`] has for each part of any mating.
-    alike: Option<[[[f64; 2]; 2]; PARTS]>,
     /// Those to look through.
     matings: u64,
 }
@@ -97,9 +95,7 @@ impl Table {
             off,
             slack: side.off[1] * (level + deepest) + 0.5 * off * off / nearest + bent,
         });
-        let all_alike = sides.iter().all(SideTable::is_alike);
-        let mut table = Table {
-            alike: None,
+        Table {
             shifts: along(0, toward).plus(&along(1, toward)),
             distances,
             sides,
@@ -108,24 +104,45 @@ impl Table {
                 true => course.matings.min(1),
                 false => course.matings,
             },
-        };
-        table.alike = all_alike.then(|| std::array::from_fn(|part| table.of_part(0, part, &None)));
-        table
+        }
     }
 
     /// Bounds of every part of every mating of `range`, in their order.
     pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(Bounds)) {
-        let nominal = self.sides[0].nominal + self.sides[1].nominal;
         for mating in range {
             let shift = self.shifts.at(mating);
+            let places = self.sides.each_ref().map(|side| side.places(mating));
             let distances = self.distances.as_ref();
             let distances =
                 distances.map(|distances| [0, 1].map(|k| distances.sides[k].at(mating)));
             for part in 0..PARTS {
-                let [low, high] = match &self.alike {
-                    Some(alike) => alike[part],
-                    None => self.of_part(mating, part, &distances),
-                };
+                let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
+                for (index, (side, places)) in self.sides.iter().zip(places).enumerate() {
+                    let plain = side.plain[part].iter();
+                    let plain = plain.map(|(step, more)| side.off(places, *step) + more);
+                    let mut least = plain.fold(f64::INFINITY, f64::min);
+                    if !side.dipping[part].is_empty() {
+                        let shares = match (&self.distances, &distances) {
+                            (Some(all), Some(ends)) => {
+                                all.shares([ends[index][part], ends[index][part + 1]])
+                            }
+                            _ => [0.0, 1.0],
+                        };
+                        let dipping = side.dipping[part].iter();
+                        least = dipping
+                            .map(|(step, more)| side.off(places, *step) + more.between(shares))
+                            .fold(least, f64::min);
+                    }
+                    let drifts = side.drifts(part);
+                    let covering = side.covering[part].iter();
+                    let most = covering.map(|step| side.off(places, *step));
+                    let most = most.fold(f64::INFINITY, f64::min);
+                    for (end, drift) in drifts.into_iter().enumerate() {
+                        low[end] += least + drift;
+                        high[end] += most + drift;
+                    }
+                }
+                let nominal = self.sides[0].nominal + self.sides[1].nominal;
                 // All but the steps' own places changes along a straight line, but for `slack`.
                 let ends = [0, 1].map(|end| nominal + shift[part + end]);
                 take(Bounds {
@@ -138,51 +155,9 @@ impl Table {
         }
     }
 
-    /// What the steps of both sides have at least and at most, at both ends of a part of a mating.
-    fn of_part(
-        &self,
-        mating: u64,
-        part: usize,
-        distances: &Option<[[f64; PARTS + 1]; 2]>,
-    ) -> [[f64; 2]; 2] {
-        let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
-        for (index, side) in self.sides.iter().enumerate() {
-            let places = side.places(mating);
-            let plain = side.plain[part].iter();
-            let plain = plain.map(|(step, more)| side.off(places, *step) + more);
-            let mut least = plain.fold(f64::INFINITY, f64::min);
-            if !side.dipping[part].is_empty() {
-                let shares = match (&self.distances, distances) {
-                    (Some(all), Some(ends)) => {
-                        all.shares([ends[index][part], ends[index][part + 1]])
-                    }
-                    _ => [0.0, 1.0],
-                };
-                let dipping = side.dipping[part].iter();
-                least = dipping
-                    .map(|(step, more)| side.off(places, *step) + more.between(shares))
-                    .fold(least, f64::min);
-            }
-            let drifts = side.drifts(part);
-            let covering = side.covering[part].iter();
-            let most = covering.map(|step| side.off(places, *step));
-            let most = most.fold(f64::INFINITY, f64::min);
-            for (end, drift) in drifts.into_iter().enumerate() {
-                low[end] += least + drift;
-                high[end] += most + drift;
-            }
-        }
-        [low, high]
-    }
-
     /// Whether a tip corner on a fillet may be the tightest somewhere.
     pub fn has_dips(&self) -> bool {
         self.sides.iter().any(|side| side.may_dip)
-    }
-
-    /// Whether a step of a side is on the line of action all through a part.
-    pub fn covers(&self, side: usize, part: usize, step: i64) -> bool {
-        self.sides[side].covering[part].contains(&step)
     }
 
     pub fn matings(&self) -> u64 {

@@ -9,7 +9,7 @@ use super::sheet::StatedGear;
 use super::spec::{Either, GearSpec, RackSpec};
 use super::statements::Statements;
 use super::table::Table;
-use super::{faults, findings, helix, pair_slips, thickness};
+use super::{faults, findings, helix, thickness, unit_slips};
 use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
@@ -158,7 +158,7 @@ impl GearPart {
             spec.thickness.statement.allowance_um = Some(Either::One(0.0));
         }
         self.helix?.echo(&mut spec);
-        self.warnings.extend(pair_slips::in_units(name, &spec));
+        self.warnings.extend(unit_slips::warnings(name, &spec));
         self.spec = Some(spec);
         Some(())
     }

@@ -62,6 +62,7 @@ mod thickness;
 pub mod tolerance;
 mod tolerance_table;
 mod uncertainty;
+mod unit_slips;
 mod unmodelled;
 mod view;
 

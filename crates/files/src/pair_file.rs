@@ -7,7 +7,6 @@ use super::gear::GearPart;
 use super::limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use super::measured::Measured;
 use super::numbers;
-use super::pair_slips;
 use super::read::PairFile;
 use super::spec::{
     AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, MOST_DISTANCES, PAIR, PairSpec,
@@ -17,6 +16,7 @@ use super::sweep::Sweep;
 use super::table::Table;
 use super::temperature::Temperature;
 use super::tolerance_table;
+use super::{pair_slips, unit_slips};
 use crate::Tree;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
@@ -134,8 +134,8 @@ impl<'a> PairTables<'a> {
         let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
         let (stem, title) = names(&self.file, self.path);
         let title = title?;
-        warnings.extend(pair_slips::in_units("assembly", &assembly));
-        warnings.extend(pair_slips::in_units("tolerance", &tolerance));
+        warnings.extend(unit_slips::warnings("assembly", &assembly));
+        warnings.extend(unit_slips::warnings("tolerance", &tolerance));
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_faces([&self.wheel, &self.pinion]));
         warnings.extend(pair_slips::in_distances(

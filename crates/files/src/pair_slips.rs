@@ -4,20 +4,6 @@ use super::gear::GearPart;
 use super::numbers::{ascii, signed, um_ascii};
 use super::spec::{BearingClearanceSpec, GearSpec};
 use gearlash::gear::involute::{inv, roll_of_inv};
-use serde::Serialize;
-use serde_json::Value;
-
-/// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a gear that
-/// is worth measuring.
-const LEAST_UM: f64 = 0.5;
-/// Below this it is 0 but for rounding: as mm it would be 0.1 µm, less than the last digit that machines print.
-const ROUNDING_UM: f64 = 1e-4;
-/// Above this gears of steel lose their hardness, °C.
-const MOST_C: f64 = 120.0;
-/// Below this helical teeth are hardly told from spur ones, degrees: 1° in radians is 57 times less.
-const LEAST_HELIX_DEG: f64 = 1.0;
-/// Lengths that look like metres below these, mm: no face ends so near to its measuring plane, no flank is placed so finely.
-const LEAST_MM: [(&str, f64); 2] = [("face_mm", 0.1), ("flank_offset_mm", 0.001)];
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
 const MOST_PLAY_MM: f64 = 0.1;
@@ -37,84 +23,6 @@ const SUITS_BY_ANGLE: f64 = 0.0005;
 const OFF_BY_ANGLE: f64 = 0.01;
 /// Sums of profile shifts that are sought where none is stated: tenths, from more than pairs are opened by to more than racks allow.
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
-
-/// Numbers of the table at `path` that look as if another unit were meant, by the unit of their keys.
-pub fn in_units(path: &str, table: &impl Serialize) -> Vec<String> {
-    let table = serde_json::to_value(table).unwrap_or_default();
-    let mut greatest = Vec::new();
-    greatest_numbers(path, "", &table, &mut greatest);
-    let slips = greatest.iter();
-    slips
-        .filter_map(|(path, unit, value)| in_unit(path, unit, *value))
-        .collect()
-}
-
-/// The greatest number, by its size, of each key, with its unit. Both flanks of a pitch, and all numbers of a distribution, count as one.
-fn greatest_numbers(path: &str, unit: &str, value: &Value, found: &mut Vec<(String, String, f64)>) {
-    match value {
-        Value::Object(table) => {
-            for (name, value) in table {
-                let is_one =
-                    table.contains_key("scatter") || name == "right_um" || name == "left_um";
-                let path = match is_one {
-                    true => path.to_owned(),
-                    false => format!("{path}.{name}"),
-                };
-                let own = name
-                    .rsplit('_')
-                    .next()
-                    .filter(|own| ["um", "mm", "deg", "c"].contains(own));
-                greatest_numbers(&path, own.unwrap_or(unit), value, found);
-            }
-        }
-        Value::Array(list) => {
-            for value in list {
-                greatest_numbers(path, unit, value, found);
-            }
-        }
-        Value::Number(number) => {
-            let number = number.as_f64().unwrap_or_default();
-            match found
-                .iter_mut()
-                .find(|(known, of, _)| known == path && of == unit)
-            {
-                Some((.., greatest)) if greatest.abs() >= number.abs() => {}
-                Some((.., greatest)) => *greatest = number,
-                None => found.push((path.to_owned(), unit.to_owned(), number)),
-            }
-        }
-        _ => {}
-    }
-}
-
-/// The warning of a key whose greatest number is `value`.
-fn in_unit(path: &str, unit: &str, value: f64) -> Option<String> {
-    let size = value.abs();
-    let least_mm = LEAST_MM.iter().find(|(key, _)| path.ends_with(key));
-    let words = match unit {
-        "um" if (ROUNDING_UM..LEAST_UM).contains(&size) => format!(
-            "the greatest value is {value} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({value} mm are {} µm)",
-            ascii(1000.0 * value, 4)
-        ),
-        "c" if value > MOST_C => format!(
-            "{value} °C is hotter than gears run: if K were meant, write {}; if °F, {}",
-            ascii(value - 273.15, 2),
-            ascii((value - 32.0) / 1.8, 1)
-        ),
-        "deg" if path.ends_with("helix_angle_deg") && 0.0 < size && size < LEAST_HELIX_DEG => {
-            format!(
-                "{value}° is hardly a helix: if rad were meant, write {}",
-                ascii(value.to_degrees(), 4)
-            )
-        }
-        "mm" if least_mm.is_some_and(|(_, least)| 0.0 < size && size < *least) => format!(
-            "{value} mm is less than is made: if m were meant, write {}",
-            ascii(1000.0 * value, 4)
-        ),
-        _ => return None,
-    };
-    Some(format!("{path}: {words}"))
-}
 
 /// Radial play that no bearing has.
 pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {

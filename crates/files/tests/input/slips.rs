@@ -34,13 +34,14 @@ fn of(wheel: &str) -> String {
     pair(wheel, "center_distance_mm = 37.1", "")
 }
 
-/// The one warning of each pair, a line each.
+/// The warnings of each pair, a line each, then an empty line.
 fn slips(pairs: &[String]) -> String {
-    let one = |text: &String| match &warnings(text)[..] {
-        [only] => format!("{only}\n"),
-        others => panic!("{others:#?}\n{text}"),
+    let of_pair = |text: &String| {
+        let found = warnings(text);
+        assert!(!found.is_empty(), "{text}");
+        format!("{}\n\n", found.join("\n"))
     };
-    pairs.iter().map(one).collect()
+    pairs.iter().map(of_pair).collect()
 }
 
 fn none(pairs: &[String]) {

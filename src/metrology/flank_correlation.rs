@@ -310,7 +310,7 @@ mod tests {
                 let single = Pitch::from_cumulative(&single[0], &single[1]);
                 for from in [1, 2] {
                     let bound = |pitch: &Pitch| {
-                        let harmonics = harmonics(&pitch);
+                        let harmonics = harmonics(pitch);
                         chernoff_bound(harmonics[from - 1..].iter().map(|h| (h.energy, h.cross)))
                     };
                     let (whole, steps) = (bound(&pitch), bound(&single));

@@ -264,21 +264,18 @@ impl Random {
 
 /// Both methods and the certificate over the face of a helical pair, at its first pose.
 fn over_the_face(study: &Study) -> Result<(), String> {
-    let Some(plan) = study.runs().ok().and_then(|runs| runs.into_iter().next()) else {
+    let runs = study.runs().unwrap_or_default();
+    let Some((plan, pair)) = runs
+        .first()
+        .and_then(|plan| Some((plan, plan.assembly.data()?)))
+    else {
         return Ok(());
     };
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| plan.assembly.gear(member));
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
     let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
     for method in [Method::Both, Method::Exact { certify: true }] {
         let go_on = || ControlFlow::Continue(());
-        let poses = sweep(
-            &plan.assembly,
-            &cut,
-            method,
-            &plan.matings[..1],
-            0.0,
-            &go_on,
-        );
+        let poses = sweep(pair, &cut, method, &plan.matings[..1], 0.0, &go_on);
         let poses = poses.map_err(|error| error.to_string())?;
         for unproven in poses.iter().flat_map(|pose| pose.unproven()) {
             // A contact that was lost, or effort that was spent, says so itself.

@@ -293,6 +293,18 @@ mod tests {
         Pitch::from_cumulative(&right, &left)
     }
 
+    /// The differences of each curve from tooth to tooth, as curves of their own.
+    fn differences(pitch: &Pitch) -> Pitch {
+        let [right, left] = Flank::BOTH.map(|side| {
+            let curve = pitch.flank(side);
+            let before = |i: usize| curve[(i + curve.len() - 1) % curve.len()];
+            (0..curve.len())
+                .map(|i| curve[i] - before(i))
+                .collect::<Vec<f64>>()
+        });
+        Pitch::from_cumulative(&right, &left)
+    }
+
     /// The bound is the lesser of those for the curves and for their differences. Source: the harmonics of the differences.
     #[test]
     fn single_deviations_are_judged_by_their_own_harmonics() {
@@ -300,14 +312,7 @@ mod tests {
         for seed in 0..40 {
             for white in [false, true] {
                 let pitch = random_pitch(17, seed, 0.4, white);
-                let single = Flank::BOTH.map(|side| {
-                    let curve = pitch.flank(side);
-                    let before = |i: usize| curve[(i + curve.len() - 1) % curve.len()];
-                    (0..curve.len())
-                        .map(|i| curve[i] - before(i))
-                        .collect::<Vec<f64>>()
-                });
-                let single = Pitch::from_cumulative(&single[0], &single[1]);
+                let single = differences(&pitch);
                 for from in [1, 2] {
                     let bound = |pitch: &Pitch| {
                         let harmonics = harmonics(pitch);
@@ -437,14 +442,7 @@ mod tests {
                 }
                 let [u, v] = Flank::BOTH.map(|side| once_round(pitch.flank(side), side));
                 let (s, d) = ((u + v).norm_sqr(), (u - v).norm_sqr());
-                let single = Flank::BOTH.map(|side| {
-                    let curve = pitch.flank(side);
-                    let before = |i: usize| curve[(i + curve.len() - 1) % curve.len()];
-                    (0..curve.len())
-                        .map(|i| curve[i] - before(i))
-                        .collect::<Vec<f64>>()
-                });
-                let single = harmonics(&Pitch::from_cumulative(&single[0], &single[1]));
+                let single = harmonics(&differences(&pitch));
                 let per_first = (2.0 * (TAU / (2.0 * f64::from(z))).sin()).powi(2);
                 let others: f64 = single[1..].iter().map(|h| 2.0 * h.energy / per_first).sum();
                 let n = 2.0 * (single.len() - 1) as f64;

@@ -85,6 +85,20 @@ pub enum GearError {
         /// Tip diameter.
         tip_diameter_mm: f64,
     },
+    /// A chord whose ends do not touch the involute.
+    #[error(
+        "a chord {height_mm:.4} mm below the tip touches at diameter {contact_diameter_mm:.4} mm, off the involute ({form_diameter_mm:.4} … {tip_diameter_mm:.4} mm)"
+    )]
+    ChordOffInvolute {
+        /// Depth below the tip.
+        height_mm: f64,
+        /// Diameter of the contacts.
+        contact_diameter_mm: f64,
+        /// Root form diameter.
+        form_diameter_mm: f64,
+        /// Tip diameter.
+        tip_diameter_mm: f64,
+    },
     /// A pin contact off the involute.
     #[error(
         "a pin of {pin_mm} mm touches at diameter {contact_diameter_mm:.4} mm, off the involute ({form_diameter_mm:.4} … {tip_diameter_mm:.4} mm)"
@@ -129,8 +143,8 @@ pub enum GearError {
     /// A study that runs exactly its measured rows has no other centre distances.
     #[error("a study without a sweep runs exactly its measured rows, at their centre distances")]
     MeasuredRows,
-    /// No tolerance field of a centre distance.
-    #[error("no tolerance field of a centre distance")]
+    /// No tolerance of a centre distance.
+    #[error("no tolerance of a centre distance")]
     DistanceField,
     /// A profile deviation that no flank can have.
     #[error("the profile deviation is too large: the flank {what}")]

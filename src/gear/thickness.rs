@@ -4,6 +4,7 @@
 
 use super::{BasicGearData, Gear, involute};
 use crate::error::GearError;
+use crate::numeric::bisect;
 use std::f64::consts::FRAC_PI_2;
 
 /// A body in a tooth space to be measured over. In a spur gear both give the same dimension.
@@ -177,6 +178,113 @@ pub fn allowance_from_base(
     (base_thickness - nominal_base) / per_normal_thickness(basic_data)
 }
 
+/// The virtual radius `r_n = r_y/cos²β_y` of the normal section at the radius `r_y`, and `cos β_y`, with `tan β_y = r_y tan β/r`.
+fn virtual_radius(basic_data: &BasicGearData, radius: f64) -> [f64; 2] {
+    let tan = basic_data.helix_angle().tan() * radius / basic_data.reference_radius();
+    let leaning = 1.0 + tan * tan;
+    [radius * leaning, leaning.sqrt().recip()]
+}
+
+/// Normal tooth thickness `s_n` at `radius`: `s_t cos β_y`, `s_t = r_y (s_bt/r_b − 2 inv α_yt)`.
+fn normal_thickness_at(basic_data: &BasicGearData, radius: f64, base_thickness: f64) -> f64 {
+    let base = basic_data.base_radius();
+    let inv = involute::inv_of_roll(involute::roll_at(radius, base));
+    let [_, cos] = virtual_radius(basic_data, radius);
+    radius * (base_thickness / base - 2.0 * inv) * cos
+}
+
+/// Depth of the chord at `radius` below the tip: `r_a − r_y + r_n (1 − cos(s_n/(2 r_n)))` (ISO 21771, chordal height).
+fn chord_height(
+    basic_data: &BasicGearData,
+    tip_radius: f64,
+    radius: f64,
+    base_thickness: f64,
+) -> f64 {
+    let [normal, _] = virtual_radius(basic_data, radius);
+    let half = normal_thickness_at(basic_data, radius, base_thickness) / (2.0 * normal);
+    tip_radius - radius + normal * (1.0 - half.cos())
+}
+
+/// Chordal addendum: depth below the tip of the chord at the reference circle.
+pub fn chordal_addendum(basic_data: &BasicGearData, tip_radius: f64, base_thickness: f64) -> f64 {
+    let radius = basic_data.reference_radius();
+    chord_height(basic_data, tip_radius, radius, base_thickness)
+}
+
+/// Radius at which the ends of a `chord` in the normal section touch, `height` below the tip.
+///
+/// The chord is that of the virtual circle (ISO 21771): `r_y = r_a − h + r_n − √(r_n² − (s̄/2)²)`. In a spur gear `r_n = r_y`, and
+/// the radius is that of a right triangle. The right side falls with `r_y`: there is one solution.
+pub fn chord_radius(basic_data: &BasicGearData, tip_radius: f64, height: f64, chord: f64) -> f64 {
+    let (below, half) = (tip_radius - height, 0.5 * chord);
+    let is_within = |radius: f64| {
+        let [normal, _] = virtual_radius(basic_data, radius);
+        normal <= half || below + normal - (normal * normal - half * half).sqrt() > radius
+    };
+    let [radius, _] = bisect(below.max(0.0), below.max(0.0) + chord, 0.0, is_within);
+    radius
+}
+
+/// `s_bt` from a `chord` in the normal section, `height` below the tip.
+///
+/// # Errors
+/// A chord that touches inside the base circle.
+pub fn base_from_chord(
+    basic_data: &BasicGearData,
+    tip_radius: f64,
+    height: f64,
+    chord: f64,
+) -> Result<f64, GearError> {
+    let base = basic_data.base_radius();
+    let radius = chord_radius(basic_data, tip_radius, height, chord);
+    GearError::require(
+        radius >= base,
+        "radius at which the chord touches (mm)",
+        radius,
+        "the base radius or more",
+    )?;
+    let [normal, cos] = virtual_radius(basic_data, radius);
+    let thickness = 2.0 * normal * (0.5 * chord / normal).min(1.0).asin() / cos;
+    let inv = involute::inv_of_roll(involute::roll_at(radius, base));
+    Ok(base * (thickness / radius + 2.0 * inv))
+}
+
+/// The chord in the normal section, `height` below the tip, of teeth of `base_thickness`.
+///
+/// It is sought between base and tip circle.
+pub fn chord_from_base(
+    basic_data: &BasicGearData,
+    tip_radius: f64,
+    height: f64,
+    base_thickness: f64,
+) -> f64 {
+    let is_above =
+        |radius: f64| chord_height(basic_data, tip_radius, radius, base_thickness) < height;
+    let [_, radius] = bisect(tip_radius, basic_data.base_radius(), 0.0, is_above);
+    let [normal, _] = virtual_radius(basic_data, radius);
+    let thickness = normal_thickness_at(basic_data, radius, base_thickness);
+    2.0 * normal * (thickness / (2.0 * normal)).sin()
+}
+
+/// Checks that the ends of a chord `height` below the tip touch the involutes.
+///
+/// # Errors
+/// [`GearError::ChordOffInvolute`].
+pub fn check_chord(gear: &Gear, height: f64) -> Result<(), GearError> {
+    let (data, tip) = (gear.basic_data(), gear.tip_radius());
+    let chord = chord_from_base(data, tip, height, gear.base_thickness());
+    let radius = chord_radius(data, tip, height, chord);
+    if height > 0.0 && radius >= gear.form_radius() && radius <= tip {
+        return Ok(());
+    }
+    Err(GearError::ChordOffInvolute {
+        height_mm: height,
+        contact_diameter_mm: 2.0 * radius,
+        form_diameter_mm: 2.0 * gear.form_radius(),
+        tip_diameter_mm: 2.0 * tip,
+    })
+}
+
 /// Checks that a span over `k` teeth touches the involute on both sides.
 ///
 /// The contacts divide `W_k`. Some position has both contacts on the involute exactly if the symmetric one, `W_k/2` each, has.
@@ -281,6 +389,42 @@ mod tests {
                     "{helix_deg} {share}: {off}"
                 );
             }
+        }
+    }
+
+    /// Closed form: for a spur gear the chord at the radius `r_y` is `2 r_y sin ψ`, `r_a − r_y cos ψ` below the tip, with
+    /// `ψ = s_b/(2 r_b) − inv α_y`; at the reference circle of a helical gear the virtual tooth number is `z/cos³β` (ISO 21771).
+    #[test]
+    fn a_chord_and_its_height_give_the_base_thickness() {
+        let spur = gear(0.0, BasicRack::ISO_53_A, 0.0);
+        let (data, base, tip) = (spur.basic_data(), spur.base_radius(), spur.tip_radius());
+        for share in [0.05, 0.3, 0.6, 0.95] {
+            let radius = spur.form_radius() + share * (tip - spur.form_radius());
+            let alpha = (base / radius).acos();
+            let half = spur.base_thickness() / (2.0 * base) - (alpha.tan() - alpha);
+            let (chord, height) = (2.0 * radius * half.sin(), tip - radius * half.cos());
+            let found = base_from_chord(data, tip, height, chord).unwrap();
+            assert!((found - spur.base_thickness()).abs() < 1e-11, "{found}");
+            let back = chord_from_base(data, tip, height, spur.base_thickness());
+            assert!((back - chord).abs() < 1e-11, "{back}");
+            assert!(check_chord(&spur, height).is_ok());
+        }
+        for helix_deg in [15.0, 45.0] {
+            let gear = gear(helix_deg, BasicRack::ISO_53_A, 0.0);
+            let data = gear.basic_data();
+            let virtual_diameter = 2.0 * 30.0 / helix_deg.to_radians().cos().powi(3);
+            let thickness = 2.0 * std::f64::consts::FRAC_PI_2;
+            let chord = virtual_diameter * (thickness / virtual_diameter).sin();
+            let sagitta = virtual_diameter / 2.0 * (1.0 - (thickness / virtual_diameter).cos());
+            let height = gear.tip_radius() - data.reference_radius() + sagitta;
+            let nominal = gear.design().nominal_base_thickness();
+            let addendum = chordal_addendum(data, gear.tip_radius(), nominal);
+            assert!((addendum - height).abs() < 1e-12, "{addendum} {height}");
+            let found = base_from_chord(data, gear.tip_radius(), height, chord).unwrap();
+            assert!(
+                (found - nominal).abs() < 1e-11,
+                "{helix_deg}: {found} {nominal}"
+            );
         }
     }
 

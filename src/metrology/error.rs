@@ -25,7 +25,7 @@ pub enum MeasurementError {
         /// Outliers that may be the cause.
         suspects: Vec<Outlier>,
     },
-    /// A span or a pin that does not touch the involute where the thickness is measured.
+    /// A span, a pin or a chord that does not touch the involute where the thickness is measured.
     #[error("{error}")]
     OffInvolute {
         /// Which statement.
@@ -147,6 +147,8 @@ pub enum Fits {
     Spans(Option<(u32, u32)>),
     /// Diameter of a pin, mm; `None` if no pin fits.
     Pin(Option<f64>),
+    /// A chord at another height.
+    Chord,
 }
 
 /// Which deviations are too large.

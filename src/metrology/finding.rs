@@ -119,6 +119,11 @@ pub enum Finding {
         /// The greatest allowance, µm.
         um: f64,
     },
+    /// An allowance takes a large part of the tooth thickness.
+    AllowanceTooLarge {
+        /// The least of its size, µm.
+        um: f64,
+    },
     /// The cross-check is the same kind of measurement as the thickness statement.
     CrossCheckOfSameKind(SameKind),
     /// The first harmonic of datum-axis pitch is not that of an eccentricity alone; the rest counts as the gear's own pitch.
@@ -304,6 +309,8 @@ pub enum SameKind {
     Span,
     /// Dimensions over the same pins.
     OverPins,
+    /// Chords at the same height.
+    Chord,
     /// Allowances.
     Allowance,
 }

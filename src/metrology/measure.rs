@@ -288,7 +288,10 @@ impl Measurements {
         let whole = plausibility::looks_like_whole(Quantity::PerTooth, per_tooth_um, half_pitch);
         let off_mean = || plausibility::off_mean(&self.thickness, basic_data, per_tooth_um);
         findings.extend(whole.or_else(off_mean));
-        findings.extend(plausibility::of_allowance(&self.thickness));
+        findings.extend(plausibility::of_allowance(
+            &self.thickness,
+            1000.0 * basic_data.module(),
+        ));
         let pitch_um = self.pitch.iter().flat_map(|pitch| {
             let both = Flank::BOTH.map(|flank| pitch.values(flank).iter().copied());
             both.into_iter().flatten()

@@ -56,4 +56,4 @@ pub use flank_correlation::{anticorrelation_p_value, datum_anticorrelation_p_val
 pub use measure::{CrossCheck, MeasuredGear, Measurements};
 pub use pitch_statement::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
 pub use runout::{ProbeReadings, ReadWith, Runout, RunoutStatement};
-pub use thickness_statement::{ThicknessStatement, Toleranced};
+pub use thickness_statement::{ThicknessStatement, Toleranced, chord_height};

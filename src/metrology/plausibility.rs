@@ -45,11 +45,17 @@ pub(super) fn off_mean(
     })
 }
 
-/// An allowance that looks like the other sign.
-pub(super) fn of_allowance(statement: &ThicknessStatement) -> Option<Finding> {
+/// Allowance, in modules, above which another unit is suspected: a sixth of the tooth thickness.
+const MOST_ALLOWANCE: f64 = 0.25;
+
+/// An allowance that looks like the other sign, or like another unit.
+pub(super) fn of_allowance(statement: &ThicknessStatement, module_um: f64) -> Option<Finding> {
     match statement {
         ThicknessStatement::AllowanceUm(um) if *um.most() > 0.0 => {
             Some(Finding::AllowanceThickens { um: *um.most() })
+        }
+        ThicknessStatement::AllowanceUm(um) if -um.most() > MOST_ALLOWANCE * module_um => {
+            Some(Finding::AllowanceTooLarge { um: *um.most() })
         }
         _ => None,
     }
@@ -79,12 +85,16 @@ pub(super) fn same_kind(
         // A base thickness may come from any measurement.
         ThicknessStatement::Nominal
         | ThicknessStatement::FlankOffset(_)
+        | ThicknessStatement::ArcThickness(_)
         | ThicknessStatement::BaseThickness(_) => None,
         ThicknessStatement::Span { teeth, .. } | ThicknessStatement::SpanReadings { teeth, .. } => {
             Some((SameKind::Span, f64::from(*teeth)))
         }
         ThicknessStatement::OverPins { pin_mm, .. }
         | ThicknessStatement::PinReadings { pin_mm, .. } => Some((SameKind::OverPins, *pin_mm)),
+        ThicknessStatement::Chord { height_mm, .. } => {
+            Some((SameKind::Chord, height_mm.unwrap_or(0.0)))
+        }
         ThicknessStatement::AllowanceUm(_) | ThicknessStatement::Field(_) => {
             Some((SameKind::Allowance, 0.0))
         }

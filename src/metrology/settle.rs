@@ -87,23 +87,18 @@ impl StatedTooth<'_> {
     }
 
     fn off_involute(&self, error: GearError, gear: &Gear, known: &Deviations) -> MeasurementError {
-        let by_span = matches!(
-            self.statement,
-            ThicknessStatement::Span { .. } | ThicknessStatement::SpanReadings { .. }
-        );
+        let (fits, suspects) = match self.statement {
+            ThicknessStatement::Span { .. } | ThicknessStatement::SpanReadings { .. } => {
+                (Fits::Spans(fitting_spans(gear)), self.suspects(known))
+            }
+            ThicknessStatement::Chord { .. } => (Fits::Chord, Vec::new()),
+            _ => (Fits::Pin(fitting_pin(gear)), Vec::new()),
+        };
         MeasurementError::OffInvolute {
             role: self.role,
             error,
-            fits: if by_span {
-                Fits::Spans(fitting_spans(gear))
-            } else {
-                Fits::Pin(fitting_pin(gear))
-            },
-            suspects: if by_span {
-                self.suspects(known)
-            } else {
-                Vec::new()
-            },
+            fits,
+            suspects,
         }
     }
 }

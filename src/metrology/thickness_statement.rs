@@ -2,7 +2,7 @@
 //!
 //! A stated span, a dimension over pins and a pitch belong to the flanks at the points of contact. Profile deviations there are
 //! taken out of the reading ([`crate::gear::Excess`]). They depend weakly on the thickness that is sought, so the two are
-//! found in turns. Allowance, base thickness and nominal thickness belong to the involute without its deviations.
+//! found in turns. All other statements belong to the involute without its deviations.
 
 use crate::error::GearError;
 use crate::gear::{
@@ -83,6 +83,15 @@ pub enum ThicknessStatement {
     FlankOffset(Toleranced<f64>),
     /// Base tooth thickness `s_bn`, mm, in the normal section.
     BaseThickness(Toleranced<f64>),
+    /// Tooth thickness `s_n`, mm, along the reference circle in the normal section.
+    ArcThickness(Toleranced<f64>),
+    /// A chord in the normal section.
+    Chord {
+        /// Depth below the tip, mm; `None`: the chordal addendum of the nominal tooth.
+        height_mm: Option<f64>,
+        /// The chord, mm.
+        mm: Toleranced<f64>,
+    },
     /// A span `W_k`.
     Span {
         /// `k`.
@@ -135,6 +144,8 @@ impl ThicknessStatement {
             ThicknessStatement::AllowanceUm(value)
             | ThicknessStatement::FlankOffset(value)
             | ThicknessStatement::BaseThickness(value)
+            | ThicknessStatement::ArcThickness(value)
+            | ThicknessStatement::Chord { mm: value, .. }
             | ThicknessStatement::Span { mm: value, .. }
             | ThicknessStatement::OverPins { mm: value, .. } => GearError::require(
                 value.least() <= value.most(),
@@ -252,6 +263,17 @@ impl ThicknessStatement {
             ThicknessStatement::BaseThickness(mm) => {
                 mm.try_map(|mm| Ok(thickness::base_from_span(basic_data, 1, *mm)))
             }
+            ThicknessStatement::ArcThickness(mm) => mm.try_map(|mm| {
+                let allowance = mm - design.nominal_thickness();
+                Ok(thickness::base_from_allowance(
+                    basic_data, nominal, allowance,
+                ))
+            }),
+            ThicknessStatement::Chord { height_mm, mm } => {
+                let height = chord_height(design, *height_mm);
+                let tip = design.tip_radius();
+                mm.try_map(|&mm| thickness::base_from_chord(basic_data, tip, height, mm))
+            }
             ThicknessStatement::Span { teeth, mm } => {
                 GearError::require(
                     (1..=basic_data.teeth()).contains(teeth),
@@ -285,6 +307,9 @@ impl ThicknessStatement {
             | ThicknessStatement::SpanReadings { teeth, .. } => thickness::check_span(gear, teeth),
             ThicknessStatement::OverPins { pin_mm, .. }
             | ThicknessStatement::PinReadings { pin_mm, .. } => thickness::check_pins(gear, pin_mm),
+            ThicknessStatement::Chord { height_mm, .. } => {
+                thickness::check_chord(gear, chord_height(gear.design(), height_mm))
+            }
             _ => Ok(()),
         }
     }
@@ -420,4 +445,11 @@ impl ThicknessStatement {
             (None, None) => Err(GearError::Readings("there is no reading")),
         }
     }
+}
+
+/// Depth of a chord below the tip, mm: as stated, or the chordal addendum of the nominal tooth.
+pub fn chord_height(design: &GearDesign, stated: Option<f64>) -> f64 {
+    let nominal = design.nominal_base_thickness();
+    let tip = design.tip_radius();
+    stated.unwrap_or_else(|| thickness::chordal_addendum(&design.basic_data, tip, nominal))
 }

@@ -1,4 +1,4 @@
-//! A centre distance with a tolerance field such as `30 js7`, after ISO 286.
+//! A centre distance with its tolerance as a drawing writes it: `30 js7` (after ISO 286), `30 ±0.02`.
 
 use crate::error::GearError;
 use std::str::FromStr;
@@ -26,12 +26,33 @@ const TABLE: [(f64, [u16; 6]); 12] = [
     (500.0, [27, 40, 63, 97, 155, 250]),
 ];
 
-/// A centre distance with a symmetric tolerance field `js5` … `js10`.
+/// A centre distance with the tolerance of a drawing: a field `js`, `H` or `h` of grade 5 … 10, or `±` a length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DesignatedDistance {
     nominal: f64,
-    grade: usize,
+    tolerance: Tolerance,
 }
+
+/// Where a distance may lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Tolerance {
+    /// Lower and upper end in shares of the tolerance of a grade.
+    Field {
+        letter: &'static str,
+        ends: [f64; 2],
+        grade: usize,
+    },
+    /// The same length on either side, mm.
+    PlusMinus(f64),
+}
+
+/// Tolerance fields, and their ends in shares of the grade. `JS` is the same field on a hole.
+const FIELDS: [(&str, [f64; 2]); 4] = [
+    ("js", [-0.5, 0.5]),
+    ("JS", [-0.5, 0.5]),
+    ("H", [0.0, 1.0]),
+    ("h", [-1.0, 0.0]),
+];
 
 impl DesignatedDistance {
     /// Nominal centre distance `a`, mm.
@@ -39,15 +60,25 @@ impl DesignatedDistance {
         self.nominal
     }
 
-    /// Half the tolerance grade, µm: the greatest deviation on either side.
+    /// Whether the tolerance is that of a field of ISO 286.
+    pub fn is_field(&self) -> bool {
+        matches!(self.tolerance, Tolerance::Field { .. })
+    }
+
+    /// Lower and upper deviation, µm.
     ///
     /// # Errors
-    /// A nominal distance outside the table: 3 mm or less, or above 500 mm.
-    pub fn tolerance_um(&self) -> Result<f64, GearError> {
+    /// A field at a nominal distance outside the table: 3 mm or less, or above 500 mm.
+    pub fn deviations_um(&self) -> Result<[f64; 2], GearError> {
+        let (ends, grade) = match self.tolerance {
+            Tolerance::Field { ends, grade, .. } => (ends, grade),
+            Tolerance::PlusMinus(mm) => return Ok([-1000.0 * mm, 1000.0 * mm]),
+        };
         let row = TABLE.iter().find(|(up_to, _)| self.nominal <= *up_to);
         match row {
             Some((_, tolerances)) if self.nominal > 3.0 => {
-                Ok(0.5 * f64::from(tolerances[self.grade - GRADES.start()]))
+                let tolerance = f64::from(tolerances[grade - GRADES.start()]);
+                Ok(ends.map(|share| share * tolerance))
             }
             _ => Err(GearError::OutOfRange {
                 what: "designated centre distance (mm)",
@@ -58,31 +89,49 @@ impl DesignatedDistance {
     }
 }
 
+/// A number in digits alone, with a decimal point or a decimal comma.
+fn plain_number(text: &str) -> Option<f64> {
+    let text = text.trim().replace(',', ".");
+    let is_plain = |c: char| c.is_ascii_digit() || c == '.';
+    text.chars().all(is_plain).then(|| text.parse().ok())?
+}
+
 impl FromStr for DesignatedDistance {
     type Err = GearError;
 
-    /// `30 js7`, with or without spaces; `JS` is the same field on a hole.
+    /// `30 js7`, `30,0 H7`, `30 ±0.02`, with or without spaces.
     fn from_str(text: &str) -> Result<DesignatedDistance, GearError> {
-        let refused = || GearError::DistanceField;
-        let (nominal, field) = text
-            .split_once("js")
-            .or_else(|| text.split_once("JS"))
-            .ok_or_else(refused)?;
-        let plain = |c: char| c.is_ascii_digit() || c == '.';
-        let nominal = Some(nominal.trim()).filter(|nominal| nominal.chars().all(plain));
-        let nominal: f64 = nominal.and_then(|n| n.parse().ok()).ok_or_else(refused)?;
-        let field = field.trim();
-        let digits = field.chars().all(|c| c.is_ascii_digit());
-        let grade = field.parse().ok().filter(|_| digits);
-        match grade.filter(|grade| GRADES.contains(grade)) {
-            Some(grade) => Ok(DesignatedDistance { nominal, grade }),
-            None => Err(refused()),
-        }
+        let read = || {
+            if let Some((nominal, mm)) = text.split_once('±').or_else(|| text.split_once("+-")) {
+                let tolerance = Tolerance::PlusMinus(plain_number(mm)?);
+                return Some((plain_number(nominal)?, tolerance));
+            }
+            let (letter, ends) = *FIELDS.iter().find(|(letter, _)| text.contains(letter))?;
+            let (nominal, grade) = text.split_once(letter)?;
+            let grade = grade.trim();
+            let digits = grade.chars().all(|c| c.is_ascii_digit());
+            let grade = grade
+                .parse()
+                .ok()
+                .filter(|grade| digits && GRADES.contains(grade))?;
+            let letter = if letter == "JS" { "js" } else { letter };
+            let tolerance = Tolerance::Field {
+                letter,
+                ends,
+                grade,
+            };
+            Some((plain_number(nominal)?, tolerance))
+        };
+        let (nominal, tolerance) = read().ok_or(GearError::DistanceField)?;
+        Ok(DesignatedDistance { nominal, tolerance })
     }
 }
 
 impl std::fmt::Display for DesignatedDistance {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} js{}", self.nominal, self.grade)
+        match self.tolerance {
+            Tolerance::Field { letter, grade, .. } => write!(f, "{} {letter}{grade}", self.nominal),
+            Tolerance::PlusMinus(mm) => write!(f, "{} ±{mm}", self.nominal),
+        }
     }
 }

@@ -51,6 +51,7 @@ fn known_thickness_fields_are_found() {
     assert_eq!(of("27cd", 100.0), [-70.0, -170.0]);
     assert_eq!(of("25cd", 40.0), [-54.0, -84.0]);
     assert_eq!(of("cd 25", 40.0), [-54.0, -84.0]);
+    assert_eq!(of("DIN 3967 cd25", 40.0), [-54.0, -84.0]);
 }
 
 #[test]
@@ -71,7 +72,11 @@ fn what_is_no_field_is_refused() {
         "js7",
         "30 js4",
         "30 js11",
-        "30 h7",
+        "30 k7",
+        "30 H11",
+        "30 ±",
+        "±0.02",
+        "30 ±-0.02",
         "30 jS7",
         "-30 js7",
         "1e2 js7",
@@ -89,7 +94,7 @@ fn what_is_no_field_is_refused() {
     assert!(field.allowances_um(&basic_data(10_001.0)).is_err());
     for beyond in ["3 js7", "500.1 js7"] {
         let distance: DesignatedDistance = beyond.parse().unwrap();
-        assert!(distance.tolerance_um().is_err(), "{beyond}");
+        assert!(distance.deviations_um().is_err(), "{beyond}");
     }
 }
 
@@ -114,14 +119,31 @@ fn js_is_half_the_grade_of_the_tolerance_factor() {
         for nominal in [ends[0] + 0.001, ends[1]] {
             for (grade, multiple) in multiples {
                 let distance: DesignatedDistance = format!("{nominal} js{grade}").parse().unwrap();
-                let found = 2.0 * distance.tolerance_um().unwrap();
+                let [lower, upper] = distance.deviations_um().unwrap();
+                let found = upper - lower;
                 let off = (found - multiple * factor).abs();
                 assert!(off < 0.6 + 0.03 * found, "{nominal} js{grade}: {found}");
             }
         }
     }
-    let thirty: DesignatedDistance = "30 js7".parse().unwrap();
-    assert_eq!((thirty.nominal(), thirty.tolerance_um()), (30.0, Ok(10.5)));
+}
+
+/// Source: ISO 286-1 as widely printed: IT7 of 30 mm is 21 µm, IT6 13 µm; a hole `H` lies above, a shaft `h` below the nominal size.
+#[test]
+fn distances_are_read_as_drawings_write_them() {
+    for (text, shown, deviations) in [
+        ("30 js7", "30 js7", [-10.5, 10.5]),
+        ("30,0 JS7", "30 js7", [-10.5, 10.5]),
+        ("30 H7", "30 H7", [0.0, 21.0]),
+        ("30 h6", "30 h6", [-13.0, 0.0]),
+        ("30±0.02", "30 ±0.02", [-20.0, 20.0]),
+        ("30,5 ± 0,02", "30.5 ±0.02", [-20.0, 20.0]),
+    ] {
+        let distance: DesignatedDistance = text.parse().unwrap();
+        assert_eq!(distance.to_string(), shown);
+        assert_eq!(distance.deviations_um(), Ok(deviations), "{text}");
+        assert_eq!(shown.parse(), Ok(distance));
+    }
 }
 
 fn measured(thickness: ThicknessStatement) -> Toleranced<Gear> {

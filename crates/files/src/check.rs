@@ -226,6 +226,9 @@ impl Walk<'_> {
 
     fn number(&mut self, at: At, node: &Node, number: f64, schema: &Value) {
         let bound = |name: &str| schema[name].as_f64();
+        if let Some(reason) = unmodelled::value(at.key, node) {
+            return self.wrong(at, node, reason.to_owned(), "give an external pair");
+        }
         let wrong = if !number.is_finite() {
             "not finite"
         } else if Kind::of(schema) == Kind::Whole && number.fract() != 0.0 {
@@ -382,7 +385,7 @@ impl Walk<'_> {
                         format!("given together with {beside}, which stands in its place"),
                         "remove one or the other".to_owned(),
                     )
-                } else if let Some((reason, help)) = unmodelled::why(&key, name) {
+                } else if let Some((reason, help)) = unmodelled::why(&key, name, node) {
                     (reason.to_owned(), help.to_owned())
                 } else {
                     let near =

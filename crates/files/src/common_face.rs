@@ -3,13 +3,15 @@
 use super::gear::GearPart;
 use super::table::Table;
 
-/// The common face of both gears, mm from the wheel's measuring plane, and how far off the pinion's lies; no length of spur gears.
+/// The common face of both gears, mm from the wheel's measuring plane, `offset` from which the pinion's lies; no length of spur gears.
 ///
+/// The lengths of wheel and pinion are `factors` times those stated.
 /// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.
 pub fn common_face(
     file: &Table,
     [wheel, pinion]: [&GearPart; 2],
-    offset_mm: Option<f64>,
+    offset: f64,
+    factors: [f64; 2],
 ) -> Option<[f64; 2]> {
     let [one, other] = [wheel.helix?, pinion.helix?];
     if one.angle_deg != other.angle_deg {
@@ -35,8 +37,8 @@ pub fn common_face(
             format!("write hand = \"{}\" at one of them", hand.mate().name()),
         );
     }
-    let offset = offset_mm.unwrap_or(0.0);
-    let (wheel, pinion) = (one.face_mm?, other.face_mm?.map(|end| end + offset));
+    let wheel = one.face_mm?.map(|end| end * factors[0]);
+    let pinion = other.face_mm?.map(|end| end * factors[1] + offset);
     let common = [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])];
     if common[0] < common[1] {
         return Some(common);
@@ -49,25 +51,4 @@ pub fn common_face(
         ),
         "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's",
     )
-}
-
-/// The common face, mm from the wheel's measuring plane, and how far off the pinion's lies, where the lengths of the wheel and of the pinion are `factors` times
-/// those stated; the distance of the measuring planes is taken to expand as the wheel does. `cold` is the common face as stated.
-pub fn warm_face(
-    cold: [f64; 2],
-    [wheel, pinion]: [&GearPart; 2],
-    offset_mm: Option<f64>,
-    factors: [f64; 2],
-) -> ([f64; 2], f64) {
-    let offset = offset_mm.unwrap_or(0.0) * factors[0];
-    let faces = [wheel, pinion].map(|gear| gear.helix.and_then(|helix| helix.face_mm));
-    let warm = match (faces, factors[0] == factors[1]) {
-        ([Some(wheel), Some(pinion)], false) => {
-            let wheel = wheel.map(|end| end * factors[0]);
-            let pinion = pinion.map(|end| end * factors[1] + offset);
-            [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])]
-        }
-        _ => cold.map(|end| end * factors[0]),
-    };
-    (warm, offset)
 }

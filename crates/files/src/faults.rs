@@ -12,7 +12,7 @@ use crate::error::Problem;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{
-    DeviationCause, Fits, MeasurementError, Outlier, ProfileKey, StatementRole,
+    DeviationCause, Fits, MeasurementError, Outlier, ProfileKey, StatementRole, chord_height,
 };
 
 /// Adds each of `errors`, with the key it comes from.
@@ -257,6 +257,16 @@ impl Fault<'_> {
 
     fn pins_inside_base(&self, reason: String) -> Problem {
         let (statement, under) = self.of.of_thickness(self.role);
+        if statement.chordal_thickness.is_some() {
+            return self.of.table.problem(
+                &format!("{under}.chordal_thickness"),
+                reason,
+                format!(
+                    "check the measurement: {}",
+                    nominal(statement, &self.of.design)
+                ),
+            );
+        }
         if statement.designation.is_some() {
             return self.of.table.problem(
                 &format!("{under}.designation"),
@@ -302,6 +312,10 @@ impl Fault<'_> {
                     ascii(pin, 3)
                 ),
             ),
+            Fits::Chord => (
+                "chordal_thickness",
+                "check height_mm; without it the chordal addendum is taken".to_owned(),
+            ),
             Fits::Pin(None) => (
                 "over_pins.pin_mm",
                 "measure over other pins, or give the span".to_owned(),
@@ -336,9 +350,21 @@ fn nominal(statement: &StatementSpec, design: &GearDesign) -> String {
             ascii(over, 4)
         );
     }
+    if let Some(chord) = &statement.chordal_thickness {
+        let height = chord_height(design, chord.height_mm);
+        let mm = thickness::chord_from_base(basic_data, design.tip_radius(), height, base);
+        return format!(
+            "nominal is {} mm, {} mm below the tip",
+            ascii(mm, 4),
+            ascii(height, 4)
+        );
+    }
     match statement.key() {
         Some("flank_offset_mm") => "nominal is 0 mm".to_owned(),
         Some("allowance_um" | "designation") => "nominal is 0 µm".to_owned(),
+        Some("arc_thickness_mm") => {
+            format!("nominal is {} mm", ascii(design.nominal_thickness(), 4))
+        }
         _ => format!("nominal is {} mm", ascii(base, 4)),
     }
 }

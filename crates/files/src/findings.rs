@@ -135,6 +135,11 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             key("thickness.allowance_um"),
             -um
         ),
+        Finding::AllowanceTooLarge { um } => format!(
+            "{}: {um} µm takes more than a quarter of the module off the teeth: if nm were meant, write {}",
+            key("thickness.allowance_um"),
+            shortest(um / 1000.0)
+        ),
         Finding::CrossCheckOfSameKind(kind) => same_kind(of, *kind),
         Finding::FirstHarmonicNotEccentricity {
             left_um,
@@ -189,6 +194,7 @@ fn same_kind(of: &Statements, kind: SameKind) -> String {
     let words = match kind {
         SameKind::Span => "a span over as many teeth",
         SameKind::OverPins => "a dimension over the same pins",
+        SameKind::Chord => "a chord at the same height",
         SameKind::Allowance => "an allowance",
     };
     format!(

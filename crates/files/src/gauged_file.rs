@@ -19,6 +19,9 @@ pub enum NoGearFile {
     /// The readings do not say enough: a file that left something out would be of another gear.
     #[error(transparent)]
     Unmeasured(#[from] Unmeasured),
+    /// Its lengths cannot be multiplied.
+    #[error(transparent)]
+    Unscaled(#[from] serde_json::Error),
     /// It cannot be written as TOML.
     #[error(transparent)]
     Unwritable(#[from] toml::ser::Error),
@@ -34,6 +37,7 @@ pub fn gauged_file(
     spec: &GearSpec,
     readings: &Gauged,
 ) -> Result<String, NoGearFile> {
+    let spec = &spec.scaled()?;
     let mut comments = vec![
         format!("What gearlash's gauges read on this gear ({name})."),
         "The thickness is the mean: the pitch carries how it varies. The runout is twice the eccentricity, which the tip circle shows.".to_owned(),

@@ -2,11 +2,12 @@
 
 use super::check::Checked;
 use super::helix::Helix;
+use super::inches::MM_PER_INCH;
 use super::pitch::PitchSheet;
 use super::profile::{self, Profiles};
 use super::runout::Runout;
 use super::sheet::StatedGear;
-use super::spec::{Either, GearSpec, RackSpec};
+use super::spec::{Either, GearSpec, RackSpec, System};
 use super::statements::Statements;
 use super::table::Table;
 use super::{faults, findings, helix, thickness, unit_slips};
@@ -26,12 +27,16 @@ pub struct GearPart {
     pub pressure_angle_deg: Option<f64>,
     /// How its teeth wind.
     pub helix: Option<Helix>,
+    /// Lengths along the pitch line in the normal section over those in the section of the file.
+    in_section: f64,
     /// All of these.
     pub basic_data: Option<BasicGearData>,
     /// The gear, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
     /// As in the pair file, defaults filled in.
     pub spec: Option<GearSpec>,
+    /// Factor of its lengths and deviations.
+    pub scale: f64,
     /// Coefficient of thermal expansion, 1/K; `Some(None)` where none is given.
     pub expansion_per_k: Option<Option<f64>>,
     /// Whether the file states its reference face.
@@ -48,10 +53,21 @@ impl GearPart {
     /// Reads the table `name` of one gear.
     pub fn read(file: &Checked, name: &str) -> GearPart {
         let table = file.table().below(name);
-        let number = |key: &str| file.read(&table.path_of(key)).flatten();
-        let (module_mm, pressure_angle_deg) = (number("module_mm"), number("pressure_angle_deg"));
-        let teeth = file.read(&table.path_of("teeth")).flatten();
+        let number = |key: &str| file.read::<f64>(&table.path_of(key)).flatten();
         let helix = Helix::read(file, name);
+        let system = file.read::<System>(&table.path_of("system")).flatten();
+        let in_section = match (system, helix) {
+            (Some(System::Transverse), Some(helix)) => helix.angle_deg.to_radians().cos(),
+            _ => 1.0,
+        };
+        let stated = number("module_mm").or_else(|| Some(MM_PER_INCH / number("diametral_pitch")?));
+        let module_mm = stated.map(|module| module * in_section);
+        let stated = number("pressure_angle_deg");
+        let pressure_angle_deg = match in_section {
+            1.0 => stated,
+            cos => stated.map(|angle| (angle.to_radians().tan() * cos).atan().to_degrees()),
+        };
+        let teeth = file.read(&table.path_of("teeth")).flatten();
         let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg);
         let wound = basic_data.zip(helix);
         let mut part = GearPart {
@@ -59,6 +75,8 @@ impl GearPart {
             module_mm,
             pressure_angle_deg,
             helix,
+            in_section,
+            scale: number("scale").unwrap_or(1.0),
             basic_data: wound.and_then(|(data, helix)| helix.of(data, &table)),
             expansion_per_k: file.read(&table.path_of("expansion_per_k")),
             states_face: table.has("reference_face"),
@@ -75,10 +93,13 @@ impl GearPart {
         let face = file.read::<Face>(&table.path_of("reference_face"));
         let tip_diameter = file.read::<f64>(&table.path_of("tip_diameter_mm"));
         let rack = file.read::<RackSpec>(&table.path_of("rack"));
-        let rack = rack.and_then(|rack| GearPart::rack(rack.unwrap_or_default(), table));
+        let rack = rack.and_then(|rack| self.rack(rack.unwrap_or_default(), table));
         let thickness = file.read(&table.path_of("thickness"));
-        let thickness =
-            thickness.and_then(|spec| thickness::complete(table, spec.unwrap_or_default(), teeth));
+        let thickness = thickness.and_then(|spec| {
+            let mut spec = thickness::complete(table, spec.unwrap_or_default(), teeth)?;
+            spec.allowances_in_normal_section(self.in_section);
+            Some(spec)
+        });
         let runout = file.read(&table.path_of("runout"));
         let runout = runout.and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth));
         let sheet = match file.read(&table.path_of("pitch")) {
@@ -103,11 +124,12 @@ impl GearPart {
         };
         let mut design = GearDesign {
             basic_data: self.basic_data?,
-            profile_shift: profile_shift?.unwrap_or(0.0),
+            profile_shift: profile_shift?.unwrap_or(0.0) / self.in_section,
             rack: rack?,
             tip_diameter: tip_diameter?,
         };
         design.tip_diameter = Some(2.0 * design.tip_radius());
+        thickness::check_body(table, thickness.as_ref()?, &design)?;
         let drawn = StatedGear {
             design: &design,
             pressure_angle_deg: self.pressure_angle_deg?,
@@ -146,9 +168,20 @@ impl GearPart {
         self.describe(&statements, &gear.findings, header_warnings);
         self.notes = gear.notes;
         self.beside_helix(&statements, gear.as_built.most())?;
-        self.as_built = Some(gear.as_built);
+        let scale = self.scale;
+        let scaled = match spec.scale {
+            Some(_) => gear.as_built.try_map(|gear| gear.expanded(scale)),
+            None => Ok(gear.as_built),
+        };
+        let help = "check the factor";
+        self.as_built = Some(table.keep("scale", scaled, help)?);
 
         spec.face_width_mm = None;
+        (spec.system, spec.diametral_pitch) = (None, None);
+        spec.module_mm = self.module_mm?;
+        spec.pressure_angle_deg = self.pressure_angle_deg?;
+        spec.profile_shift = statements.design.profile_shift;
+        spec.rack = RackSpec::from(&statements.design.rack);
         spec.tip_diameter_mm = statements.design.tip_diameter?;
         spec.runout = statements.runout.settled(gear.runout);
         spec.profile = statements.profiles.spec();
@@ -163,9 +196,16 @@ impl GearPart {
         Some(())
     }
 
+    /// Base radius, mm.
+    pub fn base_radius(&self) -> Option<f64> {
+        Some(self.scale * self.basic_data.as_ref()?.base_radius())
+    }
+
     /// The rack of the gear's table `gear`.
-    fn rack(spec: RackSpec, gear: &Table) -> Option<BasicRack> {
-        let rack = BasicRack::new(spec.addendum, spec.dedendum, spec.root_radius);
+    fn rack(&self, spec: RackSpec, gear: &Table) -> Option<BasicRack> {
+        let stated = [spec.addendum, spec.dedendum, spec.root_radius];
+        let [addendum, dedendum, root_radius] = stated.map(|length| length / self.in_section);
+        let rack = BasicRack::new(addendum, dedendum, root_radius);
         let rack = rack.map_err(|error| match error {
             GearError::OutOfRange { value, allowed, .. } => {
                 format!("{value} is out of range, allowed is {allowed}")

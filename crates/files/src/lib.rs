@@ -30,6 +30,7 @@ mod gear_file;
 mod gearbox_model;
 mod helix;
 pub mod import;
+mod inches;
 mod limits;
 mod location;
 pub mod matching;
@@ -286,7 +287,8 @@ fn with_text<T>(
     let text = reading.keep(text);
     let entries = text
         .as_ref()
-        .and_then(|text| source::parse(path, text, &reading));
+        .and_then(|text| source::parse(path, text, &reading))
+        .map(|entries| inches::in_mm(entries, &reading));
     let understood = entries.and_then(|entries| {
         let (reading, entries) = (&reading, &entries);
         understand(&Tree {

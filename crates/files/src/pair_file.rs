@@ -16,7 +16,7 @@ use super::sweep::Sweep;
 use super::table::Table;
 use super::temperature::Temperature;
 use super::tolerance_table;
-use super::{pair_slips, unit_slips};
+use super::{pair_slips, temperature, unit_slips};
 use crate::Tree;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
@@ -101,29 +101,21 @@ impl<'a> PairTables<'a> {
         }
         if let CenterDistanceSpec::Designated(designated) = &stated {
             let meaning = designated.meaning();
-            remarks.push(format!("assembly.center_distance_mm: {meaning}"));
+            remarks.extend(meaning.map(|words| format!("assembly.center_distance_mm: {words}")));
         }
         let assembly = self.assembly?;
         let face_offset_mm = assembly.face_offset_mm;
         let gears = [&self.wheel, &self.pinion];
-        let mut face = common_face::common_face(&table, gears, face_offset_mm)?;
-        let helical = face[0] < face[1];
-        if helical {
-            let factors = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
-            let (warm, offset) = common_face::warm_face(face, gears, face_offset_mm, factors);
-            if warm[0] >= warm[1] {
-                return table.refuse(
-                    "assembly.temperature_c",
-                    "leaves the gears no common face",
-                    "check face_mm, face_offset_mm and the coefficients of expansion",
-                );
-            }
-            face = warm;
-            // Teeth are counted in the wheel's measuring plane.
-            if face_offset_mm.is_some() {
-                for (_, _, pinion) in &mut materials {
-                    *pinion = pinion.section_at(-offset);
-                }
+        let warm = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
+        let factors = [self.wheel.scale * warm[0], self.pinion.scale * warm[1]];
+        temperature::check_unequal(&table, factors)?;
+        // The distance of the measuring planes is taken to expand as the wheel does.
+        let offset = face_offset_mm.unwrap_or(0.0) * warm[0];
+        let face = common_face::common_face(&table, gears, offset, factors)?;
+        // Teeth are counted in the wheel's measuring plane.
+        if face[0] < face[1] && face_offset_mm.is_some() {
+            for (_, _, pinion) in &mut materials {
+                *pinion = pinion.section_at(-offset);
             }
         }
         let (locked, bearings) = (assembly.locked, assembly.bearing_clearance_mm);
@@ -221,10 +213,8 @@ impl<'a> PairTables<'a> {
     fn distances(&self, warnings: &mut Vec<String>) -> Option<CenterDistanceSpec> {
         let file = self.table();
         let shared = assembly::check_shared(file, &self.wheel, &self.pinion);
-        let base_radii = match (shared, &self.wheel.basic_data, &self.pinion.basic_data) {
-            (Some(()), Some(wheel), Some(pinion)) => {
-                Some(wheel.base_radius() + pinion.base_radius())
-            }
+        let base_radii = match (shared, self.wheel.base_radius(), self.pinion.base_radius()) {
+            (Some(()), Some(wheel), Some(pinion)) => Some(wheel + pinion),
             _ => None,
         };
         let assembly = self.assembly.as_ref()?;

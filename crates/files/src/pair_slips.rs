@@ -3,7 +3,8 @@
 use super::gear::GearPart;
 use super::numbers::{ascii, signed, um_ascii};
 use super::spec::{BearingClearanceSpec, GearSpec};
-use gearlash::gear::involute::{inv, roll_of_inv};
+use gearlash::gear::Gear;
+use gearlash::gear::involute::{inv, inv_of_roll, roll_at, roll_of_inv};
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
 const MOST_PLAY_MM: f64 = 0.1;
@@ -21,6 +22,8 @@ const OFF: f64 = 0.05;
 /// Both where only the pressure angle is another: such distances lie close together.
 const SUITS_BY_ANGLE: f64 = 0.0005;
 const OFF_BY_ANGLE: f64 = 0.01;
+/// Backlash of nominal teeth, in modules, above which a distance is questioned: more than gears are run with.
+const MOST_BACKLASH: f64 = 0.25;
 /// Sums of profile shifts that are sought where none is stated: tenths, from more than pairs are opened by to more than racks allow.
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 
@@ -47,11 +50,12 @@ pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
     })
 }
 
-/// What of the centre `distances`, mm, looks wrong beside the gears.
+/// Warnings about the centre `distances`, mm, beside the gears.
 pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Vec<String> {
     let mut warnings = Vec::new();
     warnings.extend(runouts(wheel, pinion, distances));
-    warnings.extend(other_distance(wheel, pinion, distances));
+    let distance = other_distance(wheel, pinion, distances);
+    warnings.extend(distance.or_else(|| far(wheel, pinion, distances)));
     warnings
 }
 
@@ -100,10 +104,37 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
     ))
 }
 
+/// Centre distances that all leave nominal teeth more backlash than gears are run with.
+///
+/// Exact for involutes: `j_t = 2 r_b (inv α_wt − inv α_w0)/cos α_t` with `r_b` the sum of both base radii, at the reference circles.
+fn far(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
+    let least = distances.iter().copied().reduce(f64::min)?;
+    let gears = [wheel, pinion].map(|part| Some(part.as_built.as_ref()?.most().gear()));
+    let [Some(wheel), Some(pinion)] = gears else {
+        return None;
+    };
+    let data = wheel.basic_data();
+    let base = wheel.base_radius() + pinion.base_radius();
+    let nominal = |gear: &Gear| gear.design().nominal_base_thickness();
+    let inv_0 = (nominal(wheel) + nominal(pinion) - data.base_pitch()) / (2.0 * base);
+    let at = inv_of_roll(roll_at(least, base));
+    let backlash = 2.0 * base * (at - inv_0) / data.transverse_pressure_angle().cos();
+    let modules = backlash / data.module();
+    (modules > MOST_BACKLASH).then(|| {
+        format!(
+            "assembly.center_distance_mm: {} mm leaves nominal teeth {} µm of backlash, {} of the module: check the distance, the teeth and the module",
+            ascii(least, 4),
+            um_ascii(backlash, 0),
+            ascii(modules, 2)
+        )
+    })
+}
+
 /// A centre distance that suits another pair than the one that is stated.
 fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
-    let module = wheel.module_mm?;
     let teeth = f64::from(wheel.teeth? + pinion.teeth?);
+    let scaled = |gear: &GearPart| Some(gear.scale * gear.module_mm? * f64::from(gear.teeth?));
+    let module = (scaled(wheel)? + scaled(pinion)?) / teeth;
     let shifts = [wheel, pinion].map(|part| {
         let gear = part.as_built.as_ref()?;
         Some(gear.most().gear().design().profile_shift)

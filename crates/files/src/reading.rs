@@ -1,6 +1,7 @@
 //! One reading of a file: the folder of the files that it names, what was read, and what was found wrong or worth a remark.
 
 use crate::error::Problem;
+use crate::inches::Inches;
 use crate::sources::Sources;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -15,6 +16,7 @@ pub struct Reading {
     /// No result may be written over these.
     sources: RefCell<Sources>,
     remarks: RefCell<Vec<String>>,
+    inches: RefCell<Vec<Inches>>,
     problems: RefCell<Problems>,
 }
 
@@ -42,6 +44,7 @@ impl Reading {
             folder: PathBuf::new(),
             sources: RefCell::default(),
             remarks: RefCell::default(),
+            inches: RefCell::default(),
             problems: RefCell::default(),
         }
     }
@@ -76,6 +79,11 @@ impl Reading {
     /// The remarks since the last call.
     pub fn take_remarks(&self) -> Vec<String> {
         self.remarks.take()
+    }
+
+    /// Records a key in inches.
+    pub fn add_inches(&self, inches: Inches) {
+        self.inches.borrow_mut().push(inches);
     }
 
     /// Adds a problem.
@@ -147,7 +155,11 @@ impl Reading {
 
     /// All problems since the last call.
     pub fn take_problems(&self) -> Vec<Problem> {
-        self.problems.take().listed
+        let mut problems = self.problems.take().listed;
+        for problem in &mut problems {
+            Inches::restore(&self.inches.borrow(), problem);
+        }
+        problems
     }
 }
 

@@ -11,6 +11,25 @@ use gearlash::pair::MOST_UNEQUAL;
 /// The temperature at which lengths are stated, °C (ISO 1).
 pub const REFERENCE_C: f64 = 20.0;
 
+/// Checks that `factors` of the lengths of both gears leave modules that mesh.
+pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
+    let apart = (wheel - pinion).abs() / wheel.max(pinion);
+    if apart <= MOST_UNEQUAL {
+        return Some(());
+    }
+    let keys = ["pinion.scale", "wheel.scale"];
+    let key = keys.into_iter().find(|key| file.has(key));
+    file.refuse(
+        key.unwrap_or("assembly.temperature_c"),
+        format!(
+            "lets the modules of wheel and pinion differ by {} %, allowed is up to {} %",
+            ascii(100.0 * apart, 2),
+            100.0 * MOST_UNEQUAL
+        ),
+        "check scale, the temperature and the coefficients of expansion",
+    )
+}
+
 /// How gears and housing expand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Temperature {
@@ -54,19 +73,6 @@ impl Temperature {
             missing.extend(expansion.is_none().then_some(key));
             1.0 + expansion.unwrap_or_default() * (temperature_c - REFERENCE_C)
         });
-        let [wheel, pinion, _] = factors;
-        let apart = (wheel - pinion).abs();
-        if missing.is_empty() && apart > MOST_UNEQUAL * wheel.max(pinion) {
-            return file.refuse(
-                "assembly.temperature_c",
-                format!(
-                    "lets the modules of wheel and pinion differ by {} %, allowed is up to {} %",
-                    ascii(100.0 * apart / wheel.max(pinion), 2),
-                    100.0 * MOST_UNEQUAL
-                ),
-                "check the temperature and the coefficients of expansion",
-            );
-        }
         if missing.is_empty() {
             return Some(Some(Temperature {
                 temperature_c,

@@ -1,11 +1,13 @@
 //! `[thickness]`: lists and tables of its statements beside the number of teeth, and what they mean to the metrology.
 
+use super::numbers::ascii;
 use super::sheet::{Column, Coverage, Sheet, Wanted};
 use super::spec::{
-    BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, StatementSpec, TableFileSpec,
-    ThicknessSpec,
+    BandSpec, CROSS_CHECK_UM, CrossCheckSpec, Either, LengthSpec, OverPinsSpec, StatementSpec,
+    TableFileSpec, ThicknessSpec,
 };
 use super::table::Table;
+use gearlash::gear::{Deviations, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{self, ThicknessStatement, Toleranced};
 use std::collections::HashSet;
 
@@ -85,6 +87,49 @@ fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32
         places.complete(&table, Column::OverPins, &mut pins.length, teeth)?;
     }
     Some(())
+}
+
+/// Refuses dimensions over bodies that the file does not name, where balls and pins give different thicknesses.
+pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Option<()> {
+    let data = &design.basic_data;
+    if data.hand().is_none() || data.teeth().is_multiple_of(2) {
+        return Some(());
+    }
+    let second = spec.cross_check.as_ref().map(|check| &check.statement);
+    let statements = [("thickness", Some(&spec.statement)), (CROSS_CHECK, second)];
+    let mut named = Some(());
+    for (under, statement) in statements {
+        let pins = statement.and_then(|statement| statement.over_pins.as_ref());
+        let Some(pins) = pins.filter(|pins| pins.kind.is_none()) else {
+            continue;
+        };
+        let shown = [MeasuringBody::Ball, MeasuringBody::Pin].map(|body| {
+            let stated = StatementSpec {
+                over_pins: Some(OverPinsSpec {
+                    kind: Some(body),
+                    ..pins.clone()
+                }),
+                ..StatementSpec::default()
+            };
+            let base = stated
+                .measured()
+                .base_thickness(design, &Deviations::default());
+            let nominal = design.nominal_base_thickness();
+            base.map_or("none".to_owned(), |base| {
+                let beyond = thickness::allowance_from_base(data, nominal, *base.most());
+                format!("{} mm", ascii(design.nominal_thickness() + beyond, 4))
+            })
+        });
+        let [balls, pins] = shown;
+        named = gear.refuse(
+            &format!("{under}.over_pins.kind"),
+            format!(
+                "missing: with an odd number of teeth and a helix angle the normal tooth thickness is {balls} over balls, {pins} over pins"
+            ),
+            "add kind = \"ball\" or kind = \"pin\"",
+        );
+    }
+    named
 }
 
 /// Where the readings all round a gear were taken.
@@ -199,6 +244,8 @@ impl StatementSpec {
             ("allowance_um", self.allowance_um.is_some()),
             ("flank_offset_mm", self.flank_offset_mm.is_some()),
             ("base_thickness_mm", self.base_thickness_mm.is_some()),
+            ("arc_thickness_mm", self.arc_thickness_mm.is_some()),
+            ("chordal_thickness", self.chordal_thickness.is_some()),
         ];
         each.into_iter()
             .find(|(_, given)| *given)
@@ -248,9 +295,33 @@ impl StatementSpec {
                 .map(|mm| ThicknessStatement::FlankOffset(mm.toleranced())),
             self.base_thickness_mm
                 .map(|mm| ThicknessStatement::BaseThickness(mm.toleranced())),
+            self.arc_thickness_mm
+                .map(|mm| ThicknessStatement::ArcThickness(mm.toleranced())),
+            self.chordal_thickness
+                .map(|chord| ThicknessStatement::Chord {
+                    height_mm: chord.height_mm,
+                    mm: single_or_band(chord.mm, chord.min_mm, chord.max_mm),
+                }),
         ];
         let mut others = others.into_iter().flatten();
         others.next().unwrap_or(ThicknessStatement::Nominal)
+    }
+}
+
+impl ThicknessSpec {
+    /// Turns allowances stated in another section, `cos` times as large in the normal one, into normal ones.
+    pub fn allowances_in_normal_section(&mut self, cos: f64) {
+        let second = self.cross_check.as_mut().map(|check| &mut check.statement);
+        for statement in [&mut self.statement].into_iter().chain(second) {
+            let normal = statement.allowance_um.map(|stated| match stated {
+                Either::One(um) => Either::One(um * cos),
+                Either::Other(BandSpec { min, max }) => Either::Other(BandSpec {
+                    min: min * cos,
+                    max: max * cos,
+                }),
+            });
+            statement.allowance_um = normal;
+        }
     }
 }
 
@@ -264,15 +335,22 @@ impl CrossCheckSpec {
     }
 }
 
+/// One value, or the least and the greatest; the schema allows nothing else.
+fn single_or_band(mm: Option<f64>, least: Option<f64>, most: Option<f64>) -> Toleranced<f64> {
+    match (least, most) {
+        (Some(least), Some(most)) => Toleranced::Band { least, most },
+        _ => Toleranced::Single(mm.unwrap_or_default()),
+    }
+}
+
 impl LengthSpec {
     /// One value, or the least and the greatest.
     fn toleranced(&self) -> Toleranced<f64> {
-        match (self.mm.as_ref(), self.min_mm, self.max_mm) {
-            (_, Some(least), Some(most)) => Toleranced::Band { least, most },
-            (Some(Either::One(mm)), ..) => Toleranced::Single(*mm),
-            // The schema allows nothing else but readings.
-            _ => Toleranced::Single(0.0),
-        }
+        let single = match self.mm {
+            Some(Either::One(mm)) => Some(mm),
+            _ => None,
+        };
+        single_or_band(single, self.min_mm, self.max_mm)
     }
 
     /// Each of several readings with its place.

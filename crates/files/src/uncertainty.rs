@@ -9,7 +9,8 @@ impl UncertaintySpec {
     pub(crate) fn of_gears(&self, gears: [(&GearSpec, &AsBuilt); 2]) -> Uncertainty {
         let mm = 1e-3;
         Uncertainty {
-            base_thickness: gears.map(|(spec, gear)| self.base_thickness(&spec.thickness, gear)),
+            base_thickness: gears
+                .map(|(spec, gear)| spec.scale() * self.base_thickness(&spec.thickness, gear)),
             per_tooth: self.per_tooth_um * mm,
             pitch: self.pitch_um * mm,
             runout: self.runout_um * mm,

@@ -146,7 +146,11 @@ fn what_a_drawing_cannot_say_is_refused_with_the_way_out() {
             "given without lower",
         ),
         ("thickness.flank_offset_mm = 200", plain, "−100 … 100"),
-        (none, "center_distance_mm = \"30 h7\"", "such as \"30 js7\""),
+        (
+            none,
+            "center_distance_mm = \"30 h11\"",
+            "such as \"30 js7\"",
+        ),
         (none, "center_distance_mm = \"600 js7\"", "up to 500 mm"),
         (
             none,

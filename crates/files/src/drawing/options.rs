@@ -9,6 +9,8 @@ use super::{DrawingError, Unit};
 pub struct Options {
     /// Length of one unit of the drawing; needed where the file states none.
     pub unit: Option<Unit>,
+    /// Factor of all lengths.
+    pub scale: f64,
     /// What to read: a layer of a DXF, the id of an element of an SVG; `None`: all.
     pub select: Option<String>,
     /// Ends nearer than this are one point, mm.
@@ -23,6 +25,7 @@ impl Default for Options {
     fn default() -> Options {
         Options {
             unit: None,
+            scale: 1.0,
             select: None,
             join_mm: JOIN_MM,
             repeat: None,
@@ -47,8 +50,8 @@ impl Options {
                     "correct `units`, or leave it out",
                 ))
             }
-            (_, Some(given)) => Ok(given.mm()),
-            (Some((_, mm)), None) => Ok(mm),
+            (_, Some(given)) => Ok(self.scale * given.mm()),
+            (Some((_, mm)), None) => Ok(self.scale * mm),
             (None, None) => {
                 let names = Unit::NAMED.map(|(name, _)| format!("\"{name}\""));
                 Err(DrawingError::new(

@@ -79,6 +79,15 @@ impl ImportedTable {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
+    /// The number in the heading of its values, such as that of teeth in "Wk 3 [mm]".
+    pub(super) fn spanned(&self) -> Option<u32> {
+        let (heading, _) = self.columns.get(1)?.heading.as_ref()?;
+        let (name, _) = heading.split_once(['[', '(']).unwrap_or((heading, ""));
+        name.trim_matches(|c: char| !c.is_ascii_digit())
+            .parse()
+            .ok()
+    }
+
     /// The table of `sheet`, its value columns called `names`.
     pub(super) fn of(
         kind: Kind,

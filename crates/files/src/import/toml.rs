@@ -44,13 +44,23 @@ pub(super) fn lines(
             Kind::Trace => ("profile.trace", ""),
         };
         lines += &format!("[{}.{below}]\nfile = {}\n", gear, text(&name));
+        if table.kind == Kind::Runout && written.contains(&Kind::Pitch) {
+            lines += &format!(
+                "# Pitch measured about the bore holds the eccentricity, too: leave this table out,\n\
+                 # or add eccentricity = \"pitch\" or \"runout\" to [{gear}.pitch]\n"
+            );
+        }
+        let spanned = table.spanned().filter(|_| table.kind == Kind::Span);
         if table.by_space && table.kind == Kind::Runout {
             lines += "at = \"space\"\n";
         }
-        match table.pitch_kind {
-            Some(kind) => lines += &format!("kind = \"{kind}\"\n"),
-            None if unsaid.is_empty() => {}
-            None => lines += &format!("# To be added, for the file does not say it: {unsaid}\n"),
+        match (table.pitch_kind, spanned) {
+            (Some(kind), _) => lines += &format!("kind = \"{kind}\"\n"),
+            (None, Some(teeth)) => lines += &format!("teeth = {teeth}\n"),
+            (None, None) if unsaid.is_empty() => {}
+            (None, None) => {
+                lines += &format!("# To be added, for the file does not say it: {unsaid}\n")
+            }
         }
         if table.kind == Kind::Pitch {
             lines += "# axis = \"datum\"  # where it was measured about the bore, as machines do\n";

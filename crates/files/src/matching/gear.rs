@@ -117,7 +117,7 @@ fn differences<'a>(
     let each = |gear: &GearSpec| {
         [
             ("teeth", f64::from(gear.teeth)),
-            ("module_mm", gear.module_mm),
+            ("module_mm", gear.module_mm * gear.scale()),
             ("pressure_angle_deg", gear.pressure_angle_deg),
             ("helix_angle_deg", gear.helix_angle_deg.unwrap_or(0.0)),
         ]

@@ -43,7 +43,9 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     let table = file.table().below(name);
     let face = file.read::<Face>(&table.path_of("reference_face"));
     let spec = file.read(&table.path_of("outline")).flatten();
-    let drawn = spec.and_then(|spec| drawn(&table, spec));
+    let stated_scale = file.read::<f64>(&table.path_of("scale")).flatten();
+    let scale = stated_scale.unwrap_or(1.0);
+    let drawn = spec.and_then(|spec| drawn(&table, spec, scale));
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
     let runout = file.read(&table.path_of("runout"));
     let runout = runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth));
@@ -59,7 +61,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     }
     let runout = runout.spec;
     let mut remarks = Vec::new();
-    let centre = centre(&table, &spec, &path, &mut remarks)?;
+    let centre = centre(&table, &spec, &path, scale, &mut remarks)?;
     let reading = OutlineReading {
         centre,
         face,
@@ -98,7 +100,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
             "count from the first tooth of the drawing",
         );
     }
-    let turned = gear.with_runout(runout.total_um / 2000.0, high_tooth);
+    let turned = gear.with_runout(scale * runout.total_um / 2000.0, high_tooth);
     let gear = table.keep("runout.total_um", turned, "give the runout in µm")?;
     let kinks = match spec.kind {
         PointsKind::Smooth if !segments.is_empty() => kinks(segments),
@@ -136,13 +138,14 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
             outline: spec,
             reference_face: face,
             runout,
+            scale: stated_scale,
         },
         remarks,
     })
 }
 
 /// The drawing that `spec` names, of the gear's table `gear`.
-fn drawn(gear: &Table, spec: OutlineSpec) -> Option<(OutlineSpec, Path, DataFile)> {
+fn drawn(gear: &Table, spec: OutlineSpec, scale: f64) -> Option<(OutlineSpec, Path, DataFile)> {
     let table = gear.below("outline");
     let data = DataFile::of(&table)?;
     let format = Format::of(data.path());
@@ -157,12 +160,13 @@ fn drawn(gear: &Table, spec: OutlineSpec) -> Option<(OutlineSpec, Path, DataFile
     let bytes = data.bytes()?;
     let options = Options {
         unit: spec.units,
+        scale,
         select: spec.layer.clone().or_else(|| spec.id.clone()),
         join_mm: spec.join_mm,
         repeat: match (spec.teeth, &spec.center_mm) {
             (Some(teeth), &CentreSpec::At(centre)) => Some(Repeat {
                 teeth,
-                centre: Point2::from(centre),
+                centre: Point2::from(centre) * scale,
             }),
             _ => None,
         },
@@ -185,10 +189,11 @@ fn centre(
     gear: &Table,
     spec: &OutlineSpec,
     path: &Path,
+    scale: f64,
     remarks: &mut Vec<String>,
 ) -> Option<Point2<f64>> {
     match spec.center_mm {
-        CentreSpec::At([x, y]) => Some(Point2::new(x, y)),
+        CentreSpec::At([x, y]) => Some(Point2::new(x, y) * scale),
         CentreSpec::Found(CentreName::Bore) => {
             let circles: Vec<Point2<f64>> = path.inside.iter().filter_map(whole_circle).collect();
             match &circles[..] {

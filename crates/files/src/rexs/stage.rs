@@ -217,8 +217,8 @@ const ROUNDING_UM: f64 = 1.0;
 /// Checks the allowances of a centre distance (upper and lower, µm) against its tolerance field; a remark where they are not comparable.
 fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<String>, String> {
     let field = format!("{distance} js{grade}").parse::<DesignatedDistance>();
-    let half = match field.and_then(|field| field.tolerance_um()) {
-        Ok(half) => half,
+    let half = match field.and_then(|field| field.deviations_um()) {
+        Ok([_, half]) => half,
         Err(error) => return Ok(Some(format!("js{grade} is not compared: {error}"))),
     };
     let apart = |(one, other): (f64, f64)| (one - other).abs() > ROUNDING_UM;

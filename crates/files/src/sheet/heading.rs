@@ -291,7 +291,7 @@ pub fn is_statistic(text: &str) -> bool {
     words.contains(&plain(name)) || (all && has_word)
 }
 
-/// Whether `text` is not a tooth number but words or a date: "Fp ges.", "i.O.", "Zahnweite W3", "12.03.2024".
+/// Whether `text` is not a tooth number but words, a date or all teeth: "Fp ges.", "i.O.", "Zahnweite W3", "12.03.2024", "1–44".
 ///
 /// "Zahn 7" is one, too, unless it `may_be_tooth`: values stand beside it.
 pub fn is_remark(text: &str, may_be_tooth: bool) -> bool {
@@ -304,6 +304,11 @@ pub fn is_remark(text: &str, may_be_tooth: bool) -> bool {
             Some(Quantity::Tooth | Quantity::Number | Quantity::Space | Quantity::FirstTooth)
         );
         return !(may_be_tooth && is_place && text.bytes().any(|b| b.is_ascii_digit()));
+    }
+    let ends: Vec<&str> = text.split(['-', '–', '…']).map(str::trim).collect();
+    if let [first, last] = ends[..] {
+        // All teeth: "1 – 44". A tooth is named by one number.
+        return first == "1" && last.parse::<u32>().is_ok();
     }
     let parts: Vec<&str> = text.split(['.', '-', '/']).collect();
     let are_digits = parts
@@ -356,12 +361,16 @@ mod tests {
             "Std.abw.",
             "i.O.",
             "12.03.2024",
+            "1-44",
+            "1 … 44",
             "Zahnweite W3 [mm]",
             "Prüfer 7",
         ] {
             assert!(is_remark(text, true), "{text}");
         }
-        for text in ["x", "17", "0,5", "Zahn 7", "Nr. 7", "e5", "1e5", "# 3"] {
+        for text in [
+            "x", "17", "0,5", "Zahn 7", "Nr. 7", "e5", "1e5", "# 3", "3-5", "-1",
+        ] {
             assert!(!is_remark(text, true), "{text}");
         }
     }

@@ -13,8 +13,9 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 use serde_with::skip_serializing_none;
 
-/// "30 js7".
-pub(crate) const DISTANCE_FIELD: &str = r"^[0-9.]+ *(js|JS)([5-9]|10)$";
+/// "30 js7", "30,0 H7", "30 ±0.02".
+pub(crate) const DISTANCE_FIELD: &str =
+    r"^ *[0-9.,]+ *((js|JS|H|h) *([5-9]|10)|(±|\+-) *[0-9.,]+) *$";
 /// Centre distances of one file: each is a run that holds both gears.
 pub(crate) const MOST_DISTANCES: usize = 10_000;
 /// Poses a pitch where none are stated.
@@ -113,7 +114,7 @@ impl CenterDistanceSpec {
     }
 }
 
-/// A nominal distance and its tolerance field, js5 … js10 of ISO 286.
+/// A nominal distance, mm, and its tolerance as a drawing writes it: js, H or h of ISO 286, grades 5 to 10, or ± mm.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(inline)]
@@ -123,6 +124,8 @@ pub struct DesignatedDistanceSpec {
     /// What it means.
     #[serde(skip)]
     band: DistanceBandSpec,
+    #[serde(skip)]
+    is_field: bool,
 }
 
 impl DesignatedDistanceSpec {
@@ -131,26 +134,30 @@ impl DesignatedDistanceSpec {
     /// # Errors
     /// A size beyond the table of ISO 286.
     pub fn new(stated: &DesignatedDistance) -> Result<DesignatedDistanceSpec, GearError> {
+        let [lower, upper] = stated.deviations_um()?;
         Ok(DesignatedDistanceSpec {
             text: stated.to_string(),
             band: DistanceBandSpec {
                 nominal_mm: stated.nominal(),
-                tolerance_um: Some(stated.tolerance_um()?),
-                upper_um: None,
-                lower_um: None,
+                tolerance_um: None,
+                upper_um: Some(upper),
+                lower_um: Some(lower),
             },
+            is_field: stated.is_field(),
         })
     }
 
-    /// What it means: "30 js7 is 30 ± 0.0105 mm".
-    pub fn meaning(&self) -> String {
-        let tolerance = self.band.tolerance_um.unwrap_or_default();
-        format!(
-            "{} is {} ± {} mm, {ISO_286_SOURCE}",
-            self.text,
-            shortest(self.band.nominal_mm),
-            shortest(rounded(tolerance / 1000.0, 12))
-        )
+    /// The meaning of a tolerance field: "30 js7 is 30 ± 0.0105 mm", "30 H7 is 30 … 30.021 mm".
+    pub fn meaning(&self) -> Option<String> {
+        let (text, nominal) = (&self.text, self.band.nominal_mm);
+        let [least, greatest] = self.band.ends_mm();
+        let half = rounded(greatest - nominal, 12);
+        let limits = match half == rounded(nominal - least, 12) {
+            true => format!("{} ± {}", shortest(nominal), shortest(half)),
+            false => format!("{} … {}", shortest(least), shortest(greatest)),
+        };
+        self.is_field
+            .then(|| format!("{text} is {limits} mm, {ISO_286_SOURCE}"))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Example values with every key explained in the words of the schema: the files to start from.
 
-use super::pair_schema;
+use super::PAIR;
 use serde_json::Value;
 use std::collections::HashSet;
 
@@ -18,16 +18,15 @@ const SHORT: usize = 40;
 /// is left out.
 pub fn explained(examples: &str) -> String {
     let (preface, examples) = examples.split_once("\n\n").unwrap_or(("", examples));
-    let schema: Value = serde_json::from_str(&pair_schema()).unwrap_or_default();
     let mut writer = Writer {
         examples: Example::all(examples),
         words: Words {
-            schema: &schema,
+            schema: &PAIR,
             said: HashSet::new(),
         },
         text: format!("{preface}\n\n"),
     };
-    writer.table("", &schema);
+    writer.table("", &PAIR);
     writer.text
 }
 

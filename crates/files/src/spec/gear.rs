@@ -2,27 +2,38 @@
 
 use super::flanks::{PitchSpec, RunoutSpec};
 use super::profile::ProfileSpec;
-use super::rules::{above_zero, at_least, at_most_one, length, no_default, whole, within};
+use super::rules::{
+    above_zero, at_least, at_most_one, exactly_one, length, no_default, whole, within,
+};
 use super::thickness::ThicknessSpec;
 use gearlash::gear::{BasicRack, Face, GRADES, Hand};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use serde_with::skip_serializing_none;
 
 /// A gear: its drawing, and what was measured on it.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(transform = face_width)]
+#[schemars(transform = gear_keys)]
 pub struct GearSpec {
     /// Number of teeth z.
     #[schemars(transform = whole(3, 10_000))]
     pub teeth: u32,
     /// Module m, mm: the normal module m_n of a helical gear.
+    #[serde(default)]
     #[schemars(transform = within(0.01, 1000.0))]
     pub module_mm: f64,
+    /// Diametral pitch, teeth per inch, in place of module_mm: 25.4 mm over the module.
+    // The echo has module_mm, and a transverse system as the normal one.
+    #[schemars(transform = within(0.0254, 2540.0))]
+    pub diametral_pitch: Option<f64>,
     /// Pressure angle α, degrees: α_n in the normal section of a helical gear.
     #[schemars(transform = within(5.0, 45.0))]
     pub pressure_angle_deg: f64,
+    /// Section in which module, pressure angle, profile shift, rack and allowance_um are stated; a spur gear has but one.
+    #[schemars(extend("default" = "normal"))]
+    pub system: Option<System>,
     /// Helix angle β at the reference circle, degrees; none: 0, a spur gear.
     #[schemars(transform = within(0.0, 60.0))]
     pub helix_angle_deg: Option<f64>,
@@ -32,7 +43,7 @@ pub struct GearSpec {
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_mm: Option<[f64; 2]>,
     /// Face width, mm, centred on the measuring plane: in place of face_mm.
-    // What is read is echoed as face_mm.
+    // The echo has face_mm.
     #[schemars(transform = length())]
     pub face_width_mm: Option<f64>,
     /// Profile shift coefficient x.
@@ -49,6 +60,9 @@ pub struct GearSpec {
     #[serde(default)]
     #[schemars(transform = length())]
     pub tip_diameter_mm: f64,
+    /// Multiplies every length and deviation of the gear as stated, as shrinkage does; default: 1. The gears may differ by 2 %.
+    #[schemars(transform = within(0.5, 2.0))]
+    pub scale: Option<f64>,
     /// Coefficient of thermal expansion, 1/K: 11.5e-6 of steel; with assembly.temperature_c.
     #[schemars(transform = within(0.0, 3e-4))]
     pub expansion_per_k: Option<f64>,
@@ -81,16 +95,42 @@ impl GearSpec {
             })
     }
 
+    /// Factor of its lengths and deviations.
+    pub fn scale(&self) -> f64 {
+        self.scale.unwrap_or(1.0)
+    }
+
+    /// The gear with every length and deviation multiplied by its factor.
+    pub(crate) fn scaled(&self) -> Result<GearSpec, serde_json::Error> {
+        let mut gear = serde_json::to_value(self)?;
+        multiply(&mut gear, self.scale(), false);
+        gear["scale"].take();
+        serde_json::from_value(gear)
+    }
+
     /// Whether its teeth wind about its axis.
     pub fn is_helical(&self) -> bool {
         self.helix_angle_deg.is_some()
     }
 }
 
-/// The width in one of both ways; a tip diameter of 0 stands for none.
-fn face_width(schema: &mut Schema) {
+/// Module and width in one of both ways; 0 stands for none.
+fn gear_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["module_mm"], &["diametral_pitch"]]);
     at_most_one(schema, &[&["face_mm"], &["face_width_mm"]]);
     no_default(schema, "tip_diameter_mm");
+    no_default(schema, "module_mm");
+}
+
+/// The section of a helical gear in which its basic data are stated.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum System {
+    /// Normal to the teeth.
+    Normal,
+    /// Normal to the axis.
+    Transverse,
 }
 
 /// Basic rack, in modules.
@@ -122,5 +162,30 @@ impl From<&BasicRack> for RackSpec {
             dedendum: rack.dedendum(),
             root_radius: rack.root_radius(),
         }
+    }
+}
+
+/// Multiplies the numbers of all keys in mm and µm.
+fn multiply(value: &mut Value, factor: f64, is_length: bool) {
+    match value {
+        Value::Object(table) => {
+            for (key, value) in table {
+                let unit = key.rsplit('_').next();
+                let is_own = |units: &[&str]| unit.is_some_and(|unit| units.contains(&unit));
+                let is_length = is_own(&["mm", "um"]) || is_length && is_own(&["min", "max"]);
+                multiply(value, factor, is_length);
+            }
+        }
+        Value::Array(list) => {
+            for value in list {
+                multiply(value, factor, is_length);
+            }
+        }
+        Value::Number(number) if is_length => {
+            *value = number
+                .as_f64()
+                .map_or(Value::Null, |number| (factor * number).into());
+        }
+        _ => {}
     }
 }

@@ -28,7 +28,7 @@ pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
 pub use explained::explained;
 pub(crate) use explained::in_a_row;
 pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
-pub use gear::{GearSpec, RackSpec};
+pub use gear::{GearSpec, RackSpec, System};
 pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
 pub use pair::{EitherGearSpec, GearFileSpec, OutlinePairSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
@@ -37,7 +37,7 @@ pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{
-    CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
+    ChordSpec, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
 pub use tolerance::{
     GearToleranceSpec, PhaseName, PitchScatterSpec, ScatterName, ScatterSpec, ToleranceSpec,
@@ -61,7 +61,7 @@ pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
         _ => text.parse::<ThicknessField>().err()?,
     };
     Some(match fault {
-        GearError::DistanceField => "no distance with a tolerance field of ISO 286 that is known, js5 … js10, such as \"30 js7\"".to_owned(),
+        GearError::DistanceField => "no distance with a tolerance that is known: js, H or h of ISO 286 with grade 5 … 10, or ±, such as \"30 js7\" or \"30 ±0.02\"".to_owned(),
         GearError::ThicknessField => format!("{fault}, allowed is 21 … 30 and a, ab, b, bc, c, cd, d, e, f, g or h, such as \"25cd\""),
         other => other.to_string(),
     })

@@ -10,9 +10,10 @@ use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
 
 /// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
+#[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OutlineGearSpec {
-    /// The gear as drawn, in place of all its data but reference_face and runout.
+    /// The gear as drawn, in place of all its data but reference_face, runout and scale.
     pub outline: OutlineSpec,
     /// Which face the picture shows; the drawing shows the reference face, on which teeth are numbered clockwise.
     #[serde(default)]
@@ -20,6 +21,9 @@ pub struct OutlineGearSpec {
     /// Radial runout; none: 0.
     #[serde(default)]
     pub runout: RunoutSpec,
+    /// Multiplies every length of the drawing and the runout, as shrinkage does; default: 1.
+    #[schemars(transform = within(0.5, 2.0))]
+    pub scale: Option<f64>,
 }
 
 /// A drawing of a gear: DXF, SVG, or a list of points.

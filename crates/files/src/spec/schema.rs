@@ -7,7 +7,7 @@ use super::{GearFileSpec, PairSpec};
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
 /// The schema of pair files.
@@ -23,12 +23,61 @@ pub(crate) static GEAR: LazyLock<Value> = LazyLock::new(ordered::<GearFileSpec>)
 ///
 /// [`read`](crate::read) checks more than it can say.
 pub fn pair_schema() -> String {
-    format!("{:#}\n", *PAIR)
+    printed(&PAIR)
 }
 
 /// The JSON Schema of gear files, `title` and one `[gear]`.
 pub fn gear_schema() -> String {
-    format!("{:#}\n", *GEAR)
+    printed(&GEAR)
+}
+
+fn printed(schema: &Value) -> String {
+    let mut schema = schema.clone();
+    allow_inches(&mut schema);
+    format!("{schema:#}\n")
+}
+
+/// Allows a key `_in` wherever one `_mm` is allowed or needed. The check meets none: it comes after the conversion.
+fn allow_inches(schema: &mut Value) {
+    let in_inches = |key: &str| {
+        let name = key.strip_suffix("mm")?;
+        (name.is_empty() || name.ends_with('_')).then(|| format!("{name}in"))
+    };
+    match schema {
+        Value::Array(list) => list.iter_mut().for_each(allow_inches),
+        Value::Object(node) => {
+            node.values_mut().for_each(allow_inches);
+            let properties = node.get("properties").and_then(Value::as_object);
+            let mut keys = properties.into_iter().flat_map(Map::keys);
+            if node.contains_key("additionalProperties") && keys.any(|key| in_inches(key).is_some())
+            {
+                node.insert("patternProperties".to_owned(), json!({ "(^|_)in$": {} }));
+            }
+            if let Some(Value::Object(dependencies)) = node.get_mut("dependencies") {
+                let both = dependencies
+                    .iter()
+                    .filter_map(|(key, condition)| Some((in_inches(key)?, condition.clone())));
+                let both: Vec<(String, Value)> = both.collect();
+                dependencies.extend(both);
+            }
+            if let Some(Value::Array(needed)) = node.get_mut("required") {
+                let mut either = Vec::new();
+                needed.retain(|key| {
+                    let inches = key.as_str().and_then(in_inches);
+                    let each = |inches| json!({ "anyOf": [{ "required": [key] }, { "required": [inches] }] });
+                    either.extend(inches.map(each));
+                    either.last().is_none_or(|last| last["anyOf"][0]["required"][0] != *key)
+                });
+                if !either.is_empty() {
+                    let all = node.entry("allOf").or_insert_with(|| json!([]));
+                    all.as_array_mut()
+                        .into_iter()
+                        .for_each(|all| all.append(&mut either));
+                }
+            }
+        }
+        _ => {}
+    }
 }
 
 fn ordered<T: JsonSchema>() -> Value {

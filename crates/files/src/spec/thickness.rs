@@ -12,16 +12,18 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
 /// The statements, each a key.
-const STATEMENTS: [&[&str]; 6] = [
+const STATEMENTS: [&[&str]; 8] = [
     &["span"],
     &["over_pins"],
     &["designation"],
     &["allowance_um"],
     &["flank_offset_mm"],
     &["base_thickness_mm"],
+    &["arc_thickness_mm"],
+    &["chordal_thickness"],
 ];
 
-/// What a pair file that states none gets.
+/// The default of a pair file.
 pub(crate) const CROSS_CHECK_UM: f64 = gearlash::metrology::CrossCheck::TOLERANCE_UM;
 
 /// Mean tooth thickness: one statement; none: nominal.
@@ -70,7 +72,7 @@ pub struct StatementSpec {
     pub over_pins: Option<OverPinsSpec>,
     /// Tolerance field of the tooth thickness, DIN 3967, such as 25cd: allowance and tolerance by reference diameter.
     #[schemars(regex(
-        pattern = r"^(2[1-9]|30) ?(ab?|bc?|cd?|[defgh])$|^(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30)$"
+        pattern = r"^(DIN 3967 *)?((2[1-9]|30) ?(ab?|bc?|cd?|[defgh])|(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30))$"
     ))]
     pub designation: Option<String>,
     /// Thickness allowance A_sn, µm, in the normal section at the reference circle.
@@ -83,6 +85,11 @@ pub struct StatementSpec {
     /// Base tooth thickness s_b, mm; of helical gears s_bn, normal to the teeth: s_bt cos β_b.
     #[schemars(transform = length())]
     pub base_thickness_mm: Option<Either<f64, BandSpec>>,
+    /// Tooth thickness s_n along the reference circle, mm, in the normal section.
+    #[schemars(transform = length())]
+    pub arc_thickness_mm: Option<Either<f64, BandSpec>>,
+    /// Chordal tooth thickness in the normal section, as a tooth caliper reads it.
+    pub chordal_thickness: Option<ChordSpec>,
 }
 
 /// A second statement: compared, never used.
@@ -90,7 +97,7 @@ pub struct StatementSpec {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = cross_check_keys)]
 pub struct CrossCheckSpec {
-    /// What it states.
+    /// The statement.
     #[serde(flatten)]
     pub statement: StatementSpec,
     /// How far the two may lie apart as base thickness, µm.
@@ -106,7 +113,7 @@ pub struct SpanSpec {
     /// Teeth spanned, k.
     #[schemars(range(min = 1))]
     pub teeth: u32,
-    /// What was measured.
+    /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
     /// First tooth of each reading; absent: tooth 1, 2, ….
@@ -135,6 +142,25 @@ pub struct LengthSpec {
     pub max_mm: Option<f64>,
 }
 
+/// Chordal tooth thickness: one value, or the least and the greatest.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(transform = chord_keys)]
+pub struct ChordSpec {
+    /// Measured, mm.
+    #[schemars(transform = length())]
+    pub mm: Option<f64>,
+    /// Least measured, mm.
+    #[schemars(transform = length())]
+    pub min_mm: Option<f64>,
+    /// Greatest measured, mm.
+    #[schemars(transform = length())]
+    pub max_mm: Option<f64>,
+    /// Depth of the chord below the tip circle, mm; default: the chordal addendum of the nominal tooth.
+    #[schemars(transform = length())]
+    pub height_mm: Option<f64>,
+}
+
 /// Dimension over two pins, or balls.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -143,10 +169,9 @@ pub struct OverPinsSpec {
     /// Diameter D_M of the pins or balls, mm.
     #[schemars(transform = length())]
     pub pin_mm: f64,
-    /// What was measured over; the same on a spur gear.
-    #[schemars(extend("default" = "ball"))]
+    /// What was measured over; needed for an odd number of teeth with a helix angle, elsewhere both give one dimension.
     pub kind: Option<MeasuringBody>,
-    /// What was measured.
+    /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
     /// Tooth before the space of each reading (the other pin lies in the most opposite space); absent: tooth 1, 2, ….
@@ -183,6 +208,12 @@ fn span_keys(schema: &mut Schema) {
 fn over_pins_keys(schema: &mut Schema) {
     length_keys(schema);
     beside_list(schema, "space", "mm", &[]);
+}
+
+fn chord_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["mm"], &["min_mm", "max_mm"]]);
+    beside(schema, "min_mm", &[&["max_mm"]]);
+    beside(schema, "max_mm", &[&["min_mm"]]);
 }
 
 /// One value, least and greatest, or a table.

@@ -14,7 +14,7 @@ pub struct UncertaintySpec {
     /// Of a dimension over pins, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub over_pins_um: f64,
-    /// Of a thickness allowance, and of a base thickness, µm.
+    /// Of a thickness stated in any other way, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub allowance_um: f64,
     /// Of the thickness of a single tooth beside the others, µm.

@@ -139,6 +139,11 @@ impl ToleranceFile {
                 })
         };
         let own = measured.iter().find(same).map_or(own, |one| &one.spec);
+        // Lengths and deviations as stated: the factor stands beside them.
+        let unscaled = own.scale.map(|scale| gear.expanded(1.0 / scale));
+        let gear = &unscaled
+            .and_then(Result::ok)
+            .unwrap_or_else(|| gear.clone());
         let teeth = gear.gear().basic_data().teeth();
         let radius = gear.gear().basic_data().reference_radius();
         // Where teeth differ in thickness, each one's; what is left of its flanks is pitch. Elsewhere all of it is.

@@ -271,7 +271,7 @@ fn a_face_too_short_for_the_span_is_a_warning() {
     );
 }
 
-/// FVA Workbench's 27 teeth, example 1-3: 147.077 mm over balls and 147.311 mm over pins are the nominal thickness. Balls are the default.
+/// FVA Workbench's 27 teeth, example 1-3: 147.077 mm over balls and 147.311 mm over pins are the nominal thickness.
 #[test]
 fn a_dimension_is_over_balls_or_over_pins() {
     const GEAR: &str = "[wheel]\nteeth = 27\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"right\"\nface_width_mm = 50\n\
@@ -280,7 +280,6 @@ fn a_dimension_is_over_balls_or_over_pins() {
         [assembly]\ncenter_distance_mm = 190\n";
     let gear = |over: &str| study(&GEAR.replace("OVER", over));
     for (over, kind) in [
-        ("{ pin_mm = 9, mm = 147.07716569057362 }", "ball"),
         (
             "{ pin_mm = 9, kind = \"ball\", mm = 147.07716569057362 }",
             "ball",
@@ -294,7 +293,7 @@ fn a_dimension_is_over_balls_or_over_pins() {
             "pin",
         ),
         (
-            "{ pin_mm = 9, mm = [147.07716569057362, 147.07716569057362], space = [1, 9] }",
+            "{ pin_mm = 9, kind = \"ball\", mm = [147.07716569057362, 147.07716569057362], space = [1, 9] }",
             "ball",
         ),
     ] {
@@ -314,7 +313,7 @@ fn a_dimension_is_over_balls_or_over_pins() {
         .gear(Member::Wheel)
         .gear()
         .base_thickness();
-    let ball = gear("{ pin_mm = 9, mm = 147.07716569057362 }");
+    let ball = gear("{ pin_mm = 9, kind = \"ball\", mm = 147.07716569057362 }");
     let right = ball.study.runs().unwrap()[0]
         .assembly
         .data()
@@ -335,7 +334,7 @@ fn a_dimension_is_over_balls_or_over_pins() {
         told.contains("nominal over pins of 9 mm is 147.3112 mm"),
         "{told}"
     );
-    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, mm = 130.0 }"));
+    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, kind = \"ball\", mm = 130.0 }"));
     assert!(
         told.contains("nominal over balls of 9 mm is 147.0772 mm"),
         "{told}"

@@ -6,6 +6,7 @@ mod mutations;
 mod poses;
 mod published;
 mod slips;
+mod stated;
 mod thickness;
 
 use gearlash::analysis::study::Material;

@@ -99,6 +99,9 @@ fn micrometres_that_are_millimetres_and_other_units() {
         ),
         distance("{ nominal_mm = 37.1, tolerance_um = 0.03 }"),
         distance("37.1\ntemperature_c = 140\nhousing_expansion_per_k = 0"),
+        distance("37.1\ntemperature_c = 293\nhousing_expansion_per_k = 0"),
+        of("face_width_mm = 0.03"),
+        allowance("-600"),
         of("helix_angle_deg = 0.35\nhand = \"left\"\nface_mm = [-10, 10]").replace(
             "teeth = 17\n",
             "teeth = 17\nhelix_angle_deg = 0.35\nhand = \"right\"\nface_mm = [-10, 10]\n"
@@ -131,8 +134,11 @@ fn signs_plays_runouts_tolerances_and_rows() {
         runout(310.0),
         below("[compare]\ntolerance_um = 150"),
         below("[measured]\nfile = \"twice.csv\""),
+        pair("", "center_distance_mm = [38, 37.7]", ""),
     ]));
     none(&[
+        pair("", "center_distance_mm = [38, 37.6]", ""),
+        allowance("-490"),
         bearings("0.1"),
         runout(290.0),
         below("[compare]\ntolerance_um = 100"),

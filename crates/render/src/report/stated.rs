@@ -66,6 +66,17 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     if let Some(mm) = &statement.base_thickness_mm {
         parts.push(format!("base thickness {} mm", single_or_band(mm)));
     }
+    if let Some(mm) = &statement.arc_thickness_mm {
+        parts.push(format!("arc thickness {} mm", single_or_band(mm)));
+    }
+    if let Some(chord) = &statement.chordal_thickness {
+        let length = LengthSpec {
+            mm: chord.mm.map(Either::One),
+            min_mm: chord.min_mm,
+            max_mm: chord.max_mm,
+        };
+        parts.push(format!("chordal thickness {} mm", measured(&length)));
+    }
     match stated.per_tooth_um.as_deref() {
         None | Some([]) => {}
         Some(values) => parts.push(format!("{} values tooth by tooth", values.len())),

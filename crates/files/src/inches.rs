@@ -4,109 +4,116 @@ use crate::error::Problem;
 use crate::node::Node;
 use crate::numbers::rounded;
 use crate::reading::Reading;
+use std::collections::{HashMap, HashSet};
 
 /// Length of an inch, mm.
 pub const MM_PER_INCH: f64 = 25.4;
 
-/// A key in inches.
-#[derive(Debug)]
-pub struct Inches {
-    /// Its dotted path in mm.
-    in_mm: String,
-    /// Its dotted path and its value as they stand in the file.
-    stated: String,
-    value: String,
-}
+/// Keys in inches that are remembered: a pair file has some dozens. Problems of others name the key in mm.
+const MOST_REMEMBERED: usize = 1000;
+
+/// The keys in inches of a file, by their dotted paths in mm: path and value as they stand in the file.
+#[derive(Debug, Default)]
+pub struct Inches(HashMap<String, (String, String)>);
 
 impl Inches {
+    fn add(&mut self, in_mm: String, stated: &str, node: &Node) {
+        if self.0.len() < MOST_REMEMBERED {
+            self.0.insert(in_mm, (stated.to_owned(), node.shown()));
+        }
+    }
+
     /// Puts the key and the value of `problem` as they stand in the file.
-    pub fn restore(all: &[Inches], problem: &mut Problem) {
-        let rest = |one: &Inches| {
-            let rest = problem.key.strip_prefix(&one.in_mm)?;
-            (rest.is_empty() || rest.starts_with(['.', '['])).then(|| rest.to_owned())
-        };
-        let found = all.iter().filter_map(|one| Some((one, rest(one)?)));
-        let Some((inches, rest)) = found.max_by_key(|(one, _)| one.in_mm.len()) else {
+    pub fn restore(&self, problem: &mut Problem) {
+        let key = &problem.key;
+        let inner = key.match_indices(['.', '[']).map(|(at, _)| at);
+        let ends = [key.len()].into_iter().chain(inner.rev());
+        let mut found = ends.filter_map(|end| Some((end, self.0.get(&key[..end])?)));
+        let Some((end, (stated, value))) = found.next() else {
             return;
         };
-        if rest.is_empty() && problem.value.is_some() {
-            problem.value = Some(inches.value.clone());
+        if end == key.len() && problem.value.is_some() {
+            problem.value = Some(value.clone());
         }
-        problem.key = inches.stated.clone() + &rest;
+        problem.key = format!("{stated}{}", &key[end..]);
     }
 }
 
-/// The keys and values of a file with all lengths in mm.
-pub fn in_mm(entries: Vec<(String, Node)>, reading: &Reading) -> Vec<(String, Node)> {
-    entries_in_mm(entries, ["", ""], false, reading)
+/// Turns all lengths of a file into mm.
+pub fn to_mm(entries: &mut Vec<(String, Node)>, reading: &Reading) {
+    entries_to_mm(entries, ["", ""], false, reading);
 }
 
 /// The name in mm of a key in inches.
-fn name_in_mm(key: &str) -> Option<String> {
+fn name_in_mm((key, node): &(String, Node)) -> Option<String> {
     let name = key.strip_suffix("in")?;
-    (name.is_empty() || name.ends_with('_')).then(|| format!("{name}mm"))
+    let is_length = (name.is_empty() || name.ends_with('_')) && !matches!(node, Node::Text(_));
+    is_length.then(|| format!("{name}mm"))
 }
 
-/// Entries at a path in mm and the path as it stands in the file; `in_inches`: the key above states the unit.
-fn entries_in_mm(
-    entries: Vec<(String, Node)>,
+fn below(path: &str, key: &str) -> String {
+    match path {
+        "" => key.to_owned(),
+        _ => format!("{path}.{key}"),
+    }
+}
+
+/// Entries at a path in mm and at the path as it stands in the file; `in_inches`: the key above states the unit.
+fn entries_to_mm(
+    entries: &mut Vec<(String, Node)>,
     paths: [&str; 2],
     in_inches: bool,
     reading: &Reading,
-) -> Vec<(String, Node)> {
-    let below = |path: &str, key: &str| match path {
-        "" => key.to_owned(),
-        _ => format!("{path}.{key}"),
-    };
-    let keys: Vec<String> = entries.iter().map(|(key, _)| key.clone()).collect();
-    let each = entries.into_iter().filter_map(|(key, node)| {
-        let stated = below(paths[1], &key);
-        let in_mm = name_in_mm(&key).filter(|_| !matches!(node, Node::Text(_)));
-        let Some(in_mm) = in_mm else {
-            let has_unit = ["_mm", "_um", "_deg"]
-                .iter()
-                .any(|unit| key.ends_with(unit));
-            let (path, in_inches) = (below(paths[0], &key), in_inches && !has_unit && key != "mm");
-            let value = value_in_mm(node, [&path, &stated], in_inches, reading);
-            return Some((key, value));
-        };
-        if keys.contains(&in_mm) {
-            return reading.refuse(Problem {
-                key: stated,
-                value: Some(node.shown()),
+) {
+    let keys: HashSet<&str> = entries.iter().map(|(key, _)| &key[..]).collect();
+    let names = entries.iter().filter_map(name_in_mm);
+    let twice: HashSet<String> = names.filter(|name| keys.contains(&name[..])).collect();
+    entries.retain(|entry| {
+        let in_mm = name_in_mm(entry).filter(|name| twice.contains(name));
+        if let Some(in_mm) = &in_mm {
+            reading.add(Problem {
+                key: below(paths[1], &entry.0),
+                value: Some(entry.1.shown()),
                 reason: format!("given together with {in_mm}, allowed is one of them"),
                 help: "remove one or the other".to_owned(),
             });
         }
-        let path = below(paths[0], &in_mm);
-        reading.add_inches(Inches {
-            in_mm: path.clone(),
-            stated: stated.clone(),
-            value: node.shown(),
-        });
-        Some((in_mm, value_in_mm(node, [&path, &stated], true, reading)))
+        in_mm.is_none()
     });
-    each.collect()
+    for entry in entries {
+        let stated = below(paths[1], &entry.0);
+        let in_mm = name_in_mm(entry);
+        let has_unit = ["mm", "um", "deg"]
+            .iter()
+            .any(|unit| entry.0.ends_with(unit));
+        let in_inches = in_mm.is_some() || in_inches && !has_unit;
+        if let Some(in_mm) = in_mm {
+            let path = below(paths[0], &in_mm);
+            reading.inches().add(path, &stated, &entry.1);
+            entry.0 = in_mm;
+        }
+        let path = below(paths[0], &entry.0);
+        value_to_mm(&mut entry.1, [&path, &stated], in_inches, reading);
+    }
 }
 
-fn value_in_mm(node: Node, paths: [&str; 2], in_inches: bool, reading: &Reading) -> Node {
+fn value_to_mm(node: &mut Node, paths: [&str; 2], in_inches: bool, reading: &Reading) {
     // A millionth of a nm: 1.5 in is the f64 of 38.1.
     let length = |inches: f64| Node::Number(rounded(inches * MM_PER_INCH, 12));
     match node {
-        Node::Whole(inches) if in_inches => length(inches as f64),
-        Node::Number(inches) if in_inches => length(inches),
+        Node::Whole(inches) if in_inches => *node = length(*inches as f64),
+        Node::Number(inches) if in_inches => *node = length(*inches),
         Node::List(list) => {
-            let places = (1..).zip(list);
-            let each = places.map(|(place, node)| match node {
-                Node::Table(_) => {
+            for (place, node) in (1..).zip(list) {
+                if node.entries().is_empty() {
+                    value_to_mm(node, paths, in_inches, reading);
+                } else {
                     let [in_mm, stated] = paths.map(|path| format!("{path}[{place}]"));
-                    value_in_mm(node, [&in_mm, &stated], in_inches, reading)
+                    value_to_mm(node, [&in_mm, &stated], in_inches, reading);
                 }
-                _ => value_in_mm(node, paths, in_inches, reading),
-            });
-            Node::List(each.collect())
+            }
         }
-        Node::Table(entries) => Node::Table(entries_in_mm(entries, paths, in_inches, reading)),
-        other => other,
+        Node::Table(entries) => entries_to_mm(entries, paths, in_inches, reading),
+        _ => {}
     }
 }

@@ -288,7 +288,10 @@ fn with_text<T>(
     let entries = text
         .as_ref()
         .and_then(|text| source::parse(path, text, &reading))
-        .map(|entries| inches::in_mm(entries, &reading));
+        .map(|mut entries| {
+            inches::to_mm(&mut entries, &reading);
+            entries
+        });
     let understood = entries.and_then(|entries| {
         let (reading, entries) = (&reading, &entries);
         understand(&Tree {

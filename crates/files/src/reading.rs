@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::inches::Inches;
 use crate::sources::Sources;
-use std::cell::RefCell;
+use std::cell::{RefCell, RefMut};
 use std::path::{Path, PathBuf};
 
 /// Problems of one list that are reported one by one; the rest is counted. Tuned: they fit a screen beside others.
@@ -16,7 +16,7 @@ pub struct Reading {
     /// No result may be written over these.
     sources: RefCell<Sources>,
     remarks: RefCell<Vec<String>>,
-    inches: RefCell<Vec<Inches>>,
+    inches: RefCell<Inches>,
     problems: RefCell<Problems>,
 }
 
@@ -81,9 +81,9 @@ impl Reading {
         self.remarks.take()
     }
 
-    /// Records a key in inches.
-    pub fn add_inches(&self, inches: Inches) {
-        self.inches.borrow_mut().push(inches);
+    /// The keys in inches.
+    pub fn inches(&self) -> RefMut<'_, Inches> {
+        self.inches.borrow_mut()
     }
 
     /// Adds a problem.
@@ -157,7 +157,7 @@ impl Reading {
     pub fn take_problems(&self) -> Vec<Problem> {
         let mut problems = self.problems.take().listed;
         for problem in &mut problems {
-            Inches::restore(&self.inches.borrow(), problem);
+            self.inches.borrow().restore(problem);
         }
         problems
     }

@@ -111,7 +111,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
-        face: gear.spec.face_mm.unwrap_or_default(),
+        face: gear.spec.face().unwrap_or_default(),
         evaluation: gear.spec.evaluation_radii(),
     };
     let poses = chosen.iter();

@@ -175,6 +175,10 @@ impl GearPart {
         };
         let help = "check the factor";
         self.as_built = Some(table.keep("scale", scaled, help)?);
+        let key = table.path_of("scale");
+        let words = "every length and deviation of the gear is multiplied by it: results are of the gear as scaled";
+        self.remarks
+            .extend(spec.scale.map(|_| format!("{key}: {words}")));
 
         spec.face_width_mm = None;
         (spec.system, spec.diametral_pitch) = (None, None);

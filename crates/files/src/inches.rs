@@ -1,5 +1,6 @@
 //! Lengths in inches: a key `_in` in place of `_mm`, turned into mm before the file is checked.
 
+use crate::check::below;
 use crate::error::Problem;
 use crate::node::Node;
 use crate::numbers::rounded;
@@ -49,13 +50,6 @@ fn name_in_mm((key, node): &(String, Node)) -> Option<String> {
     let name = key.strip_suffix("in")?;
     let is_length = (name.is_empty() || name.ends_with('_')) && !matches!(node, Node::Text(_));
     is_length.then(|| format!("{name}mm"))
-}
-
-fn below(path: &str, key: &str) -> String {
-    match path {
-        "" => key.to_owned(),
-        _ => format!("{path}.{key}"),
-    }
 }
 
 /// Entries at a path in mm and at the path as it stands in the file; `in_inches`: the key above states the unit.

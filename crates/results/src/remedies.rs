@@ -26,8 +26,11 @@ impl RemedyRecord {
         if spec.assembly.temperature_c.is_some() {
             return Vec::new();
         }
+        // Thicknesses of a scaled gear are stated before its lengths are multiplied.
+        let is_scaled = spec.wheel.scale.or(spec.pinion.scale).is_some();
         let records = remedies
             .iter()
+            .filter(|remedy| !is_scaled || matches!(remedy.what, Change::CenterDistance))
             .map(|remedy| RemedyRecord::new(spec, file.study, remedy));
         records.collect()
     }

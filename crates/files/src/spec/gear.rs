@@ -87,17 +87,20 @@ impl GearSpec {
         let Some(profile) = &self.profile else {
             return [None; 2];
         };
-        profile
-            .flanks()
-            .map(|flank| match flank.range_mm.as_deref() {
-                Some(&[from, to]) => Some([from / 2.0, to / 2.0]),
-                _ => None,
-            })
+        profile.flanks().map(|flank| {
+            let range = <[f64; 2]>::try_from(flank.range_mm.as_deref()?).ok()?;
+            Some(range.map(|diameter| self.scale() * diameter / 2.0))
+        })
     }
 
     /// Factor of its lengths and deviations.
     pub fn scale(&self) -> f64 {
         self.scale.unwrap_or(1.0)
+    }
+
+    /// Both ends of the teeth, mm from the measuring plane, where they are stated.
+    pub fn face(&self) -> Option<[f64; 2]> {
+        Some(self.face_mm?.map(|end| self.scale() * end))
     }
 
     /// The gear with every length and deviation multiplied by its factor.

@@ -112,7 +112,7 @@ impl GaugedGear<'_> {
         let stated = spec.thickness.statement.span.as_ref();
         let warned = stated.is_some_and(|span| span.teeth == k);
         let k = (!warned).then_some(k);
-        short_for_span(spec.face_mm, self.name, gear, k)
+        short_for_span(spec.face(), self.name, gear, k)
     }
 
     /// The readings that were not taken, a line for each reason.

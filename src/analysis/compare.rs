@@ -76,6 +76,22 @@ pub struct ComparedPose {
     pub verdict: Verdict,
 }
 
+impl From<PoseResult> for ComparedPose {
+    /// The pose without values of formulas.
+    fn from(simulated: PoseResult) -> ComparedPose {
+        ComparedPose {
+            verdict: match simulated.found {
+                Ok(_) => Verdict::Nothing,
+                Err(_) => Verdict::Unproven,
+            },
+            michalec: None,
+            involute: None,
+            line_of_action: None,
+            simulated,
+        }
+    }
+}
+
 impl ComparedPose {
     /// Whether simulation and model 3 both have a value.
     pub fn has_both(&self) -> bool {
@@ -274,16 +290,7 @@ pub(crate) fn compared(
     tolerance_um: f64,
 ) -> ComparedPose {
     let Some(assembly) = assembly.data() else {
-        return ComparedPose {
-            verdict: match result.found {
-                Ok(_) => Verdict::Nothing,
-                Err(_) => Verdict::Unproven,
-            },
-            michalec: None,
-            involute: None,
-            line_of_action: None,
-            simulated: result,
-        };
+        return result.into();
     };
     let analytic: Analytic = evaluate(assembly, &result.pose);
     let line_of_action = analytic.line_of_action.backlash(assembly);

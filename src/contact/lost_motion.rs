@@ -179,7 +179,7 @@ impl Status {
     ];
 
     /// The name results use.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Status::Clear => "clear",
             Status::Interference => "interference",

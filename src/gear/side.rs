@@ -40,7 +40,7 @@ impl Side {
     }
 
     /// `right` or `left`.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Side::Right => "right",
             Side::Left => "left",

@@ -5,14 +5,15 @@ use crate::error::error;
 use crate::pair::{Pair, mating};
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::simulate::Run;
-use gearlash::contact::{CutPair, ExactKernel, Method, Status, sweep_blocks};
+use gearlash::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
 use gearlash::error::Error;
 use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use gearlash_results::pose_json;
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Mating, Member, SweepPlan};
+use gearlash_results::{Array, Values, pose_arrays, pose_json};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use rayon::prelude::*;
 
 /// One pose as the JSON of results.
@@ -32,7 +33,7 @@ pub fn lost_motion(
         let pose = assembly.lost_motion(mating)?;
         let run = Run {
             material,
-            assembly: assembly.into(),
+            assembly,
             phase: None,
             poses: vec![pose],
         };
@@ -46,12 +47,12 @@ pub fn lost_motion(
     json.map_err(|reason| error(py, reason))
 }
 
-/// Of which gears, and how: a tuple in Python.
+/// Centre distance, material, whether poses are proven, and threads: a tuple in Python.
 #[derive(FromPyObject)]
 pub struct How(Option<f64>, Option<String>, bool, Option<usize>);
 
 impl How {
-    fn assembly(&self, py: Python<'_>, pair: &Pair) -> PyResult<GearPair> {
+    fn assembly(&self, py: Python<'_>, pair: &Pair) -> PyResult<AssembledPair> {
         let How(distance, material, ..) = self;
         let (_, assembly) = pair.assembly(py, *distance, material.as_deref())?;
         Ok(assembly)
@@ -76,7 +77,7 @@ pub fn lost_motions<'py>(
     {
         matings.push(mating(py, &assembly, [*wheel, *pinion], *left, *fraction)?);
     }
-    found(py, &assembly, matings, &how)
+    found(py, assembly, matings, &how)
 }
 
 /// One wheel revolution, or every mating of the cycle, on one flank.
@@ -112,108 +113,65 @@ pub fn revolution<'py>(
             *mating = mating.at_flank(&assembly, Side::Left);
         }
     }
-    found(py, &assembly, matings, &how)
+    found(py, assembly, matings, &how)
 }
 
-/// Poses of one call that makes its own: 80 bytes each while it works.
+/// Poses of one call that makes its own: 90 bytes each while it works.
 const MOST_POSES: u64 = 100_000_000;
 
-/// What an array keeps of a pose.
-struct FoundPose {
-    j_wt_um: f64,
-    error_bound_um: f64,
-    status: Status,
-}
+/// Poses whose array entries a thread makes at once (tuned: some 0.1 ms).
+const TOGETHER: usize = 256;
 
-fn um(mm: Option<f64>) -> f64 {
-    mm.map_or(f64::NAN, |mm| mm * 1e3)
-}
-
-/// The poses, each proven.
-fn certified(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<FoundPose>, Error> {
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
-    let cut = CutPair::for_certificates(wheel, pinion);
-    let method = Method::Exact { certify: true };
-    let mut all = Vec::with_capacity(matings.len());
-    sweep_blocks(assembly, &cut, method, matings, 0.0, tick, &mut |poses| {
-        all.extend(poses.iter().map(|pose| FoundPose {
-            j_wt_um: um(pose.backlash),
-            error_bound_um: um(pose.error_bound),
-            status: pose.status(),
-        }));
-        Ok::<(), Error>(())
-    })?;
-    Ok(all)
-}
-
-/// The same by the exact method alone. Its poses take less than a microsecond each: nothing of them is kept that an array does not.
-fn exact(assembly: &GearPair, matings: &[Mating], tick: Tick) -> Result<Vec<FoundPose>, Error> {
-    let kernel = ExactKernel::new(assembly);
-    let radius = assembly.operating_pitch_radius(assembly.free());
-    let one = |mating: &Mating| {
-        if tick().is_break() {
-            return Err(Error::Interrupted);
-        }
-        match kernel.lost_motion(&Pose::new(assembly, *mating)) {
-            Ok(found) => {
-                let angle = found.angle();
-                Ok(FoundPose {
-                    j_wt_um: um(angle.map(|angle| angle * radius)),
-                    error_bound_um: um(angle.and(found.error()).map(|error| error * radius)),
-                    status: found.status(),
-                })
-            }
-            Err(error) if error.pose_failure().is_some() => Ok(FoundPose {
-                j_wt_um: f64::NAN,
-                error_bound_um: f64::NAN,
-                status: Status::Unproven,
-            }),
-            Err(error) => Err(error),
-        }
-    };
-    matings.par_iter().with_min_len(LEAST).map(one).collect()
-}
-
-/// Poses that a thread takes at once, at least: some 0.1 ms.
-const LEAST: usize = 128;
-
-/// What is found at `matings`: arrays by name, and what one mm of `j_wt` is in other units.
+/// The columns of the poses `matings` as arrays by name, and the centre distance.
 fn found<'py>(
     py: Python<'py>,
-    assembly: &GearPair,
+    pair: AssembledPair,
     matings: Vec<Mating>,
     How(_, _, certify, threads): &How,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let found = work(py, *threads, |tick| match certify {
-        true => certified(assembly, &matings, tick),
-        false => exact(assembly, &matings, tick),
-    })?;
-    let arrays = PyDict::new(py);
-    let of = |value: fn(&FoundPose) -> f64| -> Vec<f64> { found.iter().map(value).collect() };
-    let (j_wt, error_bound) = (of(|found| found.j_wt_um), of(|found| found.error_bound_um));
-    let statuses: Vec<u8> = found.iter().map(|found| found.status as u8).collect();
-    let each = || matings.iter();
-    let wheel: Vec<u32> = each().map(|mating| mating.wheel_tooth).collect();
-    let pinion: Vec<u32> = each().map(|mating| mating.pinion_tooth).collect();
-    let left: Vec<u8> = each()
-        .map(|mating| u8::from(mating.flank == Side::Left))
-        .collect();
-    let fraction: Vec<f64> = each().map(|mating| mating.fraction).collect();
-    arrays.set_item("wheel_tooth", wheel.into_pyarray(py))?;
-    arrays.set_item("pinion_tooth", pinion.into_pyarray(py))?;
-    arrays.set_item("flank", left.into_pyarray(py))?;
-    arrays.set_item("fraction", fraction.into_pyarray(py))?;
-    arrays.set_item("j_wt_um", j_wt.into_pyarray(py))?;
-    arrays.set_item("error_bound_um", error_bound.into_pyarray(py))?;
-    arrays.set_item("status", statuses.into_pyarray(py))?;
-    let one = assembly.backlash(1.0);
-    let units = [
-        one.j_t,
-        one.j_bn,
-        one.arcmin(Member::Wheel) * 1e-3,
-        one.arcmin(Member::Pinion) * 1e-3,
-    ];
-    arrays.set_item("units", units)?;
-    arrays.set_item("center_distance_mm", assembly.center_distance())?;
-    Ok(arrays)
+    let distance = pair.center_distance();
+    let found = work(py, *threads, |tick| arrays(&pair, &matings, *certify, tick))?;
+    let columns = PyDict::new(py);
+    for Array { name, values } in found {
+        match values {
+            Values::Counts(counts) => columns.set_item(name, counts.into_pyarray(py))?,
+            Values::Numbers(numbers) => columns.set_item(name, numbers.into_pyarray(py))?,
+            Values::Words(places, words) => {
+                columns.set_item(name, (places.into_pyarray(py), PyTuple::new(py, words)?))?;
+            }
+        }
+    }
+    let poses = PyDict::new(py);
+    poses.set_item("center_distance_mm", distance)?;
+    poses.set_item("columns", columns)?;
+    Ok(poses)
+}
+
+fn arrays(
+    pair: &AssembledPair,
+    matings: &[Mating],
+    certify: bool,
+    tick: Tick,
+) -> Result<Vec<Array>, Error> {
+    let mut all = pose_arrays(pair, []);
+    let each = &mut |poses: Vec<PoseResult>| {
+        let parts = poses.into_par_iter().chunks(TOGETHER);
+        let parts = parts.map(|poses| pose_arrays(pair, poses));
+        for part in parts.collect::<Vec<_>>() {
+            for (array, more) in all.iter_mut().zip(part) {
+                array.append(more);
+            }
+        }
+        Ok::<(), Error>(())
+    };
+    match pair {
+        AssembledPair::Data(pair) => {
+            let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+            let cut = CutPair::for_certificates(wheel, pinion);
+            let method = Method::Exact { certify };
+            sweep_blocks(pair, &cut, method, matings, 0.0, tick, each)?;
+        }
+        AssembledPair::Drawn(pair) => sweep_outlines(pair, certify, matings, 0.0, tick, each)?,
+    }
+    Ok(all)
 }

@@ -34,7 +34,7 @@ def test_pandas_and_arrow_have_the_columns() -> None:
     assert len(runs) == 56 and isinstance(runs["least_low_um"].iloc[0], float)
     assert isinstance(runs["material"].dtype, pandas.CategoricalDtype)
     jammed = gearlash.Poses(
-        **{**vars(poses), "j_wt_um": np.full(len(poses), np.nan)}
+        poses.center_distance_mm, {**poses.columns(), "j_wt_um": np.full(len(poses), np.nan)}
     )
     assert jammed.to_arrow()["j_wt_um"].null_count == len(poses)
 

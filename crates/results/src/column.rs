@@ -7,6 +7,7 @@
 //! - *csv*: the column's name in CSV. Without another name it is the key with `_` for the dots.
 //! - *value*: a function of the row.
 //! - *heading*: what a table for people writes above it. Without a heading people do not see the column.
+//! - *array*, *page*: the column's name among the arrays for numpy, and in the data of a page.
 //!
 //! JSON has the order of the list. [`Column::rank`] moves a column in CSV: a program may count on the position of a
 //! CSV column, so a new column gets a rank that places it last.
@@ -125,6 +126,10 @@ pub enum Unit {
     Hundredths,
     /// A status or a verdict, coloured by how grave it is.
     Grave,
+    /// An angle, rad; degrees in a page.
+    Angle,
+    /// A place in a picture, mm; in a page with the decimals of its outlines.
+    Place,
 }
 
 /// The value of a row in one column.
@@ -137,6 +142,8 @@ pub struct Column<R> {
     rank: u8,
     unit: Unit,
     heading: Option<layout::Column>,
+    array: Option<(&'static str, Entries)>,
+    page: Option<String>,
     value: Get<R>,
 }
 
@@ -149,6 +156,8 @@ impl<R: 'static> Column<R> {
             rank: 1,
             unit,
             heading: None,
+            array: None,
+            page: None,
             value: Box::new(value),
         }
     }
@@ -181,6 +190,23 @@ impl<R: 'static> Column<R> {
     pub fn heading(mut self, heading: layout::Column) -> Column<R> {
         self.heading = Some(heading);
         self
+    }
+
+    /// The column's name among the arrays for numpy, and the type of its entries there.
+    pub fn array(mut self, name: &'static str, entries: Entries) -> Column<R> {
+        self.array = Some((name, entries));
+        self
+    }
+
+    /// The column's name in the data of a page.
+    pub fn page(mut self, name: &str) -> Column<R> {
+        self.page = Some(name.to_owned());
+        self
+    }
+
+    /// A column that only a page has.
+    pub fn only_page(self, name: &str) -> Column<R> {
+        self.no_json().no_csv().page(name)
     }
 
     /// A column that only people see.
@@ -245,15 +271,17 @@ impl<R: Row> Columns<R> {
         prefix: &str,
         row: fn(&O) -> Option<&R>,
     ) -> impl Iterator<Item = Column<O>> {
-        let columns = self.columns.iter().filter(|column| column.key.is_some());
-        columns.map(move |column| {
-            let key = column.key.as_deref().unwrap_or_default();
+        let is_held = |column: &&Column<R>| column.key.is_some() || column.page.is_some();
+        self.columns.iter().filter(is_held).map(move |column| {
+            let joined = |name: &String| format!("{prefix}_{name}");
             Column {
-                key: Some(format!("{prefix}.{key}")),
-                csv: column.csv.as_ref().map(|name| format!("{prefix}_{name}")),
+                key: column.key.as_ref().map(|key| format!("{prefix}.{key}")),
+                csv: column.csv.as_ref().map(joined),
                 rank: column.rank,
                 unit: column.unit,
                 heading: None,
+                array: None,
+                page: column.page.as_ref().map(joined),
                 value: Box::new(move |whole| match row(whole) {
                     Some(row) => (column.value)(row),
                     None => Value::Absent,
@@ -295,6 +323,26 @@ impl<R: Row> Columns<R> {
         numbers
             .map(|number| (self.columns[*number].value)(row))
             .collect()
+    }
+
+    /// The arrays for numpy of `rows`.
+    pub fn arrays(&self, rows: &[R]) -> Vec<Array> {
+        let columns = self.columns.iter().filter_map(|column| {
+            let (name, entries) = column.array?;
+            let mut array = Array::new(name, entries);
+            rows.iter().for_each(|row| array.push(&(column.value)(row)));
+            Some(array)
+        });
+        columns.collect()
+    }
+
+    /// The columns of `rows` that a page has: their names, units and values.
+    pub fn page(&self, rows: &[R]) -> Vec<(&str, Unit, Vec<Value>)> {
+        let columns = self.columns.iter().filter_map(|column| {
+            let values = rows.iter().map(|row| (column.value)(row));
+            Some((column.page.as_deref()?, column.unit, values.collect()))
+        });
+        columns.collect()
     }
 
     /// `rows` as CSV.
@@ -394,6 +442,77 @@ impl<R: Row> Columns<R> {
     /// A table of `rows` whose backlash is in µm, for a terminal.
     pub fn text(&self, rows: &[R], screen: &Screen) -> String {
         self.table(rows, |_| f64::NAN, BacklashUnit::Um, screen)
+    }
+}
+
+/// The type of the entries of an array.
+#[derive(Debug, Clone, Copy)]
+pub enum Entries {
+    /// Numbers of teeth.
+    Counts,
+    /// Numbers; NaN for no value.
+    Numbers,
+    /// Words as their place in this list.
+    Words(&'static [&'static str]),
+}
+
+/// The values of one column, an entry a row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Array {
+    /// The name of the column.
+    pub name: &'static str,
+    /// Its values.
+    pub values: Values,
+}
+
+/// The entries of an array.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// Numbers of teeth.
+    Counts(Vec<u32>),
+    /// Numbers; NaN for no value.
+    Numbers(Vec<f64>),
+    /// Words as their place in the list.
+    Words(Vec<u8>, &'static [&'static str]),
+}
+
+impl Array {
+    /// An array without entries yet.
+    pub(crate) fn new(name: &'static str, entries: Entries) -> Array {
+        let values = match entries {
+            Entries::Counts => Values::Counts(Vec::new()),
+            Entries::Numbers => Values::Numbers(Vec::new()),
+            Entries::Words(words) => Values::Words(Vec::new(), words),
+        };
+        Array { name, values }
+    }
+
+    /// Adds the entry of `value`.
+    pub(crate) fn push(&mut self, value: &Value) {
+        match &mut self.values {
+            Values::Counts(counts) => counts.push(match value {
+                Value::Count(count) => u32::try_from(*count).unwrap_or(u32::MAX),
+                _ => 0,
+            }),
+            Values::Numbers(numbers) => numbers.push(match value {
+                Value::Number(number) => *number,
+                _ => f64::NAN,
+            }),
+            Values::Words(places, words) => {
+                let place = words.iter().position(|word| *value == Value::Word(word));
+                places.push(place.unwrap_or(words.len()) as u8);
+            }
+        }
+    }
+
+    /// Adds the entries of `more`, an array of the same column.
+    pub fn append(&mut self, more: Array) {
+        match (&mut self.values, more.values) {
+            (Values::Counts(all), Values::Counts(more)) => all.extend(more),
+            (Values::Numbers(all), Values::Numbers(more)) => all.extend(more),
+            (Values::Words(all, _), Values::Words(more, _)) => all.extend(more),
+            _ => {}
+        }
     }
 }
 

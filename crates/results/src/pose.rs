@@ -1,10 +1,12 @@
 //! A pose: the keys of the interface, units in their names.
 
-use crate::column::{Column, Columns, Row, Value, columns};
+use crate::column::{Array, Column, Columns, Entries, Row, Unit, Value, columns};
 use crate::layout;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
-use gearlash::contact::{Contact, ContactClass, LostMotion, PoseClass, PoseResult, Unproven};
+use gearlash::contact::{
+    Contact, ContactClass, LostMotion, PoseClass, PoseResult, Status, Unproven,
+};
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::{Backlash, GearPair, Mating, Member, arcmin};
@@ -47,28 +49,37 @@ impl PoseRow {
     pub fn new(assembly: &AssembledPair, pose: &ComparedPose) -> PoseRow {
         let result = &pose.simulated;
         let (data, found) = (assembly.data(), result.proven());
-        let angle = found.and_then(LostMotion::angle);
         let contact = |side, contact: fn(&LostMotion) -> Option<&Contact>| {
-            let contact = contact(angle.and(found)?)?;
-            Some(ContactRow {
-                contact: *contact,
-                class: data.map(|pair| ContactClass::of(pair, side, contact)),
-            })
+            let found = found.filter(|found| found.angle().is_some())?;
+            Some(ContactRow::new(data, side, contact(found)?))
         };
+        PoseRow {
+            class: data.map(|pair| result.class(pair)),
+            right: contact(Side::Right, |found| found.right.as_ref()),
+            left: contact(Side::Left, |found| found.left.as_ref()),
+            ..PoseRow::without_contacts(assembly, pose.clone())
+        }
+    }
+
+    /// The row of a `pose` of `assembly` without contacts and classes, which take as long as the pose itself.
+    fn without_contacts(assembly: &AssembledPair, pose: ComparedPose) -> PoseRow {
+        let result = &pose.simulated;
+        let j_wt = result.backlash;
         PoseRow {
             center_distance: assembly.center_distance(),
             material: "",
             phase: None,
             locked: assembly.locked(),
-            angle,
-            arcmin: Member::BOTH.map(|at| Some(arcmin(assembly.angle(at, result.backlash?)))),
-            backlash: data
-                .zip(result.backlash)
+            angle: result.proven().and_then(LostMotion::angle),
+            arcmin: Member::BOTH.map(|at| Some(arcmin(assembly.angle(at, j_wt?)))),
+            backlash: assembly
+                .data()
+                .zip(j_wt)
                 .map(|(pair, j_wt)| pair.backlash(j_wt)),
-            class: data.map(|pair| result.class(pair)),
-            right: contact(Side::Right, |found| found.right.as_ref()),
-            left: contact(Side::Left, |found| found.left.as_ref()),
-            pose: pose.clone(),
+            class: None,
+            right: None,
+            left: None,
+            pose,
         }
     }
 
@@ -105,11 +116,18 @@ impl PoseRow {
         Some(principal(self.right.as_ref()?.contact.rotation))
     }
 
+    /// Rotation of the free gear at right-flank contact, not wrapped; its nominal rotation without one.
+    fn free_rotation(&self) -> f64 {
+        let nominal = self.result().pose.free_rotation();
+        let right = self.right.as_ref();
+        right.map_or(nominal, |right| right.contact.rotation)
+    }
+
     fn unproven(&self) -> Option<&Unproven> {
         self.result().found.as_ref().err()
     }
 
-    /// What proves the contacts by directions, where that was kept.
+    /// The proof of the contacts by directions, where it was kept.
     fn proof(&self) -> Value {
         let proof = self.result().proof.as_deref();
         Value::optional(proof.map(|proof| json!(proof)))
@@ -139,6 +157,21 @@ impl Row for PoseRow {
     }
 }
 
+/// The flanks, in the order of [`Side::BOTH`].
+const FLANKS: [&str; 2] = [Side::Right.name(), Side::Left.name()];
+
+/// The statuses, in the order of [`Status::ALL`].
+const STATUSES: [&str; 5] = {
+    let [clear, interference, jammed, no_contact, unproven] = Status::ALL;
+    [
+        clear.name(),
+        interference.name(),
+        jammed.name(),
+        no_contact.name(),
+        unproven.name(),
+    ]
+};
+
 fn columns() -> Vec<Column<PoseRow>> {
     let shown = layout::Column::new;
     let mut columns = columns!(row: PoseRow {
@@ -148,24 +181,26 @@ fn columns() -> Vec<Column<PoseRow>> {
         "phase_pinion_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.1);
         "wheel_rotation_rad" Plain => row.rotation(Member::Wheel);
         "pinion_rotation_rad" Plain => row.rotation(Member::Pinion);
-        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0)] => row.mating().wheel_tooth;
-        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0)] => row.mating().pinion_tooth;
+        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Entries::Counts), page("wheel_tooth")] => row.mating().wheel_tooth;
+        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Entries::Counts), page("pinion_tooth")] => row.mating().pinion_tooth;
         "" Plain [people(shown("mating"))] => row.mating_words();
-        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank"))] => row.mating().flank.name();
-        "mating.fraction" Plain [csv("fraction"), rank(0)] => row.mating().fraction;
+        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Entries::Words(&FLANKS)), page("flank")] => row.mating().flank.name();
+        "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Entries::Numbers), page("fraction")] => row.mating().fraction;
+        "" Angle [only_page("locked_rad")] => row.result().pose.locked_rotation();
+        "" Angle [only_page("free_rad")] => row.free_rotation();
         "right_rad" Plain => row.right_rad();
         "left_rad" Plain => row.right_rad().zip(row.angle).map(|(right, angle)| right + angle);
-        "lost_motion_rad" Plain => row.angle;
-        "j_wt_um" Backlash [heading(shown("j_wt"))] => Value::um(row.result().backlash);
-        "j_t_um" Plain => Value::um(row.backlash.map(|of| of.j_t));
-        "j_bn_um" Plain => Value::um(row.backlash.map(|of| of.j_bn));
+        "lost_motion_rad" Angle [page("lost_motion_rad")] => row.angle;
+        "j_wt_um" Backlash [heading(shown("j_wt")), array("j_wt_um", Entries::Numbers), page("j_wt_um")] => Value::um(row.result().backlash);
+        "j_t_um" Plain [array("j_t_um", Entries::Numbers)] => Value::um(row.backlash.map(|of| of.j_t));
+        "j_bn_um" Plain [array("j_bn_um", Entries::Numbers)] => Value::um(row.backlash.map(|of| of.j_bn));
         "j_r_um" Plain [rank(3)] => Value::um(row.backlash.and_then(|of| of.j_r));
-        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3)] => row.arcmin[0];
-        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3)] => row.arcmin[1];
+        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3), array("wheel_arcmin", Entries::Numbers)] => row.arcmin[0];
+        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3), array("pinion_arcmin", Entries::Numbers)] => row.arcmin[1];
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
-        "error_bound_um" Bound [heading(shown("± bound").spare(6))] => Value::um(row.angle.and(row.result().error_bound));
-        "status" Grave [heading(shown("status"))] => row.result().status().name();
+        "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Entries::Numbers), page("error_bound_um")] => Value::um(row.angle.and(row.result().error_bound));
+        "status" Grave [heading(shown("status")), array("status", Entries::Words(&STATUSES)), page("status")] => row.result().status().name();
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));
@@ -201,20 +236,57 @@ fn columns() -> Vec<Column<PoseRow>> {
     columns
 }
 
+/// The arrays for numpy of `poses` of `assembly`.
+pub fn pose_arrays(
+    assembly: &AssembledPair,
+    poses: impl IntoIterator<Item = PoseResult>,
+) -> Vec<Array> {
+    let poses = poses.into_iter().map(ComparedPose::from);
+    let rows = poses.map(|pose| PoseRow::without_contacts(assembly, pose));
+    PoseRow::columns().arrays(&rows.collect::<Vec<_>>())
+}
+
+/// The columns of `poses` of `assembly` in the data of a page: names, units and values.
+pub fn pose_page<'p>(
+    assembly: &AssembledPair,
+    poses: impl IntoIterator<Item = &'p ComparedPose>,
+) -> Vec<(&'static str, Unit, Vec<Value>)> {
+    let rows = poses.into_iter().map(|pose| PoseRow::new(assembly, pose));
+    PoseRow::columns().page(&rows.collect::<Vec<_>>())
+}
+
 /// The contact of a pose on one side.
 #[derive(Debug)]
 pub struct ContactRow {
     contact: Contact,
     /// `None` of a drawn pair.
     class: Option<ContactClass>,
+    is_helical: bool,
 }
 
 impl ContactRow {
-    /// The row of the `contact` of `assembly` on `side`.
-    pub fn new(assembly: &GearPair, side: Side, contact: &Contact) -> ContactRow {
+    /// The row of the `contact` on `side` of `pair`; `None` of a drawn pair.
+    pub fn new(pair: Option<&GearPair>, side: Side, contact: &Contact) -> ContactRow {
         ContactRow {
             contact: *contact,
-            class: Some(ContactClass::of(assembly, side, contact)),
+            class: pair.map(|pair| ContactClass::of(pair, side, contact)),
+            is_helical: pair.is_some_and(GearPair::is_helical),
+        }
+    }
+
+    /// The class of the contact, and which tip touches when.
+    pub fn class_words(&self) -> String {
+        let Some(class) = self.class else {
+            let Contact { wheel, pinion, .. } = &self.contact;
+            return format!("{} on {}", wheel.curve.name(), pinion.curve.name());
+        };
+        let tip = class.tip.map(|member| format!("{} tip", member.name()));
+        let moment = class.moment.map(|moment| moment.name().to_owned());
+        let more: Vec<String> = tip.into_iter().chain(moment).collect();
+        if more.is_empty() {
+            class.kind.name().to_owned()
+        } else {
+            format!("{} ({})", class.kind.name(), more.join(", "))
         }
     }
 
@@ -230,17 +302,20 @@ impl Row for ContactRow {
     fn columns() -> &'static Columns<ContactRow> {
         static COLUMNS: LazyLock<Columns<ContactRow>> = LazyLock::new(|| {
             Columns::new(columns!(row: ContactRow {
-                "wheel_tooth" Plain => row.contact.wheel.tooth;
-                "pinion_tooth" Plain => row.contact.pinion.tooth;
+                "wheel_tooth" Plain [page("wheel_tooth")] => row.contact.wheel.tooth;
+                "pinion_tooth" Plain [page("pinion_tooth")] => row.contact.pinion.tooth;
                 "wheel_curve" Plain => row.contact.wheel.curve.name();
                 "pinion_curve" Plain => row.contact.pinion.curve.name();
                 "wheel_radius_mm" Plain [no_csv] => row.contact.wheel.radius;
                 "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
-                "point_mm.0" Plain [no_csv] => row.contact.point.x;
-                "point_mm.1" Plain [no_csv] => row.contact.point.y;
+                "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
+                "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
                 "section_mm" Plain [no_csv] => row.contact.section;
+                "" Plain [only_page("section_mm")] => Value::optional(row.is_helical.then_some(row.contact.section));
                 "normal.0" Plain [no_csv] => row.contact.normal.x;
                 "normal.1" Plain [no_csv] => row.contact.normal.y;
+                "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);
+                "" Plain [only_page("class")] => row.class_words();
                 "class" Plain [no_csv] => row.class.map(|class| class.kind.name());
                 "tip_gear" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.tip).map(Member::name));
                 "tip_moment" Plain [no_csv] => Value::optional(row.class.and_then(|class| class.moment).map(|moment| moment.name()));

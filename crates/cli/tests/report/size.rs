@@ -58,11 +58,12 @@ fn a_hunting_cycle_of_86_and_21_teeth() {
         .map(|n| n.as_u64().unwrap())
         .collect();
     assert!(numbers.is_sorted() && (28_896..28_900).contains(&numbers.len()));
-    for name in ["chart_x", "j_wt_um", "status", "left_flank"] {
+    for name in ["chart_x", "j_wt_um", "status", "flank"] {
         assert_eq!(column(name).len(), numbers.len(), "{name}");
     }
     // Left-flank poses start over at the first pitch.
     let first_left = numbers.iter().position(|number| *number == 28_897).unwrap();
-    assert_eq!(column("left_flank")[first_left], 1);
+    let flank = column("flank")[first_left].as_u64().unwrap() as usize;
+    assert_eq!(data["words"]["flank"][flank], "left");
     assert_eq!(column("chart_x")[first_left], column("chart_x")[0]);
 }

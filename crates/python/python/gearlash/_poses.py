@@ -1,5 +1,6 @@
 """Poses and what was found there."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -123,57 +124,43 @@ def _contact(record: dict[str, Any] | None) -> Contact | None:
     return taken(Contact, record, contact_class=record["class"], point_mm=point, normal=normal)
 
 
-@dataclass(frozen=True, eq=False)
 class Poses(Table):
-    """Lost motion at n poses of one pair at one centre distance, in the order asked for: arrays of shape (n,)."""
+    """Lost motion at n poses of one pair at one centre distance, in the order asked for.
+
+    Each column is an attribute, an array of shape (n,); :meth:`columns` has all by name:
+
+    - ``wheel_tooth``, ``pinion_tooth``, ``flank`` (numbers of :class:`Flank`), ``fraction`` (pitches beyond the pose in which the flank
+      passes through the operating pitch point): the pose
+    - ``j_wt_um``: circumferential backlash, µm; negative: interference; NaN where jammed, out of mesh or unproven
+    - ``j_t_um``, ``j_bn_um``: the same at the reference circle, and normal to the flanks, µm
+    - ``wheel_arcmin``, ``pinion_arcmin``: how far each gear turns where its mate stands still, arcmin
+    - ``error_bound_um``: bound on the error of ``j_wt_um``
+    - ``status``: numbers of :class:`Status`
+    """
 
     center_distance_mm: float
-    wheel_tooth: NDArray[np.uint32]
-    pinion_tooth: NDArray[np.uint32]
-    flank: NDArray[np.uint8]
-    """Numbers of :class:`Flank`."""
-    fraction: NDArray[np.float64]
-    """Pitches beyond the pose in which the flank passes through the operating pitch point."""
-    j_wt_um: NDArray[np.float64]
-    """Circumferential backlash, µm; negative: interference; NaN where jammed, out of mesh or unproven."""
-    error_bound_um: NDArray[np.float64]
-    """Bound on the error of ``j_wt_um``; NaN where that is."""
-    status: NDArray[np.uint8]
-    """Numbers of :class:`Status`."""
-    units: tuple[float, float, float, float] = field(repr=False)
-    """``j_t_um``, ``j_bn_um``, ``wheel_arcmin`` and ``pinion_arcmin`` of a ``j_wt`` of 1 µm."""
+
+    def __init__(
+        self, center_distance_mm: float, columns: Mapping[str, "np.ndarray[Any, Any] | Codes"]
+    ) -> None:
+        self.center_distance_mm = center_distance_mm
+        self._columns = dict(columns)
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        column = self.__dict__.get("_columns", {}).get(name)
+        if column is None:
+            raise AttributeError(f"Poses has no column {name!r}")
+        return np.asarray(column[0] if isinstance(column, tuple) else column)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._columns]
+
+    def __repr__(self) -> str:
+        return f"Poses(center_distance_mm={self.center_distance_mm}, n={len(self)})"
 
     def __len__(self) -> int:
-        return len(self.j_wt_um)
-
-    @property
-    def j_t_um(self) -> NDArray[np.float64]:
-        """Backlash at the reference circle, µm."""
-        return self.j_wt_um * self.units[0]
-
-    @property
-    def j_bn_um(self) -> NDArray[np.float64]:
-        """Normal backlash, µm."""
-        return self.j_wt_um * self.units[1]
-
-    @property
-    def wheel_arcmin(self) -> NDArray[np.float64]:
-        """How far the wheel turns where the pinion stands still, arcmin."""
-        return self.j_wt_um * self.units[2]
-
-    @property
-    def pinion_arcmin(self) -> NDArray[np.float64]:
-        """How far the pinion turns where the wheel stands still, arcmin."""
-        return self.j_wt_um * self.units[3]
+        return len(self.status)
 
     def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
-        """The columns of the table, named as in ``result.csv``."""
-        return {
-            "wheel_tooth": self.wheel_tooth,
-            "pinion_tooth": self.pinion_tooth,
-            "flank": (self.flank, tuple(flank.name.lower() for flank in Flank)),
-            "fraction": self.fraction,
-            "j_wt_um": self.j_wt_um,
-            "error_bound_um": self.error_bound_um,
-            "status": (self.status, tuple(status.name.lower() for status in Status)),
-        }
+        """The columns by name, words as :data:`Codes`."""
+        return dict(self._columns)

@@ -1,27 +1,33 @@
-//! The results as the script reads them: a column a quantity, an entry a pose.
+//! The results as the script reads them: the columns of a pose, an entry for each pose.
 
-use super::contacts::{Contacts, touching};
+use super::contacts::touching;
 use super::precision::{Precision, degrees};
 use super::readout;
-use super::section::{self, HelicalColumns};
+use super::section::HelicalColumns;
 use super::viewed::{Viewed, gears};
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::analysis::study::Study;
-use gearlash::contact::{LostMotion, PoseResult, Status};
+use gearlash::contact::PoseResult;
 use gearlash::gear::{AsBuilt, Side};
+use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, two_digits_up};
+use gearlash_results::{Unit, Value, pose_page};
 use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The words that the values of a column count, by its name.
+type Words = BTreeMap<String, Vec<String>>;
+
+/// Decimals of a number that is neither a backlash nor a place.
+const DECIMALS: usize = 6;
 
 /// All runs.
 #[derive(Serialize)]
 pub struct Columns {
     free: &'static str,
-    /// What the contacts' classes count.
-    classes: Vec<String>,
-    /// What each run's statuses counts.
-    statuses: [&'static str; 5],
+    words: Words,
     runs: Vec<RunColumns>,
     /// Run and pose shown first.
     start: [usize; 2],
@@ -39,19 +45,18 @@ impl Columns {
         outlines: &[[&AsBuilt; 2]],
         precision: Precision,
     ) -> Columns {
-        let mut classes = Vec::new();
+        let mut words = Words::new();
         let helical = runs.get(start[0]).and_then(|first| {
             let pose = first.poses().nth(start[1])?;
             HelicalColumns::of(&first.shown.run.run.assembly, &pose.simulated)
         });
         let runs = runs
             .iter()
-            .map(|viewed| RunColumns::new(viewed, charts, outlines, precision, &mut classes));
+            .map(|viewed| RunColumns::new(viewed, charts, outlines, precision, &mut words));
         Columns {
             free: study.locked.mate().name(),
             runs: runs.collect(),
-            classes,
-            statuses: Status::ALL.map(Status::name),
+            words,
             start,
             helical,
         }
@@ -70,7 +75,7 @@ pub fn free_rotation(pose: &PoseResult) -> f64 {
     touching(pose, Side::Right).map_or(pose.pose.free_rotation(), |contact| contact.rotation)
 }
 
-/// What the script knows of a run.
+/// A run as the script reads it.
 #[derive(Serialize)]
 pub struct RunColumns {
     label: String,
@@ -85,42 +90,22 @@ pub struct RunColumns {
     /// Id of the chart, and each pose's place on its horizontal axis.
     chart: Option<String>,
     chart_x: Vec<Option<f64>>,
-    mating: [Vec<u32>; 2],
-    left_flank: Vec<u8>,
-    fraction: Vec<f64>,
-    locked_deg: Vec<f64>,
-    /// The free gear at right-flank contact; its nominal rotation where there is no lost motion.
-    free_deg: Vec<f64>,
-    lost_motion_deg: Vec<Option<f64>>,
-    j_wt_um: Vec<Option<f64>>,
-    error_bound_um: Vec<Option<f64>>,
-    status: Vec<usize>,
-    right: Contacts,
-    left: Contacts,
-    /// Of helical gears, where along the face these are.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    section_mm: Option<[Vec<Option<f64>>; 2]>,
+    /// The columns of its poses, an entry a pose.
+    #[serde(flatten)]
+    poses: BTreeMap<String, Vec<Value>>,
 }
 
 impl RunColumns {
-    /// The columns of `viewed`. Classes of contact that are not in `classes` yet are added there.
+    /// The columns of `viewed`. Words that are not in `words` yet are added there.
     pub fn new(
         viewed: &Viewed,
         charts: &[(&str, &Course)],
         outlines: &[[&AsBuilt; 2]],
         precision: Precision,
-        classes: &mut Vec<String>,
+        words: &mut Words,
     ) -> RunColumns {
         let run = viewed.shown.run;
         let assembly = &run.run.assembly;
-        let poses = || viewed.poses().map(|pose| &pose.simulated);
-        let mating = |member| {
-            poses()
-                .map(|pose| pose.pose.mating().tooth(member))
-                .collect()
-        };
-        let [right, left] =
-            Side::BOTH.map(|side| Contacts::of(assembly, side, poses(), precision, classes));
         let a = assembly.center_distance();
         let is_of = |course: &Course| {
             let is_phase = viewed.shown.is_beyond || course.phase == run.run.phase;
@@ -146,28 +131,48 @@ impl RunColumns {
             number: (!all).then(|| viewed.numbers.iter().map(|number| number + 1).collect()),
             chart,
             chart_x: viewed.numbers.iter().map(place).collect(),
-            mating: Member::BOTH.map(mating),
-            left_flank: poses().map(|pose| u8::from(is_left(pose))).collect(),
-            fraction: poses()
-                .map(|pose| rounded(pose.pose.mating().fraction, 6))
-                .collect(),
-            locked_deg: poses()
-                .map(|pose| degrees(pose.pose.locked_rotation()))
-                .collect(),
-            free_deg: poses().map(|pose| degrees(free_rotation(pose))).collect(),
-            lost_motion_deg: poses()
-                .map(|pose| pose.proven().and_then(LostMotion::angle).map(degrees))
-                .collect(),
-            j_wt_um: poses().map(|pose| pose.backlash.map(|j| j * 1e3)).collect(),
-            error_bound_um: poses()
-                .map(|pose| pose.error_bound.map(|bound| two_digits_up(bound * 1e3)))
-                .collect(),
-            status: poses().map(|pose| pose.status() as usize).collect(),
-            right,
-            left,
-            section_mm: section::sections(assembly, poses()),
+            poses: poses(assembly, viewed, precision, words),
         }
     }
+}
+
+/// The columns of the poses of `viewed` by their names, rounded; angles in degrees. A column without any value is left out.
+fn poses(
+    assembly: &AssembledPair,
+    viewed: &Viewed,
+    precision: Precision,
+    words: &mut Words,
+) -> BTreeMap<String, Vec<Value>> {
+    let mut columns = BTreeMap::new();
+    for (name, unit, values) in pose_page(assembly, viewed.poses()) {
+        if values.iter().all(|value| *value == Value::Absent) {
+            continue;
+        }
+        let name = match (unit, name.strip_suffix("_rad")) {
+            (Unit::Angle, Some(name)) => format!("{name}_deg"),
+            _ => name.to_owned(),
+        };
+        let mut number = |word: String| {
+            let known = words.entry(name.clone()).or_default();
+            let place = known.iter().position(|known| *known == word);
+            place.unwrap_or_else(|| {
+                known.push(word);
+                known.len() - 1
+            })
+        };
+        let values = values.into_iter().map(|value| match (value, unit) {
+            (Value::Number(angle), Unit::Angle) => degrees(angle).into(),
+            (Value::Number(place), Unit::Place) => rounded(place, precision.decimals).into(),
+            (Value::Number(um), Unit::Bound) => two_digits_up(um).into(),
+            (Value::Number(value), Unit::Plain) => rounded(value, DECIMALS).into(),
+            (Value::Word(word), _) => number(word.to_owned()).into(),
+            (Value::Text(text), _) => number(text).into(),
+            (value, _) => value,
+        });
+        let values = values.collect();
+        columns.insert(name, values);
+    }
+    columns
 }
 
 /// Each pose's place in the curves of `course`, which go through the poses of a flank in their order; none for a pose that has no

@@ -1,12 +1,13 @@
 //! The text beside the picture of a pose. `viewer.js` writes the same of the others.
 
-use super::contacts::{class, touching};
+use super::contacts::touching;
 use super::viewed::{Shown, Viewed};
 use crate::pose_name::pose_name;
 use gearlash::analysis::study::Material;
 use gearlash::contact::Status;
 use gearlash::gear::Side;
 use gearlash_files::numbers::{decades, fixed, trimmed, two_digits_up};
+use gearlash_results::ContactRow;
 
 /// Legend of the marks.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
@@ -42,7 +43,7 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
             "wheel tooth {} on pinion tooth {}, {}",
             contact.wheel.tooth,
             contact.pinion.tooth,
-            class(&run.run.assembly, side, contact)
+            ContactRow::new(run.run.assembly.data(), side, contact).class_words()
         ),
     };
     let (j_wt, bound) = (

@@ -10,7 +10,7 @@
   const mm = (place) => `${Number(place.toFixed(2))} mm`.replace("-", "−");
 
   // Of the pose that viewer.js shows; null without a contact.
-  const touches = (side) => runs[Number(byId("runs").value)].section_mm[sides.indexOf(side)][Number(byId("slider").value)];
+  const touches = (side) => runs[Number(byId("runs").value)][side + "_section_mm"]?.[Number(byId("slider").value)] ?? null;
   const heldSide = () => document.querySelector("[name=viewer-side]:checked").value;
 
   function show(z) {

@@ -49,20 +49,6 @@ pub fn first(assembly: &AssembledPair, pose: &PoseResult) -> Option<f64> {
         .then(|| touching.unwrap_or(0.5 * (from + to)))
 }
 
-/// Where each pose of helical gears touches on its right and on its left flanks.
-pub fn sections<'p>(
-    assembly: &AssembledPair,
-    poses: impl Iterator<Item = &'p PoseResult>,
-) -> Option<[Vec<Option<f64>>; 2]> {
-    let place = |pose, side| {
-        let contact = touching(pose, side);
-        contact.map(|contact| rounded(contact.section, PLACE))
-    };
-    let both = |pose| (place(pose, Side::Right), place(pose, Side::Left));
-    let (right, left) = assembly.is_helical().then(|| poses.map(both).unzip())?;
-    Some([right, left])
-}
-
 /// A gear in the section that is drawn first: what the script turns, and how far.
 #[derive(Debug, Clone, Copy)]
 pub struct Winding {

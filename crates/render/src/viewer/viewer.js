@@ -15,7 +15,8 @@
   const shown = { run: data.start[0], pose: data.start[1], side: "right" };
   const run = () => data.runs[shown.run];
   const poses = () => run().status.length;
-  const value = (column) => run()[column][shown.pose];
+  const value = (column) => run()[column]?.[shown.pose] ?? null;
+  const word = (column) => data.words[column]?.[value(column)];
   const other = { right: "left", left: "right" };
   // Where a page cannot hold all poses of a run, `number` says which these are.
   const numberIn = (run, pose) => run.number?.[pose] ?? pose + 1;
@@ -23,8 +24,8 @@
 
   // Where the contact on a side lies in the picture, y down; null without one.
   function contactAt(side) {
-    const { x_mm, y_mm } = run()[side];
-    return x_mm[shown.pose] === null ? null : [x_mm[shown.pose], -y_mm[shown.pose]];
+    const [x, y] = [value(side + "_x_mm"), value(side + "_y_mm")];
+    return x === null ? null : [x, -y];
   }
 
   function show() {
@@ -47,8 +48,7 @@
 
   // The points on the two gears are one where they touch; else the free gear's has the lost motion to go.
   function showContact(side, lost, axis) {
-    const contact = run()[side];
-    const [x, y] = [contact.x_mm[shown.pose], contact.y_mm[shown.pose]];
+    const [x, y] = [value(side + "_x_mm"), value(side + "_y_mm")];
     byId(side + "-contact").setAttribute("display", x === null ? "none" : "inline");
     byId(side + "-contact").classList.toggle("viewer-overlapping", value("j_wt_um") < 0);
     if (x === null) return;
@@ -56,7 +56,7 @@
     const back = touches ? 0 : side === "left" ? -lost : lost;
     const place = `translate(${x} ${y})`;
     byId("normal-" + side).parentNode.setAttribute("transform", place);
-    byId("normal-" + side).setAttribute("transform", `rotate(${contact.normal_deg[shown.pose]})`);
+    byId("normal-" + side).setAttribute("transform", `rotate(${value(side + "_normal_deg")})`);
     for (const gear of ["locked", "free"]) {
       const dot = byId(`${gear}-${side}`);
       dot.classList.toggle("viewer-open", !touches);
@@ -64,7 +64,7 @@
     }
     byId("free-" + side).setAttribute("transform", `rotate(${back} ${axis} 0)`);
     for (const member of members) {
-      byId(`${member}-tooth-${contact[member][shown.pose]}`)?.classList.add("viewer-touching");
+      byId(`${member}-tooth-${value(`${side}_${member}_tooth`)}`)?.classList.add("viewer-touching");
     }
   }
 
@@ -73,11 +73,10 @@
     const set = (name, text) => { byId(name).textContent = text; };
     const fraction = value("fraction");
     const beyond = fraction === 0 ? "" : `, ${Math.abs(fraction)} pitch ${fraction > 0 ? "beyond" : "before"}`;
-    const [wheel, pinion] = run().mating.map((teeth) => teeth[shown.pose]);
-    const flank = value("left_flank") ? "left" : "right";
+    const [wheel, pinion] = members.map((member) => value(member + "_tooth"));
     set("run", run().label);
-    set("pose", `${poseNumber()} of ${run().of}: wheel ${wheel} with pinion ${pinion} at the ${flank} flank${beyond}`);
-    set("status", data.statuses[value("status")].replaceAll("_", " "));
+    set("pose", `${poseNumber()} of ${run().of}: wheel ${wheel} with pinion ${pinion} at the ${word("flank")} flank${beyond}`);
+    set("status", word("status").replaceAll("_", " "));
     const backlash = value("j_wt_um");
     const output = byId("backlash");
     output.textContent = backlash === null ? "none" : fixed(backlash, 3) + " µm";
@@ -87,9 +86,8 @@
     const bound = value("error_bound_um");
     set("bound", bound === null ? "none" : `≤ ${scientific(bound)} µm`);
     for (const side of sides) {
-      const contact = run()[side];
-      const [w, p, kind] = [contact.wheel, contact.pinion, contact.class].map((column) => column[shown.pose]);
-      set(side, w === null ? "none" : `wheel tooth ${w} on pinion tooth ${p}, ${data.classes[kind]}`);
+      const [w, p] = members.map((member) => value(`${side}_${member}_tooth`));
+      set(side, w === null ? "none" : `wheel tooth ${w} on pinion tooth ${p}, ${word(side + "_class")}`);
     }
   }
 
@@ -343,11 +341,11 @@
     const y = f.y0 + (f.bottom - down) / (f.bottom - f.top) * (f.y1 - f.y0);
     const nearest = [];
     for (const number of charts.get(svg)) {
-      const { chart_x, j_wt_um, left_flank } = data.runs[number];
-      for (const flank of [0, 1]) {
+      const { chart_x, j_wt_um, flank } = data.runs[number];
+      for (const one of new Set(flank)) {
         let best = null;
         chart_x.forEach((place, pose) => {
-          if (place === null || left_flank[pose] !== flank) return;
+          if (place === null || flank[pose] !== one) return;
           const across = Math.abs(place - x);
           if (!best || across < best.across) {
             best = { number, pose, across, up: j_wt_um[pose] === null ? Infinity : Math.abs(j_wt_um[pose] - y) };

@@ -139,7 +139,7 @@ impl Planned {
             pair => {
                 let found = match pair {
                     AssembledPair::Data(pair) => self.cycle(pair, &self.effort(pair))?,
-                    AssembledPair::Drawn(pair) => self.sampled(pair).search(pair)?.0,
+                    AssembledPair::Drawn(pair) => self.sampled(pair).extremes(pair).0,
                 };
                 let pose = of(&found).map(|extreme| Directed {
                     assembly: assembly.clone(),
@@ -158,7 +158,16 @@ impl Planned {
     }
 
     /// The extremes of `pair` over the cycle: only the least, or only the greatest, where the other need not be searched for.
-    pub fn end(&self, pair: &GearPair, is_least: bool, effort: &Effort) -> Result<Extremes, Error> {
+    pub fn end(
+        &self,
+        pair: &AssembledPair,
+        is_least: bool,
+        effort: &Effort,
+    ) -> Result<Extremes, Error> {
+        let pair = match pair {
+            AssembledPair::Data(pair) => pair,
+            AssembledPair::Drawn(pair) => return Ok(self.sampled(pair).extremes(pair).0),
+        };
         if is_open(pair) {
             return Ok(self.any_direction(pair, effort)?.found);
         }

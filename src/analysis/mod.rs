@@ -31,7 +31,7 @@ use self::diagnosis::{CheckName, Diagnosis, Seen, failed_checks};
 use self::extremes::CycleExtremes;
 use self::face_width::AtWidth;
 use self::measured::{MeasuredMating, measured_matings};
-use self::remedies::Remedy;
+use self::remedies::Remedies;
 use self::simulate::simulate;
 use self::study::Study;
 use self::verdict::Verdict;
@@ -193,7 +193,7 @@ pub struct Analysis<'a> {
     /// Ids of the checks that fail: of every check, or, beside the extremes, as far as they need be made to know.
     pub failed_checks: Vec<CheckName>,
     /// Single changes that make the pair fit; none of a pair that fits.
-    pub remedies: Vec<Remedy>,
+    pub remedies: Remedies,
 }
 
 impl<'a> Analysis<'a> {
@@ -227,7 +227,7 @@ impl<'a> Analysis<'a> {
             field: None,
             diagnosis: Diagnosis::default(),
             failed_checks: Vec::new(),
-            remedies: Vec::new(),
+            remedies: Remedies::default(),
         };
         if plan.extremes {
             (progress.stage)(MESH_CYCLE);

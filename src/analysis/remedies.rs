@@ -1,8 +1,8 @@
 //! Remedies: single changes that make a pair assemble and meet its requirements, all else unchanged.
 //!
-//! Backlash grows with the centre distance and falls with the thickness of the teeth, so that each change has one threshold. `threshold`, the
-//! search for the distance from which a pair assembles, finds it on the run that is worst. Every run is then looked at with the value rounded
-//! to a micrometre towards the safe side. Bounds decide: where nothing bounds an extreme, there is no remedy.
+//! Backlash grows with the centre distance and falls with the thickness of the teeth, so each change has one threshold. `threshold`, the
+//! search for the distance from which a pair assembles, finds it on the worst run. Every run is then checked with the value rounded to a
+//! micrometre towards the safe side. Bounds decide: where an extreme has no bound, there is no remedy. A drawn gear has no thickness to change.
 
 use super::assembles_from::threshold;
 use super::cycles::{Planned, WIDTH, plans};
@@ -13,7 +13,11 @@ use super::verdict::Verdict;
 use crate::contact::{Effort, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, thickness};
+use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Member};
+
+/// The rise of backlash with the distance of a drawn pair, from which its search starts: `2 tan α_wt` of 14°.
+const DRAWN_SLOPE: f64 = 0.5;
 
 /// A value is rounded to this, mm.
 const STEP: f64 = 1e-3;
@@ -68,33 +72,71 @@ pub struct Remedy {
     pub gears: Gears,
     /// The value with which the pair fits, mm: of a thickness tolerance the end with most material, of a band of distances the second one listed.
     pub value: f64,
+    /// The present values, mm: of wheel and pinion, or the least and the greatest centre distance.
+    pub present: [f64; 2],
     /// Where the threshold lies, mm.
     pub bracket: [f64; 2],
 }
 
-/// The remedies of `study`, of which `verdict` says that it does not assemble or misses a requirement; empty for others.
+/// The reason why a change, or every change, is not among the remedies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoRemedy {
+    /// Backlash is too little in one run and too great in another.
+    TooLittleAndTooGreat,
+    /// The gears are out of mesh.
+    OutOfMesh,
+    /// The centre distance: the runs are measured rows.
+    MeasuredRows,
+    /// The thickness: a drawn gear has no flank offset.
+    Drawn,
+    /// The thickness: a gear has flanks that no rack generates.
+    NotGenerated,
+    /// No value of any change is enough.
+    NotEnough,
+}
+
+/// The remedies of a study.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Remedies {
+    /// Each single change that makes the pair fit.
+    pub changes: Vec<Remedy>,
+    /// Why others are missing.
+    pub missing: Vec<NoRemedy>,
+}
+
+/// The remedies of `study`, of which `verdict` says that it does not assemble or misses a requirement; none for others.
 ///
-/// No remedy is given of a change after which another requirement is missed, or for which the effort of one verdict does not suffice.
+/// A change after which another requirement is missed, or for which the effort of one verdict does not suffice, is no remedy.
 ///
 /// # Errors
 /// As [`super::extremes::extremes`].
-pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Vec<Remedy>, Error> {
+pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     let jams = |run: &RunExtremes| run.assembles() == Some(false);
     let fails = |is_max: bool| verdict.unmet.iter().any(|unmet| unmet.is_max == is_max);
     let too_tight = verdict.runs.iter().any(jams) || fails(false);
+    let too_loose = fails(true);
     let out_of_mesh = |run: &RunExtremes| run.status == Status::NoContact;
-    if too_tight == fails(true) || verdict.runs.iter().any(out_of_mesh) {
-        return Ok(Vec::new());
+    let none = |reason| Remedies {
+        changes: Vec::new(),
+        missing: vec![reason],
+    };
+    if verdict.runs.iter().any(out_of_mesh) {
+        return Ok(none(NoRemedy::OutOfMesh));
     }
+    if too_tight && too_loose {
+        return Ok(none(NoRemedy::TooLittleAndTooGreat));
+    }
+    let worst = worst(verdict.runs, too_tight).filter(|_| too_tight || too_loose);
+    let Some(worst) = worst else {
+        return Ok(Remedies::default());
+    };
     let plans = plans(study)?;
-    let Some(worst) = worst(verdict.runs, too_tight) else {
-        return Ok(Vec::new());
+    let pair = &plans[worst].run.assembly;
+    let effort = &match pair.data() {
+        Some(pair) => Effort::of_extremes(pair),
+        // The search of a drawn pair ends by its samples.
+        None => Effort::endless(),
     };
-    // Of a drawn pair extremes are only sampled.
-    let Some(pair) = plans[worst].run.assembly.data() else {
-        return Ok(Vec::new());
-    };
-    let effort = &Effort::of_extremes(pair);
     let search = Search {
         study,
         plans: &plans,
@@ -102,19 +144,33 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Vec<Remedy>, Error> 
         pair,
         sign: if too_tight { 1.0 } else { -1.0 },
     };
-    let mut remedies = Vec::new();
-    // Measured rows are run at their own distances.
+    let mut found = Remedies::default();
     if study.sweep.is_some() {
-        remedies.extend(search.distance(effort)?);
+        found.changes.extend(search.distance(effort)?);
+    } else {
+        found.missing.push(NoRemedy::MeasuredRows);
     }
-    let generated = |member| pair.gear(member).gear().is_generated();
-    if Member::BOTH.into_iter().all(generated) {
-        remedies.extend(search.thickness(Gears::Both, effort)?);
-        for member in Member::BOTH {
-            remedies.extend(search.thickness(Gears::One(member), effort)?);
+    match pair.data() {
+        None => found.missing.push(NoRemedy::Drawn),
+        Some(pair) => {
+            let generated = |member| pair.gear(member).gear().is_generated();
+            if Member::BOTH.into_iter().all(generated) {
+                for gears in [
+                    Gears::Both,
+                    Gears::One(Member::Wheel),
+                    Gears::One(Member::Pinion),
+                ] {
+                    found.changes.extend(search.thickness(pair, gears, effort)?);
+                }
+            } else {
+                found.missing.push(NoRemedy::NotGenerated);
+            }
         }
     }
-    Ok(remedies)
+    if found.changes.is_empty() {
+        found.missing.push(NoRemedy::NotEnough);
+    }
+    Ok(found)
 }
 
 /// The run with the least backlash, or the greatest where the pair is not too tight.
@@ -140,34 +196,38 @@ struct Search<'a> {
     plans: &'a [Planned],
     /// The place of the worst, and its pair.
     worst: usize,
-    pair: &'a GearPair,
+    pair: &'a AssembledPair,
     /// 1 where the pair is too tight, −1 where it is too loose.
     sign: f64,
 }
 
 impl Search<'_> {
+    /// The centre distance.
     fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
-        let assembly = self.pair;
-        let own = assembly.center_distance();
+        let own = self.pair.center_distance();
         // All distances of a band move together. A list is replaced by the one distance.
         let moved = |planned: &Planned, at: f64| {
-            let pair = planned.run.assembly.data()?;
+            let pair = &planned.run.assembly;
             let from = match self.study.band {
                 Some(_) => pair.center_distance(),
                 None => own,
             };
             pair.at(from + (at - own)).ok()
         };
-        let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
         let range = [
             own,
             if self.sign > 0.0 {
-                reach.iter().sum()
+                self.pair.reach()
             } else {
                 0.0
             },
         ];
-        let slope = |pair: &GearPair| 2.0 * pair.operating_pressure_angle().tan();
+        let slope = |pair: &AssembledPair| {
+            let data = pair.data();
+            data.map_or(DRAWN_SLOPE, |pair| {
+                2.0 * pair.operating_pressure_angle().tan()
+            })
+        };
         let Some([fails, fits]) = self.between(range, &moved, &slope, effort)? else {
             return Ok(None);
         };
@@ -184,12 +244,18 @@ impl Search<'_> {
             what: Change::CenterDistance,
             gears: Gears::Both,
             value: to_step(found + shown, STEP),
+            present: [listed[0], listed[listed.len() - 1]],
             bracket: bracket.map(|at| at + shown),
         }))
     }
 
-    /// The allowance of `gears`; of both also the flank offset.
-    fn thickness(&self, gears: Gears, effort: &Effort) -> Result<Vec<Remedy>, Error> {
+    /// The allowance of `gears` of `pair`; of both also the flank offset.
+    fn thickness(
+        &self,
+        pair: &GearPair,
+        gears: Gears,
+        effort: &Effort,
+    ) -> Result<Vec<Remedy>, Error> {
         // The place of a search is the thickness taken off the nominal one, so that backlash grows with it.
         let own = Member::BOTH.map(|member| -allowance(self.most(member)));
         let moved = |planned: &Planned, at: f64| {
@@ -201,9 +267,9 @@ impl Search<'_> {
                     false => Ok(gear.clone()),
                 }
             });
-            self.study
-                .pair(&wheel.ok()?, &pinion.ok()?, assembly.center_distance())
-                .ok()
+            let distance = assembly.center_distance();
+            let pair = self.study.pair(&wheel.ok()?, &pinion.ok()?, distance);
+            Some(AssembledPair::from(pair.ok()?))
         };
         let of_each = gears
             .members()
@@ -214,8 +280,9 @@ impl Search<'_> {
         let base = self.most(Member::Wheel).gear().base_thickness();
         let farthest = start + self.sign * MOST_THICKNESS * base / per_allowance;
         let count = gears.members().count() as f64;
-        let slope = |pair: &GearPair| count * per_allowance / pair.operating_pressure_angle().cos();
-        let Some([fails, fits]) = self.between([start, farthest], &moved, &slope, effort)? else {
+        let slope = count * per_allowance / pair.operating_pressure_angle().cos();
+        let Some([fails, fits]) = self.between([start, farthest], &moved, &|_| slope, effort)?
+        else {
             return Ok(Vec::new());
         };
         // Two offsets along the normals make the base tooth thicker as an allowance does.
@@ -234,6 +301,7 @@ impl Search<'_> {
                 what,
                 gears,
                 value: to_step(-found / unit, STEP),
+                present: own.map(|own| -own / unit),
                 bracket: bracket.map(|at| at / unit),
             }));
         }
@@ -253,8 +321,8 @@ impl Search<'_> {
     fn between(
         &self,
         [own, end]: [f64; 2],
-        moved: &dyn Fn(&Planned, f64) -> Option<GearPair>,
-        slope: &dyn Fn(&GearPair) -> f64,
+        moved: &dyn Fn(&Planned, f64) -> Option<AssembledPair>,
+        slope: &dyn Fn(&AssembledPair) -> f64,
         effort: &Effort,
     ) -> Result<Option<[f64; 2]>, Error> {
         let worst = &self.plans[self.worst];
@@ -281,7 +349,7 @@ impl Search<'_> {
         origin: f64,
         fits: f64,
         step: f64,
-        moved: &dyn Fn(&Planned, f64) -> Option<GearPair>,
+        moved: &dyn Fn(&Planned, f64) -> Option<AssembledPair>,
         effort: &Effort,
     ) -> Result<Option<f64>, Error> {
         let steps = (self.sign * (fits - origin) - NEAR) / step;
@@ -298,7 +366,7 @@ impl Search<'_> {
     fn all_fit(
         &self,
         at: f64,
-        moved: &dyn Fn(&Planned, f64) -> Option<GearPair>,
+        moved: &dyn Fn(&Planned, f64) -> Option<AssembledPair>,
         effort: &Effort,
     ) -> Result<bool, Error> {
         for planned in self.plans {
@@ -317,14 +385,14 @@ impl Search<'_> {
 
     /// By how much `pair` has more backlash than it must have, mm of `j_wt`; where it is too loose, by how much it has less than it may.
     /// Less than any number where no bound is known.
-    fn room(&self, planned: &Planned, pair: &GearPair, effort: &Effort) -> Result<f64, Error> {
+    fn room(&self, planned: &Planned, pair: &AssembledPair, effort: &Effort) -> Result<f64, Error> {
         let is_max = self.sign < 0.0;
         let limits = self.study.requirements.iter();
         let limit = |limits: &Limits| if is_max { limits.max } else { limits.min };
         let limits: Vec<(Quantity, f64)> = limits
             .filter_map(|(quantity, limits)| Some((*quantity, limit(limits)?)))
             .collect();
-        let bound = |pair: &GearPair| -> Result<f64, Error> {
+        let bound = |pair: &AssembledPair| -> Result<f64, Error> {
             let found = planned.end(pair, !is_max, effort)?;
             let end = if is_max { found.greatest } else { found.least };
             Ok(end.map_or(
@@ -351,7 +419,11 @@ impl Search<'_> {
             return Ok(f64::NEG_INFINITY);
         }
         for (quantity, limit) in limits {
-            let value = |j_wt: f64| quantity.value(&moved, j_wt, is_max);
+            let value = |j_wt: f64| {
+                let bracket = quantity.bracket(&moved, [j_wt; 2], is_max);
+                // A quantity that a drawn pair has not is never kept.
+                bracket.map_or(-self.sign * f64::INFINITY, |ends| ends[usize::from(is_max)])
+            };
             let per_mm = (value(j_wt + STEP) - value(j_wt)) / STEP;
             let per_mm = if per_mm > 0.0 && per_mm.is_finite() {
                 per_mm

@@ -124,6 +124,18 @@ impl Cycle {
     /// # Errors
     /// None of a pair that was read.
     pub fn search(&self, pair: &OutlinePair) -> Result<(Extremes, Option<AssemblesFrom>), Error> {
+        let (found, tightest) = self.extremes(pair);
+        let from = match tightest {
+            Some(tightest) => {
+                self.assembles_from(&OutlineKernel::new(pair), pair, Some(tightest))?
+            }
+            None => None,
+        };
+        Ok((found, from))
+    }
+
+    /// The extremes of `pair`, and, where it interferes, the tightest pose.
+    pub fn extremes(&self, pair: &OutlinePair) -> (Extremes, Option<Sample>) {
         let kernel = OutlineKernel::new(pair);
         let samples = self.samples(&kernel, pair, self.fine);
         let ends = [1.0, -1.0].map(|sign| self.end(&kernel, pair, &samples, sign));
@@ -158,17 +170,9 @@ impl Cycle {
             greatest: extreme(greatest).filter(|_| is_known(Status::NoContact)),
             lost: lost.map(|lost| lost.mating),
         };
-        let from = match interferes {
-            true => {
-                let least = least.filter(Sample::interferes);
-                let tightest = least
-                    .filter(|_| found.least.is_some())
-                    .or(tightest(&samples));
-                self.assembles_from(&kernel, pair, tightest)?
-            }
-            false => None,
-        };
-        Ok((found, from))
+        let least = least.filter(|least| found.least.is_some() && least.interferes());
+        let tightest = least.or_else(|| tightest(&samples)).filter(|_| interferes);
+        (found, tightest)
     }
 
     /// `count` even samples of the cycle.

@@ -97,6 +97,15 @@ impl AssembledPair {
         j_wt / self.operating_pitch_radius(member)
     }
 
+    /// The centre distance, mm, from which tips pass each other.
+    pub fn reach(&self) -> f64 {
+        let reach = |member| match self {
+            AssembledPair::Data(pair) => pair.gear(member).reach(),
+            AssembledPair::Drawn(pair) => pair.gear(member).reach(),
+        };
+        Member::BOTH.map(reach).iter().sum()
+    }
+
     /// Rotation axis, mm.
     pub fn axis(&self, member: Member) -> Point2<f64> {
         member.axis(self.center_distance())

@@ -1,10 +1,9 @@
 //! Remedies, the single changes that make a pair fit: as JSON and in words.
 
-use gearlash::analysis::remedies::{Change, Remedy};
-use gearlash::analysis::study::Study;
-use gearlash_files::numbers::rounded;
-use gearlash_files::spec::PairSpec;
-use gearlash_files::{AnyPairSpec, PairView};
+use gearlash::analysis::remedies::{Change, Gears, NoRemedy, Remedies, Remedy};
+use gearlash::pair::Member;
+use gearlash_files::AnyPair;
+use gearlash_files::numbers::{ascii, rounded};
 use serde::Serialize;
 
 /// A remedy in the keys and units of a pair file.
@@ -14,76 +13,131 @@ pub struct RemedyRecord {
     gear: &'static str,
     value: f64,
     bracket: [f64; 2],
+    #[serde(skip)]
+    sentence: String,
 }
 
 impl RemedyRecord {
-    /// The records of `remedies`, found for the study of `file`; none of a file with a temperature, which states its lengths at 20 °C.
-    pub fn all<'a>(file: impl Into<PairView<'a>>, remedies: &[Remedy]) -> Vec<RemedyRecord> {
-        let file = file.into();
-        let AnyPairSpec::Data(spec) = file.spec else {
-            return Vec::new();
-        };
-        if spec.assembly.temperature_c.is_some() {
-            return Vec::new();
-        }
-        // Thicknesses of a scaled gear are stated before its lengths are multiplied.
-        let is_scaled = spec.wheel.scale.or(spec.pinion.scale).is_some();
-        let records = remedies
-            .iter()
-            .filter(|remedy| !is_scaled || matches!(remedy.what, Change::CenterDistance))
-            .map(|remedy| RemedyRecord::new(spec, file.study, remedy));
-        records.collect()
-    }
-
-    fn new(spec: &PairSpec, study: &Study, remedy: &Remedy) -> RemedyRecord {
-        let (what, scale, decimals) = match remedy.what {
-            Change::CenterDistance => ("center_distance_mm", 1.0, 3),
-            Change::FlankOffset => ("flank_offset_mm", 1.0, 3),
-            Change::ThicknessAllowance => ("thickness_allowance_um", 1e3, 0),
+    fn new(file: &AnyPair, remedy: &Remedy) -> RemedyRecord {
+        let (what, name, unit, scale, decimals) = match remedy.what {
+            Change::CenterDistance => ("center_distance_mm", "centre distance", "mm", 1.0, 3),
+            Change::FlankOffset => ("flank_offset_mm", "flank offset", "mm", 1.0, 3),
+            Change::ThicknessAllowance => {
+                let name = "thickness allowance";
+                ("thickness_allowance_um", name, "µm", 1e3, 0)
+            }
         };
         // A file states the nominal distance of a band. The middle one of the study may be an end of the band.
-        let stated = spec.assembly.center_distance_mm.nominal_mm();
-        let listed = &study.center_distances;
-        let shift = match (remedy.what, stated, study.band) {
-            (Change::CenterDistance, Some(nominal), Some(_)) => nominal - listed[listed.len() / 2],
+        let stated = file.spec.assembly.center_distance_mm.nominal_mm();
+        let stated = stated.filter(|_| remedy.what == Change::CenterDistance);
+        let listed = &file.study.center_distances;
+        let shift = match (stated, file.study.band) {
+            (Some(nominal), Some(_)) => nominal - listed[listed.len() / 2],
             _ => 0.0,
+        };
+        let value = rounded((remedy.value + shift) * scale, decimals);
+        let present = match stated {
+            Some(nominal) => [nominal; 2],
+            None => remedy.present.map(|at| at * scale),
+        };
+        let [first, last] = present.map(|present| ascii(present, decimals));
+        let (of, present) = match (remedy.what, remedy.gears) {
+            (Change::CenterDistance, _) if first == last => (String::new(), first),
+            (Change::CenterDistance, _) => (String::new(), format!("{first} … {last}")),
+            (_, Gears::Both) if first == last => (" of both gears".to_owned(), first),
+            (_, Gears::Both) => (
+                " of both gears".to_owned(),
+                format!("{first} (wheel) and {last} (pinion)"),
+            ),
+            (_, Gears::One(member)) => (
+                format!(" of the {}", member.name()),
+                match member {
+                    Member::Wheel => first,
+                    Member::Pinion => last,
+                },
+            ),
         };
         RemedyRecord {
             what,
             gear: remedy.gears.name(),
-            value: rounded((remedy.value + shift) * scale, decimals),
+            value,
             bracket: remedy.bracket.map(|at| (at + shift) * scale),
-        }
-    }
-
-    /// The change in words, such as `centre distance 48.561 mm`.
-    pub fn sentence(&self) -> String {
-        let of = match self.gear {
-            "both" => "both gears".to_owned(),
-            gear => format!("the {gear}"),
-        };
-        let value = self.value;
-        match self.what {
-            "center_distance_mm" => format!("centre distance {value:.3} mm"),
-            "flank_offset_mm" => format!("flank offset of {of} {value:.3} mm"),
-            _ => format!("thickness allowance of {of} {value:.0} µm"),
+            sentence: format!(
+                "{name}{of}: {} {unit} instead of {present}",
+                ascii(value, decimals)
+            ),
         }
     }
 }
 
-/// The remedies below a table of checks; empty without any. `requires` says whether the file states a requirement.
-pub fn text(remedies: &[RemedyRecord], requires: bool) -> String {
-    if remedies.is_empty() {
-        return String::new();
+/// The remedies of a pair file.
+#[derive(Debug, Clone, Default)]
+pub struct RemedyRecords {
+    /// Each single change that makes the pair fit.
+    pub changes: Vec<RemedyRecord>,
+    /// Why others are missing, a sentence each.
+    pub missing: Vec<&'static str>,
+}
+
+impl RemedyRecords {
+    /// The records of `remedies`, found for the study of `file`; none of a file with a temperature, which states its lengths at 20 °C.
+    pub fn new(file: &AnyPair, remedies: &Remedies) -> RemedyRecords {
+        let Remedies { changes, missing } = remedies;
+        let is_any = !(changes.is_empty() && missing.is_empty());
+        if is_any && file.spec.assembly.temperature_c.is_some() {
+            return RemedyRecords {
+                changes: Vec::new(),
+                missing: vec![
+                    "No single change is given at another temperature than 20 °C, at which a file states its lengths.",
+                ],
+            };
+        }
+        let changes = changes.iter();
+        RemedyRecords {
+            changes: changes
+                .map(|remedy| RemedyRecord::new(file, remedy))
+                .collect(),
+            missing: missing.iter().map(|reason| sentence(*reason)).collect(),
+        }
     }
-    let lines = remedies
-        .iter()
-        .map(|remedy| format!("  {}\n", remedy.sentence()));
-    let what = if requires {
-        "assemble and meet [require]"
-    } else {
-        "assemble"
-    };
-    let lines: String = lines.collect();
-    format!("\nEach of these changes alone makes the pair {what}:\n{lines}")
+
+    /// The remedies below a table of checks; empty of a pair that fits. `requires` says whether the file states a requirement.
+    pub(crate) fn text(&self, requires: bool) -> String {
+        let what = if requires {
+            "assemble and meet [require]"
+        } else {
+            "assemble"
+        };
+        let mut text = String::new();
+        if !self.changes.is_empty() {
+            text += &format!("\nEach of these changes alone makes the pair {what}:\n");
+            for change in &self.changes {
+                text += &format!("  {}\n", change.sentence);
+            }
+        } else if !self.missing.is_empty() {
+            text.push('\n');
+        }
+        for reason in &self.missing {
+            text += &format!("{reason}\n");
+        }
+        text
+    }
+}
+
+/// The reason why a change is missing, as a sentence.
+fn sentence(reason: NoRemedy) -> &'static str {
+    match reason {
+        NoRemedy::TooLittleAndTooGreat => {
+            "No single change is enough: the backlash is too little in one place and too great in another."
+        }
+        NoRemedy::OutOfMesh => "No single change is sought for gears that are out of mesh.",
+        NoRemedy::MeasuredRows => {
+            "The centre distance is not changed: measured rows state their own."
+        }
+        NoRemedy::Drawn => "The thickness is not changed: a drawn gear has no flank offset.",
+        NoRemedy::NotGenerated => {
+            "The thickness is not changed: a gear has flanks that are no generated involutes."
+        }
+        NoRemedy::NotEnough => "No single change is enough.",
+    }
 }

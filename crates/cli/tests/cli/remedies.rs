@@ -150,9 +150,9 @@ fn each_is_a_line_of_the_text() {
     let (_, text, _) = run(folder.path(), &["check", "pair.toml"]);
     for line in [
         "Each of these changes alone makes the pair assemble:",
-        "  centre distance 48.561 mm",
-        "  flank offset of both gears 0.000 mm",
-        "  thickness allowance of the wheel -213 µm",
+        "  centre distance: 48.561 mm instead of 48.000",
+        "  flank offset of both gears: 0.000 mm instead of 0.100",
+        "  thickness allowance of the wheel: -213 µm instead of 213",
     ] {
         assert!(
             text.lines().any(|found| found == line),
@@ -172,4 +172,68 @@ fn too_little_and_too_much_backlash_say_what_to_change() {
     let narrow = TOLERANCED.replace("LIMITS", "{ min = 90, max = 95 }");
     let (code, json) = checked(folder.path(), &narrow);
     assert_eq!((code, &json["remedies"]), (Some(1), &json!([])));
+    let (_, text, _) = run(folder.path(), &["check", "pair.toml"]);
+    let line = "No single change is enough: the backlash is too little in one place and too great in another.";
+    assert!(unfolded(&text).contains(line), "{text}");
+}
+
+/// `text` in one line.
+fn unfolded(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// A drawn pair gets the distance of the gears that were drawn, within the 0.1 µm of each drawing and the step of 1 µm.
+/// Its thickness cannot be changed.
+#[test]
+fn a_drawn_pair_gets_the_distance_of_its_data() {
+    let folder = empty_folder();
+    std::fs::write(folder.path().join("pair.toml"), PRINTED).unwrap();
+    for gear in ["wheel", "pinion"] {
+        let file = format!("{gear}.dxf");
+        let words = [
+            "outline",
+            "pair.toml",
+            "--gear",
+            gear,
+            "--format",
+            "dxf",
+            "--tolerance-um",
+            "0.1",
+            "-o",
+            &file,
+        ];
+        let (code, _, told) = run(folder.path(), &words);
+        assert_eq!(code, Some(0), "{told}");
+    }
+    let at = |distance: &str, require: &str| {
+        let text = format!(
+            "[wheel.outline]\nfile = \"wheel.dxf\"\n[pinion.outline]\nfile = \"pinion.dxf\"\n[assembly]\ncenter_distance_mm = {distance}\n{require}"
+        );
+        checked(folder.path(), &text)
+    };
+    let (code, json) = at("48.0", "");
+    assert_eq!(code, Some(1));
+    let found = remedies(&json);
+    let [(what, gear, value)] = &found[..] else {
+        panic!("{found:?}");
+    };
+    assert_eq!((&what[..], &gear[..]), ("center_distance_mm", "both"));
+    let of_data = remedies(&checked(folder.path(), PRINTED).1);
+    assert!((value - of_data[0].2).abs() < 1.5e-3, "{value} {of_data:?}");
+    assert!(fits(&at(&format!("{value:.3}"), "").1));
+    assert!(!fits(&at(&format!("{:.3}", value - 2e-3), "").1));
+    let missing = json["remedies_missing"][0].as_str().unwrap();
+    assert_eq!(
+        missing,
+        "The thickness is not changed: a drawn gear has no flank offset."
+    );
+    // With too much backlash the axes come nearer.
+    let limit = "[require]\nj_wt_um = { max = 200 }\n";
+    let (code, json) = at("48.9", limit);
+    assert_eq!(code, Some(1));
+    let [(_, _, value)] = &remedies(&json)[..] else {
+        panic!("{json}");
+    };
+    assert!(fits(&at(&format!("{value:.3}"), limit).1));
+    assert!(!fits(&at(&format!("{:.3}", value + 2e-3), limit).1));
 }

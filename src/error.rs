@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GearError {
     /// A number outside its range.
-    #[error("{what} is {value}, allowed is {allowed}")]
+    #[error("{what} is {}, allowed is {allowed}", printed(*.value))]
     OutOfRange {
         /// The quantity, in words.
         what: &'static str,
@@ -224,6 +224,11 @@ pub enum GearError {
     /// Datum-axis pitch data whose eccentricity cannot be separated.
     #[error("{0}")]
     DatumPitch(&'static str),
+}
+
+/// A value without the rounding of what it is computed from: twelve significant digits.
+fn printed(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 impl GearError {
@@ -443,5 +448,27 @@ impl Error {
             }
             _ => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_computed_value_is_printed_without_its_rounding() {
+        let text = |value| {
+            let error = GearError::require(false, "runout (mm)", value, "less");
+            error.unwrap_err().to_string()
+        };
+        assert_eq!(
+            text(3.5999999999999996),
+            "runout (mm) is 3.6, allowed is less"
+        );
+        assert_eq!(
+            text(132.180001),
+            "runout (mm) is 132.180001, allowed is less"
+        );
+        assert_eq!(text(f64::NAN), "runout (mm) is NaN, allowed is less");
     }
 }

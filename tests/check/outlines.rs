@@ -62,12 +62,9 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
 #[test]
 fn the_peak_between_sampled_poses_is_found() {
     let file = input::read_any(Path::new("tests/corpus/pairs/chords_32_12.toml")).unwrap();
-    let plan = Plan::new(file.view().study, Method::Exact { certify: true });
+    let plan = Plan::new(&file.study, Method::Exact { certify: true });
     let analysis = Analysis::silently(&plan.with_revolution().with_extremes()).unwrap();
-    let checked = extremes_of_outlines(file.view().study)
-        .greatest
-        .unwrap()
-        .found();
+    let checked = extremes_of_outlines(&file.study).greatest.unwrap().found();
     let drawn = analysis.curves[0].poses.iter();
     let curve = drawn.filter_map(|pose| pose.simulated.backlash);
     let shown = analysis.extremes.each[0].greatest.as_ref().unwrap().found();

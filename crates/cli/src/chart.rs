@@ -66,7 +66,7 @@ enum Kind {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_options(args)?;
     let file = studies::any(&args.pair)?;
-    let (study, sources) = (file.view().study, file.view().sources);
+    let (study, sources) = (&file.study, &file.sources);
     if study.is_drawn() && !matches!(args.kind, Kind::Revolution | Kind::Map) {
         return Err(Error::Usage(
             "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map".to_owned(),
@@ -82,7 +82,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = match given {
         Some(target) => target,
-        None => Target::prepare_own(file.view().stem, drawn.file, sources)?,
+        None => Target::prepare_own(&file.stem, drawn.file, sources)?,
     };
     target.write(&drawn.svg)?;
     Ok(exit_code(drawn.agrees))

@@ -11,9 +11,9 @@ use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash::analysis::Plan;
 use gearlash_files::outlines::Drawings;
-use gearlash_files::{AnyPair, OutlinePairFile, PairView, Sources};
+use gearlash_files::{AnyPair, Sources};
 use gearlash_results::judged::{Judged, JudgedFile, Outcome};
-use gearlash_results::{RemedyRecord, checked};
+use gearlash_results::{RemedyRecords, checked};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -66,13 +66,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let files = match drawn {
         Some(pair) => {
             let path = PathBuf::from(&pair.stem);
-            vec![(path, Ok(AnyPair::Outlines(Box::new(pair))))]
+            vec![(path, Ok(pair))]
         }
         None => judged::read(&args.pairs, studies::any)?,
     };
     let mut sources = Sources::new();
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
-        sources.extend(file.view().sources);
+        sources.extend(&file.sources);
     }
     let summary = StepSummary::prepare(args.format, &sources)?;
     let is_text = args.format == JudgedFormat::Text;
@@ -83,7 +83,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         files: Vec::new(),
     };
     for (path, file) in files {
-        let judged = file.and_then(|file| pair(args, &path, &file.view(), &mut map));
+        let judged = file.and_then(|file| pair(args, &path, &file, &mut map));
         if is_text && is_alone {
             outcome.files.push(JudgedFile::Judged(Box::new(judged?)));
         } else {
@@ -103,13 +103,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn pair(
     args: &Args,
     path: &Path,
-    file: &PairView,
+    file: &AnyPair,
     map: &mut Option<String>,
 ) -> Result<Judged, Error> {
-    let study = file.study;
+    let study = &file.study;
     let method = args.method.of(study)?;
     poses::allow(path, study.pose_count(), &poses::HELD)?;
-    let folder = folder(args, file.stem, file.sources)?;
+    let folder = folder(args, &file.stem, &file.sources)?;
     let plan = Plan::new(study, method).with_remedies().with_checks();
     let analysis = run_under_bar(&plan)?;
     if let Some(folder) = folder {
@@ -119,15 +119,15 @@ fn pair(
     let verdict = analysis.verdict();
     let is_proven = agreed(&analysis);
     let screen = args.screen.screen();
-    let remedies = RemedyRecord::all(*file, &analysis.remedies);
+    let remedies = RemedyRecords::new(file, &analysis.remedies);
     let diagnosis = &analysis.diagnosis;
     Ok(checked(
-        &name, *file, diagnosis, &verdict, &remedies, is_proven, &screen,
+        &name, file, diagnosis, &verdict, &remedies, is_proven, &screen,
     ))
 }
 
 /// The pair of two drawings on the command line; `None` of pair files.
-fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
+fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
     match (&args.pairs[..], args.center_distance) {
         ([wheel, pinion], Some(distance)) if is_drawing(wheel) && is_drawing(pinion) => {
             let drawings = Drawings {

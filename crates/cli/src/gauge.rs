@@ -1,7 +1,7 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
 use super::console::{ScreenArgs, print, warn};
-use super::gears::{self, GearName, MaterialName, one_only};
+use super::gears::{self, GearName, MaterialName};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
@@ -11,7 +11,7 @@ use crate::output::OutputFolder;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, gauge_outline, pin_sizes, pose_count};
 use gearlash::gear::AsBuilt;
-use gearlash_files::outlines::OutlineGearsFile;
+use gearlash_files::spec::{EitherGearSpec, GearSpec};
 use gearlash_files::{AnyGears, GearEntry};
 use gearlash_render::gauge::{charts, page, text};
 use gearlash_results::gauge::{
@@ -80,61 +80,88 @@ fn diameter(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    if is_drawing(&args.file) {
-        let DrawnArgs { units, center } = &args.drawn;
-        let file = studies::drawing(&args.file, units.as_deref(), center.as_deref())?;
-        return drawn(args, &file);
+    let file = read(args)?;
+    let materials = |gear| materials(gear);
+    let chosen = gears::choose(&args.file, args.gear, args.material, &file, materials)?;
+    let is_drawn = file.gears.iter().any(|gear| !gear.drawn.is_empty());
+    if is_drawn {
+        check_drawn(args)?;
     }
-    if args.drawn.given() {
-        return Err(Error::Usage(
-            "--units and --center belong to a drawing: files state them".to_owned(),
-        ));
+    let mut own = Vec::new();
+    for (gear, material, source) in &chosen {
+        own.extend(possible_files(&stem(gear.name, *material)));
+        if let GearSource::Data(as_built, _) = source {
+            check_span(args, gear.name, as_built)?;
+        }
     }
-    let study = match studies::any_gears(&args.file)? {
-        AnyGears::Data(study) => *study,
-        AnyGears::Outlines(file) => return drawn(args, &file),
+    let folder = if is_drawn {
+        None
+    } else {
+        let own = move |name: &str| own.iter().any(|own| own == name);
+        args.results.folder(&file.stem, &file.sources, own)?
     };
-    let chosen = gears::choose(&args.file, args.gear, args.material, &study)?;
-    for (gear, _, as_built) in &chosen {
-        check_span(args, gear.name, as_built)?;
-    }
-    let own: Vec<String> = chosen
-        .iter()
-        .flat_map(|(gear, material, _)| possible_files(&stem(gear.name, *material)))
-        .collect();
-    let own = move |name: &str| own.iter().any(|own| own == name);
-    let folder = args.results.folder(&study.stem, &study.sources, own)?;
 
-    let settings = |gear: &GearEntry| Settings {
-        span_teeth: args.span_teeth.or(gear.spec.thickness.span_teeth()),
-        pin: args.pin_mm.or(gear.spec.thickness.pin_mm()),
+    let settings = |spec: &GearSpec| Settings {
+        span_teeth: args.span_teeth.or(spec.thickness.span_teeth()),
+        pin: args.pin_mm.or(spec.thickness.pin_mm()),
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
-        face: gear.spec.face().unwrap_or_default(),
-        evaluation: gear.spec.evaluation_radii(),
+        face: spec.face().unwrap_or_default(),
+        evaluation: spec.evaluation_radii(),
     };
-    let poses = chosen.iter();
-    let poses = poses.map(|(gear, _, as_built)| pose_count(as_built, &settings(gear)));
+    let poses = chosen.iter().map(|(_, _, source)| match source {
+        GearSource::Data(as_built, spec) => pose_count(as_built, &settings(spec)),
+        GearSource::Drawn(_) => 0,
+    });
     let progress = Progress::start(poses.sum());
     let mut gears = Vec::new();
-    for (gear, material, as_built) in chosen {
+    for (gear, material, source) in chosen {
         progress.now(&format!("({} {})", gear.name, material.name()));
         let more = |poses| progress.more(poses);
         gears.push(GaugedGear {
-            title: &study.title,
+            title: &file.title,
             name: gear.name,
             material,
-            gear: GearSource::Data(as_built, &gear.spec),
-            gauged: gauge(as_built, &settings(gear), &more, &|| progress.tick())?,
+            gauged: match source {
+                GearSource::Data(as_built, spec) => {
+                    gauge(as_built, &settings(spec), &more, &|| progress.tick())?
+                }
+                GearSource::Drawn(outline) => gauge_outline(outline, args.span_teeth, args.pin_mm),
+            },
+            gear: source,
         });
     }
     drop(progress);
-    finish(args, &study.title, &gears, folder)
+    finish(args, &file.title, &gears, folder)
 }
 
-/// Measures the drawn gears of `file`.
-fn drawn(args: &Args, file: &OutlineGearsFile) -> Result<ExitCode, Error> {
+/// The gears of the file or drawing.
+fn read(args: &Args) -> Result<AnyGears, Error> {
+    let DrawnArgs { units, center } = &args.drawn;
+    if is_drawing(&args.file) {
+        studies::drawing(&args.file, units.as_deref(), center.as_deref())
+    } else if args.drawn.given() {
+        Err(Error::Usage(
+            "--units and --center belong to a drawing: files state them".to_owned(),
+        ))
+    } else {
+        studies::any_gears(&args.file)
+    }
+}
+
+/// A gear in each of its materials.
+fn materials(gear: &GearEntry<EitherGearSpec>) -> Vec<(Material, GearSource<'_>)> {
+    let data = gear.materials.iter().filter_map(|(material, as_built)| {
+        Some((*material, GearSource::Data(as_built, gear.spec.data()?)))
+    });
+    let drawn = gear.drawn.iter();
+    data.chain(drawn.map(|(material, outline)| (*material, GearSource::Drawn(outline))))
+        .collect()
+}
+
+/// Options that an outline has a use for.
+fn check_drawn(args: &Args) -> Result<(), Error> {
     if args.ball_mm.is_some()
         || args.master_teeth.is_some()
         || args.page
@@ -151,25 +178,7 @@ fn drawn(args: &Args, file: &OutlineGearsFile) -> Result<ExitCode, Error> {
                 .to_owned(),
         ));
     }
-    let name = args.gear.map(|gear| gear.member().name());
-    let material = args.material.map(MaterialName::material);
-    let chosen = file.gears.iter().filter(|entry| {
-        name.is_none_or(|name| name == entry.name)
-            && material.is_none_or(|of| [of, Material::AsMeasured].contains(&entry.material))
-    });
-    let gears: Vec<GaugedGear> = chosen
-        .map(|entry| GaugedGear {
-            title: &file.title,
-            name: entry.name,
-            material: entry.material,
-            gear: GearSource::Drawn(&entry.gear),
-            gauged: gauge_outline(&entry.gear, args.span_teeth, args.pin_mm),
-        })
-        .collect();
-    if let (true, Some(name)) = (gears.is_empty(), name) {
-        return Err(one_only(name, &args.file));
-    }
-    finish(args, &file.title, &gears, None)
+    Ok(())
 }
 
 /// Prints what was read and writes the files.

@@ -3,7 +3,6 @@
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
 use gearlash_files::{GearEntry, GearsFile};
 use std::path::Path;
@@ -46,40 +45,36 @@ impl MaterialName {
     }
 }
 
-/// That a file has no gear of the name asked for.
-pub(super) fn one_only(name: &str, file: &Path) -> Error {
-    Error::Usage(format!(
-        "--gear {name}: {} has one gear only; leave --gear out",
-        file.display()
-    ))
-}
-
-/// The gears and materials asked for, in the order of the file.
+/// The gears and materials asked for, in the order of the file; `materials` are those of a gear.
 ///
 /// # Errors
 /// [`Error::Usage`] where the file has one gear only and one of a pair is asked for.
-pub(super) fn choose<'a>(
-    file: &Path,
+pub(super) fn choose<'a, G, T>(
+    path: &Path,
     gear: Option<GearName>,
     material: Option<MaterialName>,
-    study: &'a GearsFile,
-) -> Result<Vec<(&'a GearEntry, Material, &'a AsBuilt)>, Error> {
+    file: &'a GearsFile<G>,
+    materials: impl Fn(&'a GearEntry<G>) -> Vec<(Material, T)>,
+) -> Result<Vec<(&'a GearEntry<G>, Material, T)>, Error> {
     let name = gear.map(|gear| gear.member().name());
     let material = material.map(MaterialName::material);
     let mut chosen = Vec::new();
-    for gear in &study.gears {
+    for gear in &file.gears {
         if name.is_some_and(|name| name != gear.name) {
             continue;
         }
-        for (of, as_built) in &gear.materials {
+        for (of, found) in materials(gear) {
             // A single thickness is both ends of its tolerance.
-            if material.is_none_or(|material| *of == material || *of == Material::AsMeasured) {
-                chosen.push((gear, *of, as_built));
+            if material.is_none_or(|material| of == material || of == Material::AsMeasured) {
+                chosen.push((gear, of, found));
             }
         }
     }
     match (chosen.is_empty(), name) {
-        (true, Some(name)) => Err(one_only(name, file)),
+        (true, Some(name)) => Err(Error::Usage(format!(
+            "--gear {name}: {} has one gear only; leave --gear out",
+            path.display()
+        ))),
         _ => Ok(chosen),
     }
 }

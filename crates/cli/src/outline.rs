@@ -106,7 +106,12 @@ fn section(asked: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears(&args.file)?;
-    let chosen = choose(&args.file, args.gear, Some(args.material), &study)?;
+    let chosen = choose(&args.file, args.gear, Some(args.material), &study, |gear| {
+        gear.materials
+            .iter()
+            .map(|(of, built)| (*of, built))
+            .collect()
+    })?;
     let [(entry, material, gear)] = chosen[..] else {
         return Err(Error::Usage(format!(
             "which gear? {} has a wheel and a pinion; give --gear wheel or --gear pinion",

@@ -9,7 +9,7 @@ use crate::error::{Error, exit_code};
 use gearlash::analysis::Plan;
 use gearlash::gauge::{graded, pitches, profiles};
 use gearlash::gear::Inspection;
-use gearlash_files::{AnyPair, PairFile, Sources};
+use gearlash_files::{AnyPair, Sources};
 use gearlash_render::{self, GearGrades, Report};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -34,20 +34,16 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
-    let file = studies::any(&args.pair)?;
-    let pair = file.view();
-    let study = pair.study;
-    let target = target(args, pair.stem, pair.sources)?;
+    let pair = &studies::any(&args.pair)?;
+    let study = &pair.study;
+    let target = target(args, &pair.stem, &pair.sources)?;
     let method = args.method.of(study)?;
     let plan = Plan::whole(study, method);
     poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
     let analysis = run_under_bar(&plan)?;
     let progress = Progress::working();
     progress.now("accuracy grades");
-    let grades = match &file {
-        AnyPair::Data(pair) => grades(pair),
-        AnyPair::Outlines(_) => Vec::new(),
-    };
+    let grades = grades(pair);
     progress.now("page");
     let page = gearlash_render::report(&Report {
         pair,
@@ -78,18 +74,16 @@ fn name(args: &Args) -> String {
 }
 
 /// The grades of each gear that has deviations or a grade to keep: of the most material where there are two, as the gauge reads that one.
-fn grades(pair: &PairFile) -> Vec<GearGrades> {
-    let Some((_, wheel, pinion)) = pair.study.materials.first() else {
+fn grades(pair: &AnyPair) -> Vec<GearGrades> {
+    let gears = pair.study.materials.first().zip(pair.spec.by_data());
+    let Some(((_, wheel, pinion), specs)) = gears else {
         return Vec::new();
     };
-    let deviating = [
-        ("wheel", wheel, &pair.spec.wheel),
-        ("pinion", pinion, &pair.spec.pinion),
-    ]
-    .into_iter()
-    .filter(|(_, gear, spec)| {
-        spec.grade.is_some() || spec.profile.is_some() || Inspection::of(gear).deviates()
-    });
+    let deviating = [("wheel", wheel, specs[0]), ("pinion", pinion, specs[1])]
+        .into_iter()
+        .filter(|(_, gear, spec)| {
+            spec.grade.is_some() || spec.profile.is_some() || Inspection::of(gear).deviates()
+        });
     deviating
         .map(|(name, gear, spec)| GearGrades {
             name,

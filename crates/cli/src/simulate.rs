@@ -59,15 +59,15 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             Error::Usage(format!("--center-distance: {reason}"))
         })?;
     }
-    let file = pair.view();
-    let study = file.study;
+    let file = &pair;
+    let study = &file.study;
     let method = args.method.of(study)?;
     let unit = args
         .unit
         .of_table(study, args.results.format == Format::Text)?;
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
-    let mut folder = args.results.folder(file.stem, file.sources, is_own)?;
+    let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
     let (bytes, streamed) = match args.results.format {
         _ if folder.is_some() => (POSE_BYTES_JSON + POSE_BYTES_CSV, false),
         Format::Csv => (POSE_BYTES_CSV, true),
@@ -108,7 +108,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             print(&gearlash_results::text::simulation(
                 study, &verdict, &runs, &measured, unit, &screen,
             ))?;
-            print(&screen.fold(&drawn_notes(&file)))?;
+            print(&screen.fold(&drawn_notes(file)))?;
         }
         (Format::Json, Some(folder)) => print_file(folder, JSON)?,
         (Format::Csv, Some(folder)) => print_file(folder, CSV)?,

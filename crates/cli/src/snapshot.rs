@@ -86,7 +86,7 @@ impl Flank {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let file = studies::any(&args.pair)?;
-    let (study, sources) = (file.view().study, file.view().sources);
+    let (study, sources) = (&file.study, &file.sources);
     check(args, study)?;
     let given = Target::prepare_given(args.output.as_ref(), sources)?;
     let (subject, name) = subject(args, study.clone())?;
@@ -98,7 +98,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 Some(at) => name.replace(".svg", &format!("_z{at}.svg")),
                 None => name,
             };
-            Target::prepare_own(file.view().stem, name, sources)?
+            Target::prepare_own(&file.stem, name, sources)?
         }
     };
     target.write(&picture)?;

@@ -4,8 +4,7 @@ use super::console::{guard, print, warn};
 use crate::error::Error;
 use gearlash_files::characters::plain;
 use gearlash_files::outlines::Drawings;
-use gearlash_files::outlines::OutlineGearsFile;
-use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile, Sources};
+use gearlash_files::{AnyGears, AnyPair, GearsFile, PairFile, Sources};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -25,8 +24,7 @@ pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
 /// As [`pair`].
 pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     let file = gearlash_files::read_any(path)?;
-    let view = file.view();
-    tell(path, view.sources, view.warnings, view.remarks)?;
+    tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -34,7 +32,7 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn drawings(drawings: &Drawings) -> Result<OutlinePairFile, Error> {
+pub(super) fn drawings(drawings: &Drawings) -> Result<AnyPair, Error> {
     let file = gearlash_files::read_drawings(drawings)?;
     let name = Path::new(&file.stem);
     tell(name, &file.sources, &file.warnings, &file.remarks)?;
@@ -63,7 +61,7 @@ pub(super) fn print_inputs(paths: &[PathBuf]) -> Result<ExitCode, Error> {
     let mut lines = String::new();
     for path in paths {
         let file = gearlash_files::read_any(path)?;
-        for name in file.view().sources.names() {
+        for name in file.sources.names() {
             let text = name.to_str().filter(|text| plain(text) == **text);
             let Some(text) = text else {
                 let name = plain(&name.to_string_lossy()).to_string();
@@ -93,11 +91,7 @@ pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
 /// As [`pair`].
 pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
     let file = gearlash_files::read_any_gears(path)?;
-    let (sources, warnings, remarks) = match &file {
-        AnyGears::Data(file) => (&file.sources, &file.warnings, &file.remarks),
-        AnyGears::Outlines(file) => (&file.sources, &file.warnings, &file.remarks),
-    };
-    tell(path, sources, warnings, remarks)?;
+    tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -109,7 +103,7 @@ pub(super) fn drawing(
     path: &Path,
     units: Option<&str>,
     center: Option<&str>,
-) -> Result<OutlineGearsFile, Error> {
+) -> Result<AnyGears, Error> {
     let file = gearlash_files::read_drawing(path, units, center)?;
     tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)

@@ -25,6 +25,7 @@ pub fn read(file: &Tree) -> Option<GearsFile> {
         gears: vec![GearEntry {
             name: "gear",
             materials: materials(&gear, AsBuilt::clone),
+            drawn: Vec::new(),
             spec: part.spec?,
         }],
         temperature_c: None,

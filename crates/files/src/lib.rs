@@ -65,7 +65,6 @@ mod tolerance_table;
 mod uncertainty;
 mod unit_slips;
 mod unmodelled;
-mod view;
 
 use node::Node;
 use pair_file::PairTables;
@@ -91,12 +90,10 @@ pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use outline_file::{OutlineFile, OutlineFormat};
-pub use outlines::OutlinePairFile;
 pub use pair_slips::in_tolerance as tolerance_slip;
-pub use read::{GearEntry, GearsFile, PairFile, distance_refused};
+pub use read::{AnyGears, AnyPair, GearEntry, GearsFile, PairFile, distance_refused};
 pub use sources::Sources;
 pub use spec::{explained, gear_schema, pair_schema};
-pub use view::{AnyPair, AnyPairSpec, PairView};
 
 /// A pair file or gear file as a tree of values.
 #[derive(Clone, Copy)]
@@ -122,6 +119,14 @@ pub fn read(path: &Path) -> Result<PairFile, InputError> {
     with_tree(path, pair_by_data)
 }
 
+/// Reads the pair file `text`, be its gears given by data or by outlines, as [`read_text`] does.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_any_text(name: &Path, text: &str) -> Result<AnyPair, InputError> {
+    of_text(name, text, any_pair)
+}
+
 /// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.
 ///
 /// # Errors
@@ -143,19 +148,14 @@ pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError>
 /// # Errors
 /// As [`read`].
 pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
-    with_tree(path, |file| {
-        if outlines::has_outline(file) {
-            return outlines::read(file).map(|pair| AnyPair::Outlines(Box::new(pair)));
-        }
-        pair_by_data(file).map(|pair| AnyPair::Data(Box::new(pair)))
-    })
+    with_tree(path, any_pair)
 }
 
 /// Reads the pair that two drawings make.
 ///
 /// # Errors
 /// As [`read`]; keys are those that a pair file would have.
-pub fn read_drawings(drawings: &outlines::Drawings) -> Result<OutlinePairFile, InputError> {
+pub fn read_drawings(drawings: &outlines::Drawings) -> Result<AnyPair, InputError> {
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
     let mut name = stem(drawings.wheel);
     name.push("_");
@@ -187,15 +187,6 @@ pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
     with_tree(path, gears_by_data)
 }
 
-/// The gears of a file of either kind.
-#[derive(Debug)]
-pub enum AnyGears {
-    /// All by their data.
-    Data(Box<GearsFile>),
-    /// One at least by its outline.
-    Outlines(Box<outlines::OutlineGearsFile>),
-}
-
 /// Reads the gears of the file at `path`, a gear file or a pair file, be they given by data or by outlines.
 ///
 /// # Errors
@@ -203,14 +194,13 @@ pub enum AnyGears {
 pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
     with_tree(path, |file| {
         if !outlines::has_outline(file) {
-            return gears_by_data(file).map(|gears| AnyGears::Data(Box::new(gears)));
+            return gears_by_data(file).map(AnyGears::from);
         }
-        let gears = if gear_file::is_one(file) {
+        if gear_file::is_one(file) {
             outlines::read_gear(file)
         } else {
-            outlines::read(file).map(From::from)
-        };
-        gears.map(|gears| AnyGears::Outlines(Box::new(gears)))
+            outlines::read(file).map(AnyGears::from)
+        }
     })
 }
 
@@ -222,7 +212,7 @@ pub fn read_drawing(
     path: &Path,
     units: Option<&str>,
     center: Option<&str>,
-) -> Result<outlines::OutlineGearsFile, InputError> {
+) -> Result<AnyGears, InputError> {
     let text = outlines::of_drawing(path, units, center);
     without_text(of_text(path, &text, outlines::read_gear))
 }
@@ -233,6 +223,15 @@ fn without_text<T>(result: Result<T, InputError>) -> Result<T, InputError> {
         text: String::new(),
         ..error
     })
+}
+
+/// The pair.
+fn any_pair(file: &Tree) -> Option<AnyPair> {
+    if outlines::has_outline(file) {
+        outlines::read(file)
+    } else {
+        pair_by_data(file).map(AnyPair::from)
+    }
 }
 
 /// The pair, which must be given by its data.

@@ -1,21 +1,27 @@
 //! The content of a file: the study or the gears, and the data of the file itself.
 
+use crate::outlines::DrawingRead;
 use crate::sources::Sources;
-use crate::spec::{CenterDistanceSpec, GearSpec, PairSpec};
+use crate::spec::{CenterDistanceSpec, EitherGearSpec, GearSpec, PairSpec};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
+use gearlash::outline::OutlineGear;
 
 /// A pair file, understood.
+///
+/// `G` is [`GearSpec`] where both gears are given by their data, and [`EitherGearSpec`] where they need not be.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PairFile {
+pub struct PairFile<G = GearSpec> {
     /// The study that it asks for.
     pub study: Study,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
     /// (beside the same measured file) it gives the same study.
-    pub spec: PairSpec,
+    pub spec: PairSpec<G>,
+    /// The content of the drawings of wheel and pinion; `None` of a gear by its data.
+    pub drawings: [Option<DrawingRead>; 2],
     /// Warnings, for standard error.
     pub warnings: Vec<String>,
     /// Remarks, for standard error.
@@ -24,23 +30,29 @@ pub struct PairFile {
     pub sources: Sources,
 }
 
-/// One gear of a file, for what needs no mate.
-#[derive(Debug, Clone, PartialEq)]
-pub struct GearEntry {
-    /// `wheel` or `pinion` of a pair file, `gear` of a gear file.
-    pub name: &'static str,
-    /// In the thicknesses it states: `AsMeasured` alone, or `Most` and `Least`.
-    pub materials: Vec<(Material, AsBuilt)>,
-    /// Its table as understood, defaults filled in.
-    pub spec: GearSpec,
+/// A pair file whose gears are given by their data or by outlines.
+pub type AnyPair = PairFile<EitherGearSpec>;
+
+impl From<PairFile> for AnyPair {
+    fn from(file: PairFile) -> AnyPair {
+        PairFile {
+            study: file.study,
+            stem: file.stem,
+            spec: file.spec.into(),
+            drawings: file.drawings,
+            warnings: file.warnings,
+            remarks: file.remarks,
+            sources: file.sources,
+        }
+    }
 }
 
-impl PairFile {
+impl<G> PairFile<G> {
     /// The pair at other centre distances, mm.
     ///
     /// # Errors
     /// As [`Study::at`].
-    pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile, Error> {
+    pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile<G>, Error> {
         self.spec.assembly.center_distance_mm =
             CenterDistanceSpec::Distances(center_distances.clone());
         self.study = self.study.at(center_distances)?;
@@ -58,17 +70,30 @@ pub fn distance_refused(reason: &Error) -> String {
     }
 }
 
-/// The gears of a gear file or a pair file.
+/// One gear of a file, for what needs no mate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GearEntry<G = GearSpec> {
+    /// `wheel` or `pinion` of a pair file, `gear` of a gear file.
+    pub name: &'static str,
+    /// In the thicknesses it states: `AsMeasured` alone, or `Most` and `Least`. Empty in a file with an outline.
+    pub materials: Vec<(Material, AsBuilt)>,
+    /// The same in a file with an outline.
+    pub drawn: Vec<(Material, OutlineGear)>,
+    /// Its table as understood, defaults filled in.
+    pub spec: G,
+}
+
+/// The gears of a gear file or a pair file. `G` is as in [`PairFile`].
 ///
 /// Made by [`crate::read_gears`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct GearsFile {
+pub struct GearsFile<G = GearSpec> {
     /// Title; the file stem when the file has none.
     pub title: String,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// One gear, or wheel and pinion.
-    pub gears: Vec<GearEntry>,
+    pub gears: Vec<GearEntry<G>>,
     /// The temperature that they have, °C, where a pair file states one; lengths are those of 20 °C elsewhere.
     pub temperature_c: Option<f64>,
     /// Warnings, for standard error.
@@ -79,35 +104,70 @@ pub struct GearsFile {
     pub sources: Sources,
 }
 
-impl From<PairFile> for GearsFile {
-    fn from(file: PairFile) -> GearsFile {
-        let study = file.study;
-        let gear = |name, spec, of: fn(&(Material, AsBuilt, AsBuilt)) -> &AsBuilt| {
-            let mut materials: Vec<(Material, AsBuilt)> = Vec::new();
-            for pair in &study.materials {
-                // A gear with a single thickness has it in both materials of its pair.
-                match materials.first_mut() {
-                    Some(first) if first.1 == *of(pair) => first.0 = Material::AsMeasured,
-                    _ => materials.push((pair.0, of(pair).clone())),
-                }
-            }
-            GearEntry {
-                name,
-                materials,
-                spec,
-            }
-        };
+/// The gears of a file, given by their data or by outlines.
+pub type AnyGears = GearsFile<EitherGearSpec>;
+
+impl From<GearsFile> for AnyGears {
+    fn from(file: GearsFile) -> AnyGears {
+        let gears = file.gears.into_iter().map(|gear| GearEntry {
+            name: gear.name,
+            materials: gear.materials,
+            drawn: gear.drawn,
+            spec: EitherGearSpec::Data(Box::new(gear.spec)),
+        });
         GearsFile {
-            gears: vec![
-                gear("wheel", file.spec.wheel, |pair| &pair.1),
-                gear("pinion", file.spec.pinion, |pair| &pair.2),
-            ],
-            title: study.title,
-            temperature_c: file.spec.assembly.temperature_c,
+            title: file.title,
             stem: file.stem,
+            gears: gears.collect(),
+            temperature_c: file.temperature_c,
             warnings: file.warnings,
             remarks: file.remarks,
             sources: file.sources,
         }
     }
+}
+
+impl<G> From<PairFile<G>> for GearsFile<G> {
+    fn from(file: PairFile<G>) -> GearsFile<G> {
+        let Study {
+            title,
+            materials,
+            drawn,
+            ..
+        } = file.study;
+        let (mut gears, specs) = (Vec::new(), [file.spec.wheel, file.spec.pinion]);
+        for (k, spec) in specs.into_iter().enumerate() {
+            let name = ["wheel", "pinion"][k];
+            gears.push(GearEntry {
+                name,
+                materials: of_one(&materials, |(of, wheel, pinion)| (*of, [wheel, pinion][k])),
+                drawn: of_one(&drawn, |(of, wheel, pinion)| (*of, [wheel, pinion][k])),
+                spec,
+            });
+        }
+        GearsFile {
+            title,
+            stem: file.stem,
+            gears,
+            temperature_c: file.spec.assembly.temperature_c,
+            warnings: file.warnings,
+            remarks: file.remarks,
+            sources: file.sources,
+        }
+    }
+}
+
+/// A gear in each of its materials. One with a single thickness has it in both materials of its pair.
+fn of_one<'a, P, B: Clone + PartialEq + 'a>(
+    pairs: &'a [P],
+    gear: impl Fn(&'a P) -> (Material, &'a B),
+) -> Vec<(Material, B)> {
+    let mut materials: Vec<(Material, B)> = Vec::new();
+    for (material, gear) in pairs.iter().map(gear) {
+        match materials.first_mut() {
+            Some(first) if first.1 == *gear => first.0 = Material::AsMeasured,
+            _ => materials.push((material, gear.clone())),
+        }
+    }
+    materials
 }

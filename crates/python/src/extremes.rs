@@ -9,7 +9,7 @@ use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash_results::judged::{JudgedFile, Outcome};
 use gearlash_results::text::Screen;
-use gearlash_results::{RemedyRecord, checked, extremes_json};
+use gearlash_results::{RemedyRecords, checked, extremes_json};
 use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };
@@ -35,7 +35,7 @@ pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<St
     let (name, screen) = (&pair.file.stem, Screen::default());
     let is_proven = analysis.unproven() == 0 && analysis.agreement().agrees();
     let verdict = analysis.verdict();
-    let remedies = RemedyRecord::all(&pair.file, &analysis.remedies);
+    let remedies = RemedyRecords::new(&pair.file, &analysis.remedies);
     let judged = checked(
         name,
         &pair.file,

@@ -62,13 +62,14 @@ impl Gear {
 /// The one of `materials` that is called `name`, or the first.
 pub fn chosen<T>(
     py: Python<'_>,
-    materials: impl Iterator<Item = (Material, T)> + Clone,
+    materials: impl Iterator<Item = (Material, T)>,
     name: Option<&str>,
 ) -> PyResult<(Material, T)> {
     let named = |material: &Material| name.is_none_or(|name| name == material.name());
-    let mut found = materials.clone();
-    found.find(|(material, _)| named(material)).ok_or_else(|| {
-        let names: Vec<&str> = materials.map(|(material, _)| material.name()).collect();
+    let mut names = Vec::new();
+    let mut materials = materials.inspect(|(material, _)| names.push(material.name()));
+    let found = materials.find(|(material, _)| named(material));
+    found.ok_or_else(|| {
         let (name, names) = (name.unwrap_or_default(), names.join(", "));
         error(
             py,

@@ -4,19 +4,20 @@ use crate::error::{error, input};
 use crate::gear::chosen;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Mating, Member};
-use gearlash_files::{InputError, PairFile, distance_refused};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::{Mating, Member};
+use gearlash_files::{AnyPair, InputError, distance_refused};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// A pair as a pair file states it.
 #[pyclass(frozen, module = "gearlash._core")]
 pub struct Pair {
-    pub file: PairFile,
+    pub file: AnyPair,
 }
 
 impl Pair {
-    fn of(py: Python<'_>, read: Result<PairFile, InputError>) -> PyResult<Pair> {
+    fn of(py: Python<'_>, read: Result<AnyPair, InputError>) -> PyResult<Pair> {
         let file = read.map_err(|error| input(py, &error))?;
         Ok(Pair { file })
     }
@@ -32,11 +33,8 @@ impl Pair {
         py: Python<'_>,
         distance: Option<f64>,
         material: Option<&str>,
-    ) -> PyResult<(Material, GearPair)> {
+    ) -> PyResult<(Material, AssembledPair)> {
         let study = self.study();
-        let gears = study.materials.iter();
-        let gears = gears.map(|(material, wheel, pinion)| (*material, (wheel, pinion)));
-        let (material, (wheel, pinion)) = chosen(py, gears, material)?;
         let distance = distance.or(study.center_distances.first().copied());
         let distance = distance.ok_or_else(|| {
             error(
@@ -44,30 +42,23 @@ impl Pair {
                 "the pair has no centre distance; give center_distance_mm",
             )
         })?;
-        study
-            .pair(wheel, pinion, distance)
-            .map(|assembly| (material, assembly))
-            .map_err(|reason| error(py, format!("center_distance_mm = {distance}: {reason}")))
+        let pairs = study.pairs(distance);
+        let pairs = pairs
+            .map_err(|reason| error(py, format!("center_distance_mm = {distance}: {reason}")))?;
+        chosen(py, pairs.into_iter(), material)
     }
-}
-
-/// How many teeth the gears have.
-pub fn teeth(assembly: &GearPair) -> [u32; 2] {
-    Member::BOTH.map(|member| assembly.teeth(member))
 }
 
 /// The mating of these `teeth` in `assembly`: an error where there is no such tooth, or at a fraction of too many pitches.
 pub fn mating(
     py: Python<'_>,
-    assembly: &GearPair,
+    assembly: &AssembledPair,
     [wheel, pinion]: [i64; 2],
     left: bool,
     fraction: f64,
 ) -> PyResult<Mating> {
-    for (member, (tooth, teeth)) in Member::BOTH
-        .iter()
-        .zip([wheel, pinion].into_iter().zip(teeth(assembly)))
-    {
+    for (member, tooth) in Member::BOTH.into_iter().zip([wheel, pinion]) {
+        let teeth = assembly.teeth(member);
         if !(1..=i64::from(teeth)).contains(&tooth) {
             let name = member.name();
             return Err(error(
@@ -95,14 +86,14 @@ impl Pair {
     /// Of `text` with the keys of a pair file.
     #[staticmethod]
     fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Pair> {
-        let read = py.detach(|| gearlash_files::read_text(Path::new(name), text));
+        let read = py.detach(|| gearlash_files::read_any_text(Path::new(name), text));
         Pair::of(py, read)
     }
 
     /// Of the pair file at `path`.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Pair> {
-        let read = py.detach(|| gearlash_files::read(&path));
+        let read = py.detach(|| gearlash_files::read_any(&path));
         Pair::of(py, read)
     }
 
@@ -145,8 +136,10 @@ impl Pair {
     /// Names of its materials.
     #[getter]
     fn materials(&self) -> Vec<&'static str> {
-        let materials = self.study().materials.iter();
-        materials.map(|(material, ..)| material.name()).collect()
+        let study = self.study();
+        let data = study.materials.iter().map(|gears| gears.0);
+        let drawn = study.drawn.iter().map(|gears| gears.0);
+        data.chain(drawn).map(Material::name).collect()
     }
 
     /// Its centre distances, mm.
@@ -164,9 +157,6 @@ impl Pair {
     /// Teeth of wheel and pinion.
     #[getter]
     fn teeth(&self) -> Vec<u32> {
-        let (_, wheel, pinion) = &self.study().materials[0];
-        [wheel, pinion]
-            .map(|gear| gear.gear().basic_data().teeth())
-            .to_vec()
+        self.study().teeth().to_vec()
     }
 }

@@ -7,10 +7,10 @@ use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan};
-use gearlash::contact::{MeshSection, Method};
+use gearlash::contact::Method;
 use gearlash::gear::Inspection;
-use gearlash_render::Snapshot;
 use gearlash_render::chart::{self, Heading};
+use gearlash_render::pose_picture;
 use gearlash_results::verdict::in_short;
 use pyo3::prelude::*;
 
@@ -39,19 +39,19 @@ pub fn snapshot(
     let mating = mating(py, &assembly, teeth, left, fraction)?;
     let drawn = py.detach(|| {
         let found = assembly.lost_motion(mating)?;
-        let section = MeshSection::binding(&assembly, &found)?;
-        let assembly = assembly.into();
-        let view = Snapshot {
-            title: &pair.study().title,
-            assembly: &assembly,
-            pose: &found.pose,
-            material,
-            found: found.found.as_ref(),
-            section: section.as_ref(),
-        };
-        Ok::<_, gearlash::error::Error>(gearlash_render::snapshot(&view))
+        pose_picture(&pair.study().title, &assembly, material, &found)
     });
     drawn.map_err(|reason| error(py, reason))
+}
+
+/// Refuses a chart of `pair` that a drawn gear has not.
+fn needs_data(py: Python<'_>, pair: &Pair) -> PyResult<()> {
+    if pair.study().is_drawn() {
+        let reason =
+            "a drawn gear has no module, no involute and no formula: draw the kind \"revolution\"";
+        return Err(error(py, reason));
+    }
+    Ok(())
 }
 
 /// Backlash, or its difference from the formula, over the wheel's teeth at one centre distance.
@@ -63,10 +63,13 @@ pub fn over_teeth(
     distance: Option<f64>,
     material: Option<&str>,
 ) -> PyResult<String> {
+    if difference {
+        needs_data(py, pair)?;
+    }
     let (named, assembly) = pair.assembly(py, distance, material)?;
     let mut study = curves::with_sweep(pair.study().clone());
     if material.is_some() {
-        study.materials.retain(|(material, ..)| *material == named);
+        study.keep(named);
     }
     let study = study.at(vec![assembly.center_distance()]);
     let study = study.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
@@ -89,6 +92,7 @@ pub fn over_teeth(
 /// One mating's backlash over the centre distance: without teeth that of what binds.
 #[pyfunction]
 pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> PyResult<String> {
+    needs_data(py, pair)?;
     let study = pair.study();
     let searched = match teeth {
         Some(_) => None,

@@ -116,6 +116,25 @@ def test_poses_are_those_of_simulate(fixtures, name: str) -> None:
     assert found.right is not None and list(found.right.point_mm) == one["right"]["point_mm"]
 
 
+def test_a_pair_with_drawn_gears_is_a_pair(fixtures) -> None:
+    path = fixtures / "outlines" / "drawn_20x20.toml"
+    (run,) = of_command("simulate", path, "--no-files", "--format", "json")["runs"]
+    pair = gearlash.read(path)
+    poses = pair.revolution()
+    assert poses.j_wt_um.tolist() == [pose["j_wt_um"] for pose in run["poses"]]
+    # A drawing has no base circle.
+    assert np.isnan(poses.j_bn_um).all() and pair.lost_motion(1, 1).j_bn_um is None
+    checked = pair.check()
+    assert checked.assembles is False and not checked.checks
+    (remedy,) = checked.record["remedies"]
+    assert remedy["what"] == "center_distance_mm"
+    assert pair.at(remedy["value"]).check().assembles
+    assert "<svg" in pair.snapshot(7, 7).svg and "<svg" in pair.chart().svg
+    for kind in ("difference", "distance"):
+        with pytest.raises(gearlash.GearlashError, match="no formula"):
+            pair.chart(kind)
+
+
 def test_verdict_extremes_and_checks_are_those_of_check(fixtures) -> None:
     path = fixtures / "karba_44x44.toml"
     (result,) = of_command("check", path, "--format", "json")["files"]

@@ -6,7 +6,7 @@ use crate::extreme::extremes;
 use crate::fitted;
 use crate::judged::{Case, Judged, VERDICT};
 use crate::layout::Screen;
-use crate::remedies::RemedyRecord;
+use crate::remedies::RemedyRecords;
 use crate::run::contact_count;
 use crate::text::check::{governing, text};
 use crate::verdict::lines;
@@ -14,22 +14,21 @@ use crate::verdict_json::verdict_record;
 use gearlash::analysis::backlash_map::BacklashMap;
 use gearlash::analysis::diagnosis::{self, Check, Diagnosis, Map as ContactMap};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::PairView;
+use gearlash_files::AnyPair;
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
 use serde_json::json;
 
 /// The outcome of `check` for the pair of `file`, called `name`; `is_proven` says whether all its poses are. Its text is for `screen`.
-pub fn checked<'a>(
-    name: &'a str,
-    file: impl Into<PairView<'a>>,
+pub fn checked(
+    name: &str,
+    file: &AnyPair,
     diagnosis: &Diagnosis,
     verdict: &Verdict,
-    remedies: &[RemedyRecord],
+    remedies: &RemedyRecords,
     is_proven: bool,
     screen: &Screen,
 ) -> Judged {
-    let file = file.into();
     let checks = diagnosis.verdict() < diagnosis::Verdict::Unproven;
     let passes = is_proven && checks && verdict.passes();
     let lines = lines(verdict);
@@ -72,11 +71,11 @@ pub fn checked<'a>(
         })
     });
     let mut json = json!({ "file": name, "passed": passes, "pair": file.spec });
-    let fitted = fitted::records(&file);
+    let fitted = fitted::records(file);
     if !fitted.is_empty() {
         json["fitted_involutes"] = json!(fitted);
     }
-    for (key, words) in [("warnings", file.warnings), ("remarks", file.remarks)] {
+    for (key, words) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
         if !words.is_empty() {
             json[key] = json!(words);
         }
@@ -87,7 +86,10 @@ pub fn checked<'a>(
     json["checks"] = checks.collect();
     json["contact"] = contact_count(&diagnosis.contact);
     json["runs"] = runs.collect();
-    json["remedies"] = json!(remedies);
+    json["remedies"] = json!(remedies.changes);
+    if !remedies.missing.is_empty() {
+        json["remedies_missing"] = json!(remedies.missing);
+    }
     Judged {
         file: name.to_owned(),
         title: file.study.title.clone(),
@@ -95,7 +97,7 @@ pub fn checked<'a>(
         cases,
         warnings: file.warnings.to_vec(),
         remarks: file.remarks.to_vec(),
-        text: text(&file, verdict, diagnosis, remedies, screen),
+        text: text(file, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
         json,
         verdict: lines,

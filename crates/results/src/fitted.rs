@@ -1,21 +1,19 @@
 //! Drawn gears in words, and the involute that a drawing looks like, as a record.
 
 use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
+use gearlash_files::AnyPair;
 use gearlash_files::numbers::{fixed, trimmed, um, within};
 use gearlash_files::spec::EitherGearSpec;
-use gearlash_files::{AnyPairSpec, PairView};
 use serde_json::{Value, json};
 
 /// The drawn gears of a pair that look like an involute, by name.
-fn fitted<'a>(file: &PairView<'a>) -> Vec<(&'static str, &'a OutlineGear, FittedInvolute)> {
-    let (Some((_, wheel, pinion)), AnyPairSpec::Outlines(spec)) =
-        (file.study.drawn.first(), file.spec)
-    else {
+fn fitted(file: &AnyPair) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
+    let Some((_, wheel, pinion)) = file.study.drawn.first() else {
         return Vec::new();
     };
     let gears = [
-        ("wheel", &spec.wheel, wheel),
-        ("pinion", &spec.pinion, pinion),
+        ("wheel", &file.spec.wheel, wheel),
+        ("pinion", &file.spec.pinion, pinion),
     ];
     let fitted = gears
         .into_iter()
@@ -27,14 +25,14 @@ fn fitted<'a>(file: &PairView<'a>) -> Vec<(&'static str, &'a OutlineGear, Fitted
 }
 
 /// A sentence for each drawn gear that looks like an involute.
-pub fn looks_like(file: &PairView) -> Vec<String> {
+pub fn looks_like(file: &AnyPair) -> Vec<String> {
     let each = fitted(file).into_iter();
     each.map(|(name, gear, found)| sentence(name, gear.teeth(), &found))
         .collect()
 }
 
 /// Notes on a pair with a drawn gear, a line each; empty of other pairs.
-pub fn drawn_notes(file: &PairView) -> String {
+pub fn drawn_notes(file: &AnyPair) -> String {
     if !file.study.is_drawn() {
         return String::new();
     }
@@ -72,7 +70,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
 }
 
 /// The involutes that drawn gears look like as JSON, an object for each.
-pub(super) fn records(file: &PairView) -> Vec<Value> {
+pub(super) fn records(file: &AnyPair) -> Vec<Value> {
     let standard = |standard: &StandardGear| {
         json!({
             "module_mm": standard.module,

@@ -12,7 +12,6 @@
 //! let analysis = Analysis::silently(&plan)?;
 //! let verdict = analysis.verdict();
 //! println!("{}", gearlash_results::verdict::lines(&verdict));
-//! println!("{}", gearlash_results::result_file(&pair, &analysis.runs, &verdict).to_csv()?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -56,11 +55,11 @@ pub fn keys() -> impl Iterator<Item = &'static str> {
 }
 
 pub use checks::{backlash_map_csv, checked, map_csv};
-pub use column::{Shown, Unit};
+pub use column::{Array, Shown, Unit, Value, Values};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
 pub use fitted::{drawn_notes, looks_like};
-pub use pose::doubts;
-pub use remedies::RemedyRecord;
+pub use pose::{ContactRow, doubts, pose_arrays, pose_page};
+pub use remedies::RemedyRecords;
 pub use verdict_json::{extremes_json, pose_json};
-pub use written::{ResultFile, ResultWriter, result_file};
+pub use written::ResultWriter;

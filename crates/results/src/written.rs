@@ -8,10 +8,10 @@ use crate::notes;
 use crate::pose::PoseRow;
 use crate::run::RunRow;
 use crate::verdict_json::verdict_record;
-use gearlash::analysis::compare::{ComparedPose, ComparedRun};
-use gearlash::analysis::tally::{Piece, RunTally, whole};
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::tally::{Piece, RunTally};
 use gearlash::analysis::verdict::Verdict;
-use gearlash_files::PairView;
+use gearlash_files::AnyPair;
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
 
@@ -32,25 +32,24 @@ impl<'w> ResultWriter<'w> {
     ///
     /// # Errors
     /// A writer failed, as in all methods of this type.
-    pub fn begin<'a>(
-        file: impl Into<PairView<'a>>,
+    pub fn begin(
+        file: &AnyPair,
         json: Option<Out<'w>>,
         csv: Option<Out<'w>>,
     ) -> Result<ResultWriter<'w>> {
-        let file = file.into();
         let mut json = json.map(Json::new);
         if let Some(json) = &mut json {
             json.open_object()?;
             json.entry("gearlash", &env!("CARGO_PKG_VERSION"))?;
             json.entry("pair", &file.spec)?;
-            if let Some(notes) = notes::notes(file.study) {
+            if let Some(notes) = notes::notes(&file.study) {
                 json.entry("notes", &notes)?;
             }
-            let fitted = fitted::records(&file);
+            let fitted = fitted::records(file);
             if !fitted.is_empty() {
                 json.entry("fitted_involutes", &fitted)?;
             }
-            for (key, messages) in [("warnings", file.warnings), ("remarks", file.remarks)] {
+            for (key, messages) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
                 if !messages.is_empty() {
                     json.entry(key, &messages)?;
                 }
@@ -150,54 +149,5 @@ fn of_csv(error: csv::Error) -> Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
         other => Error::other(format!("{other:?}")),
-    }
-}
-
-/// The whole result of a study whose poses are there already.
-#[derive(Debug)]
-pub struct ResultFile<'a> {
-    file: PairView<'a>,
-    runs: &'a [ComparedRun],
-    verdict: &'a Verdict<'a>,
-}
-
-/// The result of `file` as it is written.
-pub fn result_file<'a>(
-    file: impl Into<PairView<'a>>,
-    runs: &'a [ComparedRun],
-    verdict: &'a Verdict<'a>,
-) -> ResultFile<'a> {
-    ResultFile {
-        file: file.into(),
-        runs,
-        verdict,
-    }
-}
-
-impl ResultFile<'_> {
-    /// As JSON, one line end at the end. Numbers read back to the same f64.
-    ///
-    /// # Errors
-    /// None: it is written to memory.
-    pub fn to_json(&self) -> Result<String> {
-        let mut json = Vec::new();
-        self.write(Some(Box::new(&mut json)), None)?;
-        String::from_utf8(json).map_err(Error::other)
-    }
-
-    /// As CSV: a row a pose, columns named like the JSON keys; empty where a value is null.
-    ///
-    /// # Errors
-    /// None: it is written to memory.
-    pub fn to_csv(&self) -> Result<String> {
-        let mut csv = Vec::new();
-        self.write(None, Some(Box::new(&mut csv)))?;
-        String::from_utf8(csv).map_err(Error::other)
-    }
-
-    fn write(&self, json: Option<Out>, csv: Option<Out>) -> Result<()> {
-        let mut writer = ResultWriter::begin(self.file, json, csv)?;
-        whole(self.runs, &mut |piece| writer.take(piece))?;
-        writer.finish(self.verdict)
     }
 }

@@ -10,8 +10,7 @@ mod refused;
 
 pub use compared::{ComparedOutlines, TwoDrawings};
 pub use gear::DrawingRead;
-pub use gears::{OutlineGearEntry, OutlineGearsFile};
 pub(crate) use gears::{of_drawing, read as read_gear};
+pub use pair::Drawings;
 pub(crate) use pair::read;
-pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use refused::{has_outline, refuse};

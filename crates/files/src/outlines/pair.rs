@@ -6,13 +6,10 @@ use crate::assembly;
 use crate::check::Checked;
 use crate::gear::GearPart;
 use crate::pair_file::names;
-use crate::sources::Sources;
-use crate::spec::{
-    AssemblySpec, CenterDistanceSpec, EitherGearSpec, OutlinePairSpec, PAIR, RequireSpec, SweepSpec,
-};
+use crate::read::{AnyPair, PairFile};
+use crate::spec::{AssemblySpec, EitherGearSpec, PAIR, PairSpec, RequireSpec, SweepSpec};
 use crate::sweep::Sweep;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::error::Error;
 use gearlash::outline::{OutlineGear, OutlinePair};
 use std::path::Path;
 
@@ -44,39 +41,6 @@ const NOT_REQUIRED: [(&str, &str); 3] = [
     ),
 ];
 
-/// A pair file with an outline, understood.
-#[derive(Debug, Clone)]
-pub struct OutlinePairFile {
-    /// The study that it asks for.
-    pub study: Study,
-    /// File stem, the name of the folder for results.
-    pub stem: String,
-    /// The input as understood.
-    pub spec: OutlinePairSpec,
-    /// The content of the drawings of wheel and pinion; `None` for a gear by its data.
-    pub drawings: [Option<DrawingRead>; 2],
-    /// Warnings, for standard error.
-    pub warnings: Vec<String>,
-    /// Remarks, for standard error.
-    pub remarks: Vec<String>,
-    /// The files it was read from.
-    pub sources: Sources,
-}
-
-impl OutlinePairFile {
-    /// The pair at other centre distances, mm.
-    ///
-    /// # Errors
-    /// As [`Study::at`].
-    pub fn at(mut self, mut center_distances: Vec<f64>) -> Result<OutlinePairFile, Error> {
-        center_distances.sort_by(f64::total_cmp);
-        self.spec.assembly.center_distance_mm =
-            CenterDistanceSpec::Distances(center_distances.clone());
-        self.study = self.study.at(center_distances)?;
-        Ok(self)
-    }
-}
-
 /// One gear, in one or both materials.
 struct Part {
     gears: Vec<(Material, OutlineGear)>,
@@ -86,8 +50,8 @@ struct Part {
     remarks: Vec<String>,
 }
 
-/// Reads the pair file at `path`, of which a gear is an outline.
-pub(crate) fn read(tree: &Tree) -> Option<OutlinePairFile> {
+/// Reads the pair file of `tree`, of which a gear is an outline.
+pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
     let file = Checked::new(&PAIR, tree.table());
     let table = file.table();
     let (stem, title) = names(&file, tree.path);
@@ -154,10 +118,10 @@ pub(crate) fn read(tree: &Tree) -> Option<OutlinePairFile> {
     let mut study = Study::of_drawn(&title?, gears, locked, distances, sweep.plan);
     study.bearing_clearance = assembly.bearing_clearance_mm.sum_mm();
     study.requirements = require.map_or_else(Vec::new, |require| require.requirements());
-    Some(OutlinePairFile {
+    Some(PairFile {
         stem,
         drawings: [wheel.read, pinion.read],
-        spec: OutlinePairSpec {
+        spec: PairSpec {
             title: study.title.clone(),
             wheel: wheel.spec,
             pinion: pinion.spec,
@@ -165,11 +129,16 @@ pub(crate) fn read(tree: &Tree) -> Option<OutlinePairFile> {
                 housing_expansion_per_k: None,
                 ..assembly
             },
-            sweep: SweepSpec {
+            measured: None,
+            sweep: Some(SweepSpec {
                 extremes: None,
                 ..sweep.spec
-            },
+            }),
+            accuracy: None,
+            compare: None,
             require,
+            uncertainty: None,
+            tolerance: None,
         },
         study,
         warnings: [wheel.warnings, pinion.warnings].concat(),

@@ -30,7 +30,7 @@ pub(crate) use explained::in_a_row;
 pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
-pub use pair::{EitherGearSpec, GearFileSpec, OutlinePairSpec, PairSpec};
+pub use pair::{EitherGearSpec, GearFileSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub(crate) use schema::{DRAWINGS, GEAR, PAIR, TABLE};

@@ -3,26 +3,29 @@
 use super::value::Either;
 use super::{
     AccuracySpec, AssemblySpec, CompareSpec, GearSpec, MeasuredSpec, OutlineGearSpec, RequireSpec,
-    SweepSpec, ToleranceSpec, UncertaintySpec,
+    RunoutSpec, SweepSpec, ToleranceSpec, UncertaintySpec,
 };
+use gearlash::gear::Face;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_with::skip_serializing_none;
 
 /// Two cylindrical gears, what was measured on them, how they are put together.
+///
+/// `G` is [`GearSpec`] where both gears are given by their data, and [`EitherGearSpec`] where they need not be.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash pair file")]
-pub struct PairSpec {
+pub struct PairSpec<G = GearSpec> {
     /// Shown in results and pictures; default: the file's name.
     #[schemars(with = "Option<String>")]
     pub title: String,
     /// Gear 1, left in the picture.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub wheel: GearSpec,
+    pub wheel: G,
     /// Gear 2, right in the picture: the same keys.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub pinion: GearSpec,
+    pub pinion: G,
     /// How the gears are put together.
     #[schemars(with = "Option<AssemblySpec>")]
     pub assembly: AssemblySpec,
@@ -31,11 +34,9 @@ pub struct PairSpec {
     /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
     pub sweep: Option<SweepSpec>,
     /// Of the polygon method.
-    #[schemars(with = "Option<AccuracySpec>")]
-    pub accuracy: AccuracySpec,
+    pub accuracy: Option<AccuracySpec>,
     /// Of gearlash compare.
-    #[schemars(with = "Option<CompareSpec>")]
-    pub compare: CompareSpec,
+    pub compare: Option<CompareSpec>,
     /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
     pub require: Option<RequireSpec>,
     /// Standard uncertainties of what was measured, µm; least and greatest backlash are shown with theirs.
@@ -65,24 +66,6 @@ pub(super) struct TwoDrawingsSpec {
     pub b: OutlineGearSpec,
 }
 
-/// Two gears of which one at least is an outline.
-#[skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OutlinePairSpec {
-    /// Shown in results and pictures.
-    pub title: String,
-    /// Gear 1, left in the picture.
-    pub wheel: EitherGearSpec,
-    /// Gear 2, right in the picture.
-    pub pinion: EitherGearSpec,
-    /// How the gears are put together.
-    pub assembly: AssemblySpec,
-    /// Poses a pitch, and the teeth that mate first.
-    pub sweep: SweepSpec,
-    /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
-    pub require: Option<RequireSpec>,
-}
-
 /// A gear by its data or by its outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -91,4 +74,55 @@ pub enum EitherGearSpec {
     Data(Box<GearSpec>),
     /// By its outline.
     Outline(Box<OutlineGearSpec>),
+}
+
+impl EitherGearSpec {
+    /// The gear by its data; `None` of an outline.
+    pub fn data(&self) -> Option<&GearSpec> {
+        match self {
+            EitherGearSpec::Data(spec) => Some(spec),
+            EitherGearSpec::Outline(_) => None,
+        }
+    }
+
+    /// Its runout.
+    pub fn runout(&self) -> &RunoutSpec {
+        match self {
+            EitherGearSpec::Data(spec) => &spec.runout,
+            EitherGearSpec::Outline(spec) => &spec.runout,
+        }
+    }
+
+    /// The face of the gear that its data and deviations are of.
+    pub fn reference_face(&self) -> Face {
+        match self {
+            EitherGearSpec::Data(spec) => spec.reference_face,
+            EitherGearSpec::Outline(spec) => spec.reference_face,
+        }
+    }
+}
+
+impl PairSpec<EitherGearSpec> {
+    /// Wheel and pinion by their data; `None` where one is an outline.
+    pub fn by_data(&self) -> Option<[&GearSpec; 2]> {
+        Some([self.wheel.data()?, self.pinion.data()?])
+    }
+}
+
+impl From<PairSpec> for PairSpec<EitherGearSpec> {
+    fn from(spec: PairSpec) -> PairSpec<EitherGearSpec> {
+        PairSpec {
+            title: spec.title,
+            wheel: EitherGearSpec::Data(Box::new(spec.wheel)),
+            pinion: EitherGearSpec::Data(Box::new(spec.pinion)),
+            assembly: spec.assembly,
+            measured: spec.measured,
+            sweep: spec.sweep,
+            accuracy: spec.accuracy,
+            compare: spec.compare,
+            require: spec.require,
+            uncertainty: spec.uncertainty,
+            tolerance: spec.tolerance,
+        }
+    }
 }

@@ -247,7 +247,9 @@ class Pair:
 
 
 def read(path: str | os.PathLike[str]) -> Pair:
-    """The pair of the pair file at ``path`` (TOML or JSON); both gears must be given by their data, not by outlines.
+    """The pair of the pair file at ``path`` (TOML or JSON); its gears are given by their data or by outlines.
+
+    Of a pair with an outline, what needs a module or an involute is ``None`` or NaN.
 
     Raises:
         InputError: with everything that is wrong with the file.

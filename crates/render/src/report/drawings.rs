@@ -9,13 +9,14 @@ use gearlash::outline::OutlineGear;
 use gearlash_files::numbers::{bound_um, shortest, trimmed};
 use gearlash_files::outlines::DrawingRead;
 use gearlash_files::spec::{
-    CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlinePairSpec, OutlineSpec, PointsKind,
+    CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlineSpec, PointsKind,
 };
 use gearlash_results::drawn_notes;
 use maud::{Markup, html};
 
-pub(super) fn section(page: &Page, spec: &OutlinePairSpec) -> Markup {
-    let pair = &page.report.pair;
+pub(super) fn section(page: &Page) -> Markup {
+    let pair = page.report.pair;
+    let spec = &pair.spec;
     let specs = [&spec.wheel, &spec.pinion];
     let notes = drawn_notes(pair);
     let columns = columns("name | wheel (1):n | pinion (2):n");
@@ -31,7 +32,7 @@ pub(super) fn section(page: &Page, spec: &OutlinePairSpec) -> Markup {
                 p { (if notes.lines().count() > 1 { "No other" } else { "No" }) " outline looks like an involute." }
             }
             (assembly(page, &spec.assembly))
-            @for warning in pair.warnings.iter().chain(pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
+            @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
         }
     }
 }
@@ -41,7 +42,7 @@ fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String;
     let dash = || "–".to_owned();
     let of = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String,
               data: &dyn Fn(&GearSpec) -> String| {
-        [0, 1].map(|k| match (specs[k], page.report.pair.drawings[k]) {
+        [0, 1].map(|k| match (specs[k], &page.report.pair.drawings[k]) {
             (EitherGearSpec::Outline(spec), Some(read)) => drawing(&spec.outline, read),
             (EitherGearSpec::Data(spec), _) => data(spec),
             (EitherGearSpec::Outline(_), None) => dash(),
@@ -58,10 +59,7 @@ fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String;
             values.join(" / ")
         })
     };
-    let runouts = specs.map(|spec| match spec {
-        EitherGearSpec::Data(spec) => &spec.runout,
-        EitherGearSpec::Outline(spec) => &spec.runout,
-    });
+    let runouts = specs.map(EitherGearSpec::runout);
     let mut rows = vec![
         ("drawing", of(&|spec, _| plain(&spec.file), &by_its_data)),
         ("chosen path", drawn(&|spec, _| chosen(spec))),
@@ -86,10 +84,7 @@ fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String;
         ("high tooth", runouts.map(high_tooth)),
         (
             "reference face towards",
-            specs.map(|spec| match spec {
-                EitherGearSpec::Data(spec) => spec.reference_face.name().to_owned(),
-                EitherGearSpec::Outline(spec) => spec.reference_face.name().to_owned(),
-            }),
+            specs.map(|spec| spec.reference_face().name().to_owned()),
         ),
     ];
     rows.retain(|(_, cells)| cells.iter().any(|cell| cell != "–"));

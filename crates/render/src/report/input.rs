@@ -10,7 +10,7 @@ use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, Inspection};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
-use gearlash_files::spec::{AssemblySpec, GearSpec, PairSpec};
+use gearlash_files::spec::{AssemblySpec, GearSpec};
 use maud::{Markup, Render, html};
 
 /// A property of a gear as built: symbol, name and unit of spur gears; those of helical gears where they differ; decimals; value.
@@ -59,9 +59,9 @@ fn basic(gear: &AsBuilt) -> &BasicGearData {
     gear.gear().basic_data()
 }
 
-pub(super) fn section(page: &Page, spec: &PairSpec) -> Result<Markup, PictureError> {
-    let study = &page.report.pair.study;
-    let gears = [&spec.wheel, &spec.pinion];
+pub(super) fn section(page: &Page, gears: [&GearSpec; 2]) -> Result<Markup, PictureError> {
+    let pair = page.report.pair;
+    let study = &pair.study;
     let several = study.materials.len() > 1;
     let is_helical = study.is_helical();
     let mut rows = properties(page, &DRAWN);
@@ -113,8 +113,8 @@ pub(super) fn section(page: &Page, spec: &PairSpec) -> Result<Markup, PictureErr
         section id="input" {
             h2 { "Input" }
             (Table::new("Both gears", caption, columns, rows).named_by(1))
-            (assembly(page, &spec.assembly))
-            @for warning in page.report.pair.warnings.iter().chain(page.report.pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
+            (assembly(page, &pair.spec.assembly))
+            @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (sentence(&plain(warning))) } }
             (notes::list(page))
             (grades::table(page))
             (inspections(page)?)

@@ -34,7 +34,7 @@ pub(super) fn section(page: &Page) -> Markup {
         "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
         "↓ ↑: below or above the simulated band. Predicted: as printed in the file of measurements. Analytic: model 2 (involute)."
     };
-    let shown = measured_shown(report.pair.study, &report.analysis.measured);
+    let shown = measured_shown(&report.pair.study, &report.analysis.measured);
     let table = Table::of_shown("Measured and predicted backlash", caption, &shown);
     html! {
         section id="measured" {

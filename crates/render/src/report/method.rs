@@ -3,7 +3,6 @@
 use super::figures::not_on_paper;
 use super::page::Page;
 use super::phrases::{j_wt, symbol};
-use gearlash_files::AnyPairSpec;
 use gearlash_files::numbers::bound_um;
 use maud::{Markup, html};
 
@@ -78,7 +77,8 @@ fn base_index(page: &Page) -> &'static str {
 /// What this run does not model.
 fn not_in_the_model(page: &Page) -> Vec<&'static str> {
     let mut left_out = vec!["Deflection under load.", "Axes that are not parallel."];
-    let AnyPairSpec::Data(spec) = page.report.pair.spec else {
+    let spec = &page.report.pair.spec;
+    let Some(gears) = spec.by_data() else {
         left_out.extend([
             "Deviations along the face width.",
             "Temperature: none is stated.",
@@ -92,7 +92,7 @@ fn not_in_the_model(page: &Page) -> Vec<&'static str> {
     if spec.assembly.temperature_c.is_none() {
         left_out.push("Temperature: none is stated.");
     }
-    left_out.push(match [&spec.wheel, &spec.pinion].iter().any(|gear| gear.profile.is_some()) {
+    left_out.push(match gears.iter().any(|gear| gear.profile.is_some()) {
         true => "Flank form beyond the stated profile deviations. Pitch and thickness deviations shift a flank rigidly.",
         false => "Flank form: each flank is an exact involute, which pitch and thickness deviations shift rigidly.",
     });

@@ -32,7 +32,6 @@ use crate::chart::PictureError;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
-use gearlash_files::AnyPairSpec;
 use maud::html;
 use page::Page;
 use shell::Shell;
@@ -86,9 +85,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
             (trust::section(&page))
             (checks::section(&page))
         }
-        @match report.pair.spec {
-            AnyPairSpec::Data(spec) => (input::section(&page, spec)?),
-            AnyPairSpec::Outlines(spec) => (drawings::section(&page, spec)),
+        @if let Some(gears) = report.pair.spec.by_data() {
+            (input::section(&page, gears)?)
+        } @else {
+            (drawings::section(&page))
         }
         (measured::section(&page))
         @if !is_drawn { (models::section(&page)?) }

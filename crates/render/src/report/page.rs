@@ -5,13 +5,13 @@ use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
 use gearlash::gauge::{GradedReading, PitchReadings, ProfileReadings, Unmeasured};
-use gearlash_files::PairView;
+use gearlash_files::AnyPair;
 
 /// What a report is of.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
     /// The pair as read.
-    pub pair: PairView<'a>,
+    pub pair: &'a AnyPair,
     /// Name of its file.
     pub file: &'a str,
     /// Day of the report, as it shall stand there.

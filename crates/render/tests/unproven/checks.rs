@@ -4,8 +4,8 @@ use super::{CERTIFIED, Case};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Verdict, diagnose};
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::contact::{Method, PoseClass};
-use gearlash_results::checked;
 use gearlash_results::text::{Screen, check};
+use gearlash_results::{RemedyRecords, checked};
 
 /// Those that are measured over the poses.
 const OF_POSES: [&str; 6] = [
@@ -59,10 +59,10 @@ fn its_text_and_json_say_so() {
     let case = Case::low_tips();
     let found = diagnosed(&case, CERTIFIED);
     let text = check::text(
-        &(&case.pair).into(),
+        &case.pair.clone().into(),
         &CycleVerdict::new(&[], &Vec::new(), None, found.failed()),
         &found,
-        &[],
+        &RemedyRecords::default(),
         &Screen::default(),
     );
     assert!(text.contains("\nUNPROVEN: "), "{text}");
@@ -77,10 +77,10 @@ fn its_text_and_json_say_so() {
     let screen = Screen::default();
     let judged = checked(
         "pair.toml",
-        &case.pair,
+        &case.pair.clone().into(),
         &found,
         &verdict,
-        &[],
+        &RemedyRecords::default(),
         true,
         &screen,
     );

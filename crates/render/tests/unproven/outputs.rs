@@ -8,15 +8,17 @@ use gearlash::analysis::diagnosis::diagnose;
 use gearlash::analysis::extremes::CycleExtremes;
 use gearlash::analysis::outcome::{Agreement, Outcome as PoseOutcome};
 use gearlash::analysis::tally::tally;
+use gearlash::analysis::tally::whole;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash::pair::BacklashUnit;
+use gearlash_files::AnyPair;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::snapshot;
 use gearlash_render::{Report, Snapshot, report};
 use gearlash_results::ComparedPair;
+use gearlash_results::ResultWriter;
 use gearlash_results::judged::{JudgedFile, Outcome};
-use gearlash_results::result_file;
 use gearlash_results::text::Screen;
 use gearlash_results::text::simulation as simulation_table;
 use roxmltree::Document;
@@ -65,18 +67,24 @@ fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
     }
 }
 
+/// The result of `runs` as JSON and as CSV.
+fn written(case: &Case, runs: &[ComparedRun]) -> [String; 2] {
+    let (mut json, mut csv) = (Vec::new(), Vec::new());
+    let file = AnyPair::from(case.pair.clone());
+    let (to_json, to_csv) = (Box::new(&mut json), Box::new(&mut csv));
+    let mut writer = ResultWriter::begin(&file, Some(to_json), Some(to_csv)).unwrap();
+    whole(runs, &mut |piece| writer.take(piece)).unwrap();
+    let verdict = Verdict::new(&[], &Vec::new(), None, Vec::new());
+    writer.finish(&verdict).unwrap();
+    [json, csv].map(|text| String::from_utf8(text).unwrap())
+}
+
 #[test]
 fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
     for method in [CERTIFIED, Method::Both] {
         let case = Case::low_tips();
         let runs = case.compared(method);
-        let json = result_file(
-            &case.pair,
-            &runs,
-            &Verdict::new(&[], &Vec::new(), None, Vec::new()),
-        )
-        .to_json()
-        .unwrap();
+        let [json, _] = written(&case, &runs);
         let json: Value = serde_json::from_str(&json).unwrap();
         let run = &json["runs"][0];
         let mut count = 0;
@@ -110,13 +118,7 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
 fn csv_has_empty_cells_and_columns_of_doubt() {
     let case = Case::of(&format!("bearing_clearance_mm = 0.01\n{REVOLUTION}"));
     let runs = case.compared(Method::Both);
-    let csv = result_file(
-        &case.pair,
-        &runs,
-        &Verdict::new(&[], &Vec::new(), None, Vec::new()),
-    )
-    .to_csv()
-    .unwrap();
+    let [_, csv] = written(&case, &runs);
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let headers = reader.headers().unwrap().clone();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
@@ -316,13 +318,13 @@ fn a_report_vouches_for_nothing() {
         curves: runs.clone(),
         extremes: CycleExtremes::default(),
         failed_checks: Vec::new(),
-        remedies: Vec::new(),
+        remedies: Default::default(),
         over_distance: Vec::new(),
         measured: Vec::new(),
         diagnosis,
     };
     let page = report(&Report {
-        pair: (&case.pair).into(),
+        pair: &case.pair.clone().into(),
         file: "pair.toml",
         date: "2026-01-01",
         analysis: &analysis,

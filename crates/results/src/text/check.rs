@@ -5,30 +5,31 @@ use crate::check::CheckRow;
 use crate::column::{Row, Shown};
 use crate::fitted::drawn_notes;
 use crate::layout::{Screen, Tone};
-use crate::remedies::{self, RemedyRecord};
+use crate::remedies::RemedyRecords;
 use crate::verdict::{lines, short_title};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::PairView;
+use gearlash_files::AnyPair;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
 /// As text on `screen`: each check once, at its worst centre distance and material.
 pub fn text(
-    file: &PairView,
+    file: &AnyPair,
     verdict: &CycleVerdict,
     diagnosis: &Diagnosis,
-    remedies: &[RemedyRecord],
+    remedies: &RemedyRecords,
     screen: &Screen,
 ) -> String {
     let lines = lines(verdict);
+    let remedies = remedies.text(!file.study.requirements.is_empty());
     let mut text = heading(&file.study.title, &lines, screen);
     if file.study.is_drawn() {
         for sentence in &lines.left_out {
             let _ = writeln!(text, "{sentence}.\n");
         }
-        return screen.fold(&(text + &drawn_notes(file)));
+        return screen.fold(&(text + &drawn_notes(file) + &remedies));
     }
     text += &CheckRow::columns().text(&rows(diagnosis), screen);
     if diagnosis.groups.len() > 1 {
@@ -42,7 +43,7 @@ pub fn text(
         let _ = writeln!(text, "\n{sentence}.");
     }
     text += &contact(diagnosis);
-    text += &remedies::text(remedies, !file.study.requirements.is_empty());
+    text += &remedies;
     screen.fold(&text)
 }
 

@@ -1,7 +1,7 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
 use super::console::{ScreenArgs, print_note};
-use super::judged::{self, JudgedFormat, StepSummary, print_outcome};
+use super::judged::{self, JudgedFormat, print_outcome};
 use super::maps::{self, DrawnMap};
 use super::method::{MethodArgs, agreed};
 use super::outlines::{DrawnArgs, is_drawing};
@@ -12,7 +12,7 @@ use crate::output::OutputFolder;
 use gearlash::analysis::Plan;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::{AnyPair, Sources};
-use gearlash_results::judged::{Judged, JudgedFile, Outcome};
+use gearlash_results::judged::Judged;
 use gearlash_results::{RemedyRecords, checked};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -70,30 +70,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         None => judged::read(&args.pairs, studies::any)?,
     };
-    let mut sources = Sources::new();
-    for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
-        sources.extend(&file.sources);
-    }
-    let summary = StepSummary::prepare(args.format, &sources)?;
-    let is_text = args.format == JudgedFormat::Text;
-    let is_alone = files.len() == 1;
     let mut map = None;
-    let mut outcome = Outcome {
-        command: "check",
-        files: Vec::new(),
-    };
-    for (path, file) in files {
-        let judged = file.and_then(|file| pair(args, &path, &file, &mut map));
-        if is_text && is_alone {
-            outcome.files.push(JudgedFile::Judged(Box::new(judged?)));
-        } else {
-            outcome
-                .files
-                .push(judged::judged_file(&path, judged, is_text)?);
-        }
-    }
+    let judge = |path: &Path, file: &AnyPair| pair(args, path, file, &mut map);
+    let (outcome, summary) = judged::outcome("check", files, args.format, judge)?;
     let code = print_outcome(&outcome, args.format, &args.screen, &summary)?;
-    if let Some(written) = map.filter(|_| is_text) {
+    if let Some(written) = map.filter(|_| args.format == JudgedFormat::Text) {
         print_note(&format!("\n{written}\n"))?;
     }
     Ok(code)

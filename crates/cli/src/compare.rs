@@ -3,7 +3,7 @@
 mod drawings;
 
 use super::console::{ScreenArgs, tell};
-use super::judged::{self, JudgedFormat, StepSummary, print_outcome};
+use super::judged::{self, JudgedFormat, print_outcome};
 use super::method::{MethodArgs, agreement};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
@@ -14,9 +14,9 @@ use gearlash::analysis::compare::tolerance_um;
 use gearlash::analysis::diagnosis::{Seen, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
-use gearlash_files::{PairFile, Sources};
+use gearlash_files::PairFile;
 use gearlash_results::ComparedPair;
-use gearlash_results::judged::{Judged, JudgedFile, Outcome};
+use gearlash_results::judged::Judged;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -116,30 +116,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return Err(of_drawings());
     }
     let files = judged::read(&args.pairs, studies::pair)?;
-    let mut sources = Sources::new();
     let mut steps = 0;
     for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
-        sources.extend(&file.sources);
         steps += file.study.pose_count() + run_count(&file.study)?;
     }
-    let summary = StepSummary::prepare(format, &sources)?;
-    let is_text = format == JudgedFormat::Text;
-    let (is_alone, unproven) = (files.len() == 1, MOST_UNPROVEN / files.len());
+    let unproven = MOST_UNPROVEN / files.len();
     let progress = Progress::of(steps, "steps");
-    let mut outcome = Outcome {
-        command: "compare",
-        files: Vec::new(),
-    };
-    for (path, file) in files {
-        let judged = file.and_then(|file| compared(args, &path, &file, unproven, &progress));
-        if is_text && is_alone {
-            outcome.files.push(JudgedFile::Judged(Box::new(judged?)));
-        } else {
-            outcome
-                .files
-                .push(judged::judged_file(&path, judged, is_text)?);
-        }
-    }
+    let judge = |path: &Path, file: &PairFile| compared(args, path, file, unproven, &progress);
+    let (outcome, summary) = judged::outcome("compare", files, format, judge)?;
     drop(progress);
     print_outcome(&outcome, format, &args.screen, &summary)
 }

@@ -5,7 +5,7 @@ use super::studies;
 use crate::error::{Error, exit_code};
 use crate::explain::explain;
 use clap::ValueEnum;
-use gearlash_files::Sources;
+use gearlash_files::{PairFile, Sources};
 use gearlash_results::judged::{Judged, JudgedFile, Outcome};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -44,11 +44,41 @@ pub(super) fn read<T>(
         .collect())
 }
 
+/// The outcome of `command` for `files`, each judged by `judge`, and the step summary that it goes to.
+///
+/// # Errors
+/// [`Error::OverInput`]; an error that ends the whole run, or any of a single file as text.
+pub(super) fn outcome<G>(
+    command: &'static str,
+    files: Vec<ReadFile<PairFile<G>>>,
+    format: JudgedFormat,
+    mut judge: impl FnMut(&Path, &PairFile<G>) -> Result<Judged, Error>,
+) -> Result<(Outcome, StepSummary), Error> {
+    let mut sources = Sources::new();
+    for file in files.iter().filter_map(|(_, file)| file.as_ref().ok()) {
+        sources.extend(&file.sources);
+    }
+    let summary = StepSummary::prepare(format, &sources)?;
+    let is_text = format == JudgedFormat::Text;
+    let is_alone = files.len() == 1;
+    let mut judged_files = Vec::new();
+    for (path, file) in files {
+        let judged = file.and_then(|file| judge(&path, &file));
+        judged_files.push(if is_text && is_alone {
+            JudgedFile::Judged(Box::new(judged?))
+        } else {
+            judged_file(&path, judged, is_text)?
+        });
+    }
+    let files = judged_files;
+    Ok((Outcome { command, files }, summary))
+}
+
 /// The outcome of a file: judged, or the problems for which it cannot be read or judged. Standard error lists these, too, unless `is_shown`.
 ///
 /// # Errors
 /// An error that ends the whole run.
-pub(super) fn judged_file(
+fn judged_file(
     path: &Path,
     judged: Result<Judged, Error>,
     is_shown: bool,
@@ -80,7 +110,7 @@ impl StepSummary {
     ///
     /// # Errors
     /// [`Error::OverInput`].
-    pub(super) fn prepare(format: JudgedFormat, sources: &Sources) -> Result<StepSummary, Error> {
+    fn prepare(format: JudgedFormat, sources: &Sources) -> Result<StepSummary, Error> {
         let named = std::env::var_os("GITHUB_STEP_SUMMARY").map(PathBuf::from);
         let Some(summary) = named.filter(|_| format == JudgedFormat::Github) else {
             return Ok(StepSummary(None));

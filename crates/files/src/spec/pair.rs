@@ -10,9 +10,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_with::skip_serializing_none;
 
+// `G` is `GearSpec` where both gears are given by their data, and `EitherGearSpec` where they need not be. The schema has the comment below.
 /// Two cylindrical gears, what was measured on them, how they are put together.
-///
-/// `G` is [`GearSpec`] where both gears are given by their data, and [`EitherGearSpec`] where they need not be.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash pair file")]

@@ -45,6 +45,9 @@ impl MaterialName {
     }
 }
 
+/// A gear of a file, one of its materials, and the gear in that.
+pub(super) type Chosen<'a, G, T> = (&'a GearEntry<G>, Material, T);
+
 /// The gears and materials asked for, in the order of the file; `materials` are those of a gear.
 ///
 /// # Errors
@@ -55,7 +58,7 @@ pub(super) fn choose<'a, G, T>(
     material: Option<MaterialName>,
     file: &'a GearsFile<G>,
     materials: impl Fn(&'a GearEntry<G>) -> Vec<(Material, T)>,
-) -> Result<Vec<(&'a GearEntry<G>, Material, T)>, Error> {
+) -> Result<Vec<Chosen<'a, G, T>>, Error> {
     let name = gear.map(|gear| gear.member().name());
     let material = material.map(MaterialName::material);
     let mut chosen = Vec::new();

@@ -142,7 +142,8 @@ pub struct Column<R> {
     rank: u8,
     unit: Unit,
     heading: Option<layout::Column>,
-    array: Option<(&'static str, Entries)>,
+    /// Without entries.
+    array: Option<Array>,
     page: Option<String>,
     value: Get<R>,
 }
@@ -193,8 +194,8 @@ impl<R: 'static> Column<R> {
     }
 
     /// The column's name among the arrays for numpy, and the type of its entries there.
-    pub fn array(mut self, name: &'static str, entries: Entries) -> Column<R> {
-        self.array = Some((name, entries));
+    pub fn array(mut self, name: &'static str, values: Values) -> Column<R> {
+        self.array = Some(Array { name, values });
         self
     }
 
@@ -328,8 +329,7 @@ impl<R: Row> Columns<R> {
     /// The arrays for numpy of `rows`.
     pub fn arrays(&self, rows: &[R]) -> Vec<Array> {
         let columns = self.columns.iter().filter_map(|column| {
-            let (name, entries) = column.array?;
-            let mut array = Array::new(name, entries);
+            let mut array = column.array.clone()?;
             rows.iter().for_each(|row| array.push(&(column.value)(row)));
             Some(array)
         });
@@ -445,17 +445,6 @@ impl<R: Row> Columns<R> {
     }
 }
 
-/// The type of the entries of an array.
-#[derive(Debug, Clone, Copy)]
-pub enum Entries {
-    /// Numbers of teeth.
-    Counts,
-    /// Numbers; NaN for no value.
-    Numbers,
-    /// Words as their place in this list.
-    Words(&'static [&'static str]),
-}
-
 /// The values of one column, an entry a row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Array {
@@ -476,19 +465,16 @@ pub enum Values {
     Words(Vec<u8>, &'static [&'static str]),
 }
 
-impl Array {
-    /// An array without entries yet.
-    pub(crate) fn new(name: &'static str, entries: Entries) -> Array {
-        let values = match entries {
-            Entries::Counts => Values::Counts(Vec::new()),
-            Entries::Numbers => Values::Numbers(Vec::new()),
-            Entries::Words(words) => Values::Words(Vec::new(), words),
-        };
-        Array { name, values }
-    }
+impl Values {
+    /// No counts yet.
+    pub(crate) const COUNTS: Values = Values::Counts(Vec::new());
+    /// No numbers yet.
+    pub(crate) const NUMBERS: Values = Values::Numbers(Vec::new());
+}
 
+impl Array {
     /// Adds the entry of `value`.
-    pub(crate) fn push(&mut self, value: &Value) {
+    fn push(&mut self, value: &Value) {
         match &mut self.values {
             Values::Counts(counts) => counts.push(match value {
                 Value::Count(count) => u32::try_from(*count).unwrap_or(u32::MAX),

@@ -1,6 +1,6 @@
 //! A pose: the keys of the interface, units in their names.
 
-use crate::column::{Array, Column, Columns, Entries, Row, Unit, Value, columns};
+use crate::column::{Array, Column, Columns, Row, Unit, Value, Values, columns};
 use crate::layout;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
@@ -181,26 +181,26 @@ fn columns() -> Vec<Column<PoseRow>> {
         "phase_pinion_tooth" Plain [no_json, rank(0)] => row.phase.map(|phase| phase.1);
         "wheel_rotation_rad" Plain => row.rotation(Member::Wheel);
         "pinion_rotation_rad" Plain => row.rotation(Member::Pinion);
-        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Entries::Counts), page("wheel_tooth")] => row.mating().wheel_tooth;
-        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Entries::Counts), page("pinion_tooth")] => row.mating().pinion_tooth;
+        "mating.wheel_tooth" Plain [csv("wheel_tooth"), rank(0), array("wheel_tooth", Values::COUNTS), page("wheel_tooth")] => row.mating().wheel_tooth;
+        "mating.pinion_tooth" Plain [csv("pinion_tooth"), rank(0), array("pinion_tooth", Values::COUNTS), page("pinion_tooth")] => row.mating().pinion_tooth;
         "" Plain [people(shown("mating"))] => row.mating_words();
-        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Entries::Words(&FLANKS)), page("flank")] => row.mating().flank.name();
-        "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Entries::Numbers), page("fraction")] => row.mating().fraction;
+        "mating.flank" Plain [csv("flank"), rank(0), heading(shown("flank")), array("flank", Values::Words(Vec::new(), &FLANKS)), page("flank")] => row.mating().flank.name();
+        "mating.fraction" Plain [csv("fraction"), rank(0), array("fraction", Values::NUMBERS), page("fraction")] => row.mating().fraction;
         "" Angle [only_page("locked_rad")] => row.result().pose.locked_rotation();
         "" Angle [only_page("free_rad")] => row.free_rotation();
         "right_rad" Plain => row.right_rad();
         "left_rad" Plain => row.right_rad().zip(row.angle).map(|(right, angle)| right + angle);
         "lost_motion_rad" Angle [page("lost_motion_rad")] => row.angle;
-        "j_wt_um" Backlash [heading(shown("j_wt")), array("j_wt_um", Entries::Numbers), page("j_wt_um")] => Value::um(row.result().backlash);
-        "j_t_um" Plain [array("j_t_um", Entries::Numbers)] => Value::um(row.backlash.map(|of| of.j_t));
-        "j_bn_um" Plain [array("j_bn_um", Entries::Numbers)] => Value::um(row.backlash.map(|of| of.j_bn));
+        "j_wt_um" Backlash [heading(shown("j_wt")), array("j_wt_um", Values::NUMBERS), page("j_wt_um")] => Value::um(row.result().backlash);
+        "j_t_um" Plain [array("j_t_um", Values::NUMBERS)] => Value::um(row.backlash.map(|of| of.j_t));
+        "j_bn_um" Plain [array("j_bn_um", Values::NUMBERS)] => Value::um(row.backlash.map(|of| of.j_bn));
         "j_r_um" Plain [rank(3)] => Value::um(row.backlash.and_then(|of| of.j_r));
-        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3), array("wheel_arcmin", Entries::Numbers)] => row.arcmin[0];
-        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3), array("pinion_arcmin", Entries::Numbers)] => row.arcmin[1];
+        "lost_motion_arcmin.wheel" Plain [csv("lost_motion_wheel_arcmin"), rank(3), array("wheel_arcmin", Values::NUMBERS)] => row.arcmin[0];
+        "lost_motion_arcmin.pinion" Plain [csv("lost_motion_pinion_arcmin"), rank(3), array("pinion_arcmin", Values::NUMBERS)] => row.arcmin[1];
         "j_wt_range_um.0" Plain [csv("j_wt_range_min_um")] => Value::um(row.result().range()[0]);
         "j_wt_range_um.1" Plain [csv("j_wt_range_max_um")] => Value::um(row.result().range()[1]);
-        "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Entries::Numbers), page("error_bound_um")] => Value::um(row.angle.and(row.result().error_bound));
-        "status" Grave [heading(shown("status")), array("status", Entries::Words(&STATUSES)), page("status")] => row.result().status().name();
+        "error_bound_um" Bound [heading(shown("± bound").spare(6)), array("error_bound_um", Values::NUMBERS), page("error_bound_um")] => Value::um(row.angle.and(row.result().error_bound));
+        "status" Grave [heading(shown("status")), array("status", Values::Words(Vec::new(), &STATUSES)), page("status")] => row.result().status().name();
     });
     let unproven = Unproven::columns();
     columns.extend(unproven.within("unproven", |row: &PoseRow| row.unproven()));

@@ -92,12 +92,20 @@ impl RemedyRecords {
                 ],
             };
         }
-        let changes = changes.iter();
+        let mut missing: Vec<&str> = missing.iter().map(|reason| sentence(*reason)).collect();
+        let gears = file.spec.by_data();
+        // A file states the thickness before its scale.
+        let is_scaled = gears.is_some_and(|gears| gears.iter().any(|gear| gear.scale.is_some()));
+        let kept = |remedy: &&Remedy| !is_scaled || remedy.what == Change::CenterDistance;
+        if changes.iter().any(|remedy| !kept(&remedy)) {
+            missing.push("The thickness is not changed: a gear has a scale.");
+        }
+        let changes = changes.iter().filter(kept);
         RemedyRecords {
             changes: changes
                 .map(|remedy| RemedyRecord::new(file, remedy))
                 .collect(),
-            missing: missing.iter().map(|reason| sentence(*reason)).collect(),
+            missing,
         }
     }
 

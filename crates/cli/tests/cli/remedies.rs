@@ -237,3 +237,21 @@ fn a_drawn_pair_gets_the_distance_of_its_data() {
     assert!(fits(&at(&format!("{value:.3}"), limit).1));
     assert!(!fits(&at(&format!("{:.3}", value + 2e-3), limit).1));
 }
+
+/// A file states the thickness before its scale, and a remedy is the gear's own: it has the distance alone.
+#[test]
+fn a_scaled_pair_gets_the_distance_alone() {
+    let folder = empty_folder();
+    let scaled = PRINTED.replace("teeth = 12\n", "teeth = 12\nscale = 1.002\n");
+    let (code, json) = checked(folder.path(), &scaled);
+    assert_eq!(code, Some(1));
+    let [(what, _, value)] = &remedies(&json)[..] else {
+        panic!("{json}");
+    };
+    assert_eq!(what, "center_distance_mm");
+    let missing = "The thickness is not changed: a gear has a scale.";
+    assert_eq!(json["remedies_missing"], json!([missing]));
+    assert!(fits(
+        &checked(folder.path(), &applied(&scaled, what, "both", *value)).1
+    ));
+}

@@ -172,7 +172,7 @@ fn a_drawn_gear_is_scaled() {
         let path = folder.path().join("pair.toml");
         fs::write(&path, gear(keys)).unwrap();
         let pair = gearlash_files::read_any(&path).unwrap_or_else(|error| panic!("{error}"));
-        let (_, wheel, _) = &pair.view().study.drawn[0];
+        let (_, wheel, _) = &pair.study.drawn[0];
         [
             wheel.tip_radius(),
             wheel.root_radius(),

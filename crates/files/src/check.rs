@@ -702,7 +702,7 @@ fn grouped(bound: f64) -> String {
 }
 
 /// The dotted path of `name` in the table at `path`.
-pub fn below(path: &str, name: &str) -> String {
+fn below(path: &str, name: &str) -> String {
     match path {
         "" => name.to_owned(),
         _ => format!("{path}.{name}"),

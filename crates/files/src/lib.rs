@@ -288,7 +288,7 @@ fn with_text<T>(
         .as_ref()
         .and_then(|text| source::parse(path, text, &reading))
         .map(|mut entries| {
-            inches::to_mm(&mut entries, &reading);
+            reading.to_mm(&mut entries);
             entries
         });
     let understood = entries.and_then(|entries| {

@@ -2,8 +2,9 @@
 
 use crate::error::Problem;
 use crate::inches::Inches;
+use crate::node::Node;
 use crate::sources::Sources;
-use std::cell::{RefCell, RefMut};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// Problems of one list that are reported one by one; the rest is counted. Tuned: they fit a screen beside others.
@@ -81,9 +82,11 @@ impl Reading {
         self.remarks.take()
     }
 
-    /// The keys in inches.
-    pub fn inches(&self) -> RefMut<'_, Inches> {
-        self.inches.borrow_mut()
+    /// Turns all lengths of the file into mm.
+    pub fn to_mm(&self, entries: &mut Vec<(String, Node)>) {
+        let (inches, twice) = Inches::to_mm(entries);
+        self.inches.replace(inches);
+        twice.into_iter().for_each(|problem| self.add(problem));
     }
 
     /// Adds a problem.

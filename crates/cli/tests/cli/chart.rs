@@ -95,62 +95,6 @@ fn the_least_of_several_distances_is_drawn_and_said() {
     ));
 }
 
-#[test]
-fn what_does_not_suit_is_exit_2_and_writes_nothing() {
-    let folder = TempDir::new().unwrap();
-    let pair = fixture("karba_86x21.toml");
-    for (arguments, message) in [
-        (
-            &["--kind", "revolution", "--gear", "wheel"][..],
-            "--gear belongs to --kind inspection",
-        ),
-        (
-            &["--kind", "inspection", "--mating", "1,1"],
-            "--mating belongs to --kind distance",
-        ),
-        (
-            &["--kind", "distance", "--center-distance", "160.5"],
-            "--center-distance belongs to --kind revolution, difference or field",
-        ),
-        (
-            &["--kind", "distance", "--material", "most"],
-            "--material belongs to",
-        ),
-        (
-            &["--kind", "revolution", "--material", "most"],
-            "states one thickness a gear",
-        ),
-        (
-            &["--kind", "revolution", "--center-distance", "150"],
-            "base circles overlap",
-        ),
-        (
-            &[
-                "--kind",
-                "revolution",
-                "--center-distance",
-                "160.5..160.6:0.05",
-            ],
-            "one centre distance",
-        ),
-        (
-            &["--kind", "distance", "--mating", "87,1"],
-            "1 … 86, not 87",
-        ),
-        (
-            &["--kind", "difference", "--center-distance", "159.6"],
-            "jammed or out of mesh",
-        ),
-    ] {
-        chart(&folder, &pair, arguments)
-            .assert()
-            .code(2)
-            .stdout("")
-            .stderr(predicate::str::contains(message));
-    }
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}
-
 /// `--method both` is judged for curves over the distance, too.
 #[test]
 fn both_methods_are_compared() {

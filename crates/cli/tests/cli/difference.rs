@@ -1,6 +1,6 @@
 //! `compare` of two drawings of one gear.
 
-use crate::{files, fixture, run};
+use crate::{fixture, run};
 use serde_json::Value;
 use std::path::Path;
 
@@ -123,22 +123,14 @@ fn every_place_along_a_is_a_row() {
     );
 }
 
-/// The wheel of the fixtures is thicker at tooth 7 than the pinion: the text, and no file beside it.
+/// The wheel of the fixtures is thicker at tooth 7 than the pinion.
 #[test]
-fn the_text_of_two_drawings() {
+fn the_picture_of_two_drawings() {
     let folder = tempfile::tempdir().unwrap();
     let drawn = |name: &str| fixture("outlines").join(name).display().to_string();
     for name in ["wheel_20.dxf", "pinion_20.svg"] {
         std::fs::copy(drawn(name), folder.path().join(name)).unwrap();
     }
-    let (code, text, said) = run(
-        folder.path(),
-        &["compare", "wheel_20.dxf", "pinion_20.svg", "--verbose"],
-    );
-    assert_eq!(code, Some(0), "{said}");
-    insta::assert_snapshot!(text);
-    assert!(said.contains("wheel_20.dxf: a: 20 teeth"), "{said}");
-    assert_eq!(files(folder.path()).len(), 2);
     let picture = [
         "compare",
         "wheel_20.dxf",
@@ -185,51 +177,4 @@ fn an_eccentricity_is_seen_unless_centres_are_fitted() {
         least > -0.1 && greatest < 0.1 && rms < 0.05,
         "{least} {greatest} {rms}"
     );
-}
-
-#[test]
-fn what_is_no_pair_of_drawings_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    for entry in std::fs::read_dir(fixture("outlines")).unwrap() {
-        let path = entry.unwrap().path();
-        std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
-    }
-    let other = "[gear]\nteeth = 21\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n[gear.thickness]\nallowance_um = 0\n";
-    std::fs::write(folder.path().join("other.toml"), other).unwrap();
-    let drawn = [
-        "outline",
-        "other.toml",
-        "--format",
-        "svg",
-        "-o",
-        "other.svg",
-    ];
-    assert_eq!(run(folder.path(), &drawn).0, Some(0));
-    let (wheel, pinion) = ("wheel_20.dxf", "pinion_20.svg");
-    let cases: [(&[&str], &str); 8] = [
-        (&[wheel], "give two drawings of one gear"),
-        (
-            &[wheel, "drawn_20x20.toml"],
-            "give two drawings of one gear",
-        ),
-        (&[wheel, pinion, wheel], "give two drawings of one gear"),
-        (&[wheel, pinion, "--format", "junit"], "are for pair files"),
-        (
-            &[wheel, pinion, "--method", "polygon"],
-            "are for pair files",
-        ),
-        (&[wheel, "other.svg"], "20 and 21 teeth are found"),
-        (&[wheel, pinion, "--svg", pinion], "pinion_20.svg"),
-        (
-            &["drawn_20x20.toml", "--center", "fit"],
-            "belong to two drawings",
-        ),
-    ];
-    for (args, reason) in cases {
-        let before = std::fs::read(folder.path().join(pinion)).unwrap();
-        let (code, _, said) = run(folder.path(), &[&["compare"], args].concat());
-        assert_eq!(code, Some(2), "{args:?}: {said}");
-        assert!(said.contains(reason), "{args:?}: {said}");
-        assert_eq!(std::fs::read(folder.path().join(pinion)).unwrap(), before);
-    }
 }

@@ -58,29 +58,6 @@ fn a_snapshot_is_of_a_section() {
     assert!(own.contains("section at z = ") && own.contains("Right flanks touch"));
 }
 
-#[test]
-fn what_is_no_section_is_refused() {
-    let folder = folder();
-    for z in ["24.001", "-25", "nan"] {
-        let args = [&POSE[..], &["--section", z]].concat();
-        refused(
-            folder.path(),
-            &args,
-            "the common face runs from -24 to 24 mm",
-        );
-    }
-    let spur = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
-    let spur = spur.replace("helix_angle_deg = 21", "helix_angle_deg = 0");
-    let spur = spur.replace("\"190 js7\"", "\"178 js7\"");
-    std::fs::write(folder.path().join("pair.toml"), spur).unwrap();
-    refused(
-        folder.path(),
-        &[&POSE[..], &["--section", "1"]].concat(),
-        "--section is for helical gears",
-    );
-    assert_eq!(files(folder.path()), ["measured.toml", "pair.toml"]);
-}
-
 /// Over a pitch every section turns by 360°/z, the wheel's by 360°/27 (z_1 φ_1 = −z_2 φ_2 but for the eccentricities).
 #[test]
 fn an_animation_turns_a_section() {
@@ -118,21 +95,6 @@ fn an_animation_turns_a_section() {
     }
     let own = section(folder.path(), &["--animate"]);
     assert_eq!(own, section(folder.path(), &["--animate"]));
-}
-
-/// Which section the data of a drawing are of, and over which face the result holds.
-#[test]
-fn the_first_screen_says_what_is_of_the_normal_section() {
-    let folder = folder();
-    let (code, text, told) = run(folder.path(), &["simulate", "pair.toml", "--no-files"]);
-    assert_eq!(code, Some(0), "{told}");
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    for words in [
-        "Helical, β 21°, wheel right-hand, over the common face −24 … 24 mm",
-        "are those of the normal section, j_wt is of the transverse one",
-    ] {
-        assert!(text.contains(words), "{text}");
-    }
 }
 
 #[test]

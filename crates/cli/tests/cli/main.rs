@@ -6,7 +6,6 @@ mod action;
 mod bombs;
 mod chart;
 mod check;
-mod compare;
 mod difference;
 mod docs;
 mod hard;
@@ -15,18 +14,17 @@ mod hostile;
 mod large;
 mod leaks;
 mod matching;
-mod matching_refused;
+mod matching_warnings;
 mod outline;
 mod outlines;
 mod outlines_drawn;
-mod outlines_refused;
+mod outlines_notes;
 #[path = "../../../../tests/common/pair_86_21.rs"]
 mod pair_86_21;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
 mod pictures;
 mod reference;
-mod refused;
 mod remedies;
 mod rexs;
 mod runs;
@@ -35,11 +33,9 @@ mod schema_init;
 mod simulate;
 #[path = "../../../../tests/common/skip.rs"]
 mod skip;
-mod slips;
 mod small;
 mod snapshot;
 mod stated;
-mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;
 mod tolerance;
@@ -95,43 +91,6 @@ bearing_clearance_mm = 0.004
 [sweep]
 mating = [[1, 1], [7, 12]]
 fraction = [0.0, 0.5]
-"#;
-
-/// The study's 86/21 pair at nominal thickness and 0.15 m tip clearance: the wheel's tips stand on the pinion's
-/// fillets (issue 4 gives −216.426 by formula and −238.948 µm measured at the worst pose). The formula is wrong about it.
-const ON_THE_FILLET: &str = r#"
-[wheel]
-teeth = 86
-module_mm = 3.0
-pressure_angle_deg = 20.0
-[pinion]
-teeth = 21
-module_mm = 3.0
-pressure_angle_deg = 20.0
-reference_face = "back"
-[assembly]
-center_distance_mm = 160.2
-[sweep]
-mating = [[1, 1]]
-fraction = [0.0, 0.25, 0.5, 0.75]
-"#;
-
-/// Undercut gears of ten teeth, contact ratio 0.957 between the real form circles: at some poses an undercut edge touches, no two
-/// involutes reach each other, and the pair has more backlash than between them.
-const UNDERCUT: &str = r#"
-[wheel]
-teeth = 10
-module_mm = 2.0
-pressure_angle_deg = 20.0
-tip_diameter_mm = 23.4
-[pinion]
-teeth = 10
-module_mm = 2.0
-pressure_angle_deg = 20.0
-tip_diameter_mm = 23.4
-reference_face = "back"
-[assembly]
-center_distance_mm = 20.3
 "#;
 
 fn small(folder: &Path) -> PathBuf {

@@ -102,22 +102,6 @@ fn marked_teeth_have_the_backlash_that_simulate_finds() {
     assert!(spread < 3.0, "{spread}");
 }
 
-/// A gear without a mate is left over: exit code 1.
-#[test]
-fn a_gear_without_a_mate_is_left_over() {
-    let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
-    gear(&here.join("w"), "thick.toml", 40.0, 0.0);
-    gear(&here.join("w"), "fat.toml", -300.0, 0.0);
-    gear(&here.join("p"), "a.toml", 40.0, 0.0);
-    gear(&here.join("p"), "b.toml", 40.0, 0.0);
-    pair(here, "");
-    matched(here)
-        .code(1)
-        .stdout(predicates::str::starts_with("1 of 2 pairs assemble"))
-        .stdout(predicates::str::contains("Wheels left over: fat."));
-}
-
 /// A gear whose reference face is at the back has its teeth numbered the other way, what was right on it is left: matched so it is the gear
 /// with its sheet turned over by hand, tooth `t` being tooth `22 - t` of 20, and a place along ascending numbers one against them.
 #[test]

@@ -1,4 +1,4 @@
-//! `outline`: a gear as measured as DXF, SVG and CSV, held against closed forms of its curves.
+//! `outline`: a gear as measured as DXF, SVG and CSV, compared with closed forms of its curves.
 
 mod deviated;
 
@@ -259,94 +259,6 @@ fn small_outlines() {
             &["--format", format, "--tolerance-um", "200"],
         );
         insta::assert_snapshot!(format!("small_{format}"), text);
-    }
-}
-
-#[test]
-fn the_file_stands_where_the_other_commands_write() {
-    let folder = empty_folder();
-    let pair = small(folder.path());
-    let written = |arguments: &[&str]| {
-        let mut command = gearlash(folder.path());
-        output(command.arg("outline").arg(&pair).args(arguments))
-    };
-    assert_eq!(
-        written(&["--gear", "wheel", "--format", "dxf"]),
-        "out/small/outline_wheel_most.dxf\n"
-    );
-    assert_eq!(
-        written(&["--gear", "wheel", "--material", "least", "--format", "csv"]),
-        "out/small/outline_wheel_least.csv\n"
-    );
-    // One thickness: both ends.
-    assert_eq!(
-        written(&["--gear", "pinion", "--material", "least", "--format", "svg"]),
-        "out/small/outline_pinion.svg\n"
-    );
-    assert_eq!(
-        written(&["--gear", "pinion", "--format", "csv", "-o", "mine.csv"]),
-        "mine.csv\n"
-    );
-    let mine = std::fs::read_to_string(folder.path().join("mine.csv")).unwrap();
-    assert_eq!(
-        written(&["--gear", "pinion", "--format", "csv", "-o", "-"]),
-        mine
-    );
-}
-
-#[test]
-fn what_cannot_be_written_is_refused() {
-    let folder = empty_folder();
-    let pair = small(folder.path());
-    let gear = gear_file(folder.path(), "front");
-    let large = folder.path().join("large.toml");
-    let text = "[gear]\nteeth = 10000\nmodule_mm = 1.0\npressure_angle_deg = 20.0\n";
-    std::fs::write(&large, text).unwrap();
-    let before = files(folder.path());
-    let wheel = ["--gear", "wheel", "--format", "csv"];
-    let cases: [(&Path, Vec<&str>, &str); 8] = [
-        (&pair, vec!["--format", "dxf"], "which gear? "),
-        (
-            &gear,
-            vec!["--format", "dxf", "--gear", "wheel"],
-            "has one gear only; leave --gear out",
-        ),
-        (&pair, vec!["--gear", "wheel"], "--format"),
-        (
-            &pair,
-            [&wheel[..], &["--tolerance-um", "0"]].concat(),
-            "from 0.001 to 1000",
-        ),
-        (
-            &pair,
-            [&wheel[..], &["--tolerance-um", "NaN"]].concat(),
-            "from 0.001 to 1000",
-        ),
-        (
-            &pair,
-            [&wheel[..], &["-o", "other.toml"]].concat(),
-            "the place of a pair file",
-        ),
-        (
-            &pair,
-            vec!["--gear", "wheel", "--format", "dxf", "-o", "spans.csv"],
-            "the place of a pair file",
-        ),
-        (
-            &large,
-            vec!["--format", "dxf", "--tolerance-um", "0.001"],
-            "allowed are 2000000; give a greater tolerance",
-        ),
-    ];
-    for (file, arguments, words) in cases {
-        let mut command = gearlash(folder.path());
-        let command = command.arg("outline").arg(file).args(&arguments);
-        command
-            .assert()
-            .code(2)
-            .stdout("")
-            .stderr(predicates::str::contains(words));
-        assert_eq!(files(folder.path()), before, "{arguments:?}");
     }
 }
 

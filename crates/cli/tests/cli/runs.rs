@@ -2,39 +2,6 @@
 
 use super::*;
 
-/// Tips in roots and gears out of mesh are results: null numbers, exit 0.
-#[test]
-fn jammed_and_out_of_mesh_are_results() {
-    let folder = empty_folder();
-    for (a, status) in [(158.0, "jammed"), (170.0, "no_contact")] {
-        let text = ON_THE_FILLET
-            .replace("160.2", &a.to_string())
-            .replace("[0.0, 0.25, 0.5, 0.75]", "[0.0]");
-        std::fs::write(folder.path().join("pair.toml"), text).unwrap();
-        let text =
-            output(gearlash(folder.path()).args(["simulate", "pair.toml", "--format", "json"]));
-        let result: Value = serde_json::from_str(&text).unwrap();
-        for pose in result["runs"][0]["poses"].as_array().unwrap() {
-            assert_eq!(pose["status"], status, "at {a}");
-            for key in [
-                "right_rad",
-                "left_rad",
-                "lost_motion_rad",
-                "j_wt_um",
-                "j_t_um",
-                "j_bn_um",
-                "j_r_um",
-                "error_bound_um",
-            ] {
-                assert!(pose[key].is_null(), "{key} at {a}");
-            }
-            let none = serde_json::json!({ "wheel": null, "pinion": null });
-            assert_eq!(pose["lost_motion_arcmin"], none, "at {a}");
-        }
-        output(gearlash(folder.path()).args(["simulate", "pair.toml"]));
-    }
-}
-
 /// Issue 3: a scan over centre distance; without play the backlash rises by 2 tan α_wt a millimetre and more.
 #[test]
 fn a_scan_over_centre_distance() {
@@ -70,27 +37,6 @@ fn a_scan_over_centre_distance() {
         .code(2)
         .stderr(predicate::str::contains("base circles"));
     assert_eq!(files(folder.path()), ["small.toml"]);
-}
-
-/// Issue 3: both methods on one study; the largest difference is printed and decides.
-#[test]
-fn both_methods_agree_to_a_picometre() {
-    let folder = empty_folder();
-    small(folder.path());
-    for arguments in [
-        vec!["simulate", "small.toml", "--format", "json"],
-        vec!["compare", "small.toml"],
-    ] {
-        gearlash(folder.path())
-            .args(arguments)
-            .args(["--method", "both"])
-            .assert()
-            .code(0)
-            .stderr(predicate::str::contains("exact and polygon method agree"))
-            .stderr(predicate::str::contains(
-                "(allowed at a pose: 1e-6 or the sum of both error bounds)",
-            ));
-    }
 }
 
 /// Design section 6: gcd(z_1, z_2) assembly phases; coprime pairs have one.

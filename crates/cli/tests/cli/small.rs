@@ -1,61 +1,7 @@
-//! Small things that were said wrongly, or took too long.
+//! Keys without a suggestion, and limits of time and threads.
 
 use super::*;
 use std::fs;
-
-#[test]
-fn a_negative_centre_distance_says_what_is_wrong() {
-    let folder = empty_folder();
-    small(folder.path());
-    for arguments in [
-        "simulate small.toml --center-distance -1",
-        "snapshot small.toml --worst --center-distance -1",
-        "chart small.toml --kind revolution --center-distance -1",
-        "simulate small.toml --center-distance -1.5",
-        "simulate small.toml --center-distance 0",
-    ] {
-        let run = gearlash(folder.path())
-            .args(arguments.split(' '))
-            .assert()
-            .code(2);
-        run.stdout("")
-            .stderr(predicate::str::contains("a centre distance is above 0"));
-    }
-    let run = gearlash(folder.path())
-        .args(["simulate", "small.toml", "--center-distance", "-1..2:0.1"])
-        .assert()
-        .code(2);
-    run.stderr(predicate::str::contains("FROM..TO:STEP"));
-    let run = gearlash(folder.path())
-        .args(["compare", "small.toml", "--tolerance-um", "-1"])
-        .assert()
-        .code(2);
-    run.stderr(predicate::str::contains(
-        "a tolerance is a number of µm, 0 or more",
-    ));
-}
-
-#[test]
-fn a_duplicate_key_is_named() {
-    let folder = empty_folder();
-    for (text, named) in [
-        (
-            SMALL.replace("teeth = 17\n", "teeth = 17\nteeth = 18\n"),
-            "duplicate key `teeth`",
-        ),
-        (
-            SMALL.replace("teeth = 17\n", "teeth = 17\n\"teeth\" = 18\n"),
-            "duplicate key `\"teeth\"`",
-        ),
-    ] {
-        fs::write(folder.path().join("pair.toml"), text).unwrap();
-        let run = gearlash(folder.path())
-            .args(["check", "pair.toml"])
-            .assert()
-            .code(2);
-        run.stderr(predicate::str::contains(named).and(predicate::str::contains("line 14")));
-    }
-}
 
 /// The beginning of a long key may be near a known one; the key is not.
 #[test]

@@ -1,11 +1,7 @@
-//! Files that stand already where `gearlash tolerance` and `match` write, and names that are no text: nothing is lost.
+//! Formats of `gearlash tolerance` without a folder, and names of files that are not UTF-8.
 
 use super::tolerance::{PAIR, pair, tolerance};
 use super::*;
-
-fn write(folder: &Path, name: &str, text: &str) {
-    std::fs::write(folder.join(name), text).unwrap();
-}
 
 fn read(folder: &Path, name: &str) -> String {
     std::fs::read_to_string(folder.join(name)).unwrap()
@@ -35,43 +31,6 @@ fn json_and_csv_without_a_folder_write_nothing() {
     assert_eq!(files(here), before);
     let (_, printed, _) = tolerance(here, &format!("{run} --format csv -o named"));
     assert_eq!(printed, read(here, "named/result.csv"));
-}
-
-/// `worst_03.toml` of the user's own, one that was changed, and names that no run writes.
-#[test]
-fn pair_files_that_no_run_has_written_stay() {
-    let folder = empty_folder();
-    let here = folder.path();
-    pair(here);
-    std::fs::create_dir(here.join("o")).unwrap();
-    for name in ["worst_.toml", "worst_11.toml", "worst_1999.toml"] {
-        write(here, &format!("o/{name}"), "mine\n");
-    }
-    let run = "tolerance pair.toml -o o";
-    ends(here, run, 0);
-    // Those of a run are replaced.
-    ends(here, &format!("{run} --seed 8"), 0);
-    for name in ["worst_.toml", "worst_11.toml", "worst_1999.toml"] {
-        assert_eq!(read(here, &format!("o/{name}")), "mine\n");
-    }
-    let written = read(here, "o/worst_03.toml");
-    assert!(written.starts_with("# written by gearlash tolerance; sha256"));
-    for text in [PAIR.to_owned(), written.replace("teeth = 20", "teeth = 21")] {
-        assert_ne!(text, written);
-        write(here, "o/worst_03.toml", &text);
-        let before = read(here, "o/result.json");
-        let told = ends(here, run, 2);
-        assert!(
-            told.contains(
-                "o/worst_03.toml: would be replaced, and is not as gearlash tolerance wrote it"
-            ),
-            "{told}"
-        );
-        assert_eq!(read(here, "o/worst_03.toml"), text);
-        assert_eq!(read(here, "o/result.json"), before);
-    }
-    write(here, "o/worst_03.toml", &written);
-    ends(here, run, 0);
 }
 
 /// Folders and files whose names are no UTF-8: everything is found, written and told apart.

@@ -1,6 +1,6 @@
-//! What `gearlash tolerance` must not pass over: bands, gears, requirements.
+//! Requirements of a pair file in `gearlash tolerance`.
 
-use super::tolerance::{PAIR, pair, tolerance};
+use super::tolerance::{PAIR, tolerance};
 use super::*;
 
 fn with(folder: &Path, edits: &[(&str, &str)]) {
@@ -10,78 +10,6 @@ fn with(folder: &Path, edits: &[(&str, &str)]) {
         text = text.replace(from, to);
     }
     std::fs::write(folder.join("pair.toml"), text).unwrap();
-}
-
-#[test]
-fn a_band_that_nothing_is_drawn_from_is_reported() {
-    let folder = empty_folder();
-    pair(folder.path());
-    let run = || tolerance(folder.path(), "tolerance pair.toml -o o --assemblies 50");
-    let (code, _, told) = run();
-    assert!(code.is_some() && !told.contains("states a band"), "{told}");
-    let distance = ("center_distance = { scatter = \"normal\", cpk = 1 }\n", "");
-    let thickness = ("thickness = { scatter = \"uniform\" }\n", "");
-    with(folder.path(), &[distance, thickness]);
-    let (_, _, told) = run();
-    let told = told.replace('\n', " ");
-    for wanted in [
-        "wheel.thickness: states a band",
-        "write thickness = { scatter = \"normal\" } in [tolerance.wheel]",
-        "assembly.center_distance_mm: states a band",
-        "write center_distance = { scatter = \"normal\" } in [tolerance]",
-    ] {
-        assert!(told.contains(wanted), "{wanted}: {told}");
-    }
-}
-
-fn measured(folder: &Path, name: &str, thickness: &str) {
-    let text = format!(
-        "[gear]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nthickness = {{ {thickness} }}\n"
-    );
-    std::fs::write(folder.join("wheels").join(name), text).unwrap();
-}
-
-/// Links that lead nowhere and two files of one gear are refused; folders, other capitals and bands are reported.
-#[test]
-fn what_stands_among_measured_gears_is_reported() {
-    let folder = empty_folder();
-    let path = folder.path();
-    std::fs::create_dir_all(path.join("wheels/old.toml")).unwrap();
-    measured(path, "1.toml", "allowance_um = -40");
-    measured(path, "2.toml", "allowance_um = { min = -50, max = -30 }");
-    measured(path, "P3.TOML", "allowance_um = -30");
-    let own = PAIR.split("[tolerance.wheel]").next().unwrap();
-    let text = format!("{own}[tolerance.wheel]\ngears = \"wheels/*.toml\"\n");
-    std::fs::write(path.join("pair.toml"), text).unwrap();
-    let run = || {
-        let (code, _, told) = tolerance(path, "tolerance pair.toml -o o --assemblies 50");
-        (code, told.replace('\n', " "))
-    };
-    let (code, told) = run();
-    assert!(code.is_some_and(|code| code < 2), "{told}");
-    for wanted in [
-        "wheels/P3.TOML: is as \"wheels/*.toml\" but for capital letters, and is left out",
-        "wheels/old.toml: is a folder, and is left out",
-        "wheels/2.toml: states a band of thickness",
-    ] {
-        assert!(told.contains(wanted), "{wanted}: {told}");
-    }
-    #[cfg(unix)]
-    {
-        let link = path.join("wheels/4.toml");
-        std::os::unix::fs::symlink("nowhere.toml", &link).unwrap();
-        let (code, told) = run();
-        let wanted = "wheels/4.toml: this is a link to a file that is not there";
-        assert!(code == Some(2) && told.contains(wanted), "{told}");
-        std::fs::remove_file(link).unwrap();
-    }
-    std::fs::rename(path.join("wheels/P3.TOML"), path.join("wheels/1.json")).unwrap();
-    let text = std::fs::read_to_string(path.join("pair.toml")).unwrap();
-    std::fs::write(path.join("pair.toml"), text.replace("*.toml", "[0-9].*")).unwrap();
-    let (code, told) = run();
-    assert_eq!(code, Some(2), "{told}");
-    assert!(told.contains("1.json and "), "{told}");
-    assert!(told.contains("1.toml: two files of one gear"), "{told}");
 }
 
 /// `check` of a pair judges `j_bn`, lost motion and radial clearance, and so does a population: at one centre distance of spur gears a limit of

@@ -2,7 +2,6 @@
 
 use crate::command::{folder, gauge, stdout};
 use assert_cmd::Command;
-use predicates::str::contains;
 use serde_json::Value;
 use std::path::Path;
 
@@ -130,42 +129,4 @@ fn a_pair_of_outlines_and_a_gear_file() {
         "{text}"
     );
     assert!(!folder.path().join("out").exists(), "nothing is written");
-}
-
-/// What cannot be asked is refused with what can be; what this outline does not allow is reported, by tooth tables on standard error.
-#[test]
-fn what_an_outline_cannot_be_asked_is_said() {
-    let folder = folder();
-    draw(folder.path(), "drawn.dxf");
-    let refused = |arguments: &[&str], reason: &str| {
-        gauge(folder.path(), arguments)
-            .assert()
-            .code(2)
-            .stderr(contains(reason))
-            .stdout("");
-    };
-    refused(
-        &["drawn.dxf"],
-        "can be asked for spans (--span-teeth K) and for pins (--pin-mm D); pitch, thickness and the roll test need an involute",
-    );
-    refused(
-        &["drawn.dxf", "--pin", "5", "--ball-mm", "5"],
-        "are for gears by their data",
-    );
-    refused(
-        &["drawn.dxf", "--pin", "5", "-o", "files"],
-        "are for gears by their data",
-    );
-    refused(
-        &["drawn.dxf", "--pin", "5", "--gear", "wheel"],
-        "has one gear only",
-    );
-    refused(&["one.toml", "--units", "mm"], "belong to a drawing");
-    refused(
-        &["drawn.dxf", "--pin", "1"],
-        "--pin-mm 1: gear, outline of 21 teeth, material as-measured: a pin of 1 mm finds no rest",
-    );
-    let blank = ["drawn.dxf", "--span", "1", "--format", "csv"];
-    let told = contains("not measured, span: over 1 of 21 teeth");
-    gauge(folder.path(), &blank).assert().success().stderr(told);
 }

@@ -86,24 +86,3 @@ fn every_format() {
     assert_eq!(found["tables"][0]["kind"], "trace");
     assert_eq!(found["toml"], "[gear.profile.trace]\nfile = \"t.csv\"\n");
 }
-
-/// What cannot be read says where, and exits with 2.
-#[test]
-fn faults() {
-    let told = |name: &'static str, text: &str, options: &[&str]| {
-        let shop = Shop::new(name, text);
-        let mut command = gearlash(shop.folder.path());
-        command.args(["import", name]).args(options);
-        let output = command.assert().code(2).get_output().clone();
-        assert!(output.stdout.is_empty());
-        String::from_utf8(output.stderr).unwrap()
-    };
-    let cases = [
-        told("p.csv", "a,b,c\n1,2,3\n", &[]),
-        told("p.csv", "tooth,left,right\n1,2,x\n", &[]),
-        told("p.csv", "tooth,left,right\n1,2,3\n3,2,3\n", &[]),
-        told("p.csv", "tooth,left,right\n1,2,3\n", &["--only", "runout"]),
-        told("p.csv", "", &[]),
-    ];
-    insta::assert_snapshot!(cases.concat());
-}

@@ -7,7 +7,6 @@ mod books;
 mod command;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
-mod slips;
 mod texts;
 
 use assert_cmd::Command;

@@ -71,35 +71,3 @@ fn spans_with_three_decimals_between_tabs() {
     let expected = format!("thickness.span = {{ teeth = 3, mm = {mm:?} }}");
     shop.is(keys, &expected, &[], "teeth = 3");
 }
-
-/// A unit in a row of its own is a unit: mm is refused with the way out.
-#[test]
-fn millimetres_in_a_row_of_units() {
-    let text = "Zahn;Fp links;Fp rechts\n;mm;mm\n1;0,001;0,002\n".to_owned();
-    let shop = Shop::new("p.csv", text);
-    let told = shop
-        .check("pitch = { kind = \"cumulative\", file = \"p.csv\" }", "")
-        .unwrap_err();
-    assert!(
-        told.contains("\"Fp links\" (B) is in mm, allowed is µm; convert its values to µm"),
-        "{told}"
-    );
-}
-
-/// A number that slipped out of its column is not passed over, nor is a row above the header.
-#[test]
-fn what_looks_like_data_is_not_left_out() {
-    let told = |text: &str| {
-        let shop = Shop::new("p.csv", text);
-        shop.refused("pitch = { kind = \"cumulative\", file = \"p.csv\" }")
-    };
-    let above = told("1,0.5,0.5\ntooth,left,right\n2,0.5,0.5\n");
-    assert!(
-        above.contains(
-            "line 1: has numbers like a row of the table, but stands above its header in line 2"
-        ),
-        "{above}"
-    );
-    let torn = told("tooth,left,right,remark\n1,0.5,0.5,\"burr\n2,0.5,0.5,\n");
-    assert!(torn.contains("line 2: a cell of several lines"), "{torn}");
-}

@@ -10,7 +10,6 @@ mod mean;
 mod pins;
 mod reversed_flanks;
 mod runout;
-mod slips;
 mod spans;
 
 use gearlash::gear::{AsBuilt, Flank, Side};

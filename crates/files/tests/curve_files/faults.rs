@@ -1,73 +1,19 @@
-//! Files that are wrong, and what is said of them.
+//! Units, angles and missing values. `tests/sessions/curve_faults.txt` holds the messages of wrong files.
 
-use super::made::{MEW, Made};
+use super::made::Made;
 use super::{pair, read_with, told};
 
-const PER_TOOTH: &str = "thickness.per_tooth_um = { file = \"gear.mka\" }";
 const PITCH: &str = "pitch = { kind = \"single\", file = \"gear.mka\" }";
 const TRACE: &str = "profile = { trace = { file = \"gear.mka\" } }";
 
-/// What is said of the file with `from` replaced by `to`, below the replacement.
-fn faults(replaced: &[(&str, &str, &str)]) -> String {
-    let text = Made::new(17).text();
-    let each = replaced.iter().map(|(from, to, keys)| {
-        assert!(text.contains(from), "{from}");
-        let told = told(&text.replacen(from, to, 1), 17, keys);
-        format!("{from} ⇒ {to}\n{told}\n\n")
-    });
-    each.collect()
-}
-
-/// One mistake, one problem.
+/// A helix angle of 0, stated for both flanks, is that of a spur gear.
 #[test]
-fn a_fault_is_one_problem_in_words() {
-    const HEAD: &str = "Zahn-Nr.: 2 links / 20  Werte  z";
-    insta::assert_snapshot!(faults(&[
-        (
-            "Zähnezahl z..............: 17",
-            "Zähnezahl z..............: 18",
-            TRACE
-        ),
-        ("Start Messbereich", "Start", TRACE),
-        ("\r\nTeilung:", "\r\nwhat is this\r\nTeilung:", PITCH),
-        ("Profil:", "Profile:", PITCH),
-        ("links / 20  Werte  z", "links / 21  Werte  z", PITCH),
-        ("PROFILE diameter", "PROFILE angle", TRACE),
-        ("UNITS mm", "UNITS inch", PITCH),
-        ("1.21", "1,21", TRACE),
-        ("1.21", "1.21 1.22", TRACE),
-        ("1.21", "", TRACE),
-        (HEAD, "Zahn-Nr.: 2 links / 1.5  Werte  z", TRACE),
-        (HEAD, "Zahn-Nr.: 0 links / 20  Werte  z", TRACE),
-        ("fp  Fp  Fr", "fp  Fq  Fr", TRACE),
-        ("Z-Nr. Seite PHI", "Z-Nr. Seite", TRACE),
-    ]));
-}
-
-/// What no pair file can state is refused for what it is.
-#[test]
-fn gears_of_other_kinds_are_refused() {
-    const TEETH: &str = " 22 :Zähnezahl z..............: 17  Außenverzahnung";
-    let helical =
-        |angle: &str| format!(" 22 :Zähnezahl z....: 17\r\n 26 :Schrägungswinkel.......: {angle}");
-    let lines = [
-        " 22 :Zähnezahl z..............: 17  Innenverzahnung".to_owned(),
-        " 22 :Zähnezahl z..............: -17".to_owned(),
-        helical("15.0"),
-        helical("R -15.0"),
-        helical("rechts"),
-        helical("15.0 20.0"),
-        " 22 :Zähnezahl z....: 17.5".to_owned(),
-    ];
-    insta::assert_snapshot!(faults(&lines.each_ref().map(|line| (
-        TEETH,
-        &line[..],
-        PITCH
-    ))));
-    let spur = Made::new(17)
-        .text()
-        .replace(TEETH, &helical("0.0000  0.0000"));
-    assert!(read_with(spur.as_bytes(), &pair(17, PITCH)).is_ok());
+fn a_spur_gear_may_state_its_helix_angle() {
+    let text = Made::new(17).text().replace(
+        "17  Außenverzahnung",
+        "17\r\n 26 :Schrägungswinkel.......: 0.0000  0.0000",
+    );
+    assert!(read_with(text.as_bytes(), &pair(17, PITCH)).is_ok());
 }
 
 /// The deviations of the left trace as read with another `UNDEFINED`.
@@ -139,41 +85,4 @@ fn angles_are_in_degrees() {
             }
         }
     }
-}
-
-/// By its first line, whatever its values are.
-#[test]
-fn a_value_file_is_one_without_values() {
-    let empty = MEW.split("10111").next().unwrap().to_owned() + "26450 : V Fuß : 8999.0\r\n";
-    let undefined = MEW.replace("-2.9", "-9999.0");
-    for text in [MEW, &empty, &undefined] {
-        for keys in [PITCH, TRACE, PER_TOOTH] {
-            let told = told(text, 17, keys);
-            assert!(told.contains("is a value file (.mew)"), "{keys}: {told}");
-        }
-    }
-}
-
-/// A file that cannot be read is reported once.
-#[test]
-fn no_file() {
-    let keys = "thickness.per_tooth_um = { file = \"nothing.mka\" }";
-    let problems = read_with(b"", &pair(17, keys)).unwrap_err();
-    assert_eq!(problems.len(), 1, "{problems:#?}");
-    assert!(problems[0].reason.contains("nothing.mka"), "{problems:#?}");
-}
-
-/// A key that is gone names what to state instead.
-#[test]
-fn thickness_from_positions_is_gone() {
-    let keys = "thickness = { file = \"gear.mka\" }";
-    let problems = read_with(b"", &pair(17, keys)).unwrap_err();
-    assert_eq!(problems.len(), 1, "{problems:#?}");
-    assert_eq!(problems[0].key, "wheel.thickness.file");
-    assert!(problems[0].help.contains("`span`, `over_pins`"));
-    let told = told(&Made::new(17).text(), 17, PER_TOOTH);
-    assert!(
-        told.contains("thickness is not taken from the probe's positions"),
-        "{told}"
-    );
 }

@@ -1,4 +1,4 @@
-//! Helical gears: what is read, and what is refused.
+//! Helical gears as they are read. `tests/sessions/helical.txt` holds what is refused.
 
 use super::*;
 use gearlash::contact::ExactKernel;
@@ -23,13 +23,6 @@ face_mm = [-5, 40]
 [assembly]
 center_distance_mm = 78
 "#;
-
-fn refused(text: &str) -> String {
-    let folder = TempDir::new().unwrap();
-    let path = folder.path().join("pair.toml");
-    fs::write(&path, text).unwrap();
-    read(&path).unwrap_err().to_string()
-}
 
 /// The common face is what both have; radii are of the transverse module `m_n/cos β`.
 #[test]
@@ -189,68 +182,6 @@ fn runout_of_any_direction_and_uncertainties_are_read() {
     assert!((found[0] - expected).abs() < 1e-15, "{found:?}");
 }
 
-#[test]
-fn what_is_no_helical_pair_is_reported() {
-    for (from, to, expected) in [
-        (
-            "hand = \"left\"\n",
-            "",
-            "wheel.hand: missing, expected \"left\" or \"right\" beside a helix angle above 0",
-        ),
-        (
-            "hand = \"left\"",
-            "hand = \"right\"",
-            "pinion.hand = \"right\": is \"right\" as the wheel's: teeth of an external pair wind opposite ways",
-        ),
-        (
-            "face_width_mm = 30\n",
-            "",
-            "wheel.face_width_mm: missing, expected the face width",
-        ),
-        (
-            "face_width_mm = 30",
-            "face_width_mm = 30\nface_mm = [0, 1]",
-            "given together with face_width_mm",
-        ),
-        (
-            "[-5, 40]",
-            "[40, -5]",
-            "allowed is [from, to] with from below to",
-        ),
-        ("[-5, 40]", "[20, 40]", "the gears do not face each other"),
-        (
-            "helix_angle_deg = 15\nhand = \"right\"",
-            "helix_angle_deg = 16\nhand = \"right\"",
-            "pinion.helix_angle_deg = 16: differs from wheel.helix_angle_deg = 15.0",
-        ),
-        (
-            "helix_angle_deg = 15\nhand = \"right\"",
-            "hand = \"right\"",
-            "pinion.helix_angle_deg: differs from wheel.helix_angle_deg = 15.0",
-        ),
-        (
-            "helix_angle_deg = 15\nhand = \"left\"",
-            "helix_angle_deg = 61\nhand = \"left\"",
-            "allowed is a number of degrees, 0 … 60",
-        ),
-    ] {
-        assert!(HELICAL.contains(from), "{from}");
-        let told = refused(&HELICAL.replace(from, to));
-        assert!(told.contains(expected), "{told}");
-    }
-    for (key, expected) in [
-        (
-            "lead_um = 5",
-            "wheel.lead_um = 5: deviations and modifications of the lead are not modelled",
-        ),
-        ("tilt_um = 5", "wheel.tilt_um = 5: the axes are parallel"),
-    ] {
-        let text = HELICAL.replace("face_width_mm = 30", &format!("face_width_mm = 30\n{key}"));
-        let told = refused(&text);
-        assert!(told.contains(expected), "{told}");
-    }
-}
-
 /// `b ≥ W_k sin β_b + b_M cos β_b`, with the contact width `b_M = 1.2 + 0.018 W_k` that shops leave: here with `sin β_b = sin 15° cos 20°`.
 #[test]
 fn a_face_too_short_for_the_span_is_a_warning() {
@@ -322,23 +253,6 @@ fn a_dimension_is_over_balls_or_over_pins() {
         .gear()
         .base_thickness();
     assert!(thin < right - 0.05, "{thin} {right}");
-    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, kind = \"roll\", mm = 147.1 }"));
-    assert!(
-        told.contains("wheel.thickness.over_pins.kind = \"roll\": ")
-            && told.contains("\"ball\"")
-            && told.contains("\"pin\""),
-        "{told}"
-    );
-    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, kind = \"pin\", mm = 130.0 }"));
-    assert!(
-        told.contains("nominal over pins of 9 mm is 147.3112 mm"),
-        "{told}"
-    );
-    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, kind = \"ball\", mm = 130.0 }"));
-    assert!(
-        told.contains("nominal over balls of 9 mm is 147.0772 mm"),
-        "{told}"
-    );
 }
 
 /// Of a spur gear both are the same, and the echo says what was written.

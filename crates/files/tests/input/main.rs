@@ -5,7 +5,6 @@ mod helical;
 mod mutations;
 mod poses;
 mod published;
-mod slips;
 mod stated;
 mod thickness;
 
@@ -224,6 +223,9 @@ fn the_pair_file_of_the_docs_is_one() {
     assert_eq!(study.study.title, "My pair");
     assert_eq!(study.study.center_distances, [132.15, 132.21]);
     assert_eq!(study.study.materials.len(), 2);
+    let is_slip =
+        |warning: &String| warning.contains("meant") || warning.contains("check its sign");
+    assert!(!study.warnings.iter().any(is_slip), "{:?}", study.warnings);
 }
 
 /// Prose says centre, keys say center: both spellings are read alike, but not together.

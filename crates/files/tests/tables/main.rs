@@ -1,7 +1,6 @@
 //! Inspection tables in files: each layout gives the study of the same lists written inline, each fault has its line.
 
 mod cases;
-mod faults;
 mod formats;
 mod good;
 mod mutant;

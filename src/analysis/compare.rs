@@ -16,7 +16,7 @@ use crate::gear::Side;
 use crate::outline::AssembledPair;
 use crate::pair::GearPair;
 
-/// What the comparison says of one pose.
+/// Verdict of the comparison at one pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -64,7 +64,7 @@ impl Verdict {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ComparedPose {
-    /// What was simulated.
+    /// The simulated pose.
     pub simulated: PoseResult,
     /// Model 1, Michalec.
     pub michalec: Option<f64>,
@@ -72,7 +72,7 @@ pub struct ComparedPose {
     pub involute: Option<f64>,
     /// Model 3, line of action.
     pub line_of_action: Option<f64>,
-    /// What gates.
+    /// The verdict that decides.
     pub verdict: Verdict,
 }
 
@@ -102,7 +102,7 @@ impl ComparedPose {
 /// A run with its analytic values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedRun {
-    /// What was simulated; its poses moved to `poses`.
+    /// The simulated run; its poses are moved to `poses`.
     pub run: Run,
     /// In order.
     pub poses: Vec<ComparedPose>,
@@ -186,7 +186,7 @@ impl ComparedRun {
     }
 }
 
-/// What a run comes to. Lengths in mm, as `j_wt`; `None` where no pose has the value.
+/// Summary of a run. Lengths in mm, as `j_wt`; `None` where no pose has the value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Summary {
@@ -254,7 +254,7 @@ impl SummaryTally {
         join(&mut self.off_line_of_action, off_line_of_action, f64::max);
     }
 
-    /// What they come to.
+    /// Summary of the poses.
     pub(crate) fn summary(&self) -> Summary {
         Summary {
             unproven: self.unproven,

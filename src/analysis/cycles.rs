@@ -34,7 +34,7 @@ pub(super) struct Planned {
     pub phase: Option<(u32, u32)>,
 }
 
-/// What was found of it, and the poses of that: least, greatest, lost.
+/// Extremes of a cycle, and their poses: least, greatest, lost.
 pub(super) struct Searched {
     pub found: Extremes,
     pub poses: Vec<Directed>,
@@ -42,7 +42,7 @@ pub(super) struct Searched {
     pub meshes_to: Option<MeshesTo>,
 }
 
-/// What was found at one end of the bearing clearance.
+/// Extremes at one end of the bearing clearance.
 pub(super) struct SearchedEnd {
     /// The pair there.
     pub assembly: AssembledPair,
@@ -53,7 +53,7 @@ pub(super) struct SearchedEnd {
 }
 
 impl Planned {
-    /// Wheel and pinion tooth that name its assembly phase; `None` where the pair has one, or all are alike.
+    /// Wheel and pinion tooth that name its assembly phase; `None` where the pair has one, or all are equal.
     pub fn covers(&self) -> Option<(u32, u32)> {
         self.differ
             .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
@@ -112,8 +112,8 @@ impl Planned {
         sampled::Cycle::new(pair, self.first, self.per_pitch)
     }
 
-    /// The least with the axes nearer by `clearance`, mm, and the greatest with them as much farther apart. Backlash grows with the
-    /// distance: no pose between has less, or more.
+    /// The least with the axes nearer by `clearance`, mm, and the greatest with them farther apart by it. Backlash grows with the
+    /// distance, so no pose between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
         Ok([
             self.at_end(-clearance, true)?,
@@ -179,7 +179,7 @@ impl Planned {
         }
     }
 
-    /// What the search of `assembly` may do.
+    /// Effort that the search of `assembly` may spend.
     fn effort(&self, assembly: &GearPair) -> Effort {
         Effort::of_extremes(assembly).part(self.phases)
     }
@@ -346,7 +346,7 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
     SweepPlan::hunting_pitches(wheel, pinion)
 }
 
-/// Whether it matters for the extremes over the cycle in which phase the gears are put together: not against teeth that are all alike.
+/// Whether the extremes over the cycle depend on the assembly phase. They do not where all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
     deviate(assembly) == [true, true]
 }

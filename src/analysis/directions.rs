@@ -49,11 +49,11 @@ pub(super) struct Directed {
 /// Extremes over all directions.
 pub(super) struct AnyDirection {
     pub found: Extremes,
-    /// Of the least, the greatest and the lost pose.
+    /// The least, the greatest and the lost pose.
     pub poses: Vec<Directed>,
     /// The pair nearer by the eccentricities without a direction, which it does not have, and its least; the one farther by them, and its greatest.
     pub ends: [(GearPair, Extremes); 2],
-    /// How much nearer and farther, mm.
+    /// Distance by which they are nearer and farther, mm.
     pub off: f64,
 }
 
@@ -204,9 +204,9 @@ impl<'a> End<'a> {
             let each = ends.map(|end| (end.abs() - supposed).abs());
             each[0].max(each[1])
         });
-        // Beyond the largest share nothing is claimed.
+        // Beyond the largest share there is no claim.
         let most = share.abs().min(LARGEST_SHARE);
-        // Without a bound nothing is known of it; the attained value alone has no slack.
+        // Without a bound it is unknown. The attained value alone has no slack.
         let slack = match off.is_finite() {
             true => (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most),
             false => 0.0,
@@ -289,7 +289,7 @@ impl<'a> End<'a> {
     ) -> Result<(GearPair, Mating), Error> {
         let assembly = self.assembly;
         let locked = assembly.gear(assembly.locked());
-        // Nearer or farther a tooth stands a little beside: on by that.
+        // At another distance a tooth is slightly displaced: the mating moves on by that.
         let there = Pose::new(&self.centred, mating).locked_rotation();
         let here = Pose::new(assembly, mating).locked_rotation();
         let beside = (there - here + PI).rem_euclid(TAU) - PI;

@@ -32,7 +32,7 @@ pub struct RunExtremes {
     pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase, where the study has several.
     pub phase: Option<(u32, u32)>,
-    /// Wheel and pinion tooth that name the assembly phase; `None` where the pair has one, or all are alike.
+    /// Wheel and pinion tooth that name the assembly phase; `None` where the pair has one, or all are equal.
     pub covers: Option<(u32, u32)>,
     /// Matings of the cycle: lcm(z_1, z_2).
     pub matings: u64,
@@ -49,7 +49,7 @@ pub struct RunExtremes {
     pub assembles_from: Option<AssemblesFrom>,
     /// Where it is out of mesh: up to which centre distance it is in mesh.
     pub meshes_to: Option<MeshesTo>,
-    /// The axes nearer, and farther apart, by what their bearings allow; `None` where no play of them is stated.
+    /// Extremes with the axes nearer and farther apart by the play of the bearings; `None` where none is stated.
     pub bearings: Option<BearingPlay>,
 }
 
@@ -120,7 +120,7 @@ impl PairPose {
 }
 
 impl BearingEnd {
-    /// What was found there, its pose simulated in the next of `runs`.
+    /// The extremes there, with the pose simulated in the next of `runs`.
     fn new<'a>(end: &SearchedEnd, runs: &mut impl Iterator<Item = &'a ComparedRun>) -> BearingEnd {
         let run = end.pose.as_ref().and_then(|_| runs.next());
         let pose = run.and_then(|run| PairPose::of(run).next());
@@ -206,7 +206,7 @@ impl RunExtremes {
         }
     }
 
-    /// Whether every tooth is alike: no deviation tells them apart, and a runout may have any direction.
+    /// Whether all teeth are equal: no deviation distinguishes them, and a runout may have any direction.
     pub fn has_like_teeth(&self) -> bool {
         self.assembly.data().is_some_and(|pair| distinct(pair) == 1)
     }
@@ -331,7 +331,7 @@ pub enum CoveredPhases {
 }
 
 impl CoveredPhases {
-    /// Those of `runs`.
+    /// Phases that `runs` cover.
     pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
         let (mut phases, mut all) = (Vec::new(), 1);
         for run in runs {

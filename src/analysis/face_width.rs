@@ -1,4 +1,4 @@
-//! What the face width of helical gears costs: extremes of the lost motion over faces that hold each other.
+//! Cost of the face width of helical gears: extremes of the lost motion over nested faces.
 
 use super::extremes::{RunExtreme, RunExtremes, extremes};
 use super::study::Study;
@@ -40,7 +40,7 @@ impl AtWidth {
 /// The least or the greatest `j_wt` of all runs, mm.
 #[derive(Debug, Clone, Copy)]
 pub struct FaceExtreme<'a> {
-    /// What was found.
+    /// The found value.
     pub found: f64,
     /// No less than this.
     pub low: f64,
@@ -51,7 +51,7 @@ pub struct FaceExtreme<'a> {
 }
 
 impl<'a> FaceExtreme<'a> {
-    /// Of all runs, the one that is `before` all others.
+    /// The run that is `before` all others.
     fn of(
         runs: impl Iterator<Item = Option<&'a RunExtreme>>,
         before: fn(f64, f64) -> bool,

@@ -75,7 +75,7 @@ pub struct MeasuredTally {
 }
 
 impl MeasuredTally {
-    /// Of no pose yet.
+    /// A tally without poses.
     pub fn new(study: &Study) -> MeasuredTally {
         let materials = study.materials.iter();
         let keys = materials.flat_map(|(material, ..)| {
@@ -154,7 +154,7 @@ pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Ba
     sides
 }
 
-/// What the poses of `runs` that are `wanted` say at `center_distance`, mm.
+/// Bands of the `wanted` poses of `runs` at `center_distance`, mm.
 pub fn bands(
     study: &Study,
     runs: &[ComparedRun],

@@ -39,7 +39,7 @@ use crate::contact::{Method, MethodAgreement};
 use crate::error::Error;
 use std::ops::ControlFlow;
 
-/// What is to be found out about a pair, and how.
+/// Parts of an analysis of a pair, and the method.
 #[derive(Debug, Clone)]
 pub struct Plan<'a> {
     study: &'a Study,
@@ -138,7 +138,7 @@ impl<'a> Plan<'a> {
             steps += extremes::run_count(self.study)?;
         }
         if self.curves {
-            // What binds, beside what was measured.
+            // The binding teeth, and the measured ones.
             let followed = 1 + curves::measured_teeth(self.study).len() as u64;
             steps += followed * curves::over_distance_pose_count(self.study);
         }
@@ -163,10 +163,10 @@ pub struct Progress<'a> {
     pub tick: &'a (dyn Fn() -> ControlFlow<()> + Sync),
 }
 
-/// What was found out about a pair. What the plan did not ask for is empty.
+/// Results about a pair. Parts outside the plan are empty.
 #[derive(Debug, Clone)]
 pub struct Analysis<'a> {
-    /// What was asked.
+    /// The study.
     pub study: &'a Study,
     /// How lost motion was found.
     pub method: Method,
@@ -305,7 +305,7 @@ impl<'a> Analysis<'a> {
         self.distinct_runs().chain(&self.extremes.runs)
     }
 
-    /// What is to be said first.
+    /// The verdict, which comes first in every output.
     pub fn verdict(&self) -> Verdict<'_> {
         Verdict::of_study(self.study, &self.extremes.each, self.failed_checks.clone())
     }

@@ -1,5 +1,5 @@
-//! What a study comes to: the least and the greatest backlash at each centre distance, the teeth that bind there,
-//! and how far the formulas lie off. Lengths in mm, as `j_wt`.
+//! Outcome of a study: the least and the greatest backlash at each centre distance, the binding teeth,
+//! and the differences to the formulas. Lengths in mm, as `j_wt`.
 
 use crate::analysis::compare::{ComparedPose, ComparedRun, Verdict, touches_off_line};
 use crate::analysis::study::Material;
@@ -76,7 +76,7 @@ pub const MODELS: [fn(&ComparedPose) -> Option<f64>; 3] = [
 ];
 
 impl<'a> Outcome<'a> {
-    /// Of all poses of `runs`, and of those `picked` out of others for their backlash: these count for all but the mean.
+    /// The outcome of all poses of `runs`, and of poses `picked` for their backlash, which count for all but the mean.
     pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
         let all = || {
             let runs = picked.iter().chain(runs).copied();
@@ -96,7 +96,7 @@ impl<'a> Outcome<'a> {
         let poses = || runs.iter().flat_map(|run| &run.poses);
         let backlash = || poses().filter_map(|pose| pose.simulated.backlash);
         let valued = backlash().count();
-        // What each value may at most be, and at least.
+        // Upper and lower bound of each value.
         let ends = |sign: f64| {
             all().filter_map(move |found| {
                 let result = &found.pose.simulated;
@@ -195,32 +195,32 @@ pub fn deviation(
 pub struct Agreement {
     /// All of them.
     pub poses: usize,
-    /// Those that have a value of both.
+    /// Poses with both values.
     pub both: usize,
-    /// Of these: within tolerance and error bound.
+    /// Poses with both values that agree within tolerance and error bound.
     pub agree: usize,
-    /// Of these: below, the teeth touching off the line of action.
+    /// Poses below the formula that touch off the line of action.
     pub off_line: usize,
-    /// Of these: below, though involutes touch.
+    /// Poses below the formula although involutes touch.
     pub below: usize,
-    /// Of these: above.
+    /// Poses above the formula.
     pub above: usize,
-    /// Those simulated alone: no involutes reach each other.
+    /// Poses with a simulated value alone: no involutes reach each other.
     pub simulated_alone: usize,
-    /// Those of the formula alone, the simulation finding the pair jammed.
+    /// Poses with a formula alone: the simulation finds them jammed.
     pub jammed: usize,
-    /// Those of the formula alone, the simulation finding the pair out of mesh: never right.
+    /// Poses with a formula alone: the simulation finds them out of mesh. The formula is never right there.
     pub apart: usize,
-    /// Those of neither.
+    /// Poses without either value.
     pub neither: usize,
-    /// Those that are not proven, and not compared.
+    /// Unproven poses, which are not compared.
     pub unproven: usize,
     /// Poses that have a backlash and in which a tip corner, an undercut edge, a fillet or a root touches.
     pub touch_off_line: usize,
 }
 
 impl Agreement {
-    /// Of `runs`.
+    /// The agreement of `runs`.
     pub fn of<'a>(runs: &[&'a ComparedRun]) -> Agreement {
         let mut count = Agreement::default();
         let with_pair = |run: &&'a ComparedRun| {

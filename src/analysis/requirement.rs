@@ -1,4 +1,4 @@
-//! What a pair must keep.
+//! Requirements on a pair.
 
 use crate::analytic::limits::radial_clearance;
 use crate::outline::{AssembledPair, OutlinePair};
@@ -14,7 +14,7 @@ pub struct Limits {
     pub max: Option<f64>,
 }
 
-/// What of a pair is limited.
+/// The limited quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -64,8 +64,8 @@ impl Quantity {
         }
     }
 
-    /// What `assembly` has of it at a pose with the backlash `j_wt`, mm, where it is the least (`is_max`: the greatest) of the cycle. The
-    /// radial clearance, which no backlash decides, is that with both gears off their axes to the worse (better) side.
+    /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest) of the cycle. The
+    /// radial clearance does not depend on backlash: both gears are off their axes to the worse (better) side.
     pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
         let all = assembly.backlash(j_wt);
         match self {
@@ -84,7 +84,7 @@ impl Quantity {
     }
 }
 
-/// What a pair must keep, each over the whole mesh cycle and at every centre distance and material.
+/// Requirements, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
 
 /// The least or the greatest radial clearance of a drawn pair, mm, within what the drawings are off.

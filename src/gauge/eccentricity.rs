@@ -9,7 +9,7 @@ use super::workpiece::Workpiece;
 use crate::gear::Side;
 use nalgebra::{Matrix3, Point2, UnitComplex, Vector2, Vector3};
 
-/// Where the gear's own centre stands off the rotation axis.
+/// Offset of the gear's own centre from the rotation axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Eccentricity {

@@ -1,7 +1,7 @@
 //! How far a point of the measuring plane lies from a flank.
 //!
-//! The sections of a helical flank turn by `t` a mm along the face. What lies nearest to a point `c` in the section `b` stands at `p(b)`, `d(b)` away, and
-//! the flank is the least `D = √(d² + b²)` away. Turning moves `p` by `t ẑ × p`, so that
+//! The sections of a helical flank turn by `t` a mm along the face. In the section `b` the point `p(b)` is nearest to a point
+//! `c`, at the distance `d(b)`. The distance of the flank is the least `D = √(d² + b²)`. Turning moves `p` by `t ẑ × p`, so that
 //! `(D²)'/2 = b − t (c − p)·(ẑ × p)`, linear in `b` along an involute, whose arm `n·(ẑ × p)` is the base radius. The gradient of `D` within the plane is
 //! `(c − p)/D`.
 
@@ -24,7 +24,7 @@ pub(super) struct OneFlank {
     pub turn: UnitComplex<f64>,
 }
 
-/// What of a flank lies nearest.
+/// The nearest point of a flank.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Nearest {
     /// In the frame of the half tooth.
@@ -37,7 +37,7 @@ pub(super) struct Nearest {
     pub gradient: Vector2<f64>,
 }
 
-/// What of `flank` lies nearest to `point` of the measuring plane.
+/// The point of `flank` that is nearest to `point` of the measuring plane.
 pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) -> Nearest {
     let twist = work.as_built.gear().basic_data().twist();
     // With half the slope of D² along the face.
@@ -66,7 +66,7 @@ pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) ->
     if twist == 0.0 {
         return plane.0;
     }
-    // Nothing farther along the face than this is nearer than the plane's.
+    // Points farther along the face than this are not nearer than the one of the plane.
     let apart = plane.0.distance / f64::from(SECTIONS);
     let others = (-SECTIONS..=SECTIONS).filter(|&step| step != 0);
     let others = others.map(|step| in_section(f64::from(step) * apart));

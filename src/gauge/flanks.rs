@@ -75,7 +75,7 @@ pub struct ThicknessReadings {
     pub normal: f64,
     /// Bound on the error of each, mm.
     pub error: f64,
-    /// What the drawing says, `s_t = m_n (π/2 + 2 x tan α_n)/cos β`, mm.
+    /// Nominal thickness, `s_t = m_n (π/2 + 2 x tan α_n)/cos β`, mm.
     pub nominal: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What formulas say of a gear of the mean thickness, without deviations: to set beside the readings.
+//! Closed formulas of a gear of the mean thickness without deviations, to compare with the readings.
 
 use super::roll::Roll;
 use crate::analytic::InvolutePair;

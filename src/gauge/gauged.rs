@@ -51,7 +51,7 @@ impl Default for Settings {
     }
 }
 
-/// What the gauges read on one gear. Lengths in mm; each reading carries the bound on its error.
+/// Readings of all gauges on one gear. Lengths in mm; each reading carries the bound on its error.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Gauged {
@@ -79,7 +79,7 @@ pub struct Gauged {
     pub stated: Result<StatedThickness, Unmeasured>,
     /// Pitch and runout against the accuracy grades, as many as were measured.
     pub grades: Result<Vec<GradedReading>, Unmeasured>,
-    /// What the formulas say.
+    /// Values by formula.
     pub formula: Formula,
 }
 

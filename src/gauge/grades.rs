@@ -10,9 +10,9 @@ use crate::gear::{BasicGearData, Flank, Grade, GradedQuantity, PitchAxis};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GradedReading {
-    /// What was measured.
+    /// The graded quantity.
     pub quantity: GradedQuantity,
-    /// Of which flanks and about which axis; `None` of the runout, which is read from the rotation axis.
+    /// Axis and flanks; `None` for the runout, which is read from the rotation axis.
     pub pitch: Option<(PitchAxis, Flank)>,
     /// mm.
     pub measured: f64,
@@ -48,7 +48,7 @@ pub(super) fn grades<'a>(
             pitch,
             measured,
             error,
-            // What the error alone puts beyond a tolerance is within it.
+            // A value that exceeds a tolerance by less than its error is within it.
             grade: quantity.grade(basic_data, measured - error)?,
         })
     };

@@ -1,13 +1,13 @@
 //! The gauge on the model: measures a gear as built as the shop does.
 //!
 //! Anvils, pins, balls, measuring circles and a master gear are brought to the outline itself, polygons cut
-//! ever finer round each contact; no reading is computed from the gear's deviations. What went in
-//! must come out: that is what the tests compare.
+//! ever finer round each contact; no reading is computed from the gear's deviations. The tests
+//! compare the readings with the deviations that were put in.
 //!
 //! A gear by its outline alone has no reference circle and no master: spans and pins alone are read on it ([`gauge_outline`]).
 //!
-//! Of a helical gear all is read in the measuring plane; a ball touches the flanks beside it and a span lies along the normal of the helix,
-//! so that both look at the sections in which they touch.
+//! A helical gear is read in the measuring plane. A ball touches the flanks beside that plane, and a span lies along the normal of the
+//! helix, so both also use the sections in which they touch.
 //!
 //! Readings are in mm and named as the gear's own: teeth by number, flanks seen on the reference face.
 

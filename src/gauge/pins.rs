@@ -5,8 +5,8 @@
 //! further on; three pins take a second one beside it, `(z + 1)/2` further on, and
 //! one anvil lies on both.
 //!
-//! Of a helical gear these are dimensions over balls, with their centres in the measuring plane. A cylindrical pin lies along its space, whose line through the centre of a
-//! ball is a helix: it touches where that ball does and its middle stands as far from the axis. Pins slide along their spaces until they stand
+//! On a helical gear these are dimensions over balls, with their centres in the measuring plane. A cylindrical pin lies along its space,
+//! on the helix through the centre of a ball. It touches where that ball does, and its middle is as far from the axis. Pins slide along their spaces until they stand
 //! opposite each other, so that the anvils read `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
 use super::Unmeasured;

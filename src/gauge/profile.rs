@@ -1,8 +1,8 @@
 //! Profile deviation: a stylus along the tangents of the base circle, roll by roll.
 //!
-//! Where the tangent at a roll `ξ` crosses an involute is `r_b ξ` from where it touches the base circle; what the flank stands beyond is its
-//! deviation, plus = more material, against the involute of the mean thickness in its undisturbed place (where the pitch has the flank is
-//! no matter of its profile). Over the evaluation range, with the mean line by least squares over the roll (ISO 1328-1, the design profile being the involute): `f_Hα` is what the mean line
+//! The tangent at a roll `ξ` crosses an involute at `r_b ξ` from its point on the base circle. The distance of the flank beyond that is its
+//! deviation, plus = more material. The reference is the involute of the mean thickness in its undisturbed place: pitch is no part of a
+//! profile. Over the evaluation range, with the mean line by least squares over the roll (ISO 1328-1, the design profile being the involute): `f_Hα` is what the mean line
 //! rises from the range's start to its end, `f_fα` the range of the deviation about the mean line, `F_α` the range of the deviation itself.
 
 use super::Unmeasured;
@@ -13,7 +13,7 @@ use crate::parallel;
 
 /// Points over a range. Tuned: a parabola's range is found to some 1e-5 of it.
 const POINTS: usize = 201;
-/// What is left out at the ends of the flank, rad: beyond rounding, and far below a point's distance.
+/// Roll that is left out at the ends of the flank, rad: more than rounding, and far below the distance of two points.
 const INSIDE: f64 = 1e-9;
 /// Relative to its bound, what of a deviation is more than rounding.
 const LEVEL: f64 = 100.0;
@@ -22,7 +22,7 @@ const LEVEL: f64 = 100.0;
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ProfileReadings {
-    /// Of the gear's own right flanks, and of its left ones.
+    /// Profiles of the gear's own right flanks, then of its left ones.
     pub flanks: [FlankProfiles; 2],
     /// Bound on the error of each deviation, mm.
     pub error: f64,
@@ -34,11 +34,11 @@ pub struct ProfileReadings {
 pub struct FlankProfiles {
     /// The evaluation range as roll lengths `r_b ξ`, mm.
     pub evaluated: [f64; 2],
-    /// The same as diameters, mm.
+    /// Evaluation range as diameters, mm.
     pub evaluated_diameters: [f64; 2],
-    /// Those that are not alike.
+    /// Distinct profiles.
     pub shapes: Vec<ProfileReading>,
-    /// Which of them each tooth has, tooth 1 first.
+    /// Index of the profile of each tooth, tooth 1 first.
     pub of_tooth: Vec<usize>,
 }
 

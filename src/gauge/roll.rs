@@ -1,7 +1,7 @@
 //! Double-flank roll test: the gear rolled without play against a perfect master gear.
 //!
-//! At each pose the centre distance `a''` is the one at which the exact kernel finds no lost motion,
-//! bracketed to 1e-10 mm. Poses an even part of a pitch apart draw the curve; more are taken where it may have
+//! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion,
+//! bracketed to 1e-10 mm. Poses an even part of a pitch apart give the curve. More poses are added where it may have
 //! its extremes (see [`super::roll_extremes`]).
 
 use super::Unmeasured;
@@ -28,7 +28,7 @@ pub struct Roll {
     pub steps_per_pitch: u32,
     /// One revolution of the gear, evenly.
     pub poses: Vec<RollPose>,
-    /// Those taken between for the extremes, in the order of the revolution.
+    /// Poses added between for the extremes, in the order of the revolution.
     pub between: Vec<RollPose>,
     total: RollRange,
     tooth_to_tooth: RollRange,
@@ -152,7 +152,7 @@ fn sample(
         }),
         pose: RollPose {
             mating: *mating,
-            // What is left of turning back; the mating there may count from the tooth before, a revolution off.
+            // Rest of turning back. The mating there may count from the previous tooth, a revolution off.
             rotation: rotation + left - TAU * (left / TAU).round(),
             distance: 0.5 * (low + high),
             error: 0.5 * (high - low) + play / slope,
@@ -163,8 +163,8 @@ fn sample(
 
 /// `|da''/dφ|`, mm a radian, while what touches goes on touching.
 ///
-/// With the gear turned by `dφ`, the master by `dθ` and its axis moved by `da`, a contact at `p` with the normal `n` stays closed
-/// where `(q × n) dθ + n_x da = (p × n) dφ`, `q` from the master's axis; right and left contact are two such equations
+/// The gear turns by `dφ`, the master by `dθ`, and its axis moves by `da`. A contact at `p` with the normal `n` stays closed if
+/// `(q × n) dθ + n_x da = (p × n) dφ`, with `q` from the master's axis. Right and left contact are two such equations
 /// for `dθ` and `da`.
 fn slope(found: &LostMotion, distance: f64) -> f64 {
     let (Some(right), Some(left)) = (&found.right, &found.left) else {

@@ -22,10 +22,10 @@ use crate::pair::Mating;
 use crate::parallel;
 use std::collections::BTreeMap;
 
-/// What F_i'' may be short of, mm: a thousandth of a micrometre, far below what roll testers resolve.
+/// Error that is accepted of F_i'', mm: a thousandth of a micrometre, far below what roll testers resolve.
 const TOTAL: f64 = 1e-6;
-/// What f_i'' may be short of, mm. A window of one pitch has two free ends, on the steepest stretch of the curve: more costs
-/// many poses and tells nobody anything.
+/// Error that is accepted of f_i'', mm. A window of one pitch has two free ends on the steepest part of the curve, so a smaller error
+/// would cost many poses.
 const WITHIN_PITCH: f64 = 1e-5;
 /// Halvings of steps in which the contact changes (tuned: a hundredth of a pitch at the usual 16 poses).
 const HALVINGS: u32 = 3;
@@ -46,7 +46,7 @@ pub struct RollPose {
     pub distance: f64,
     /// Bound on its error, mm.
     pub error: f64,
-    /// What touched.
+    /// Class of the contacts.
     pub class: PoseClass,
 }
 
@@ -56,13 +56,13 @@ pub struct RollPose {
 pub struct RollRange {
     /// Over the poses taken, mm.
     pub found: f64,
-    /// What may lie beyond between poses, mm.
+    /// Bound on what lies beyond between poses, mm.
     pub missed: f64,
 }
 
 /// The even poses of a curve.
 pub(super) struct RollCurve {
-    /// Of one revolution.
+    /// Even poses of one revolution.
     pub steps: usize,
     pub steps_per_pitch: usize,
     /// Rotation from one to the next, rad.
@@ -96,8 +96,8 @@ struct Piece {
     ends: [f64; 2],
     /// Between which the curve stays.
     within: [f64; 2],
-    /// Whether both ends touch alike.
-    alike: bool,
+    /// Whether both ends have contacts of one class.
+    same_contacts: bool,
 }
 
 impl Piece {
@@ -131,11 +131,11 @@ pub(super) fn bracketed(
         let pieces = pieces(curve, &samples);
         let ranges = Ranges::of(curve, &pieces);
         let mut halved: Vec<&Piece> = match round < HALVINGS {
-            true => pieces.iter().filter(|piece| !piece.alike).collect(),
+            true => pieces.iter().filter(|piece| !piece.same_contacts).collect(),
             false => ranges.open(&pieces),
         };
         halved.retain(|piece| piece.to - piece.from > 1);
-        // What reaches farthest first, if not all may be had.
+        // Farthest-reaching pieces first, as their number is limited.
         halved.sort_by(|one, other| other.slack().total_cmp(&one.slack()));
         halved.truncate((MOST * curve.steps).saturating_sub(samples.len()));
         wanted = halved
@@ -178,7 +178,7 @@ fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Piece> 
             to,
             ends: [f_0.min(f_1), f_0.max(f_1)],
             within: [middle - reach, middle + reach],
-            alike: one.touched == other.touched,
+            same_contacts: one.touched == other.touched,
         }
     };
     samples.iter().zip(next).map(piece).collect()
@@ -233,7 +233,7 @@ impl Ranges {
             if reach <= found + WITHIN_PITCH {
                 continue;
             }
-            // What makes the window look wide: the pieces that may hold its extremes, and its two loose ends.
+            // The pieces that may hold the window's extremes, and its two free ends, make it appear wide.
             let mut last = first;
             for (index, _) in reached(first) {
                 let piece = &pieces[index];

@@ -16,7 +16,7 @@ pub struct RootReading {
     pub radius: f64,
     /// Bound on its error, mm.
     pub error: f64,
-    /// What the tool's depth says of the teeth it cut: the thickness `s = m (π/2 + 2 x_E tan α)` at the reference circle, mm,
+    /// Thickness by the depth of the tool that cut the teeth: `s = m (π/2 + 2 x_E tan α)` at the reference circle, mm,
     /// `x_E` from `r_f = r − m (h_fP* − x_E)` with the rack of the drawing.
     pub thickness: f64,
     /// Bound on the error of `thickness`, mm.

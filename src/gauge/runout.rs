@@ -52,7 +52,7 @@ impl RunoutReadings {
         mean(self.readings.iter().map(|reading| reading.radius))
     }
 
-    /// What a dial shows that is set to zero at the mean: each radius less the mean, mm.
+    /// Readings of a dial that is set to zero at the mean: each radius less the mean, mm.
     pub fn deviations(&self) -> Vec<f64> {
         let mean = self.mean();
         let readings = self.readings.iter();

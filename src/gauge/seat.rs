@@ -19,13 +19,13 @@ use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
 pub struct Seat {
     /// The space after this tooth, towards the next number.
     pub tooth: u32,
-    /// The pin's centre, mm, about the gear's own centre; the undisturbed tooth 1 stands on +x.
+    /// The pin's centre, mm, about the gear's own centre; the undisturbed tooth 1 points to +x.
     pub centre: Point2<f64>,
     /// Bound on the error of the centre, mm.
     pub error: f64,
-    /// What it touches: own right flank of `tooth`, own left flank of the next.
+    /// Touched places: own right flank of `tooth`, own left flank of the next.
     pub touched: [Touch; 2],
-    /// Where along the face it touches them, mm from the measuring plane in which its centre stands; 0 on a spur gear.
+    /// Axial position of these places, mm from the measuring plane through its centre; 0 on a spur gear.
     pub sections: [f64; 2],
 }
 

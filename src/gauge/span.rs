@@ -179,12 +179,12 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
         let corner = profile.point(ProfilePart::Involute, tip, ends[i].0);
         turns[i] * corner
     };
-    // Two flanks that mirror each other are touched alike by anvils square to the line between their tip corners.
+    // Anvils square to the line between the tip corners touch two mirrored flanks at mirrored places.
     let mut along = (corner(0) - corner(1)).normalize();
     let mut apart = 0.0;
     for _ in 0..MOST_ROCKS {
         let (span, join, ahead) = read(along, apart);
-        // Each place stands at most a chord behind its curve. No direction reads more than the distance of the places it touches.
+        // Each place is at most a chord behind its curve. No direction reads more than the distance of the places it touches.
         if join.norm().hypot(apart) - span.length <= work.bound() {
             return Ok(span);
         }

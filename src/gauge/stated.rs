@@ -1,4 +1,4 @@
-//! What the readings let a gear file state of the tooth thickness.
+//! The tooth thickness that a gear file states after the readings.
 //!
 //! Mean thickness is what `[thickness]` states, and it alone sets pose, root and fillet; per-tooth thickness is added flank
 //! by flank, its mean not removed. At the flanks the two cannot be told apart: teeth of −20 µm with −40 µm on every one
@@ -56,7 +56,7 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());
     let (base, error) = match (read.thickness, spans) {
         (Ok(arcs), _) => {
-            // Of the normal section, as a gear file states it.
+            // A gear file states the normal section.
             let allowance = (arcs.mean() - as_built.arc_of_profiles() - arcs.nominal) * arcs.normal;
             let base = thickness::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)

@@ -1,8 +1,7 @@
 //! The gear under the gauges: its outline cut coarsely, and again ever finer where something touches.
 //!
-//! Teeth that are alike share two half teeth; a query is put in the frame of the half tooth (see
-//! [`HalfTooth`]), already turned there by its caller. A coarse polygon tells which
-//! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
+//! Equal teeth share two half teeth. A query is in the frame of the half tooth (see [`HalfTooth`]), to which its caller has turned it.
+//! A coarse polygon selects the stretch that may touch. That stretch is cut again until chords are as near their curve as f64 allows.
 
 use crate::contact::PolylineShape;
 use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side, involute};
@@ -116,8 +115,8 @@ impl<'a> Workpiece<'a> {
 
     /// Where a plane face of outward normal `along` that closes on the flank of `side` of `tooth` touches it: tip land or involute.
     ///
-    /// The face ends at the form circle. Vertices lie on their curve and chords within `δ` of it, so a chord
-    /// whose ends both stand more than `δ` behind the foremost vertex has no part in the contact.
+    /// The face ends at the form circle. Vertices lie on their curve, and chords within `δ` of it. A chord with both ends more than `δ`
+    /// behind the foremost vertex is not in contact.
     pub fn foremost(&self, side: Side, tooth: u32, along: Vector2<f64>) -> Place {
         let profile = self.as_built.profile(side, tooth);
         let mut cut: Option<HalfTooth> = None;
@@ -219,10 +218,10 @@ impl<'a> Workpiece<'a> {
         }
     }
 
-    /// How far the flank of `side` of `tooth` stands along the tangent to the base circle at the roll `xi`, mm from where that touches,
+    /// Position of the flank of `side` of `tooth` along the tangent to the base circle at the roll `xi`, mm from the point of tangency,
     /// and the bound on its error; `None` where the tangent does not cross the flank.
     ///
-    /// An involute of the mean thickness in its undisturbed place stands at `r_b ξ`. The tangent is all but normal to the flank.
+    /// An involute of the mean thickness in its undisturbed place is at `r_b ξ`. The tangent is nearly normal to the flank.
     pub fn along_tangent(&self, side: Side, tooth: u32, xi: f64) -> Option<(f64, f64)> {
         let gear = self.as_built.gear();
         let angle = xi - gear.half_base_angle();

@@ -537,25 +537,4 @@ mod tests {
             }
         }
     }
-
-    /// 500 random 8 × 8 matrices. Source: every possible assignment.
-    #[test]
-    fn eight_by_eight() {
-        let mut state = 1u64;
-        let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) as u32
-        };
-        for _ in 0..500 {
-            let off: Vec<Option<u32>> = (0..64)
-                .map(|_| (next() % 3 != 0).then(|| next() % 40))
-                .collect();
-            let matrix = matrix(8, 8, &off);
-            let found = matrix.assign();
-            let sum: i64 = found.pairs.iter().map(|(w, p)| matrix.steps(*w, *p)).sum();
-            assert_eq!((found.pairs.len(), sum), brute(&matrix, 0, 0xff));
-        }
-    }
 }

@@ -314,6 +314,3 @@ impl Both {
         best
     }
 }
-
-#[cfg(test)]
-mod tests;

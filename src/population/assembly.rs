@@ -115,7 +115,7 @@ impl Assembly {
     /// Its extremes: with play in the bearings the least with the axes as near, the greatest with them as far apart as that allows.
     ///
     /// # Errors
-    /// What ends a calculation; a pose that fails is an outcome.
+    /// The proven extremes of the assembly. Only a stopped calculation is an error: a pose that fails is an outcome.
     pub fn outcome(&self) -> Result<Outcome, Error> {
         let at = |farther: f64| {
             let pair = match farther == 0.0 {
@@ -177,7 +177,7 @@ impl Outcome {
         }
     }
 
-    /// Of numbers that nothing is found for.
+    /// An outcome without extremes.
     pub(super) fn without(kind: OutcomeKind) -> Outcome {
         Outcome {
             kind,
@@ -236,7 +236,7 @@ mod tests {
         })
     }
 
-    /// Of nothing nothing is proven; of a jammed pair what it has.
+    /// An outcome without extremes is not proven; a jammed pair is proven by the extreme that it has.
     #[test]
     fn nothing_is_proven_of_an_outcome_without_values() {
         let doubt = Some(Some(Doubt::Effort));

@@ -17,7 +17,7 @@ pub const PITCH_LIMIT_SIGMAS: f64 = 3.0;
 /// out of mesh or none. Where the assembly phase scatters, each is the least, or the greatest, of all phases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitCases {
-    /// With all that scatters at its mean, but a runout and a pitch that are drawn at 0. What does not scatter is as the pair has it.
+    /// Each scatter at its mean, a drawn runout or pitch at 0, and all else as the pair has it.
     pub mean: [Option<f64>; 2],
     /// The least with all at their limits to one side, the greatest with all to the other.
     pub worst: [Option<f64>; 2],
@@ -59,12 +59,12 @@ enum Towards {
 
 /// Both, of `population`; `None` where whole gears are drawn, which have no limits.
 ///
-/// An assembly phase has no limits: where it scatters, each case is taken in all of the gcd(z_1, z_2), its least in the one that has the
-/// least and its greatest in the one that has the greatest.
+/// An assembly phase has no limits. Where it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its greatest may come
+/// from different phases.
 ///
 /// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
 /// numbers that close on the circle: the flanks in contact are taken [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative
-/// deviation out, or in, on both sides of both gears. That of `z` closed single deviations of standard deviation `σ` about their own mean is
+/// deviation out, or in, on both sides of both gears. For `z` closed single deviations of standard deviation `σ` about their mean, that deviation is
 ///
 /// ```text
 /// σ_F² = (z + 1)/12 σ²
@@ -103,7 +103,7 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
                 .map(|(sum, change)| sum + change * change);
         }
     }
-    // Of correlated quantities the squares of sums have 2 ρ Δ_1 Δ_2 as well.
+    // Correlated quantities add 2 ρ Δ_1 Δ_2 to the sum of squares.
     let correlation = scatters.thickness_correlation;
     let roots = [0, 1].map(|end| {
         let product = thickness[0][end]
@@ -216,7 +216,7 @@ fn assembly(
     Ok(Assembly::new(pair, play, population.phase()))
 }
 
-/// What a tooth is thicker, mm, with both flanks at the limit of their cumulative pitch deviation.
+/// Additional thickness of a tooth, mm, with both flanks at the limit of their cumulative pitch deviation.
 fn pitch_limit(scatter: &GearScatter, gear: &AsBuilt) -> f64 {
     let z = f64::from(gear.gear().basic_data().teeth());
     let sigma = scatter.pitch.unwrap_or(0.0) * ((z + 1.0) / 12.0).sqrt();

@@ -57,13 +57,13 @@ impl Population {
         })
     }
 
-    /// The same with a radial play of both bearings together, mm, where none scatters.
+    /// This population with a radial play of both bearings together, mm, where none scatters.
     #[must_use]
     pub fn with_bearing_clearance(self, clearance: f64) -> Population {
         Population { clearance, ..self }
     }
 
-    /// The same, wheel tooth 1 with pinion tooth `phase` at their right flanks where the phase does not scatter.
+    /// This population with wheel tooth 1 on pinion tooth `phase` at their right flanks, where the phase does not scatter.
     #[must_use]
     pub fn with_phase(self, phase: u32) -> Population {
         Population { phase, ..self }
@@ -74,7 +74,7 @@ impl Population {
         &self.pair
     }
 
-    /// What scatters.
+    /// The scatters.
     pub fn scatters(&self) -> &Scatters {
         &self.scatters
     }

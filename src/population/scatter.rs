@@ -45,7 +45,7 @@ pub enum ScatterError {
     /// A number that lies outside the limits.
     #[error("{what} {value} lies outside the limits {low} … {high}")]
     Outside {
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
         /// The number.
         value: f64,
@@ -57,7 +57,7 @@ pub enum ScatterError {
     /// A spread or an index that is not above 0.
     #[error("{what} is {value}, it must be above 0")]
     NotPositive {
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
         /// The number.
         value: f64,
@@ -113,7 +113,7 @@ impl Scatter {
         })
     }
 
-    /// Everywhere between the limits alike.
+    /// Uniform between the limits.
     ///
     /// # Errors
     /// [`ScatterError::Limits`].
@@ -185,7 +185,7 @@ impl Scatter {
         })
     }
 
-    /// The same, [`LIMIT_SHARE`] of all below `high`.
+    /// A Rayleigh distribution with [`LIMIT_SHARE`] of all values below `high`.
     ///
     /// # Errors
     /// [`ScatterError::NotPositive`].
@@ -236,7 +236,7 @@ impl Scatter {
         }
     }
 
-    /// Whether all are alike.
+    /// Whether every value is the same.
     pub fn is_fixed(&self) -> bool {
         matches!(self.law, Law::Fixed(_))
     }

@@ -1,4 +1,4 @@
-//! What scatters of a pair and of its gears, and what cannot.
+//! The scatters of a pair and of its gears, and errors of scatters that cannot be.
 
 use super::factor::Factor;
 use super::scatter::Scatter;
@@ -6,34 +6,34 @@ use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use std::sync::Arc;
 
-/// What scatters of one gear; lengths in mm. `None`: as the pair has it.
+/// Scatters of one gear; lengths in mm. `None`: as the pair has it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct GearScatter {
-    /// What all teeth are thicker, at the reference circle.
+    /// Additional thickness of all teeth at the reference circle.
     pub thickness: Option<Scatter>,
     /// Runout `F_r`, twice the eccentricity, in place of the pair's; its direction is uniform.
     pub runout: Option<Scatter>,
     /// Standard deviation of the single pitch deviations `f_p`, each by itself but that they close on the circle; right and left flanks
     /// apart. On top of the pair's pitch.
     pub pitch: Option<f64>,
-    /// What each tooth is thicker, on top of the pair's.
+    /// Additional thickness of each tooth, on top of the pair's.
     pub per_tooth: Option<Scatter>,
     /// Whole gears, one of which is drawn in place of the pair's; the others are then `None`.
     pub gears: Option<Arc<[AsBuilt]>>,
 }
 
-/// What scatters of a pair; lengths in mm. `None`: as the pair has it.
+/// Scatters of a pair; lengths in mm. `None`: as the pair has it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Scatters {
-    /// Of the wheel.
+    /// Scatters of the wheel.
     pub wheel: GearScatter,
-    /// Of the pinion.
+    /// Scatters of the pinion.
     pub pinion: GearScatter,
-    /// What the centre distance is greater.
+    /// Addition to the centre distance.
     pub center_distance: Option<Scatter>,
-    /// Radial play of both bearings together: the axes may be nearer, and farther apart, by as much.
+    /// Radial play of both bearings together: the axes may move this much nearer or apart.
     pub bearing_play: Option<Scatter>,
-    /// Whether the gears are put together in any of their gcd(z_1, z_2) ways, or always alike ([`with_phase`](crate::population::Population::with_phase)).
+    /// Whether the assembly phase is any of the gcd(z_1, z_2), or always one ([`with_phase`](crate::population::Population::with_phase)).
     pub phase: bool,
     /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 where both gears come from one batch.
     pub thickness_correlation: f64,
@@ -45,7 +45,7 @@ pub enum PopulationError {
     /// A runout or a play below 0.
     #[error("{what} reaches {low} mm, it cannot be below 0")]
     Negative {
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
         /// The least there may be, mm.
         low: f64,
@@ -67,11 +67,11 @@ pub enum PopulationError {
     OtherGear {
         /// Its place in the list, from 1.
         number: usize,
-        /// What differs.
+        /// Name of the value that differs.
         what: &'static str,
-        /// What it has.
+        /// Value of the listed gear.
         found: f64,
-        /// What the pair's gear has.
+        /// Value of the pair's gear.
         wanted: f64,
     },
     /// Nothing scatters.
@@ -80,7 +80,7 @@ pub enum PopulationError {
 }
 
 impl Scatters {
-    /// Those of one gear.
+    /// Scatters of one gear.
     pub fn of(&self, member: Member) -> &GearScatter {
         match member {
             Member::Wheel => &self.wheel,

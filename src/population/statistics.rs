@@ -26,9 +26,9 @@ pub struct Share {
 }
 
 impl Share {
-    /// `count` of `total`, with the interval of Clopper and Pearson: its ends are the shares `p` at which so many, or more (so many, or
-    /// fewer), are drawn with the probability `(1 − confidence)/2`. By the sums of the binomial distribution that is a
-    /// quantile of the beta distribution: Beta(k, n − k + 1) below, Beta(k + 1, n − k) above.
+    /// `count` of `total`, with the interval of Clopper and Pearson: at its lower end `p`, `count` or more are drawn with
+    /// the probability `(1 − confidence)/2`; at its upper end, `count` or fewer. Sums of the binomial distribution are quantiles of the beta
+    /// distribution: Beta(k, n − k + 1) below, Beta(k + 1, n − k) above.
     pub fn of(count: u64, total: u64) -> Share {
         let (k, n) = (count as f64, total as f64);
         let tail = 0.5 * (1.0 - CONFIDENCE);
@@ -84,10 +84,10 @@ pub struct Statistics {
     pub outside: Share,
     /// Least `j_wt`. The jammed have less than any.
     pub least: SpreadStatistics,
-    /// Greatest `j_wt`. Those out of mesh have more than any.
+    /// Greatest `j_wt`. Assemblies out of mesh count as greater than any value.
     pub greatest: SpreadStatistics,
-    /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. What it says of shares holds of normal populations, and of
-    /// assemblies that have both extremes.
+    /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. It implies shares only for normal
+    /// populations of assemblies that have both extremes.
     pub cp: Option<f64>,
     /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the limits there are.
     pub cpk: Option<f64>,
@@ -200,7 +200,7 @@ mod tests {
         assert!(all.high == 1.0 && (all.low - 0.025f64.powf(0.01)).abs() < 1e-10);
     }
 
-    /// Of many the interval is k ± 1.96 √(k (1 − k/n)) + O(1) (normal approximation; Wilson's shift is below 4).
+    /// For large samples the interval is k ± 1.96 √(k (1 − k/n)) + O(1) (normal approximation; Wilson's shift is below 4).
     #[test]
     fn intervals_of_the_largest_samples_hold_their_share() {
         for n in [1_000_000u64, 1_000_000_000] {
@@ -232,7 +232,7 @@ mod tests {
             (found.least, found.greatest),
             (Some((0.001, 1)), Some((1.0, 1000)))
         );
-        // With as many jammed the median is the first.
+        // The median is the first value when half of all jam.
         let jammed = SpreadStatistics::of(&spread, 1000, 0);
         assert_eq!(jammed.quantiles[2], None);
         assert!((jammed.quantiles[3].unwrap() - 0.955).abs() <= 1e-5);

@@ -12,13 +12,13 @@ use chacha20::rand_core::{Rng, SeedableRng};
 pub struct Draw {
     /// Another seed, another population.
     pub seed: u64,
-    /// What it is drawn for.
+    /// The run that it belongs to.
     pub run: Run,
     /// The number of the assembly, from 1.
     pub number: u64,
 }
 
-/// What assemblies are drawn for: each has its own.
+/// Purpose of a sample of assemblies. Each purpose has numbers of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Run {
     /// The population.

@@ -1,11 +1,13 @@
 //! The gauge against formulas, published values and the deviations that were put in. Lengths in mm.
 
 mod as_built;
+mod fitted_involute;
 mod helical;
 #[path = "../common/helical_dimensions.rs"]
 mod helical_dimensions;
 mod helical_in_space;
 mod helical_runout;
+mod outline_difference;
 mod outlines;
 mod perfect;
 mod profile;

@@ -106,18 +106,6 @@ mod tests {
     }
 
     #[test]
-    fn the_piece_in_question_is_shown() {
-        let text = rendered(
-            &input("wheel.teeth", "[wheel]\nteeth = 2 # few\n"),
-            &Renderer::plain(),
-        );
-        assert_eq!(
-            text,
-            "error: pair.toml: wheel.teeth: wrong; mend it\n --> pair.toml:2:1\n  |\n2 | teeth = 2 # few\n  | ^^^^^^^^^\n"
-        );
-    }
-
-    #[test]
     fn a_long_line_is_reported_by_its_place() {
         let text = format!("list = [{}]\n", "1, ".repeat(2000));
         let text = rendered(&input("list", &text), &Renderer::plain());
@@ -136,11 +124,5 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("1 | a = \"   x# [error]y\""), "{text}");
-    }
-
-    #[test]
-    fn without_a_place_the_line_stands_alone() {
-        let text = rendered(&input("pinion.teeth", "[wheel]\n"), &Renderer::plain());
-        assert_eq!(text, "error: pair.toml: pinion.teeth: wrong; mend it\n");
     }
 }

@@ -7,7 +7,7 @@ use crate::contact::first_least;
 use crate::gear::Side;
 use crate::pair::Mating;
 
-/// What a curve over the centre distance is of.
+/// Subject of a curve over the centre distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]

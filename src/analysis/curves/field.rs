@@ -43,11 +43,11 @@ pub struct FieldSide {
     pub side: Side,
     /// Ends of the path of contact, mm from the pitch point.
     pub path: [f64; 2],
-    /// What ends it there.
+    /// The limit at each end.
     pub limits: [PathLimit; 2],
     /// The contact line of every pair that has one on the face, in the order of the locked teeth.
     pub lines: Vec<ContactLine>,
-    /// What holds the free gear.
+    /// The contact that holds the free gear.
     pub binding: BindingContact,
     /// Section by section, ascending: evenly over the face, where contact lines end, and where the free gear is held.
     pub sections: Vec<FieldSection>,
@@ -84,11 +84,11 @@ pub struct BindingContact {
     pub section: f64,
     /// Where along the path, mm: of a contact beside the line of action, the foot of its perpendicular.
     pub place: f64,
-    /// What touches.
+    /// Kind of the contact.
     pub kind: ContactKind,
 }
 
-/// What the teeth of one section would allow alone.
+/// Freedom that the teeth of one section would leave alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FieldSection {
@@ -96,7 +96,7 @@ pub struct FieldSection {
     pub at: f64,
     /// How much farther, along the line of action, the free gear could turn if there were this section alone, mm; `None` where nothing touches in it.
     pub gap: Option<f64>,
-    /// What would touch.
+    /// Kind of the contact that would hold it.
     pub kind: Option<ContactKind>,
 }
 
@@ -283,7 +283,7 @@ impl<'a> Held<'a> {
     }
 }
 
-/// Of wheel and pinion, what is of the locked and of the free gear.
+/// Values of wheel and pinion from those of the locked and the free gear.
 fn by_member<T>(assembly: &GearPair, locked: T, free: T) -> (T, T) {
     match assembly.locked() {
         Member::Wheel => (locked, free),

@@ -1,4 +1,4 @@
-//! What charts show, computed: backlash over the teeth and over the centre distance.
+//! Data of charts: backlash over the teeth and over the centre distance.
 //!
 //! In a curve over the teeth each pose stands where its flank passes through the operating pitch point. A
 //! right-flank and a left-flank pose of one tooth are two rotations, half a pitch or so apart: the two curves of a
@@ -37,7 +37,7 @@ const STEPS_PER_PITCH: u32 = 16;
 ///
 /// Where the study sweeps a revolution, its own poses; else one wheel revolution from wheel tooth 1 on, in the
 /// assembly phase of the study's first mating, at 16 steps a pitch. The left-flank poses of the same wheel teeth and
-/// fractions follow the right-flank ones, the gears put together alike.
+/// fractions follow the right-flank ones, in the same assembly phase.
 ///
 /// # Errors
 /// As [`crate::analysis::simulate::simulate`].
@@ -69,7 +69,7 @@ pub fn with_revolution(
 }
 
 /// The right-flank `runs` of a `study` that sweeps, each followed by the left-flank poses of the same wheel teeth and
-/// fractions, the gears put together alike.
+/// fractions in the same assembly phase.
 fn with_left_flanks(
     study: &Study,
     mut runs: Vec<ComparedRun>,

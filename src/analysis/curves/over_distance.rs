@@ -24,10 +24,10 @@ const AROUND: f64 = 0.02;
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OverDistance {
-    /// What was followed.
+    /// Subject of the curve.
     pub followed: Followed,
-    /// Its poses; the curve is of their means. Those of two teeth are of the gears put together alike, but in a measured
-    /// mating the teeth are the same at both flanks, as the file names them.
+    /// Its poses, whose mean is the curve. Poses of two teeth are of one assembly phase. In a measured mating the teeth are the same at
+    /// both flanks, as the file names them.
     pub matings: Vec<Mating>,
     /// Radial clearance `c` of both bearings together, mm.
     pub clearance: f64,
@@ -57,8 +57,8 @@ pub struct DistancePoint {
     pub gap: Option<Status>,
 }
 
-/// What is `followed` over a grid of centre distances round the study's and those at which it was measured; as far as that
-/// from which the pair assembles, where the extremes of its `cycle` know one.
+/// The curve of `followed` over a grid of centre distances round the study's and the measured ones. It reaches the distance from which
+/// the pair assembles, where the extremes of its `cycle` have one.
 ///
 /// # Errors
 /// [`GearError::NoSuchTooth`]; else as [`crate::analysis::simulate::simulate`].
@@ -101,7 +101,7 @@ pub fn over_distance(
         let mut without = poses
             .filter(|pose| pose.simulated.backlash.is_none())
             .map(|pose| pose.simulated.status());
-        // What is not proven comes first: the others' ends are known.
+        // Unproven poses come first: the ends of the others are known.
         match without.clone().any(|status| status == Status::Unproven) {
             true => Some(Status::Unproven),
             false => without.next(),

@@ -3,7 +3,7 @@
 //! A sweep at 16 steps a pitch misses the tip of a peak that is narrower than a step. The poses added here are for
 //! drawing alone: means and counts are of the even sweep. In order:
 //!
-//! 1. The proven extremes, at their own teeth, or at every pitch where all teeth are alike. They lie on both flanks'
+//! 1. The proven extremes, at their own teeth, or at every pitch where all teeth are equal. They lie on both flanks'
 //!    curves, since both go through the same rotations.
 //! 2. The middle of each step over which other teeth or other parts of them come to touch, once.
 //! 3. The middles of the steps beside a bend, and of those at a gap's edge, again and again: until a point lies within
@@ -201,7 +201,7 @@ impl<'a> Curve<'a> {
     }
 
     /// Places and matings in the middles of the steps that need one: beside a bend, at a gap's edge and, where `changes`
-    /// are looked into, where something else comes to touch.
+    /// are looked into, where another part comes to touch.
     fn middles(&self, flat: &impl Fn(f64) -> f64, changes: bool) -> Vec<(f64, Mating)> {
         let flat = flat(self.assembly().center_distance());
         let points = &self.points;

@@ -1,4 +1,4 @@
-//! Where poses stand on the horizontal axis of a curve over the teeth.
+//! Positions of poses on the horizontal axis of a curve over the teeth.
 
 use crate::pair::{Mating, Member, ToothNumbers};
 

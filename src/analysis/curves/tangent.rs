@@ -5,7 +5,7 @@ use crate::gear::{Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{UnitComplex, Vector2};
 
-/// What ends the path of contact.
+/// Limit of the path of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -29,7 +29,7 @@ pub(super) struct Tangent {
 }
 
 impl Tangent {
-    /// That of `side` with the free gear at `rotation`; `None` where the base circles overlap.
+    /// The tangent of `side` with the free gear at `rotation`; `None` where the base circles overlap.
     pub fn new(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Option<Tangent> {
         let centre = |member: Member| {
             let turned = match member == assembly.locked() {

@@ -281,20 +281,6 @@ mod tests {
         }
     }
 
-    /// Poses that are not proven are added up over the runs, and the least backlash is that of all.
-    #[test]
-    fn what_several_runs_saw_is_added_up() {
-        let pair = pair([44, 44]);
-        let seen = |unproven, least| Seen {
-            unproven,
-            least,
-            ..Seen::new(&pair, Material::Most)
-        };
-        let all = [seen(3, None), seen(4, Some(0.1)), seen(1, Some(0.2))];
-        let sum = Seen::sum(&all).unwrap();
-        assert_eq!((sum.unproven, sum.least), (8, Some(0.1)));
-    }
-
     /// The edge that undercut leaves is below the involute of its own gear, not of the mate; a flank that is not undercut has none.
     #[test]
     fn an_edge_is_below_the_involute_of_its_own_gear() {

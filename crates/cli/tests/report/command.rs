@@ -106,28 +106,6 @@ fn the_page_goes_beside_the_other_results() {
 }
 
 #[test]
-fn a_bad_pair_file_writes_nothing() {
-    let folder = folder("title = 1\n");
-    gearlash(&folder)
-        .args(["report", "pair.toml", "-o", "new/page.html"])
-        .assert()
-        .code(2)
-        .stdout("");
-    assert!(!folder.path().join("new").exists());
-}
-
-#[test]
-fn a_place_that_cannot_be_written_is_refused_before_the_work() {
-    let folder = folder(SMALL);
-    std::fs::write(folder.path().join("file"), "").unwrap();
-    gearlash(&folder)
-        .args(["report", "pair.toml", "-o", "file/page.html"])
-        .assert()
-        .code(2)
-        .stderr(predicate::str::contains("choose another place with -o"));
-}
-
-#[test]
 fn the_date_is_that_of_the_environment() {
     let page = page(SMALL);
     assert!(page.contains("2023-11-14"));

@@ -2,44 +2,6 @@
 
 use super::*;
 
-#[test]
-fn only_external_spur_stages_are_read() {
-    let file = read(&fixture("gearbox.rexs")).unwrap();
-    let told: Vec<(i32, String)> = file
-        .stages
-        .iter()
-        .filter_map(|stage| Some((stage.id, stage.pair.as_ref().err()?.clone())))
-        .collect();
-    let expected = [
-        (
-            30,
-            "the flanks of cylindrical_gear 31 have no normal_pressure_angle",
-        ),
-        (40, "a planetary stage: its play is not that of one pair"),
-        (41, "part of planetary_stage 40"),
-        (42, "part of planetary_stage 40"),
-        (44, "ring_gear 43 is internal"),
-        (50, "not a stage of cylindrical gears"),
-    ];
-    assert_eq!(told, expected.map(|(id, why)| (id, why.to_owned())));
-    let left_out = file
-        .left_out
-        .iter()
-        .map(|(kind, count)| format!("{count} {kind}"));
-    let left_out: Vec<String> = left_out.collect();
-    for kind in [
-        "3 shaft",
-        "1 ring_gear",
-        "2 cylindrical_gear",
-        "1 load_spectrum",
-    ] {
-        assert!(
-            left_out.iter().any(|one| one == kind),
-            "{kind}: {left_out:?}"
-        );
-    }
-}
-
 /// One line for each stage that `text` reads differently from `good`, or the error of the file.
 fn outcome(good: &RexsFile, text: &str) -> String {
     let file = match read(text) {

@@ -1,4 +1,4 @@
-//! Profile traces in tables: the gear of the same lists written inline, each fault with its line.
+//! Profile traces in tables: the gear of the same lists written inline. `tests/sessions/profile_faults.txt` holds the faults.
 
 use super::*;
 use gearlash::gear::{AsBuilt, Side};
@@ -115,58 +115,6 @@ fn teeth_and_flanks_have_their_own() {
     spec["sweep"] = serde_json::json!({ "mating": [[1, 1]] });
     let again = read_with("unused", b"", &toml::to_string(&spec).unwrap()).unwrap();
     assert_eq!(again.study.materials[0].1, *wheel);
-}
-
-/// The messages of a trace's table, without the folder.
-fn told(table: &str, keys: &str) -> String {
-    let text = pair(44, keys);
-    let told = match read_with("t.csv", table.as_bytes(), &text) {
-        Ok(_) => return "good".to_owned(),
-        Err(told) => told,
-    };
-    let short = |problem: &Problem| {
-        let reason = problem.reason.split("/t.csv: ").last().unwrap();
-        format!("{}: {reason}; {}", problem.key, problem.help)
-    };
-    told.iter().map(short).collect::<Vec<_>>().join("\n")
-}
-
-#[test]
-fn faults_have_their_line() {
-    let keys = "profile = { trace = { file = \"t.csv\" } }";
-    let of = |table: &str| told(table, keys);
-    let head = "roll_length_mm,deviation_um\n";
-    let cases = [
-        of(&format!("{head}12,1\n18,2\n18,3\n24,1\n")),
-        of(&format!("{head}12,1\n18,2\n17,3\n")),
-        of("diameter_mm,deviation_um\n120,1\n130,2\n135,3\n"),
-        of(&format!("{head}12,1\n")),
-        of(head),
-        of(&format!("{head}12,x\n,2\n-1,3\n")),
-        of("tooth,roll_length_mm,deviation_um\n45,12,1\n45,13,1\n"),
-        of("flank,roll_length_mm,deviation_um\nup,12,1\nright,13,1\n"),
-        of("roll_length_mm,diameter_mm,deviation_um\n12,127,1\n"),
-        of("roll_length_mm\n12\n13\n"),
-        of("roll_length_um,deviation_um\n12,1\n"),
-        of("roll_length_mm,deviation_mm,what\n12,1,1\n"),
-        told(
-            "tooth,roll_length_mm,deviation_um\n1,12,1\n1,13,1\n",
-            "profile = { trace = { file = \"t.csv\", tooth = 3 } }",
-        ),
-        told(
-            "flank,roll_length_mm,deviation_um\nleft,12,1\nleft,13,1\n",
-            "profile = { right = { trace = { file = \"t.csv\" } } }",
-        ),
-        told(
-            &csv(","),
-            "profile = { trace = [{ file = \"t.csv\", tooth = 3 }, { file = \"t.csv\", tooth = 3 }] }",
-        ),
-        told(
-            &csv(","),
-            "profile = { trace = [{ file = \"t.csv\" }, { file = \"t.csv\", tooth = 3 }] }",
-        ),
-    ];
-    insta::assert_snapshot!(cases.join("\n"));
 }
 
 /// Every character of a table changed, one at a time: a problem of that file with its place, or the points that stand there.

@@ -279,16 +279,6 @@ pub fn room(text: &str, size: f64, middle: Spot) -> Frame {
 mod tests {
     use super::*;
 
-    /// A title with U+FFFF made a snapshot that no parser reads.
-    #[test]
-    fn a_text_of_a_picture_is_xml() {
-        let content = "a\u{ffff}b j_wt \u{1}<c>";
-        let drawn = TextStyle::new(12.0).text(content, [0.0; 2]).to_string();
-        let read = roxmltree::Document::parse(&drawn).unwrap();
-        let words: String = read.descendants().filter_map(|node| node.text()).collect();
-        assert!(words.contains("a b"), "{words}");
-    }
-
     /// Axes and captions named symbols as a file does: j_wt.
     #[test]
     fn symbols_have_their_subscripts_and_the_text_after_them_its_baseline() {
@@ -311,27 +301,6 @@ mod tests {
             ("1 µm, my_f_p_file", -2.2),
         ];
         assert_eq!(shown, expected);
-    }
-
-    /// Titles of gauge charts named `M_dK`, `W_23` and `F_i''` as a file does.
-    #[test]
-    fn symbols_of_the_gauge_have_their_subscripts() {
-        for (content, letter, subscript) in [
-            ("M_dK − mean, µm", "M", "dK"),
-            ("span W_23, mean 9 mm", "W", "23"),
-            ("roll test · F_i'' 88 µm", "F", "i"),
-        ] {
-            let drawn = TextStyle::new(10.0).text(content, [0.0; 2]).to_string();
-            let read = roxmltree::Document::parse(&drawn).unwrap();
-            let mut spans = read.descendants().filter(|node| node.has_tag_name("tspan"));
-            let mut next = || spans.next().and_then(|node| node.text());
-            assert_eq!(
-                [next(), next()],
-                [Some(letter), Some(subscript)],
-                "{content}"
-            );
-        }
-        assert!(next_symbol("my W_ and W_a").is_none());
     }
 
     /// LibreOffice 7.4 took the space before a symbol away, and put each tspan of an anchored text at the text's own place.

@@ -1,8 +1,9 @@
-//! Polygons with a distance from each other in closed form.
+//! Two outlines of one gear whose deviations have a closed form.
 
-use super::*;
-use crate::gear::Face;
-use crate::outline::{OutlineReading, PathSegment};
+use gearlash::gear::Face;
+use gearlash::outline::{OutlineDifference, OutlineGear, OutlineReading, PathSegment};
+use nalgebra::{Point2, Rotation2, Vector2};
+use std::f64::consts::TAU;
 
 const Z: u32 = 12;
 
@@ -170,37 +171,6 @@ fn a_bump_of_known_size() {
 fn polygon_length(corners: &[Point2<f64>]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(a, b)| (b - a).norm()).sum()
-}
-
-#[test]
-fn other_numbers_of_teeth_are_refused() {
-    let few: Vec<Point2<f64>> = corners(flat);
-    let eleven: Vec<Point2<f64>> = (0..11)
-        .flat_map(|k| {
-            [[10.0, -0.3], [13.0, -0.1], [13.0, 0.1], [10.0, 0.3]].map(
-                |[radius, pitches]: [f64; 2]| {
-                    let (sin, cos) = (-(f64::from(k) + pitches) * TAU / 11.0).sin_cos();
-                    Point2::new(radius * cos, radius * sin)
-                },
-            )
-        })
-        .collect();
-    let next = eleven.iter().cycle().skip(1);
-    let lines: Vec<PathSegment> = eleven
-        .iter()
-        .zip(next)
-        .map(|(a, b)| PathSegment::Line([*a, *b]))
-        .collect();
-    let reading = OutlineReading {
-        centre: Point2::origin(),
-        face: Face::Front,
-        teeth: None,
-        first_tooth: None,
-        bound: 0.0,
-    };
-    let eleven = OutlineGear::new(&lines, &reading).unwrap();
-    let refused = OutlineDifference::new(&gear(&few), &eleven, 1e-6).unwrap_err();
-    assert_eq!(refused, OutlineError::OtherGear { teeth: [12, 11] });
 }
 
 /// Flanks that are arcs of radius 9 mm and of 12 mm between the same corners: in their middle they lie apart by the difference of the two

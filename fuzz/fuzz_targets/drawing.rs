@@ -5,7 +5,7 @@
 use gearlash_files::drawing::{Options, Unit, read};
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Mating;
-use gearlash_files::outlines::Drawings;
+use gearlash_files::outlines::{Drawings, OutlineOptions};
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::path::Path;
 use tempfile::TempDir;
@@ -58,12 +58,12 @@ fn gear(name: &str, file: &[u8], units: Option<&str>) {
     let folder = TempDir::new_in("/dev/shm").or_else(|_| TempDir::new()).unwrap();
     let path = folder.path().join(name);
     std::fs::write(&path, file).unwrap();
+    let options = OutlineOptions { units, ..OutlineOptions::default() };
     let drawings = |center_distance_mm| Drawings {
         wheel: &path,
         pinion: &path,
         center_distance_mm,
-        units,
-        center: None,
+        options: [options; 2],
     };
     let pair = gearlash_files::read_drawings(&drawings(1e6));
     let Ok(pair) = pair else { return };

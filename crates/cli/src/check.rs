@@ -115,8 +115,7 @@ fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
                 wheel,
                 pinion,
                 center_distance_mm: distance,
-                units: args.drawn.units.as_deref(),
-                center: args.drawn.center.as_deref(),
+                options: args.drawn.options()?,
             };
             studies::drawings(&drawings).map(Some)
         }
@@ -129,10 +128,10 @@ fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
                     .to_owned(),
             }))
         }
-        (_, distance) if distance.is_some() || args.drawn.given() => Err(Error::Usage(
-            "--center-distance, --units and --center belong to two drawings: pair files state them"
-                .to_owned(),
-        )),
+        (_, distance) if distance.is_some() || args.drawn.given() => Err(Error::Usage(format!(
+            "--center-distance, {} belong to two drawings: pair files state them",
+            DrawnArgs::NAMES
+        ))),
         _ => Ok(None),
     }
 }

@@ -129,10 +129,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 }
 
 fn of_drawings() -> Error {
-    Error::Usage(
-        "--units, --center, --svg and --format csv belong to two drawings; leave them out"
-            .to_owned(),
-    )
+    Error::Usage(format!(
+        "{}, --svg and --format csv belong to two drawings; leave them out",
+        DrawnArgs::NAMES
+    ))
 }
 
 /// Compares one pair; keeps at most so many of its `unproven` poses.

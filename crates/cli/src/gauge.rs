@@ -138,13 +138,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// The gears of the file or drawing.
 fn read(args: &Args) -> Result<AnyGears, Error> {
-    let DrawnArgs { units, center } = &args.drawn;
     if is_drawing(&args.file) {
-        studies::drawing(&args.file, units.as_deref(), center.as_deref())
+        let [options] = args.drawn.options()?;
+        studies::drawing(&args.file, &options)
     } else if args.drawn.given() {
-        Err(Error::Usage(
-            "--units and --center belong to a drawing: files state them".to_owned(),
-        ))
+        Err(Error::Usage(format!(
+            "{} belong to a drawing: files state them",
+            DrawnArgs::NAMES
+        )))
     } else {
         studies::any_gears(&args.file)
     }

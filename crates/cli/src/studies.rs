@@ -3,7 +3,7 @@
 use super::console::{guard, print, warn};
 use crate::error::Error;
 use gearlash_files::characters::plain;
-use gearlash_files::outlines::Drawings;
+use gearlash_files::outlines::{Drawings, OutlineOptions};
 use gearlash_files::{AnyGears, AnyPair, GearsFile, PairFile, Sources};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -99,12 +99,8 @@ pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn drawing(
-    path: &Path,
-    units: Option<&str>,
-    center: Option<&str>,
-) -> Result<AnyGears, Error> {
-    let file = gearlash_files::read_drawing(path, units, center)?;
+pub(super) fn drawing(path: &Path, options: &OutlineOptions) -> Result<AnyGears, Error> {
+    let file = gearlash_files::read_drawing(path, options)?;
     tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }

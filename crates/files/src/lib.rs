@@ -204,16 +204,15 @@ pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
     })
 }
 
-/// Reads the gear that the drawing at `path` is, with its unit (where it states none) and its centre as a pair file names them.
+/// Reads the gear that the drawing at `path` is.
 ///
 /// # Errors
 /// As [`read`]; keys are those that a gear file would have.
 pub fn read_drawing(
     path: &Path,
-    units: Option<&str>,
-    center: Option<&str>,
+    options: &outlines::OutlineOptions,
 ) -> Result<AnyGears, InputError> {
-    let text = outlines::of_drawing(path, units, center);
+    let text = outlines::of_drawing(path, options);
     without_text(of_text(path, &text, outlines::read_gear))
 }
 

@@ -31,8 +31,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let compared = gearlash_files::compare_drawings(&TwoDrawings {
         paths: [a, b],
-        units: args.drawn.units.as_deref(),
-        center: args.drawn.center.as_deref(),
+        options: args.drawn.options()?,
     })?;
     guard(&compared.sources)?;
     for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {

@@ -1,7 +1,7 @@
 //! Two drawings of one gear, read and compared.
 
 use super::gear::{self, OutlinePart};
-use super::pair::outline_table;
+use super::pair::{OutlineOptions, outline_table};
 use crate::Tree;
 use crate::check::Checked;
 use crate::sources::Sources;
@@ -21,10 +21,8 @@ const CHORD_MM: f64 = 1e-5;
 pub struct TwoDrawings<'a> {
     /// A, and B that is compared with it.
     pub paths: [&'a Path; 2],
-    /// Unit of both, as a pair file names it, where they state none.
-    pub units: Option<&'a str>,
-    /// `fit` or `bore`; `None`: at (0, 0).
-    pub center: Option<&'a str>,
+    /// How each is read.
+    pub options: [OutlineOptions<'a>; 2],
 }
 
 /// Two drawings of one gear, read and compared.
@@ -47,7 +45,7 @@ pub struct ComparedOutlines {
 impl TwoDrawings<'_> {
     /// Tables of a pair file that say the same.
     pub(crate) fn tables(&self) -> String {
-        let table = |k: usize| outline_table(NAMES[k], self.paths[k], self.units, self.center);
+        let table = |k: usize| outline_table(NAMES[k], self.paths[k], &self.options[k]);
         [0, 1].map(table).concat()
     }
 

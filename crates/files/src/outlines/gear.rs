@@ -1,6 +1,6 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
-use super::paths::{Path, coordinates, outermost, whole_circle};
+use super::paths::{Choice, Path, chosen, coordinates, whole_circle};
 use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::drawing::{self, Format, Options, Repeat};
@@ -79,7 +79,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
                 "{} teeth are found, allowed are up to {MOST_TEETH}",
                 gear.teeth()
             ),
-            "choose the gear's outline with `layer` or `id`",
+            "choose the gear's outline with `at_mm`, `number`, `layer` or `id`",
         );
     }
     let high_tooth = runout.high_tooth.unwrap_or(1.0);
@@ -174,11 +174,20 @@ fn drawn(gear: &Table, spec: OutlineSpec, scale: f64) -> Option<(OutlineSpec, Pa
     };
     let read = drawing::read(data.path(), &bytes, &options);
     let read = read.map_err(|error| data.problem(data.found(error.to_string()), error.help));
-    let path = outermost(data.reading().keep(read)?);
+    let choice = match (spec.number, spec.at_mm, &spec.center_mm) {
+        (Some(_), Some(_), _) => {
+            return table.refuse("number", "given together with at_mm", "remove one of them");
+        }
+        (Some(number), None, _) => Choice::Number(number),
+        (None, Some(point), _) => Choice::At(Point2::from(point) * scale),
+        (None, None, &CentreSpec::At(centre)) => Choice::Centre(Some(Point2::from(centre) * scale)),
+        (None, None, CentreSpec::Found(_)) => Choice::Centre(None),
+    };
+    let path = chosen(data.reading().keep(read)?, choice);
     let path = path.map_err(|reason| {
         data.problem(
             data.found(reason),
-            "choose one with `layer` or `id`, or remove the others from the drawing",
+            "choose one with `at_mm`, `number`, `layer` or `id`, or remove the others from the drawing",
         )
     });
     Some((spec, data.reading().keep(path)?, data))
@@ -274,7 +283,7 @@ pub(super) fn help(error: &OutlineError) -> &'static str {
             "state the gear's centre with center_mm = [x, y], \"bore\" or \"fit\""
         }
         OutlineError::TooFewTeeth { .. } => {
-            "choose the gear's outline with `layer` or `id`, and check its centre and unit"
+            "choose the gear's outline with `at_mm`, `number`, `layer` or `id`, and check its centre and unit"
         }
         OutlineError::OtherTeeth { .. } => "correct `teeth`, or the drawing",
         OutlineError::Uneven { .. } => "mend the drawing there, and check the centre",

@@ -1,7 +1,7 @@
 //! A gear file with an outline, or a drawing by itself.
 
 use super::gear::{self, OutlinePart};
-use super::pair::outline_table;
+use super::pair::{OutlineOptions, outline_table};
 use crate::Tree;
 use crate::check::Checked;
 use crate::pair_file::names;
@@ -37,6 +37,6 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyGears> {
 }
 
 /// The gear file that says the same as a drawing alone.
-pub(crate) fn of_drawing(path: &Path, units: Option<&str>, center: Option<&str>) -> String {
-    outline_table("gear", path, units, center)
+pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
+    outline_table("gear", path, options)
 }

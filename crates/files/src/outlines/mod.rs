@@ -11,6 +11,6 @@ mod refused;
 pub use compared::{ComparedOutlines, TwoDrawings};
 pub use gear::DrawingRead;
 pub(crate) use gears::{of_drawing, read as read_gear};
-pub use pair::Drawings;
 pub(crate) use pair::read;
+pub use pair::{Drawings, OutlineOptions};
 pub(crate) use refused::{has_outline, refuse};

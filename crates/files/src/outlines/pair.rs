@@ -216,10 +216,25 @@ pub struct Drawings<'a> {
     pub pinion: &'a Path,
     /// `a`, mm.
     pub center_distance_mm: f64,
-    /// Unit of both, as a pair file names it, where they state none.
+    /// How each is read.
+    pub options: [OutlineOptions<'a>; 2],
+}
+
+/// How a drawing is read, as the keys of an outline's table state it.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct OutlineOptions<'a> {
+    /// Its unit, as a pair file names it, where it states none.
     pub units: Option<&'a str>,
     /// `fit` or `bore`; `None`: at (0, 0).
     pub center: Option<&'a str>,
+    /// The layer of a DXF.
+    pub layer: Option<&'a str>,
+    /// The element of an SVG.
+    pub id: Option<&'a str>,
+    /// Which of several outlines, from 1.
+    pub number: Option<u32>,
+    /// A point inside the outline, mm.
+    pub at_mm: Option<[f64; 2]>,
 }
 
 impl Drawings<'_> {
@@ -232,12 +247,11 @@ impl Drawings<'_> {
                 .into_owned()
         };
         let title = format!("{} and {}", name(self.wheel), name(self.pinion));
-        let gear = |name, path| outline_table(name, path, self.units, self.center);
         format!(
             "{}{}{}[assembly]\ncenter_distance_mm = {:?}\n",
             key("title", Some(&title)),
-            gear("wheel", self.wheel),
-            gear("pinion", self.pinion),
+            outline_table("wheel", self.wheel, &self.options[0]),
+            outline_table("pinion", self.pinion, &self.options[1]),
             self.center_distance_mm
         )
     }
@@ -250,13 +264,23 @@ fn key(name: &str, value: Option<&str>) -> String {
 }
 
 /// The table of the gear `name` that a drawing is.
-pub(super) fn outline_table(
-    name: &str,
-    path: &Path,
-    units: Option<&str>,
-    center: Option<&str>,
-) -> String {
-    let file = key("file", Some(&path.display().to_string()));
-    let (units, center) = (key("units", units), key("center_mm", center));
-    format!("[{name}.outline]\n{file}{units}{center}\n")
+pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -> String {
+    let mut table = format!("[{name}.outline]\n");
+    let file = path.display().to_string();
+    for (name, value) in [
+        ("file", Some(&file[..])),
+        ("units", options.units),
+        ("center_mm", options.center),
+        ("layer", options.layer),
+        ("id", options.id),
+    ] {
+        table += &key(name, value);
+    }
+    if let Some(number) = options.number {
+        table += &format!("number = {number}\n");
+    }
+    if let Some(point) = options.at_mm {
+        table += &format!("at_mm = {point:?}\n");
+    }
+    table + "\n"
 }

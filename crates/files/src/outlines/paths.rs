@@ -23,31 +23,63 @@ fn corners(path: &Loop, each: u32) -> Vec<Point2<f64>> {
     path.segments.iter().flat_map(points).collect()
 }
 
-/// The loop that holds all others.
-pub(super) fn outermost(drawing: Drawing) -> Result<Path, String> {
-    let sized = |path: Loop| (polygon::area(&corners(&path, 2)).abs(), path);
-    let mut loops: Vec<(f64, Loop)> = drawing.loops.into_iter().map(sized).collect();
-    loops.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut loops = loops.into_iter().map(|(_, path)| path);
-    let Some(outline) = loops.next() else {
-        return Err("holds no closed path".to_owned());
+/// Which of several outlines of a drawing is the gear.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Choice {
+    /// By its number, from 1 in the order of the file.
+    Number(u32),
+    /// The one round a point of the drawing, mm.
+    At(Point2<f64>),
+    /// The only one, or the one round the centre, mm, where that is stated.
+    Centre(Option<Point2<f64>>),
+}
+
+/// The outline of a drawing by `choice`, with the paths inside it.
+pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
+    let (loops, unit_mm, mut remarks) = (drawing.loops, drawing.unit_mm, drawing.remarks);
+    let areas: Vec<f64> = loops.iter().map(area).collect();
+    let is_inside = |inner: usize| {
+        let mut others = (0..loops.len()).filter(|&other| areas[other] > areas[inner]);
+        others.any(|other| holds(&loops[other], &loops[inner]))
     };
-    let inside: Vec<Loop> = loops.collect();
-    if let Some(beside) = inside.iter().find(|path| !holds(&outline, path)) {
-        let at = |path: &Loop| {
-            let point = path
-                .segments
-                .first()
-                .map_or(Point2::origin(), PathSegment::start);
-            format!("{} ({})", coordinates(&point), path.place)
-        };
-        return Err(format!(
-            "holds several closed paths side by side: one from {}, another from {}",
-            at(&outline),
-            at(beside)
+    let outlines: Vec<usize> = (0..loops.len()).filter(|&one| !is_inside(one)).collect();
+    let round = |point: Point2<f64>| {
+        let mut round = outlines
+            .iter()
+            .filter(|&&one| winds_round(&loops[one], point));
+        round.next().copied()
+    };
+    let listed = || list(&loops, &outlines);
+    let outline = match (choice, &outlines[..]) {
+        (_, []) => return Err("holds no closed path".to_owned()),
+        (Choice::Number(number), _) => {
+            let one = outlines.get(number as usize - 1);
+            *one.ok_or_else(|| format!("has no outline {number}: {}", listed()))?
+        }
+        (Choice::At(point), _) => round(point)
+            .ok_or_else(|| format!("has no outline round {}: {}", coordinates(&point), listed()))?,
+        (Choice::Centre(_), [one]) => *one,
+        (Choice::Centre(centre), _) => centre
+            .and_then(round)
+            .ok_or_else(|| format!("holds several outlines side by side: {}", listed()))?,
+    };
+    if let (position, true) = (
+        outlines.iter().position(|&one| one == outline),
+        outlines.len() > 1,
+    ) {
+        remarks.push(format!(
+            "outline {} of {} is read, from {} ({})",
+            position.unwrap_or_default() + 1,
+            outlines.len(),
+            start(&loops[outline]),
+            loops[outline].place
         ));
     }
-    let (unit_mm, mut remarks) = (drawing.unit_mm, drawing.remarks);
+    let inside: Vec<Loop> = (0..loops.len())
+        .filter(|&one| one != outline && !outlines.contains(&one))
+        .filter(|&one| holds(&loops[outline], &loops[one]))
+        .map(|one| loops[one].clone())
+        .collect();
     if !inside.is_empty() {
         remarks.push(format!(
             "closed paths inside that are not its outline: {}",
@@ -55,11 +87,37 @@ pub(super) fn outermost(drawing: Drawing) -> Result<Path, String> {
         ));
     }
     Ok(Path {
-        outline,
+        outline: loops[outline].clone(),
         inside,
         unit_mm,
         remarks,
     })
+}
+
+/// Outlines by number and place, a few of them.
+fn list(loops: &[Loop], outlines: &[usize]) -> String {
+    const FEW: usize = 6;
+    let named = outlines.iter().take(FEW).enumerate().map(|(index, &one)| {
+        let path = &loops[one];
+        format!("{} from {} ({})", index + 1, start(path), path.place)
+    });
+    let named: Vec<String> = named.collect();
+    let more = match outlines.len() {
+        count if count > FEW => format!(" and {} more", count - FEW),
+        _ => String::new(),
+    };
+    format!("{}{more}", named.join(", "))
+}
+
+/// Where a path begins.
+fn start(path: &Loop) -> String {
+    let first = path.segments.first();
+    coordinates(&first.map_or(Point2::origin(), PathSegment::start))
+}
+
+/// Area of a path by a polygon of its points, mm².
+fn area(path: &Loop) -> f64 {
+    polygon::area(&corners(path, 2)).abs()
 }
 
 /// Whether the outer path winds round a point of the inner one.
@@ -67,7 +125,12 @@ fn holds(outer: &Loop, inner: &Loop) -> bool {
     let Some(point) = inner.segments.first().map(PathSegment::start) else {
         return true;
     };
-    polygon::winding(&corners(outer, 8), point) != 0
+    winds_round(outer, point)
+}
+
+/// Whether a path winds round a point.
+fn winds_round(path: &Loop, point: Point2<f64>) -> bool {
+    polygon::winding(&corners(path, 8), point) != 0
 }
 
 /// The centre of a path that is one circle.

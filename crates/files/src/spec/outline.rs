@@ -45,6 +45,12 @@ pub struct OutlineSpec {
     pub layer: Option<String>,
     /// The element of an SVG to read; none: all.
     pub id: Option<String>,
+    /// A point inside the outline to read, mm in the drawing as it is drawn; none: the only outline, or the one round the centre.
+    #[schemars(with = "Option<[f64; 2]>", transform = within(-1e6, 1e6))]
+    pub at_mm: Option<[f64; 2]>,
+    /// The outline to read by its number, from 1 in the order of the file; paths inside another do not count.
+    #[schemars(transform = whole(1, 10_000))]
+    pub number: Option<u32>,
     /// Ends of lines nearer than this are one point, mm.
     #[serde(default = "join_mm")]
     #[schemars(transform = within(0.0, 10.0))]

@@ -5,7 +5,8 @@ use super::rexs::{self, RexsArgs};
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash_files::import::{self, Content, Imported, Kind, Options};
-use gearlash_results::text::imported;
+use gearlash_files::outlines::{listed_outlines, lists_outlines};
+use gearlash_results::text::{self, imported};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -15,10 +16,12 @@ use std::process::ExitCode;
 /// numbers, what of the file was left out, and the TOML to paste into a pair file or gear file; writes nothing else.
 /// The options are the keys that a pair file may have beside `file`; errors name them so.
 ///
+/// Of a drawing (.dxf, .svg) the outlines are listed by number, layer, place and size.
+///
 /// Of a gearbox model (REXS 1.0 to 2.0, XML, JSON, or zipped) stages of external spur gears become pair files; everything else is named and left out.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// CSV, workbook (.xlsx), text protocol or curve file (.mka) of a measuring machine, or gearbox model (.rexs, .rexsj, .rexsz; - for one on standard input)
+    /// CSV, workbook (.xlsx), text protocol or curve file (.mka) of a measuring machine, drawing (.dxf, .svg), or gearbox model (.rexs, .rexsj, .rexsz; - for one on standard input)
     file: PathBuf,
     /// What the file is read for [default: all that it has]
     #[arg(long, value_enum)]
@@ -44,6 +47,9 @@ pub(super) struct Args {
     /// Decimal sign of a text table, where nothing in it tells
     #[arg(long, value_name = "SIGN")]
     decimal: Option<String>,
+    /// Unit of a drawing, where it states none
+    #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
+    units: Option<String>,
     /// The gear of the TOML
     #[arg(long, value_enum, default_value_t = GearTable::Wheel)]
     gear: GearTable,
@@ -104,6 +110,14 @@ impl Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    if lists_outlines(&args.file) {
+        return outlines(args);
+    }
+    if args.units.is_some() {
+        return Err(Error::Usage(
+            "--units belongs to a drawing; leave it out".to_owned(),
+        ));
+    }
     // By what the file holds, not by its name.
     let bytes = match args.file.as_path() == Path::new("-") {
         true => Vec::new(),
@@ -124,6 +138,25 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ),
         Content::GearboxModel => rexs::import(&args.file, &args.rexs, &args.screen.screen()),
     }
+}
+
+/// The outlines of a drawing.
+fn outlines(args: &Args) -> Result<ExitCode, Error> {
+    if args.of_tables() || args.rexs.is_given() {
+        return Err(Error::Usage(
+            "a drawing has no columns, sheets, stages, --output or --format json; leave them out"
+                .to_owned(),
+        ));
+    }
+    let found = listed_outlines(&args.file, args.units.as_deref())?;
+    let name = args.file.file_name().unwrap_or_default().to_string_lossy();
+    print(&text::outlines::text(
+        &name,
+        &found,
+        args.gear.name(),
+        &args.screen.screen(),
+    ))?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// A table in cells, or a protocol's.

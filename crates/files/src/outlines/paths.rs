@@ -37,12 +37,7 @@ pub(super) enum Choice {
 /// The outline of a drawing by `choice`, with the paths inside it.
 pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
     let (loops, unit_mm, mut remarks) = (drawing.loops, drawing.unit_mm, drawing.remarks);
-    let areas: Vec<f64> = loops.iter().map(area).collect();
-    let is_inside = |inner: usize| {
-        let mut others = (0..loops.len()).filter(|&other| areas[other] > areas[inner]);
-        others.any(|other| holds(&loops[other], &loops[inner]))
-    };
-    let outlines: Vec<usize> = (0..loops.len()).filter(|&one| !is_inside(one)).collect();
+    let outlines = outlines(&loops);
     let round = |point: Point2<f64>| {
         let mut round = outlines
             .iter()
@@ -94,6 +89,16 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
     })
 }
 
+/// The closed paths that lie inside no other, in the order of the file.
+pub(super) fn outlines(loops: &[Loop]) -> Vec<usize> {
+    let areas: Vec<f64> = loops.iter().map(area).collect();
+    let is_inside = |inner: usize| {
+        let mut others = (0..loops.len()).filter(|&other| areas[other] > areas[inner]);
+        others.any(|other| holds(&loops[other], &loops[inner]))
+    };
+    (0..loops.len()).filter(|&one| !is_inside(one)).collect()
+}
+
 /// Outlines by number and place, a few of them.
 fn list(loops: &[Loop], outlines: &[usize]) -> String {
     const FEW: usize = 6;
@@ -110,18 +115,18 @@ fn list(loops: &[Loop], outlines: &[usize]) -> String {
 }
 
 /// Where a path begins.
-fn start(path: &Loop) -> String {
+pub(super) fn start(path: &Loop) -> String {
     let first = path.segments.first();
     coordinates(&first.map_or(Point2::origin(), PathSegment::start))
 }
 
 /// Area of a path by a polygon of its points, mm².
-fn area(path: &Loop) -> f64 {
+pub(super) fn area(path: &Loop) -> f64 {
     polygon::area(&corners(path, 2)).abs()
 }
 
 /// Whether the outer path winds round a point of the inner one.
-fn holds(outer: &Loop, inner: &Loop) -> bool {
+pub(super) fn holds(outer: &Loop, inner: &Loop) -> bool {
     let Some(point) = inner.segments.first().map(PathSegment::start) else {
         return true;
     };

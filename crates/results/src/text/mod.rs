@@ -4,6 +4,7 @@ pub mod check;
 mod difference;
 mod import;
 mod measured;
+pub mod outlines;
 mod phases;
 pub mod rexs;
 mod simulation;

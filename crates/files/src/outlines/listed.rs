@@ -1,0 +1,87 @@
+//! The outlines of a drawing, to choose from.
+
+use super::paths::{area, holds, outlines, start};
+use crate::drawing::{self, Format, Options, Unit};
+use crate::error::{InputError, Problem};
+use crate::source;
+use nalgebra::Vector2;
+use std::path::Path;
+
+/// The outlines of a drawing.
+#[derive(Debug, Clone)]
+pub struct ListedOutlines {
+    /// Length of one of its units, mm.
+    pub unit_mm: f64,
+    /// In the order of the file.
+    pub outlines: Vec<ListedOutline>,
+    /// What was left out or mended.
+    pub remarks: Vec<String>,
+}
+
+/// One outline of a drawing.
+#[derive(Debug, Clone)]
+pub struct ListedOutline {
+    /// Its layer, or the id of its element; empty without one.
+    pub name: String,
+    /// Where in the file it begins.
+    pub place: String,
+    /// Where it begins in the drawing, mm, as `(x, y)`.
+    pub start: String,
+    /// Width and height, mm.
+    pub size_mm: Vector2<f64>,
+    /// Lines, arcs and curves.
+    pub parts: usize,
+    /// Closed paths inside it.
+    pub inside: usize,
+}
+
+/// Whether a file is a drawing that names its outlines: DXF or SVG.
+pub fn lists_outlines(path: &Path) -> bool {
+    matches!(Format::of(path), Some(Format::Dxf | Format::Svg))
+}
+
+/// The outlines of the drawing at `path`; `units` is the length of its unit as a pair file names it, where it states none.
+///
+/// # Errors
+/// [`InputError`] where it is no drawing, or has a fault.
+pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutlines, InputError> {
+    let unit = |name: &str| Unit::NAMED.iter().find(|(known, _)| *known == name);
+    let options = Options {
+        unit: units.and_then(unit).map(|(_, unit)| *unit),
+        ..Options::default()
+    };
+    let fault = |problem: Problem| InputError::of(path, vec![problem]);
+    let bytes = source::bytes(path).map_err(fault)?;
+    let read = drawing::read(path, &bytes, &options);
+    let read = read.map_err(|error| fault(Problem::of_file(error.to_string(), error.help)))?;
+    let (loops, areas): (Vec<_>, Vec<f64>) =
+        read.loops.iter().map(|path| (path, area(path))).unzip();
+    let each = outlines(&read.loops).into_iter().map(|one| {
+        let path = loops[one];
+        let is_inside = |other: &usize| areas[*other] < areas[one] && holds(path, loops[*other]);
+        let points = path.segments.iter().flat_map(|segment| {
+            let segment = *segment;
+            (0..8).map(move |k| segment.at(f64::from(k) / 8.0).coords)
+        });
+        let (low, high) = points.fold(
+            (
+                Vector2::repeat(f64::INFINITY),
+                Vector2::repeat(f64::NEG_INFINITY),
+            ),
+            |(low, high), point| (low.inf(&point), high.sup(&point)),
+        );
+        ListedOutline {
+            name: path.name.clone(),
+            place: path.place.clone(),
+            start: start(path),
+            size_mm: high - low,
+            parts: path.segments.len(),
+            inside: (0..loops.len()).filter(is_inside).count(),
+        }
+    });
+    Ok(ListedOutlines {
+        unit_mm: read.unit_mm,
+        outlines: each.collect(),
+        remarks: read.remarks,
+    })
+}

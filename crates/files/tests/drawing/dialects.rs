@@ -5,6 +5,7 @@ use gearlash::gauge::gauge_outline;
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlineReading};
 use gearlash_files::drawing::Repeat;
+use gearlash_files::outlines::OutlineOptions;
 use made::{in_units, line, lines};
 use std::fs;
 
@@ -79,6 +80,43 @@ fn one_tooth_and_blanks_show_the_gear_of_the_whole_drawing() {
     );
     let error = error.unwrap_err().to_string();
     assert!(error.contains("one of 40 teeth has 9.000°"), "{error}");
+}
+
+/// Of several outlines the one that is named is read: 16 teeth round the origin, 24 about (40, 0). Source: the drawing of the first gear alone.
+#[test]
+fn one_of_several_outlines_is_chosen() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawing/dialects/two_gears.dxf");
+    let chosen = |options: OutlineOptions| {
+        let read = gearlash_files::read_drawing(&path, &options);
+        let gears = read.map_err(|error| error.lines().join("\n"))?;
+        let (_, gear) = &gears.gears[0].drawn[0];
+        let span = gauge_outline(gear, Some(3), None).spans.unwrap().mean();
+        Ok::<_, String>((gear.teeth(), span))
+    };
+    let at = OutlineOptions::default();
+    let fit = OutlineOptions {
+        center: Some("fit"),
+        ..at
+    };
+    let (teeth, span_3) = chosen(at).unwrap();
+    assert_eq!(teeth, 16);
+    assert!((span_3 - span("gear_16.dxf", &Options::default())).abs() < 1e-6);
+    let number = |number| OutlineOptions {
+        number: Some(number),
+        ..fit
+    };
+    let at_mm = |at| OutlineOptions {
+        at_mm: Some(at),
+        ..fit
+    };
+    assert_eq!(chosen(number(1)).unwrap(), (teeth, span_3));
+    assert_eq!(chosen(number(2)).unwrap().0, 24);
+    assert_eq!(chosen(at_mm([41.0, -2.0])), chosen(number(2)));
+    for options in [fit, number(3), at_mm([500.0, 0.0])] {
+        let error = chosen(options).unwrap_err();
+        assert!(error.contains("1 from (13.4166, -1.4982)"), "{error}");
+        assert!(error.contains("2 from (18.5672, -1.6990)"), "{error}");
+    }
 }
 
 /// `blocks` and `entities` as sections of a DXF in mm.

@@ -32,7 +32,8 @@ fn pair_beside(keys: &str, table: &str) -> Result<PairFile, InputError> {
         .unwrap()
         .parse()
         .unwrap();
-    let a = module.parse::<f64>().unwrap() * (teeth + 30.0) / 2.0 * 1.05 + 1.0;
+    // Little beyond the sum of the reference radii: no warning is of the distance.
+    let a = module.parse::<f64>().unwrap() * ((teeth + 30.0) / 2.0 + 0.1);
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("spans.csv"), table).unwrap();
     let path = folder.path().join("pair.toml");

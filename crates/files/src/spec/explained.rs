@@ -14,7 +14,7 @@ const SHORT: usize = 40;
 /// `examples` as a pair file in which each key is explained where it first stands.
 ///
 /// They are TOML without words: a preface in comments, then tables and values, several of a key if need be; what is no more than an
-/// example stands behind a `#`. Order, words, choices and defaults are those of the schema ([`pair_schema`]); what it does not know
+/// example stands behind a `#`. Order, words, choices and defaults are those of the schema (`pair_schema`); what it does not know
 /// is left out.
 pub fn explained(examples: &str) -> String {
     let (preface, examples) = examples.split_once("\n\n").unwrap_or(("", examples));

@@ -31,6 +31,10 @@ fn gear(corners: &[Point2<f64>]) -> OutlineGear {
         .iter()
         .zip(next)
         .map(|(a, b)| PathSegment::Line([*a, *b]));
+    read(&lines.collect::<Vec<_>>())
+}
+
+fn read(path: &[PathSegment]) -> OutlineGear {
     let reading = OutlineReading {
         centre: Point2::origin(),
         face: Face::Front,
@@ -38,7 +42,7 @@ fn gear(corners: &[Point2<f64>]) -> OutlineGear {
         first_tooth: None,
         bound: 0.0,
     };
-    OutlineGear::new(&lines.collect::<Vec<_>>(), &reading).unwrap()
+    OutlineGear::new(path, &reading).unwrap()
 }
 
 /// Chords within 1e-6 mm: greatest and least may be off by as much.
@@ -198,14 +202,7 @@ fn arcs_between_the_same_corners() {
                 }
             })
             .collect();
-        let reading = OutlineReading {
-            centre: Point2::origin(),
-            face: Face::Front,
-            teeth: Some(Z),
-            first_tooth: None,
-            bound: 0.0,
-        };
-        OutlineGear::new(&path, &reading).unwrap()
+        read(&path)
     };
     let [flatter, fuller] = [12.0, 9.0].map(drawn);
     let chord = (ends[1] - ends[0]).norm();

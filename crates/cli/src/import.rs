@@ -4,6 +4,7 @@ use super::console::{ScreenArgs, guard, print};
 use super::rexs::{self, RexsArgs};
 use crate::error::Error;
 use clap::ValueEnum;
+use gearlash_files::drawing::Unit;
 use gearlash_files::import::{self, Content, Imported, Kind, Options};
 use gearlash_files::outlines::{listed_outlines, lists_outlines};
 use gearlash_results::text::{self, imported};
@@ -48,7 +49,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "SIGN")]
     decimal: Option<String>,
     /// Unit of a drawing, where it states none
-    #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
+    #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Option<String>,
     /// The gear of the TOML
     #[arg(long, value_enum, default_value_t = GearTable::Wheel)]

@@ -1,7 +1,7 @@
 //! Drawings on the command line.
 
 use crate::error::Error;
-use gearlash_files::drawing::Format;
+use gearlash_files::drawing::{Format, Unit};
 use gearlash_files::outlines::OutlineOptions;
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use std::path::Path;
 #[derive(clap::Args)]
 pub(super) struct DrawnArgs {
     /// Unit of the drawings, where they state none
-    #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
+    #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Option<String>,
     /// Where the axes of the drawings are: of the circle through the tips, or of the one circle inside [default: 0,0]
     #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]

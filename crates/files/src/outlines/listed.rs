@@ -1,6 +1,6 @@
 //! The outlines of a drawing, to choose from.
 
-use super::paths::{area, holds, outlines, start};
+use super::paths::{outlines, start};
 use crate::drawing::{self, Format, Options, Unit};
 use crate::error::{InputError, Problem};
 use crate::source;
@@ -54,29 +54,18 @@ pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutline
     let bytes = source::bytes(path).map_err(fault)?;
     let read = drawing::read(path, &bytes, &options);
     let read = read.map_err(|error| fault(Problem::of_file(error.to_string(), error.help)))?;
-    let (loops, areas): (Vec<_>, Vec<f64>) =
-        read.loops.iter().map(|path| (path, area(path))).unzip();
-    let each = outlines(&read.loops).into_iter().map(|one| {
-        let path = loops[one];
-        let is_inside = |other: &usize| areas[*other] < areas[one] && holds(path, loops[*other]);
-        let points = path.segments.iter().flat_map(|segment| {
-            let segment = *segment;
-            (0..8).map(move |k| segment.at(f64::from(k) / 8.0).coords)
-        });
-        let (low, high) = points.fold(
-            (
-                Vector2::repeat(f64::INFINITY),
-                Vector2::repeat(f64::NEG_INFINITY),
-            ),
-            |(low, high), point| (low.inf(&point), high.sup(&point)),
-        );
+    let help = "remove what is no outline, or name the layer or id to read in a pair file";
+    let outlines = outlines(&read.loops).map_err(|error| fault(Problem::of_file(error, help)))?;
+    let each = outlines.iter().map(|outline| {
+        let path = &read.loops[outline.place];
+        let [low, high] = outline.ends;
         ListedOutline {
             name: path.name.clone(),
             place: path.place.clone(),
             start: start(path),
             size_mm: high - low,
             parts: path.segments.len(),
-            inside: (0..loops.len()).filter(is_inside).count(),
+            inside: outline.inside.len(),
         }
     });
     Ok(ListedOutlines {

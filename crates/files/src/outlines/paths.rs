@@ -34,47 +34,101 @@ pub(super) enum Choice {
     Centre(Option<Point2<f64>>),
 }
 
+/// Outlines of a drawing at most: each path is compared with all of them.
+const MOST_OUTLINES: usize = 10_000;
+
+/// A closed path that lies inside no other.
+pub(super) struct Outline {
+    /// Its place among the paths of the drawing.
+    pub place: usize,
+    /// Places of the paths inside it.
+    pub inside: Vec<usize>,
+    /// Least and greatest coordinates of its points, mm.
+    pub ends: [Point2<f64>; 2],
+    area: f64,
+    corners: Vec<Point2<f64>>,
+}
+
+impl Outline {
+    fn new(place: usize, area: f64, path: &Loop) -> Outline {
+        let corners = corners(path, 8);
+        let far = Point2::new(f64::INFINITY, f64::INFINITY);
+        let ends = corners.iter().fold([far, -far], |[low, high], corner| {
+            [low.inf(corner), high.sup(corner)]
+        });
+        Outline {
+            place,
+            inside: Vec::new(),
+            ends,
+            area,
+            corners,
+        }
+    }
+
+    /// Whether it winds round a point.
+    fn winds_round(&self, point: Point2<f64>) -> bool {
+        let [low, high] = self.ends;
+        low <= point && point <= high && polygon::winding(&self.corners, point) != 0
+    }
+}
+
+/// The outlines of a drawing, in the order of the file.
+pub(super) fn outlines(loops: &[Loop]) -> Result<Vec<Outline>, String> {
+    let areas = loops
+        .iter()
+        .map(|path| polygon::area(&corners(path, 2)).abs());
+    let mut by_area: Vec<(usize, f64)> = areas.enumerate().collect();
+    by_area.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut outlines: Vec<Outline> = Vec::new();
+    for (place, area) in by_area {
+        let path = &loops[place];
+        let first = path.segments.first().map(PathSegment::start);
+        let holds = |outline: &Outline| {
+            outline.area > area && first.is_some_and(|first| outline.winds_round(first))
+        };
+        match outlines.iter().position(holds) {
+            Some(outer) => outlines[outer].inside.push(place),
+            None if outlines.len() == MOST_OUTLINES => {
+                return Err(format!("holds more than {MOST_OUTLINES} outlines"));
+            }
+            None => outlines.push(Outline::new(place, area, path)),
+        }
+    }
+    outlines.sort_by_key(|outline| outline.place);
+    Ok(outlines)
+}
+
 /// The outline of a drawing by `choice`, with the paths inside it.
 pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
     let (loops, unit_mm, mut remarks) = (drawing.loops, drawing.unit_mm, drawing.remarks);
-    let outlines = outlines(&loops);
-    let round = |point: Point2<f64>| {
-        let mut round = outlines
-            .iter()
-            .filter(|&&one| winds_round(&loops[one], point));
-        round.next().copied()
-    };
+    let outlines = outlines(&loops)?;
+    let round = |point: Point2<f64>| outlines.iter().position(|one| one.winds_round(point));
     let listed = || list(&loops, &outlines);
-    let outline = match (choice, &outlines[..]) {
-        (_, []) => return Err("holds no closed path".to_owned()),
-        (Choice::Number(number), _) => {
-            let one = outlines.get(number as usize - 1);
-            *one.ok_or_else(|| format!("has no outline {number}: {}", listed()))?
+    let index = match choice {
+        _ if outlines.is_empty() => return Err("holds no closed path".to_owned()),
+        Choice::Number(number) => {
+            let index = number as usize - 1;
+            let index = (index < outlines.len()).then_some(index);
+            index.ok_or_else(|| format!("has no outline {number}: {}", listed()))?
         }
-        (Choice::At(point), _) => round(point)
+        Choice::At(point) => round(point)
             .ok_or_else(|| format!("has no outline round {}: {}", coordinates(&point), listed()))?,
-        (Choice::Centre(_), [one]) => *one,
-        (Choice::Centre(centre), _) => centre
+        Choice::Centre(_) if outlines.len() == 1 => 0,
+        Choice::Centre(centre) => centre
             .and_then(round)
             .ok_or_else(|| format!("holds several outlines side by side: {}", listed()))?,
     };
-    if let (position, true) = (
-        outlines.iter().position(|&one| one == outline),
-        outlines.len() > 1,
-    ) {
+    let Outline { place, inside, .. } = &outlines[index];
+    let outline = loops[*place].clone();
+    if outlines.len() > 1 {
         remarks.push(format!(
             "outline {} of {} is read, from {} ({})",
-            position.unwrap_or_default() + 1,
+            index + 1,
             outlines.len(),
-            start(&loops[outline]),
-            loops[outline].place
+            start(&outline),
+            outline.place
         ));
     }
-    let inside: Vec<Loop> = (0..loops.len())
-        .filter(|&one| one != outline && !outlines.contains(&one))
-        .filter(|&one| holds(&loops[outline], &loops[one]))
-        .map(|one| loops[one].clone())
-        .collect();
     if !inside.is_empty() {
         remarks.push(format!(
             "closed paths inside that are not its outline: {}",
@@ -82,28 +136,18 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
         ));
     }
     Ok(Path {
-        outline: loops[outline].clone(),
-        inside,
+        outline,
+        inside: inside.iter().map(|&one| loops[one].clone()).collect(),
         unit_mm,
         remarks,
     })
 }
 
-/// The closed paths that lie inside no other, in the order of the file.
-pub(super) fn outlines(loops: &[Loop]) -> Vec<usize> {
-    let areas: Vec<f64> = loops.iter().map(area).collect();
-    let is_inside = |inner: usize| {
-        let mut others = (0..loops.len()).filter(|&other| areas[other] > areas[inner]);
-        others.any(|other| holds(&loops[other], &loops[inner]))
-    };
-    (0..loops.len()).filter(|&one| !is_inside(one)).collect()
-}
-
 /// Outlines by number and place, a few of them.
-fn list(loops: &[Loop], outlines: &[usize]) -> String {
+fn list(loops: &[Loop], outlines: &[Outline]) -> String {
     const FEW: usize = 6;
-    let named = outlines.iter().take(FEW).enumerate().map(|(index, &one)| {
-        let path = &loops[one];
+    let named = outlines.iter().take(FEW).enumerate().map(|(index, one)| {
+        let path = &loops[one.place];
         format!("{} from {} ({})", index + 1, start(path), path.place)
     });
     let named: Vec<String> = named.collect();
@@ -118,24 +162,6 @@ fn list(loops: &[Loop], outlines: &[usize]) -> String {
 pub(super) fn start(path: &Loop) -> String {
     let first = path.segments.first();
     coordinates(&first.map_or(Point2::origin(), PathSegment::start))
-}
-
-/// Area of a path by a polygon of its points, mm².
-pub(super) fn area(path: &Loop) -> f64 {
-    polygon::area(&corners(path, 2)).abs()
-}
-
-/// Whether the outer path winds round a point of the inner one.
-pub(super) fn holds(outer: &Loop, inner: &Loop) -> bool {
-    let Some(point) = inner.segments.first().map(PathSegment::start) else {
-        return true;
-    };
-    winds_round(outer, point)
-}
-
-/// Whether a path winds round a point.
-fn winds_round(path: &Loop, point: Point2<f64>) -> bool {
-    polygon::winding(&corners(path, 8), point) != 0
 }
 
 /// The centre of a path that is one circle.

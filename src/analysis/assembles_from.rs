@@ -57,9 +57,12 @@ impl AssemblesFrom {
             let least = there.least;
             tight.extend(there.lost.or(least.map(|least| least.mating)));
             // The attained value counts where nothing is proven.
-            let value = least.map(|least| match least.is_proven() {
-                true => least.low,
-                false => least.high,
+            let value = least.map(|least| {
+                if least.is_proven() {
+                    least.low
+                } else {
+                    least.high
+                }
             });
             Ok(Some((value.unwrap_or(f64::NEG_INFINITY), least)))
         };

@@ -124,8 +124,9 @@ pub fn over_widths(
 
 /// How often [`over_widths`] looks through the runs of a study.
 pub(super) fn searches(study: &Study) -> u64 {
-    match study.is_helical() {
-        true => u64::from(WIDTHS - 1),
-        false => 0,
+    if study.is_helical() {
+        u64::from(WIDTHS - 1)
+    } else {
+        0
     }
 }

@@ -122,9 +122,10 @@ impl<'a> Plan<'a> {
 
     /// Poses that are held in memory at once.
     pub fn poses(&self) -> u64 {
-        match self.revolution {
-            true => curves::with_revolution_pose_count(self.study),
-            false => self.study.pose_count(),
+        if self.revolution {
+            curves::with_revolution_pose_count(self.study)
+        } else {
+            self.study.pose_count()
         }
     }
 
@@ -206,12 +207,13 @@ impl<'a> Analysis<'a> {
     pub fn run(plan: &Plan<'a>, progress: &mut Progress) -> Result<Analysis<'a>, Error> {
         let Plan { study, method, .. } = *plan;
         let tick = progress.tick;
-        let [runs, revolution] = match plan.revolution {
-            true => curves::with_revolution(study, method, tick)?,
-            false => [
+        let [runs, revolution] = if plan.revolution {
+            curves::with_revolution(study, method, tick)?
+        } else {
+            [
                 compare(simulate(study, method, tick)?, study.tolerance_um),
                 Vec::new(),
-            ],
+            ]
         };
         let mut analysis = Analysis {
             study,

@@ -34,9 +34,12 @@ pub fn phase_groups(runs: &[RunTally]) -> Vec<PhaseGroup<'_>> {
         .map(|runs| {
             let by = |better: fn(f64, f64) -> bool| {
                 let known = runs.iter().filter_map(|run| Some((*run, run.variation()?)));
-                let chosen = known.reduce(|chosen, next| match better(next.1, chosen.1) {
-                    true => next,
-                    false => chosen,
+                let chosen = known.reduce(|chosen, next| {
+                    if better(next.1, chosen.1) {
+                        next
+                    } else {
+                        chosen
+                    }
                 });
                 chosen.map(|(run, _)| run)
             };

@@ -262,9 +262,10 @@ impl Search<'_> {
             let assembly = planned.run.assembly.data()?;
             let [wheel, pinion] = Member::BOTH.map(|member| {
                 let gear = assembly.gear(member);
-                match gears.members().any(|chosen| chosen == member) {
-                    true => gear.varied(own[member as usize] - at, &Deviations::default()),
-                    false => Ok(gear.clone()),
+                if gears.members().any(|chosen| chosen == member) {
+                    gear.varied(own[member as usize] - at, &Deviations::default())
+                } else {
+                    Ok(gear.clone())
                 }
             });
             let distance = assembly.center_distance();

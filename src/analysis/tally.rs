@@ -149,9 +149,10 @@ impl RunTally {
 
     /// As [`ComparedRun::disagrees`].
     pub fn disagrees(&self, allow_off_line: bool) -> bool {
-        let off_line = match allow_off_line {
-            true => 0,
-            false => self.count(Verdict::OffLine),
+        let off_line = if allow_off_line {
+            0
+        } else {
+            self.count(Verdict::OffLine)
         };
         off_line + self.count(Verdict::Below) + self.count(Verdict::Above) > 0
     }

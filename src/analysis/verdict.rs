@@ -188,12 +188,13 @@ impl<'a> Verdict<'a> {
     ) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let each = self.runs.iter();
         let each = each.filter_map(|run| Some((run, of(run)?)));
-        each.reduce(
-            |one, other| match sign * (other.1.found() - one.1.found()) > WIDTH {
-                true => other,
-                false => one,
-            },
-        )
+        each.reduce(|one, other| {
+            if sign * (other.1.found() - one.1.found()) > WIDTH {
+                other
+            } else {
+                one
+            }
+        })
     }
 
     /// The worst pose of all, its run and the pair in it: jammed before the least backlash; `None` where nothing is in mesh.

@@ -91,13 +91,15 @@ impl Moment {
     /// In a sweep the locked gear turns so that ascending teeth come into mesh, against the sense in which they ascend.
     pub fn of(assembly: &GearPair, side: Side, member: Member) -> Moment {
         let locked = -assembly.gear(assembly.locked()).face().ascending();
-        let sense = match member == assembly.locked() {
-            true => locked,
-            false => -locked,
+        let sense = if member == assembly.locked() {
+            locked
+        } else {
+            -locked
         };
-        match sense * side.sense() < 0.0 {
-            true => Moment::Premature,
-            false => Moment::Late,
+        if sense * side.sense() < 0.0 {
+            Moment::Premature
+        } else {
+            Moment::Late
         }
     }
 }

@@ -33,9 +33,10 @@ impl Effort {
     /// Of the extremes of a pair over one mesh cycle, with the distance up to which it is in mesh, and of helical pairs that from which it
     /// assembles (tuned: some 2 s of spur pairs, 5 to 10 s of helical ones).
     pub fn of_extremes(assembly: &GearPair) -> Effort {
-        Effort::new(match assembly.is_helical() {
-            false => 6_000_000,
-            true => 9_000_000,
+        Effort::new(if assembly.is_helical() {
+            9_000_000
+        } else {
+            6_000_000
         })
     }
 

@@ -104,9 +104,10 @@ fn walk(
     outline.push(from.at);
     let (first, last) = (from.edges[which], to.edges[which]);
     let once_round = first == last && from.parts[which] >= to.parts[which];
-    let count = match once_round {
-        true => polygon.len(),
-        false => (last + polygon.len() - first) % polygon.len(),
+    let count = if once_round {
+        polygon.len()
+    } else {
+        (last + polygon.len() - first) % polygon.len()
     };
     let vertices = (1..=count).map(|step| polygon[(first + step) % polygon.len()]);
     outline.extend(vertices);

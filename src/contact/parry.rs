@@ -53,9 +53,10 @@ pub fn closest(first: &[Point2<f64>; 2], second: &[Point2<f64>; 2]) -> Closest {
             (best, least) = (*candidate, squared);
         }
     }
-    let distance = match cross(&first, &second) {
-        true => 0.0,
-        false => least.sqrt(),
+    let distance = if cross(&first, &second) {
+        0.0
+    } else {
+        least.sqrt()
     };
     Closest {
         distance,

@@ -185,9 +185,10 @@ impl<'a> Scene<'a> {
     ) -> Scene<'a> {
         let on = |side| lost_motion.and_then(|found| contact(found, side));
         let place = |member| {
-            let turned = match member == assembly.locked() {
-                true => pose.locked_rotation(),
-                false => rotation,
+            let turned = if member == assembly.locked() {
+                pose.locked_rotation()
+            } else {
+                rotation
             };
             match assembly {
                 AssembledPair::Data(pair) => PlacedGear::Data(Placed::new(
@@ -255,9 +256,10 @@ impl<'a> Scene<'a> {
         }
         let at_contact = |member| {
             let placed = self.placed(member).data()?;
-            Some(match member == self.assembly.free() {
-                true => placed.turned(contact.turn),
-                false => *placed,
+            Some(if member == self.assembly.free() {
+                placed.turned(contact.turn)
+            } else {
+                *placed
             })
         };
         let flank = |member: Member, tooth| {

@@ -153,12 +153,13 @@ impl<'a> Solver<'a> {
                 .as_ref()
                 .map(|kernel| kernel.lost_motion_within(pose, &effort)),
         };
-        let (exact, polygon) = match self.guides {
-            true => (
+        let (exact, polygon) = if self.guides {
+            (
                 None,
                 polygon.or_else(|| Some(found?.map(|found| found.lost_motion))),
-            ),
-            false => (found, polygon),
+            )
+        } else {
+            (found, polygon)
         };
         // What was lost is kept as its reason; anything else ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
@@ -362,9 +363,10 @@ pub fn sweep_blocks<E: From<Error>>(
     let apart = |distance: f64| -> Result<GearPair, Error> {
         Ok(assembly.at(assembly.center_distance() + distance)?)
     };
-    let moved = match clearance > 0.0 {
-        true => Some([apart(-clearance)?, apart(clearance)?]),
-        false => None,
+    let moved = if clearance > 0.0 {
+        Some([apart(-clearance)?, apart(clearance)?])
+    } else {
+        None
     };
     let here = Solver::new(assembly, cut, method);
     let ends = moved
@@ -388,9 +390,10 @@ pub fn sweep_outlines<E: From<Error>>(
     let apart = |distance: f64| -> Result<OutlinePair, Error> {
         Ok(pair.at(pair.center_distance() + distance)?)
     };
-    let moved = match clearance > 0.0 {
-        true => Some([apart(-clearance)?, apart(clearance)?]),
-        false => None,
+    let moved = if clearance > 0.0 {
+        Some([apart(-clearance)?, apart(clearance)?])
+    } else {
+        None
     };
     let kernel = OutlineKernel::new(pair);
     let kernels = moved

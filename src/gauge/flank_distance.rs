@@ -42,17 +42,15 @@ pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) ->
     let twist = work.as_built.gear().basic_data().twist();
     // With half the slope of D² along the face.
     let in_section = |b: f64| {
-        let turn = match b == 0.0 {
-            true => flank.turn,
-            false => UnitComplex::new(twist * b) * flank.turn,
+        let turn = if b == 0.0 {
+            flank.turn
+        } else {
+            UnitComplex::new(twist * b) * flank.turn
         };
         let (place, within) = work.nearest(flank.side, flank.tooth, turn.inverse() * point);
         let foot = turn * place.at;
         let away = point - foot;
-        let distance = match b == 0.0 {
-            true => within,
-            false => within.hypot(b),
-        };
+        let distance = if b == 0.0 { within } else { within.hypot(b) };
         let nearest = Nearest {
             place,
             section: b,
@@ -70,9 +68,12 @@ pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) ->
     let apart = plane.0.distance / f64::from(SECTIONS);
     let others = (-SECTIONS..=SECTIONS).filter(|&step| step != 0);
     let others = others.map(|step| in_section(f64::from(step) * apart));
-    let mut best = others.fold(plane, |best, one| match one.0.distance < best.0.distance {
-        true => one,
-        false => best,
+    let mut best = others.fold(plane, |best, one| {
+        if one.0.distance < best.0.distance {
+            one
+        } else {
+            best
+        }
     });
     let close = SECTION * (work.bound() * best.0.distance).sqrt();
     let at = |best: &(Nearest, f64)| (best.0.section, best.1);
@@ -82,15 +83,17 @@ pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) ->
     for step in 0..MOST_STEPS {
         let middle = 0.5 * (low.0 + high.0);
         let zero = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
-        let guess = match step % 3 < 2 && zero > low.0 && zero < high.0 {
-            true => zero,
-            false => middle,
+        let guess = if step % 3 < 2 && zero > low.0 && zero < high.0 {
+            zero
+        } else {
+            middle
         };
         let moved = (guess - best.0.section).abs();
         let there = in_section(guess);
-        match there.1 < 0.0 {
-            true => low = at(&there),
-            false => high = at(&there),
+        if there.1 < 0.0 {
+            low = at(&there)
+        } else {
+            high = at(&there)
         }
         if there.0.distance <= best.0.distance {
             best = there;

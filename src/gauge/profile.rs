@@ -95,11 +95,13 @@ impl FlankProfiles {
     /// The greatest by amount, with its sign, and its tooth.
     pub fn worst(&self, of: impl Fn(&ProfileReading) -> f64) -> (u32, f64) {
         let teeth = (1..).zip(self.by_tooth(of));
-        let greater =
-            |worst: (u32, f64), (tooth, value): (u32, f64)| match value.abs() > worst.1.abs() {
-                true => (tooth, value),
-                false => worst,
-            };
+        let greater = |worst: (u32, f64), (tooth, value): (u32, f64)| {
+            if value.abs() > worst.1.abs() {
+                (tooth, value)
+            } else {
+                worst
+            }
+        };
         teeth.fold((1, 0.0), greater)
     }
 

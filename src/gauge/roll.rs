@@ -181,8 +181,9 @@ fn slope(found: &LostMotion, distance: f64) -> f64 {
     };
     let ((p_r, q_r, x_r), (p_l, q_l, x_l)) = (arms(right), arms(left));
     let slope = ((q_r * p_l - q_l * p_r) / (q_r * x_l - q_l * x_r)).abs();
-    match slope.is_finite() {
-        true => slope,
-        false => f64::INFINITY,
+    if slope.is_finite() {
+        slope
+    } else {
+        f64::INFINITY
     }
 }

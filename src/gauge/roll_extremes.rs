@@ -130,9 +130,10 @@ pub(super) fn bracketed(
         }
         let pieces = pieces(curve, &samples);
         let ranges = Ranges::of(curve, &pieces);
-        let mut halved: Vec<&Piece> = match round < HALVINGS {
-            true => pieces.iter().filter(|piece| !piece.same_contacts).collect(),
-            false => ranges.open(&pieces),
+        let mut halved: Vec<&Piece> = if round < HALVINGS {
+            pieces.iter().filter(|piece| !piece.same_contacts).collect()
+        } else {
+            ranges.open(&pieces)
         };
         halved.retain(|piece| piece.to - piece.from > 1);
         // Farthest-reaching pieces first, as their number is limited.
@@ -267,10 +268,7 @@ impl Ranges {
             marked.filter(|(_, open)| **open).map(|(p, _)| p).collect()
         };
         let [total, within] = self.open.each_ref().map(|open| of(open));
-        match total.is_empty() {
-            true => within,
-            false => total,
-        }
+        if total.is_empty() { within } else { total }
     }
 }
 

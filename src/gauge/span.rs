@@ -134,9 +134,12 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     // The places touched stand `apart` mm along the face, `along` within it.
     let read = |along: Vector2<f64>, apart: f64| {
         let sections = [0.5 * apart, -0.5 * apart];
-        let turned = |i: usize| match sections[i] == 0.0 {
-            true => turns[i],
-            false => UnitComplex::new(data.twist() * sections[i]) * turns[i],
+        let turned = |i: usize| {
+            if sections[i] == 0.0 {
+                turns[i]
+            } else {
+                UnitComplex::new(data.twist() * sections[i]) * turns[i]
+            }
         };
         let placed = [0, 1].map(|i: usize| {
             let outward = if i == 0 { along } else { -along };

@@ -68,9 +68,10 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     // Thickness by the root, where it shows.
     let beyond = read.root.as_ref().map_or(0.0, |root| {
         let beyond = allowance - (root.thickness - design.nominal_thickness());
-        match beyond.abs() <= error + root.thickness_error {
-            true => 0.0,
-            false => beyond,
+        if beyond.abs() <= error + root.thickness_error {
+            0.0
+        } else {
+            beyond
         }
     });
     let readable = |base, spans: &Spans| {

@@ -103,12 +103,11 @@ impl Assembly {
     /// there is no such pair.
     pub(crate) fn ends(&self) -> Option<[GearPair; 2]> {
         let distance = self.pair.center_distance();
-        match self.clearance > 0.0 {
-            false => Some([self.pair.clone(), self.pair.clone()]),
-            true => {
-                let near = self.pair.at(distance - self.clearance).ok()?;
-                Some([near, self.pair.at(distance + self.clearance).ok()?])
-            }
+        if self.clearance > 0.0 {
+            let near = self.pair.at(distance - self.clearance).ok()?;
+            Some([near, self.pair.at(distance + self.clearance).ok()?])
+        } else {
+            Some([self.pair.clone(), self.pair.clone()])
         }
     }
 
@@ -118,22 +117,24 @@ impl Assembly {
     /// The proven extremes of the assembly. Only a stopped calculation is an error: a pose that fails is an outcome.
     pub fn outcome(&self) -> Result<Outcome, Error> {
         let at = |farther: f64| {
-            let pair = match farther == 0.0 {
-                true => self.pair.clone(),
-                false => self.pair.at(self.pair.center_distance() + farther)?,
+            let pair = if farther == 0.0 {
+                self.pair.clone()
+            } else {
+                self.pair.at(self.pair.center_distance() + farther)?
             };
             extremes_of_phase(&pair, self.phase, WIDTH)
         };
-        let found = match self.clearance > 0.0 {
-            false => at(0.0),
-            true => at(-self.clearance).and_then(|near| {
+        let found = if self.clearance > 0.0 {
+            at(-self.clearance).and_then(|near| {
                 let far = at(self.clearance)?;
                 Ok(Extremes {
                     status: worse(near.status, far.status),
                     greatest: far.greatest,
                     ..near
                 })
-            }),
+            })
+        } else {
+            at(0.0)
         };
         match found {
             Ok(found) => Ok(Outcome::of(&found)),
@@ -189,9 +190,12 @@ impl Outcome {
 
     fn of(found: &Extremes) -> Outcome {
         // The safe end of a proven bracket; of a wide one the attained value.
-        let value = |extreme: Extreme, safe: f64| match extreme.is_proven() {
-            true => safe,
-            false => extreme.found,
+        let value = |extreme: Extreme, safe: f64| {
+            if extreme.is_proven() {
+                safe
+            } else {
+                extreme.found
+            }
         };
         let both = [found.least, found.greatest];
         Outcome {

@@ -174,10 +174,7 @@ impl Contributions {
         };
         let filled = groups.iter().all(|group| group.rows > 0);
         let rest = groups.iter().map(|group| all.without(group)?.indices());
-        let rest: Option<Vec<Vec<[f64; 2]>>> = match fits && filled {
-            true => rest.collect(),
-            false => None,
-        };
+        let rest: Option<Vec<Vec<[f64; 2]>>> = if fits && filled { rest.collect() } else { None };
         let Some((indices, rest)) = all.indices().zip(rest) else {
             return none;
         };

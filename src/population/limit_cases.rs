@@ -149,9 +149,10 @@ fn case(
         Err(_) => return Ok((None, None)),
     };
     let pair = assembly.pair();
-    let phases = match population.scatters().phase && phases_differ(pair) {
-        true => (1..=phase_count(pair)).collect(),
-        false => vec![assembly.phase()],
+    let phases = if population.scatters().phase && phases_differ(pair) {
+        (1..=phase_count(pair)).collect()
+    } else {
+        vec![assembly.phase()]
     };
     let each = parallel::map(phases, |phase| assembly.in_phase(phase).outcome());
     let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -183,15 +184,17 @@ fn assembly(
         let (own, scatter) = (pair.gear(member), scatters.of(member));
         let thicker = of(&scatter.thickness, Alone::Thickness(member), less);
         let each = of(&scatter.per_tooth, Alone::PerTooth(member), less);
-        let pitch = match at_limit(Alone::Pitch(member)) {
-            true => pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 },
-            false => 0.0,
+        let pitch = if at_limit(Alone::Pitch(member)) {
+            pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 }
+        } else {
+            0.0
         };
         let teeth = own.gear().basic_data().teeth() as usize;
         let further = Deviations {
-            per_tooth: match each + pitch == 0.0 {
-                true => Vec::new(),
-                false => vec![each + pitch; teeth],
+            per_tooth: if each + pitch == 0.0 {
+                Vec::new()
+            } else {
+                vec![each + pitch; teeth]
             },
             ..Deviations::default()
         };

@@ -120,9 +120,10 @@ impl Population {
         let distance = self.pair.center_distance() + farther;
         let play = one(&self.scatters.bearing_play, Factor::BearingPlay);
         let phases = f64::from(phase_count(&self.pair));
-        let phase = match self.scatters.phase {
-            true => (stream(Factor::Phase).uniform() * phases) as u32 + 1,
-            false => self.phase,
+        let phase = if self.scatters.phase {
+            (stream(Factor::Phase).uniform() * phases) as u32 + 1
+        } else {
+            self.phase
         };
         let pair = self.pair.with_gears(wheel, pinion, distance)?;
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
@@ -177,16 +178,17 @@ impl GearScatter {
             let mut each = stream(Factor::Pitch(member));
             single_pitches(sigma, teeth, &mut each)
         });
-        let gear = match thicker.is_none() && per_tooth.is_none() && pitch.is_none() {
-            true => gear,
-            false => gear.varied(
+        let gear = if thicker.is_none() && per_tooth.is_none() && pitch.is_none() {
+            gear
+        } else {
+            gear.varied(
                 thicker.unwrap_or(0.0),
                 &Deviations {
                     per_tooth: per_tooth.unwrap_or_default(),
                     pitch,
                     ..Deviations::default()
                 },
-            )?,
+            )?
         };
         if self.runout.is_none() && !gear.any_direction() {
             return Ok(gear);

@@ -156,9 +156,10 @@ fn left_of(
     outcome: &Outcome,
 ) -> Option<f64> {
     let [near, far] = ends;
-    let (end, j_wt) = match is_max {
-        false => (near, outcome.least),
-        true => (far, outcome.greatest),
+    let (end, j_wt) = if is_max {
+        (far, outcome.greatest)
+    } else {
+        (near, outcome.least)
     };
     let value = match quantity {
         Quantity::RadialClearance => quantity.value(end, 0.0, is_max),

@@ -251,9 +251,10 @@ impl Law {
             Law::Triangular { low, mode, high } => {
                 let width = high - low;
                 // F(x) = (x − low)²/(width (mode − low)) up to the mode.
-                match p * width <= mode - low {
-                    true => low + (p * width * (mode - low)).sqrt(),
-                    false => high - ((1.0 - p) * width * (high - mode)).sqrt(),
+                if p * width <= mode - low {
+                    low + (p * width * (mode - low)).sqrt()
+                } else {
+                    high - ((1.0 - p) * width * (high - mode)).sqrt()
                 }
             }
             Law::Normal { mean, sigma } => mean + sigma * standard_normal(p),

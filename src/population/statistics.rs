@@ -35,13 +35,15 @@ impl Share {
         Share {
             count,
             share: if total == 0 { 0.0 } else { k / n },
-            low: match count == 0 {
-                true => 0.0,
-                false => beta_quantile([k, n - k + 1.0], tail, [0.0, k / n]),
+            low: if count == 0 {
+                0.0
+            } else {
+                beta_quantile([k, n - k + 1.0], tail, [0.0, k / n])
             },
-            high: match count == total {
-                true => 1.0,
-                false => beta_quantile([k + 1.0, n - k], 1.0 - tail, [k / n, 1.0]),
+            high: if count == total {
+                1.0
+            } else {
+                beta_quantile([k + 1.0, n - k], 1.0 - tail, [k / n, 1.0])
             },
         }
     }

@@ -44,17 +44,16 @@ fn lands(pair: &GearPair, member: Member, mating: Mating) -> Lands {
     let free = pair.free();
     let pitch = 2.0 * PI * operating(free) / f64::from(pair.teeth(free));
     let play = pitch - thickness(Member::Wheel) - thickness(Member::Pinion);
-    let rotation = match member == free {
+    let rotation = if member == free {
         // A right flank touches at the clockwise end.
-        true => {
-            let way = if mating.flank == Side::Right {
-                1.0
-            } else {
-                -1.0
-            };
-            pose.free_rotation() + way * 0.5 * play / operating(free)
-        }
-        false => pose.locked_rotation(),
+        let way = if mating.flank == Side::Right {
+            1.0
+        } else {
+            -1.0
+        };
+        pose.free_rotation() + way * 0.5 * play / operating(free)
+    } else {
+        pose.locked_rotation()
     };
     let tooth_1 = pair.mate_direction(member) + rotation;
     let centre = pair.axis(member) + built.displacement(tooth_1);
@@ -125,9 +124,10 @@ fn nearest(pair: &GearPair, member: Member, mating: Mating, points: u32) -> (f64
             }
             for (root, ends) in (1..).zip(&roots.roots) {
                 // In the root circle all is metal.
-                let apart = match deep <= 0.0 {
-                    true => deep,
-                    false => from_arc(point, roots.centre, roots.root, *ends),
+                let apart = if deep <= 0.0 {
+                    deep
+                } else {
+                    from_arc(point, roots.centre, roots.root, *ends)
                 };
                 if apart < least.0 {
                     least = (apart, [tip, root]);
@@ -234,16 +234,15 @@ fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
                     own.centre[0] + own.tip * at.cos(),
                     own.centre[1] + own.tip * at.sin(),
                 ];
-                match found.distance < 0.0 {
-                    true => {
-                        (point[0] - mate.centre[0]).hypot(point[1] - mate.centre[1]) - mate.root
-                    }
-                    false => from_arc(
+                if found.distance < 0.0 {
+                    (point[0] - mate.centre[0]).hypot(point[1] - mate.centre[1]) - mate.root
+                } else {
+                    from_arc(
                         point,
                         mate.centre,
                         mate.root,
                         mate.roots[found.root_tooth as usize - 1],
-                    ),
+                    )
                 }
             });
             let named = named.fold(f64::INFINITY, f64::min);

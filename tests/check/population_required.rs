@@ -53,15 +53,16 @@ const QUANTITIES: [Quantity; 7] = [
 ];
 
 fn limited(quantity: Quantity, limit: f64, is_max: bool) -> (Quantity, Limits) {
-    let limits = match is_max {
-        false => Limits {
-            min: Some(limit),
-            max: None,
-        },
-        true => Limits {
+    let limits = if is_max {
+        Limits {
             min: None,
             max: Some(limit),
-        },
+        }
+    } else {
+        Limits {
+            min: Some(limit),
+            max: None,
+        }
     };
     (quantity, limits)
 }

@@ -144,9 +144,10 @@ pub fn limits(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> [Option<f
         let (mut apart, mut over) = (at(first - 1), at(first));
         for _ in 0..50 {
             let half = 0.5 * (apart + over);
-            match overlaps(half) {
-                true => over = half,
-                false => apart = half,
+            if overlaps(half) {
+                over = half
+            } else {
+                apart = half
             }
         }
         Some(over)

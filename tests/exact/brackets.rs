@@ -66,9 +66,10 @@ fn gear(random: &mut Random, kind: Kind, face: Face) -> Option<AsBuilt> {
         each.collect()
     };
     let pitch = Pitch::from_cumulative(&curve(), &curve());
-    let profiles = match kind.profiles {
-        true => [0; 2].map(|_| profile(random, &gear, false)),
-        false => Deviations::default().profiles,
+    let profiles = if kind.profiles {
+        [0; 2].map(|_| profile(random, &gear, false))
+    } else {
+        Deviations::default().profiles
     };
     let deviations = Deviations {
         pitch: Some(pitch),
@@ -78,11 +79,12 @@ fn gear(random: &mut Random, kind: Kind, face: Face) -> Option<AsBuilt> {
         ..Deviations::default()
     };
     let built = AsBuilt::new(gear, face, &deviations).ok()?;
-    match kind.expansion > 0.0 {
-        true => built
+    if kind.expansion > 0.0 {
+        built
             .expanded(1.0 + kind.expansion * random.within(-1.0, 1.0))
-            .ok(),
-        false => Some(built),
+            .ok()
+    } else {
+        Some(built)
     }
 }
 

@@ -178,9 +178,10 @@ fn cycloidal(pitch: f64, rolling: f64, depth: [f64; 2], points: u32) -> Vec<Vect
     let (mut low, mut high) = (0.0, PI * rolling / pitch);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
-        match at(middle).norm() < pitch + depth[0] {
-            true => low = middle,
-            false => high = middle,
+        if at(middle).norm() < pitch + depth[0] {
+            low = middle
+        } else {
+            high = middle
         }
     }
     let above = (0..=points).map(|k| at(low * f64::from(points - k) / f64::from(points)));
@@ -226,9 +227,10 @@ fn cycloidal_wheels_have_one_play() {
 /// Whether two polygons cross in the mesh.
 pub(super) fn cross(pair: &OutlinePair, mating: &Mating, free_rotation: f64) -> bool {
     let outline = |member: Member| {
-        let rotation = match member == pair.locked() {
-            true => pair.rotation(member, mating),
-            false => free_rotation,
+        let rotation = if member == pair.locked() {
+            pair.rotation(member, mating)
+        } else {
+            free_rotation
         };
         let points = pair.outline(member, rotation, 1e-5);
         let mate = pair.gear(member.mate()).reach();

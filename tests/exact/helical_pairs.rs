@@ -181,18 +181,21 @@ pub(super) fn drawn_wide(rng: &mut Draws) -> Option<GearPair> {
         let made = Made {
             z,
             shift: rng.within(-0.6..1.2),
-            allowance: match rough {
-                true => rng.within(-0.3..0.25) * module,
-                false => rng.within(-0.1..0.0),
+            allowance: if rough {
+                rng.within(-0.3..0.25) * module
+            } else {
+                rng.within(-0.1..0.0)
             },
-            runout: match rng.coin() {
-                true => rng.within(0.0..1.5) * module,
-                false => rng.within(0.0..0.06),
+            runout: if rng.coin() {
+                rng.within(0.0..1.5) * module
+            } else {
+                rng.within(0.0..0.06)
             },
             high_tooth: rng.within(1.0..f64::from(z)),
-            pitch_um: match rough {
-                true => rng.within(0.0..600.0),
-                false => rng.within(0.0..8.0),
+            pitch_um: if rough {
+                rng.within(0.0..600.0)
+            } else {
+                rng.within(0.0..8.0)
             },
         };
         let face = if rng.coin() { Face::Front } else { Face::Back };
@@ -203,20 +206,23 @@ pub(super) fn drawn_wide(rng: &mut Draws) -> Option<GearPair> {
         + pinion.gear().basic_data().reference_radius();
     let formula = gearlash::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
     let zero = formula.center_distance(0.0).unwrap_or(near);
-    let farther = match rng.coin() {
-        true => rng.within(-0.1..0.4),
-        false => rng.within(-0.5..2.0),
+    let farther = if rng.coin() {
+        rng.within(-0.1..0.4)
+    } else {
+        rng.within(-0.5..2.0)
     };
-    let locked = match rng.coin() {
-        true => Member::Wheel,
-        false => Member::Pinion,
+    let locked = if rng.coin() {
+        Member::Wheel
+    } else {
+        Member::Pinion
     };
     let distance = zero + farther * module;
     let pair = GearPair::with_locked(wheel, pinion, distance, locked).ok()?;
     let from = rng.within(-40.0..20.0);
-    let width = match rng.coin() {
-        true => rng.within(0.0..60.0),
-        false => rng.within(0.0..10.0),
+    let width = if rng.coin() {
+        rng.within(0.0..60.0)
+    } else {
+        rng.within(0.0..10.0)
     };
     pair.with_face([from, from + width]).ok()
 }

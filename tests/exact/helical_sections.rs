@@ -145,9 +145,10 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
                 let [one, other] = [0.381_966, 0.618_034].map(|part| low + (high - low) * part);
                 let found = [at(one), at(other)];
                 most = most.max(found[0]).max(found[1]);
-                match found[0] >= found[1] {
-                    true => high = other,
-                    false => low = one,
+                if found[0] >= found[1] {
+                    high = other
+                } else {
+                    low = one
                 }
             }
             let own = sense * beyond(contact.rotation, &pose);

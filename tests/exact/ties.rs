@@ -47,9 +47,10 @@ fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
                     }
                     for _ in 0..50 {
                         let middle = 0.5 * (low + high);
-                        match tooth(&at(middle)) == tooth(&at(low)) {
-                            true => low = middle,
-                            false => high = middle,
+                        if tooth(&at(middle)) == tooth(&at(low)) {
+                            low = middle
+                        } else {
+                            high = middle
                         }
                     }
                     let both = [at(low), at(high)];
@@ -64,9 +65,10 @@ fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
                         Side::Left => 1,
                     };
                     let next = built.counter_clockwise(tooth(&both[0]), preferred);
-                    let farther = match next == tooth(&both[1]) {
-                        true => away[1] - away[0],
-                        false => away[0] - away[1],
+                    let farther = if next == tooth(&both[1]) {
+                        away[1] - away[0]
+                    } else {
+                        away[0] - away[1]
                     };
                     assert!(
                         (farther - EQUALLY_NEAR).abs() < 1e-8,

@@ -20,9 +20,10 @@ fn trace(random: &mut Random, gear: &Gear, tooth: Option<u32>) -> Trace {
         (amount, random.within(1.0, 40.0), random.within(0.0, TAU))
     });
     let noise = um * random.decades(0.001, 1.5);
-    let step = match random.chance(0.2) {
-        true => (random.within(0.0, 1.0), um * random.within(-5.0, 5.0)),
-        false => (2.0, 0.0),
+    let step = if random.chance(0.2) {
+        (random.within(0.0, 1.0), um * random.within(-5.0, 5.0))
+    } else {
+        (2.0, 0.0)
     };
     let (from, to) = (gear.form_roll().max(1e-4), gear.tip_roll());
     let point = |k: u64| {
@@ -75,9 +76,10 @@ fn gear(random: &mut Random, module: f64, face: Face) -> Option<AsBuilt> {
             .collect()
     };
     let pitch = Some(Pitch::from_cumulative(&places(), &places()));
-    let eccentricity = match random.chance(0.3) {
-        true => 0.0,
-        false => 0.01 * module * random.within(0.0, 1.0),
+    let eccentricity = if random.chance(0.3) {
+        0.0
+    } else {
+        0.01 * module * random.within(0.0, 1.0)
     };
     let deviations = Deviations {
         pitch,
@@ -100,9 +102,10 @@ fn pair(random: &mut Random) -> Option<GearPair> {
         gear.basic_data().reference_radius() + module * gear.design().profile_shift
     };
     let distance = radius(&wheel) + radius(&pinion) + module * random.within(-0.06, 0.25);
-    let locked = match random.chance(0.5) {
-        true => Member::Wheel,
-        false => Member::Pinion,
+    let locked = if random.chance(0.5) {
+        Member::Wheel
+    } else {
+        Member::Pinion
     };
     GearPair::with_locked(wheel, pinion, distance, locked).ok()
 }

@@ -125,9 +125,10 @@ fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
     let mut claims = vec![(*found, true)];
     let mut claim = |right: bool, contact| {
         let mut claimed = *found;
-        match right {
-            true => claimed.right = contact,
-            false => claimed.left = contact,
+        if right {
+            claimed.right = contact
+        } else {
+            claimed.left = contact
         }
         let borne = claimed.solid || claimed.status() == Status::Jammed;
         claims.push((claimed, borne));

@@ -80,9 +80,10 @@ fn against(number: u64) -> Vec<String> {
         let Some(extreme) = extreme.filter(Extreme::is_proven) else {
             return against.push(format!("{number}: not proven: {found:?}"));
         };
-        let [outer, inner] = match sign > 0.0 {
-            true => [extreme.low, extreme.high],
-            false => [-extreme.high, -extreme.low],
+        let [outer, inner] = if sign > 0.0 {
+            [extreme.low, extreme.high]
+        } else {
+            [-extreme.high, -extreme.low]
         };
         let seen = least(|place| sign * play(place), matings as f64);
         let attained = at(extreme.mating)

@@ -56,9 +56,10 @@ fn claims(found: &LostMotion, pitch: f64) -> Vec<(LostMotion, bool)> {
         let off = (contact.error <= 1e-3 * pitch).then(|| [off(1.0), off(-1.0)]);
         for wrong in off.into_iter().flatten().chain([None]) {
             let mut claimed = *found;
-            match right {
-                true => claimed.right = wrong,
-                false => claimed.left = wrong,
+            if right {
+                claimed.right = wrong
+            } else {
+                claimed.left = wrong
             }
             claims.push((claimed, claimed.solid));
         }

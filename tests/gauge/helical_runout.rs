@@ -55,9 +55,10 @@ fn a_pure_eccentricity_is_read_in_closed_form() {
     let (mut low, mut high) = (0.1f64, 1.0f64);
     for _ in 0..80 {
         let middle = 0.5 * (low + high);
-        match middle.tan() - middle < inv {
-            true => low = middle,
-            false => high = middle,
+        if middle.tan() - middle < inv {
+            low = middle
+        } else {
+            high = middle
         }
     }
     let radius = r * alpha_t.cos() / low.cos();

@@ -49,9 +49,10 @@ impl Formulas {
         let (mut low, mut high): (f64, f64) = (0.0, 1.5);
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
-            match middle.tan() - middle < inv {
-                true => low = middle,
-                false => high = middle,
+            if middle.tan() - middle < inv {
+                low = middle
+            } else {
+                high = middle
             }
         }
         0.5 * self.base_diameter / low.cos()
@@ -59,9 +60,10 @@ impl Formulas {
 
     /// M_dK = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z.
     fn over_two(&self, pin: f64) -> f64 {
-        let opposite = match self.teeth % 2.0 == 1.0 {
-            true => (PI / 2.0 / self.teeth).cos(),
-            false => 1.0,
+        let opposite = if self.teeth % 2.0 == 1.0 {
+            (PI / 2.0 / self.teeth).cos()
+        } else {
+            1.0
         };
         2.0 * self.pin_centre(pin) * opposite + pin
     }

@@ -114,9 +114,10 @@ fn worst_flank_distance(one: &AsBuilt, other: &AsBuilt) -> f64 {
         let (mut high, mut low) = profile.range(Involute);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            match profile.radius(Involute, middle) < radius {
-                true => low = middle,
-                false => high = middle,
+            if profile.radius(Involute, middle) < radius {
+                low = middle
+            } else {
+                high = middle
             }
         }
         let point = profile.point(Involute, 0.5 * (low + high), Side::Right);

@@ -178,9 +178,10 @@ fn the_tool_touches_what_it_leaves_and_covers_none_of_it() {
                 assert!(cutting.slope(at, low) < 0.0 && cutting.slope(at, high) > 0.0);
                 for _ in 0..60 {
                     phi = 0.5 * (low + high);
-                    match cutting.slope(at, phi) < 0.0 {
-                        true => low = phi,
-                        false => high = phi,
+                    if cutting.slope(at, phi) < 0.0 {
+                        low = phi
+                    } else {
+                        high = phi
                     }
                 }
                 let [along, deep] = cutting.off_centre(at, phi);

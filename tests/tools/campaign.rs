@@ -82,9 +82,10 @@ fn main() -> ExitCode {
     let options = Options::parse();
     let (poses, seed) = (options.poses, options.seed);
     let depth = options.depth.map(Bundle::depth);
-    let kind = match options.helical {
-        true => Teeth::Helical,
-        false => Teeth::Spur,
+    let kind = if options.helical {
+        Teeth::Helical
+    } else {
+        Teeth::Spur
     };
     if let Some(index) = options.print {
         print!("{}", Drawn::of(kind, depth, seed, index).pair_file());
@@ -99,9 +100,10 @@ fn main() -> ExitCode {
         );
         name("fault", &complaints);
         println!("{} faults", complaints.len());
-        return match complaints.is_empty() {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::FAILURE,
+        return if complaints.is_empty() {
+            ExitCode::SUCCESS
+        } else {
+            ExitCode::FAILURE
         };
     }
     let indices = options.first..options.first + poses;
@@ -120,9 +122,10 @@ fn main() -> ExitCode {
     name("on a border", &border);
     let overlaps = whole(kind, depth, seed, options.first..options.first + poses);
     name("fault", &overlaps);
-    match overlaps.is_empty() {
-        true => verdict(&tally, kind, depth, seed),
-        false => ExitCode::FAILURE,
+    if overlaps.is_empty() {
+        verdict(&tally, kind, depth, seed)
+    } else {
+        ExitCode::FAILURE
     }
 }
 
@@ -179,8 +182,9 @@ fn verdict(tally: &Tally, kind: Teeth, depth: Option<Depth>, seed: u64) -> ExitC
         let all: Vec<u64> = tally.faults.iter().map(|(index, _)| *index).collect();
         println!("{} faults: {all:?}", all.len());
     }
-    match tally.faults.is_empty() && empty.is_empty() {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::FAILURE,
+    if tally.faults.is_empty() && empty.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
     }
 }

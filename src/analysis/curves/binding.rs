@@ -44,9 +44,10 @@ pub fn binding<'a>(study: &Study, runs: impl Iterator<Item = &'a ComparedRun> + 
         .at_flank(assembly, Side::Right);
     let teeth = (nearest.wheel_tooth, nearest.pinion_tooth);
     let mut measured = study.measured.iter();
-    match measured.any(|row| (row.wheel_tooth, row.pinion_tooth) == teeth) {
-        true => Followed::Teeth(teeth.0, teeth.1),
-        false => Followed::Pose(*mating),
+    if measured.any(|row| (row.wheel_tooth, row.pinion_tooth) == teeth) {
+        Followed::Teeth(teeth.0, teeth.1)
+    } else {
+        Followed::Pose(*mating)
     }
 }
 

@@ -44,12 +44,13 @@ impl Course {
                 let end = if least { &run.least } else { &run.greatest };
                 Some((run.material, end.as_ref()?))
             });
-            ends.reduce(
-                |best, next| match sign * next.1.found() < sign * best.1.found() {
-                    true => next,
-                    false => best,
-                },
-            )
+            ends.reduce(|best, next| {
+                if sign * next.1.found() < sign * best.1.found() {
+                    next
+                } else {
+                    best
+                }
+            })
         });
         self.cycle_um = ends.map(|end| end.map(|(_, extreme)| extreme.found() * 1e3));
         let own =

@@ -61,9 +61,10 @@ pub fn with_revolution(
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<[Vec<ComparedRun>; 2], Error> {
     let own = compare(simulate(study, method, tick)?, study.tolerance_um);
-    let turned = match study.sweeps() {
-        true => with_left_flanks(study, own.clone(), method, tick)?,
-        false => revolution(study, method, tick)?,
+    let turned = if study.sweeps() {
+        with_left_flanks(study, own.clone(), method, tick)?
+    } else {
+        revolution(study, method, tick)?
     };
     Ok([own, turned])
 }
@@ -100,9 +101,10 @@ pub fn revolution_pose_count(study: &Study) -> u64 {
 
 /// How many poses [`with_revolution`] will take.
 pub fn with_revolution_pose_count(study: &Study) -> u64 {
-    let own = match study.sweeps() {
-        true => 0,
-        false => study.pose_count(),
+    let own = if study.sweeps() {
+        0
+    } else {
+        study.pose_count()
     };
     own + revolution_pose_count(study)
 }

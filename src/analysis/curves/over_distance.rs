@@ -102,9 +102,10 @@ pub fn over_distance(
             .filter(|pose| pose.simulated.backlash.is_none())
             .map(|pose| pose.simulated.status());
         // Unproven poses come first: the ends of the others are known.
-        match without.clone().any(|status| status == Status::Unproven) {
-            true => Some(Status::Unproven),
-            false => without.next(),
+        if without.clone().any(|status| status == Status::Unproven) {
+            Some(Status::Unproven)
+        } else {
+            without.next()
         }
     };
     let point = |&a: &f64| DistancePoint {

@@ -32,9 +32,10 @@ impl Tangent {
     /// The tangent of `side` with the free gear at `rotation`; `None` where the base circles overlap.
     pub fn new(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Option<Tangent> {
         let centre = |member: Member| {
-            let turned = match member == assembly.locked() {
-                true => pose.locked_rotation(),
-                false => rotation,
+            let turned = if member == assembly.locked() {
+                pose.locked_rotation()
+            } else {
+                rotation
             };
             let tooth_1 = assembly.mate_direction(member) + turned;
             Placed::new(assembly.gear(member), assembly.axis(member), tooth_1).centre()
@@ -84,13 +85,15 @@ impl Tangent {
         };
         let [form_1, tip_1] = arms(Member::Wheel, self.base[0]);
         let [form_2, tip_2] = arms(Member::Pinion, self.base[1]).map(|arm| self.length - arm);
-        let (low, begins) = match tip_2 >= form_1 {
-            true => (tip_2, PathLimit::Tip(Member::Pinion)),
-            false => (form_1, PathLimit::Form(Member::Wheel)),
+        let (low, begins) = if tip_2 >= form_1 {
+            (tip_2, PathLimit::Tip(Member::Pinion))
+        } else {
+            (form_1, PathLimit::Form(Member::Wheel))
         };
-        let (high, ends) = match tip_1 <= form_2 {
-            true => (tip_1, PathLimit::Tip(Member::Wheel)),
-            false => (form_2, PathLimit::Form(Member::Pinion)),
+        let (high, ends) = if tip_1 <= form_2 {
+            (tip_1, PathLimit::Tip(Member::Wheel))
+        } else {
+            (form_2, PathLimit::Form(Member::Pinion))
         };
         let origin = self.length * self.share();
         ([low - origin, high - origin], [begins, ends])

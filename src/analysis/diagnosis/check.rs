@@ -31,10 +31,7 @@ impl Verdict {
 
     /// `otherwise` unless `kept`.
     pub(super) fn unless(kept: bool, otherwise: Verdict) -> Verdict {
-        match kept {
-            true => Verdict::Pass,
-            false => otherwise,
-        }
+        if kept { Verdict::Pass } else { otherwise }
     }
 }
 
@@ -96,9 +93,10 @@ impl Check {
         let unproven = Some(reason.to_owned());
         match self.verdict {
             Verdict::Fail => Check {
-                note: match self.note.is_empty() {
-                    true => "some poses are unproven".to_owned(),
-                    false => format!("{}; some poses are unproven", self.note),
+                note: if self.note.is_empty() {
+                    "some poses are unproven".to_owned()
+                } else {
+                    format!("{}; some poses are unproven", self.note)
                 },
                 unproven,
                 ..self

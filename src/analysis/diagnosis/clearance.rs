@@ -184,9 +184,10 @@ impl<'a> Rolling<'a> {
         // Right-flank contact is the clockwise end of the backlash.
         let half = -mating.flank.sense() * self.half_play;
         [self.member, self.member.mate()].map(|member| {
-            let rotation = match member == assembly.locked() {
-                true => pose.locked_rotation(),
-                false => pose.free_rotation() + half,
+            let rotation = if member == assembly.locked() {
+                pose.locked_rotation()
+            } else {
+                pose.free_rotation() + half
             };
             Placed::new(
                 assembly.gear(member),
@@ -224,10 +225,7 @@ impl<'a> Rolling<'a> {
             let lands = lands.map(|(_, land)| land);
             lands
                 .into_iter()
-                .reduce(|one, other| match other.reach < one.reach {
-                    true => other,
-                    false => one,
-                })
+                .reduce(|one, other| if other.reach < one.reach { other } else { one })
         };
         let most = match (nearest(&tips), nearest(&roots)) {
             (Some(tip), Some(root)) => between_lands(distance, &tip, &root),

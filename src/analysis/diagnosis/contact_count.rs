@@ -149,8 +149,9 @@ fn graver(assembly: &GearPair, pose: &ComparedPose) -> Option<(Side, Contact)> {
     let found = pose.simulated.proven()?;
     let (right, left) = (found.right?, found.left?);
     let kind = |side, contact| ContactClass::of(assembly, side, contact).kind;
-    match kind(Side::Left, &left) > kind(Side::Right, &right) {
-        true => Some((Side::Left, left)),
-        false => Some((Side::Right, right)),
+    if kind(Side::Left, &left) > kind(Side::Right, &right) {
+        Some((Side::Left, left))
+    } else {
+        Some((Side::Right, right))
     }
 }

@@ -28,9 +28,10 @@ pub(super) fn root_land(placed: &Placed, tooth: u32, line: f64) -> [f64; 2] {
     let start = centre + as_built.flank_offset(Side::Left, tooth) + from_centre;
     let end = centre + pitch + as_built.flank_offset(Side::Right, next) - from_centre;
     // Deviations may leave a full tip round a land of less than no length: its middle then.
-    match start <= end {
-        true => [start, end],
-        false => [0.5 * (start + end); 2],
+    if start <= end {
+        [start, end]
+    } else {
+        [0.5 * (start + end); 2]
     }
 }
 

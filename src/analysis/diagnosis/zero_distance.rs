@@ -184,9 +184,10 @@ fn middle_of_jam(
         }
         while (outside - inside).abs() > PITCHES {
             let middle = 0.5 * (inside + outside);
-            match play(middle)? == f64::NEG_INFINITY {
-                true => inside = middle,
-                false => outside = middle,
+            if play(middle)? == f64::NEG_INFINITY {
+                inside = middle
+            } else {
+                outside = middle
             }
         }
         Ok(inside)
@@ -260,9 +261,10 @@ fn root(
     // (distance, play) below and not below zero.
     let (mut low, mut high) = ((nearest, f64::NAN), (farthest, f64::NAN));
     let mut known = (start, value);
-    let mut stride = match value.is_finite() {
-        true => value.abs() / slope + 0.4 * WIDTH,
-        false => 0.1 * module,
+    let mut stride = if value.is_finite() {
+        value.abs() / slope + 0.4 * WIDTH
+    } else {
+        0.1 * module
     };
     while low.1.is_nan() || high.1.is_nan() {
         let towards = if known.1 < 0.0 {
@@ -286,15 +288,17 @@ fn root(
         let width = high.0 - low.0;
         let secant = low.0 - low.1 * width / (high.1 - low.1);
         // Beyond the root by part of the width asked for, on the far side of the nearer end: that closes the bracket.
-        let nudge = match secant - low.0 < 0.5 * width {
-            true => 0.4 * WIDTH,
-            false => -0.4 * WIDTH,
+        let nudge = if secant - low.0 < 0.5 * width {
+            0.4 * WIDTH
+        } else {
+            -0.4 * WIDTH
         };
         let inside = |x: f64| x > low.0 && x < high.0;
         let middle = 0.5 * (low.0 + high.0);
-        let next = match halve || !secant.is_finite() || !inside(secant + nudge) {
-            true => middle,
-            false => secant + nudge,
+        let next = if halve || !secant.is_finite() || !inside(secant + nudge) {
+            middle
+        } else {
+            secant + nudge
         };
         if !inside(next) {
             break;
@@ -350,9 +354,10 @@ mod tests {
                         looks.set(looks.get() + 1);
                         assert!(looks.get() <= most, "{name} at {root_at} from {guess}");
                         let over = distance - root_at;
-                        Ok(match over < -jam {
-                            true => f64::NEG_INFINITY,
-                            false => 0.7 * over + bend * over.max(0.0),
+                        Ok(if over < -jam {
+                            f64::NEG_INFINITY
+                        } else {
+                            0.7 * over + bend * over.max(0.0)
                         })
                     };
                     let [low, high] = root(&pair, guess, play).unwrap().unwrap();

@@ -51,9 +51,10 @@ pub(super) fn deepest(
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            match (excess(middle)? < 0.0) == (first < 0.0) {
-                true => low = middle,
-                false => high = middle,
+            if (excess(middle)? < 0.0) == (first < 0.0) {
+                low = middle
+            } else {
+                high = middle
             }
         }
         let gamma = 0.5 * (low + high);

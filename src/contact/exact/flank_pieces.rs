@@ -27,9 +27,12 @@ impl FlankPieces {
         let stretches = smooth(&bends, low, high).filter(|(from, to)| from < to);
         let divided = stretches.flat_map(|(from, to)| {
             let count = ((to - from) / width).ceil().max(1.0);
-            let at = move |k: u32| match f64::from(k) < count {
-                true => from + (to - from) * f64::from(k) / count,
-                false => to,
+            let at = move |k: u32| {
+                if f64::from(k) < count {
+                    from + (to - from) * f64::from(k) / count
+                } else {
+                    to
+                }
             };
             (0..count as u32).map(move |k| (at(k), at(k + 1)))
         });

@@ -70,16 +70,20 @@ impl Helical {
     pub fn new(assembly: &GearPair, plane: &Section) -> Helical {
         let [from, to] = assembly.face();
         let stretch = shortest_stretch(assembly);
-        let spaces = match to > from {
-            // A millionth more than there need be: rounding.
-            true => ((to - from) / stretch * (1.0 + 1e-6)).ceil().max(1.0),
-            false => 0.0,
+        let spaces = if to > from {
+            // Rounding: a millionth more than needed.
+            ((to - from) / stretch * (1.0 + 1e-6)).ceil().max(1.0)
+        } else {
+            0.0
         };
         let mut sections: Vec<(f64, Section)> = (0..=spaces as u64)
-            .map(|k| match k as f64 >= spaces {
-                // An end is itself, to the last bit.
-                true => to,
-                false => from + (to - from) * (k as f64 / spaces),
+            .map(|k| {
+                // The last place is exactly the end of the face.
+                if k as f64 >= spaces {
+                    to
+                } else {
+                    from + (to - from) * (k as f64 / spaces)
+                }
             })
             .map(|b| (b, plane.turned(&assembly.section(b))))
             .collect();

@@ -174,9 +174,10 @@ impl OuterGears {
             if pair.gap - beyond < tightest.level() {
                 break;
             }
-            let tangent = match self.is_convex {
-                true => posed.flanks_touch(pair),
-                false => None,
+            let tangent = if self.is_convex {
+                posed.flanks_touch(pair)
+            } else {
+                None
             };
             let found = match tangent {
                 Some(candidate) => Some(candidate),
@@ -207,9 +208,10 @@ impl OuterGears {
         for step in outer.steps_on(&start, plays) {
             let pair = outer.pair(step);
             let first = outer.gap(&start, &pair);
-            let (gap, line) = match variation.moves {
-                true => outer.settle(&pair, variation, first)?,
-                false => (first, start),
+            let (gap, line) = if variation.moves {
+                outer.settle(&pair, variation, first)?
+            } else {
+                (first, start)
             };
             *pairs.get_mut(count)? = Some(OnLine {
                 step,

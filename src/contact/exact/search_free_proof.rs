@@ -349,12 +349,13 @@ mod tests {
             }
             let flattest = radii.into_iter().fold(0.0, f64::max);
             let radius = |share: f64| mate.shape.base.hypot(flattest * (1.0 + share));
-            let [below, above] = match helix > 0.0 {
-                true => [radius(-1e-3), radius(1.0 / 16.0)],
-                false => [
+            let [below, above] = if helix > 0.0 {
+                [radius(-1e-3), radius(1.0 / 16.0)]
+            } else {
+                [
                     radius(-1e-3).max(radius(0.0) * (1.0 - 1e-5)),
                     radius(1e-3).min(radius(0.0) * (1.0 + 1e-5)),
-                ],
+                ]
             };
             assert!(hollow((shape, 0.0), &mate, above), "{count} {shift}");
             assert!(!hollow((shape, 0.0), &mate, below), "{count} {shift}");

@@ -188,9 +188,12 @@ impl Section {
                 effort: wanted.effort,
                 floor: floor(&posed, wanted.known, pose),
             };
-            let found = method(&posed, asked).and_then(|found| match self.meets_far_flanks {
-                true => with_far_flanks(&posed, found, asked),
-                false => Ok(found),
+            let found = method(&posed, asked).and_then(|found| {
+                if self.meets_far_flanks {
+                    with_far_flanks(&posed, found, asked)
+                } else {
+                    Ok(found)
+                }
             });
             match found {
                 Ok(touching) => {
@@ -248,8 +251,9 @@ pub(super) fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -
     };
     let gap = reduced(reduced(nominal) + beyond - posed.rotation(0.0));
     // Farther off, a turn more or less might be meant.
-    match gap.abs() < FRAC_PI_2 {
-        true => gap - TIES_BELOW * problem.tie,
-        false => f64::NEG_INFINITY,
+    if gap.abs() < FRAC_PI_2 {
+        gap - TIES_BELOW * problem.tie
+    } else {
+        f64::NEG_INFINITY
     }
 }

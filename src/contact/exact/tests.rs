@@ -113,9 +113,12 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
 /// A pair far beyond any shop: 3 to 400 teeth, β to 50°, a face to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one.
 pub(super) fn wild(draws: &mut Draws) -> Option<GearPair> {
     let few = draws.within(0.0, 1.0) < 0.5;
-    let mut teeth = || match few {
-        true => draws.within(3.0, 20.0) as u32,
-        false => draws.within(3.0, 400.0) as u32,
+    let mut teeth = || {
+        if few {
+            draws.within(3.0, 20.0) as u32
+        } else {
+            draws.within(3.0, 400.0) as u32
+        }
     };
     let wild = Wild {
         teeth: [teeth(), teeth()],

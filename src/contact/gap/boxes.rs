@@ -53,9 +53,10 @@ impl Rectangle {
     fn round(one: &Rectangle, other: &Rectangle) -> Rectangle {
         let between = other.along * other.middle - one.along * one.middle;
         let distance = between.norm();
-        let along = match distance > 0.0 {
-            true => between / distance,
-            false => one.along,
+        let along = if distance > 0.0 {
+            between / distance
+        } else {
+            one.along
         };
         let each = [one, other].map(|it| {
             let turned = along.conj() * it.along;

@@ -97,9 +97,12 @@ impl<'a> Arc<'a> {
             arc.slope = Some((psi - play, psi + play, far[0] <= far[1]));
             let bend = placed.curve.convexity(low, high);
             // The metal lies on the left of `i n`, which may be the falling direction.
-            arc.bend = bend.map(|(least, most)| match z.re > 0.0 {
-                true => (least, most),
-                false => (-most, -least),
+            arc.bend = bend.map(|(least, most)| {
+                if z.re > 0.0 {
+                    (least, most)
+                } else {
+                    (-most, -least)
+                }
             });
         } else {
             // It leaves its chord by `(A + B Δ) Δ²/8` at most: where it runs round the axis its radii vary no more than that.
@@ -121,9 +124,10 @@ impl<'a> Arc<'a> {
         let least = f64::min(by(least)[0], by(least)[1]) - sines[1];
         let most = f64::max(by(most)[0], by(most)[1]) - sines[0];
         // Where ψ may be 0 the cosine may be 1.
-        let nearest = match low <= 0.0 && high >= 0.0 {
-            true => 1.0,
-            false => cosines[0].max(cosines[1]),
+        let nearest = if low <= 0.0 && high >= 0.0 {
+            1.0
+        } else {
+            cosines[0].max(cosines[1])
         };
         let steepest = cosines[0].min(cosines[1]);
         let over = |cos: f64| 1.0 / (cos * cos * cos);
@@ -223,9 +227,10 @@ fn summit(
         };
         let rho = inner + (outer - inner) * share;
         let there = rise(rho);
-        let (other, found) = match there >= 0.0 {
-            true => (outer, (&mut inner, &mut low)),
-            false => (inner, (&mut outer, &mut high)),
+        let (other, found) = if there >= 0.0 {
+            (outer, (&mut inner, &mut low))
+        } else {
+            (inner, (&mut outer, &mut high))
         };
         (*found.0, *found.1) = (rho, there);
         let slack = there.abs() * (other / rho).ln().abs();
@@ -245,9 +250,10 @@ fn chord_radii([from, to]: [C; 2], far: [f64; 2]) -> (f64, f64) {
     let length = along.norm_sqr();
     // The foot of the perpendicular, as a share of the chord.
     let foot = -(from.re * along.re + from.im * along.im) / length;
-    let least = match foot > 0.0 && foot < 1.0 {
-        true => self::length(from + along * foot),
-        false => far[0].min(far[1]),
+    let least = if foot > 0.0 && foot < 1.0 {
+        self::length(from + along * foot)
+    } else {
+        far[0].min(far[1])
     };
     (least, far[0].max(far[1]))
 }
@@ -360,18 +366,20 @@ pub(in crate::contact) fn greatest<'a>(
             record(locked.middle_parameter(), free.middle_parameter(), play);
             continue;
         }
-        let halves = match at_locked {
-            true => locked.cut().map(|arc| (arc, free)),
-            false => free.cut().map(|arc| (locked, arc)),
+        let halves = if at_locked {
+            locked.cut().map(|arc| (arc, free))
+        } else {
+            free.cut().map(|arc| (locked, arc))
         };
         let bounds = halves.each_ref().map(|(locked, free)| {
             let meets = locked.meets(free);
             meets.then(|| locked.gap_with(free, origin).1)
         });
         // The half that may have the greater gap last, where it is taken first: where a curve runs round the axis the gap grows along it.
-        let order: [usize; 2] = match bounds[0] > bounds[1] {
-            true => [1, 0],
-            false => [0, 1],
+        let order: [usize; 2] = if bounds[0] > bounds[1] {
+            [1, 0]
+        } else {
+            [0, 1]
         };
         let is_open = |&half: &usize| bounds[half].is_some_and(|bound| bound > level);
         nodes.extend(order.into_iter().filter(is_open).map(|half| halves[half]));

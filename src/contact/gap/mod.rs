@@ -38,9 +38,10 @@ impl Origin {
     pub fn gap(self, turned: C) -> f64 {
         let gap = (turned * self.direction).arg();
         let off = gap - self.about;
-        match off.abs() <= PI {
-            true => gap,
-            false => gap - TAU * (off / TAU).round(),
+        if off.abs() <= PI {
+            gap
+        } else {
+            gap - TAU * (off / TAU).round()
         }
     }
 }

@@ -130,12 +130,13 @@ impl<'a> Certifier<'a> {
         contact: &Contact,
         effort: &Effort,
     ) -> Result<(), String> {
-        match self.touching(pose, side, contact, effort)? {
-            true => Ok(()),
-            false => Err(format!(
+        if self.touching(pose, side, contact, effort)? {
+            Ok(())
+        } else {
+            Err(format!(
                 "nothing touches at the rotation {} rad",
                 contact.rotation
-            )),
+            ))
         }
     }
 
@@ -198,9 +199,10 @@ impl<'a> Certifier<'a> {
         };
         let turns = (own.rotation - contact.rotation) / TAU;
         let off = (turns - turns.round()).abs() * TAU;
-        Ok(match off <= own.error + contact.error {
-            true => Ok(()),
-            false => Err(format!("the first to touch does so {off} rad off")),
+        Ok(if off <= own.error + contact.error {
+            Ok(())
+        } else {
+            Err(format!("the first to touch does so {off} rad off"))
         })
     }
 
@@ -219,9 +221,10 @@ impl<'a> Certifier<'a> {
             + FlankProblem::new(&self.kernel.teeth, pose, side, 0).rounding();
         let apart = here.at(here.center_distance() + doubt)?;
         Ok(
-            match first_touching(&self.kernel.teeth.at(&apart), pose, side, effort)? {
-                false => Ok(()),
-                true => Err("a pair does touch".to_owned()),
+            if first_touching(&self.kernel.teeth.at(&apart), pose, side, effort)? {
+                Err("a pair does touch".to_owned())
+            } else {
+                Ok(())
             },
         )
     }

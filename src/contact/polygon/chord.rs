@@ -223,9 +223,10 @@ impl CutHalf {
                     (ProfilePart::Root, (from, _)) => (from, root_end),
                     (_, range) => range,
                 };
-                let is_there = match curve.is_land() {
-                    true => to > from,
-                    false => from > to,
+                let is_there = if curve.is_land() {
+                    to > from
+                } else {
+                    from > to
                 };
                 is_there.then_some((curve, [from, to]))
             })

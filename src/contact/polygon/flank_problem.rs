@@ -191,16 +191,16 @@ impl<'a> FlankProblem<'a> {
             let along = (line.ends[1] - line.ends[0]) / (2.0 * line.half_length);
             let [one, two] = other.ends.map(|end| along.perp(&(end - line.ends[0])));
             // Of the two sides of the line the one that the other chord is on, or is less beyond.
-            let (side, width) = match one + two > 0.0 {
-                true => (1.0, one.min(two)),
-                false => (-1.0, -one.max(two)),
+            let (side, width) = if one + two > 0.0 {
+                (1.0, one.min(two))
+            } else {
+                (-1.0, -one.max(two))
             };
             let n = sense * side * Vector2::new(-along.y, along.x);
-            match width > margin {
-                true => {
-                    self.turn_across(n, free_chord, width - margin, rounding / line.half_length)
-                }
-                false => 0.0,
+            if width > margin {
+                self.turn_across(n, free_chord, width - margin, rounding / line.half_length)
+            } else {
+                0.0
             }
         };
         let [from_ours, from_theirs] = [
@@ -326,10 +326,7 @@ fn distances(chord: &Chord, point: &Point2<f64>) -> [f64; 2] {
     let [a, b] = chord.ends.map(|end| end - point);
     let along = b - a;
     let part = (-a.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-    let near = match part.is_nan() {
-        true => a,
-        false => a + part * along,
-    };
+    let near = if part.is_nan() { a } else { a + part * along };
     [
         near.norm() - chord.error,
         a.norm().max(b.norm()) + chord.error,

@@ -93,9 +93,10 @@ pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     let first_along = (first.ends[1] - first.ends[0]) * (0.5 / first.half_length);
     let second_along = (second.ends[1] - second.ends[0]) * (0.5 / second.half_length);
     let reversed = first_along.dot(&second_along) < 0.0;
-    let second_along = match reversed {
-        true => -second_along,
-        false => second_along,
+    let second_along = if reversed {
+        -second_along
+    } else {
+        second_along
     };
     // Both chords stand at half the angle between them to their mean, and `sin 2β ≤ 0.8` means `β ≤ 0.6 sin 2β`.
     let sine = first_along.perp(&second_along).abs();
@@ -108,9 +109,10 @@ pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     let bending = 1.0 + 3.2 * steep * steep;
     let origin = first.ends[0];
     let graph = |stretch: &Stretch, reversed: bool| {
-        let [from, to] = match reversed {
-            true => [stretch.ends[1], stretch.ends[0]],
-            false => *stretch.ends,
+        let [from, to] = if reversed {
+            [stretch.ends[1], stretch.ends[0]]
+        } else {
+            *stretch.ends
         };
         let (from, run): (Vector2<f64>, _) = (from - origin, to - from);
         let (start, run, rise) = (along.dot(&from), along.dot(&run), along.perp(&run));
@@ -125,9 +127,12 @@ pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     let (one, other) = (graph(first, false), graph(second, reversed));
     let (from, to) = (one.start.max(other.start), one.end.min(other.end));
     let bend = one.bend + other.bend;
-    let run = |graph: &Graph, reversed: bool| match reversed {
-        true => (graph.end, graph.start - graph.end),
-        false => (graph.start, graph.end - graph.start),
+    let run = |graph: &Graph, reversed: bool| {
+        if reversed {
+            (graph.end, graph.start - graph.end)
+        } else {
+            (graph.start, graph.end - graph.start)
+        }
     };
     let at = |width: f64, lowest: f64| Gap {
         width,

@@ -45,18 +45,22 @@ pub(super) fn seen(
         let clear = looking.at(opening);
         (clear, looking.close)
     };
-    let between = match known {
-        true => 0.0,
-        false => problem.reach() * (open - closed),
+    let between = if known {
+        0.0
+    } else {
+        problem.reach() * (open - closed)
     };
     let (clear, close) = look(open, between, left);
     let seen = match (clear, close && !known) {
         (false, _) => Seen::Overlap,
         (true, false) => Seen::Clear,
-        (true, true) => match look(closed, 0.0, left).0 {
-            true => Seen::Clear,
-            false => Seen::Touch,
-        },
+        (true, true) => {
+            if look(closed, 0.0, left).0 {
+                Seen::Clear
+            } else {
+                Seen::Touch
+            }
+        }
     };
     match *left {
         0 => Seen::TooMuch,

@@ -199,14 +199,16 @@ fn cut(problem: &FlankProblem, pair: &Pair, opening: f64, waiting: &mut BinaryHe
     let [locked_chord, free_chord] = pair.chords;
     let mut made = None;
     let is_ours = locked_chord.error >= free_chord.error;
-    let halves = match is_ours {
-        true => problem.locked.halves(&locked_chord, &mut made),
-        false => problem.free.halves(&free_chord, &mut made),
+    let halves = if is_ours {
+        problem.locked.halves(&locked_chord, &mut made)
+    } else {
+        problem.free.halves(&free_chord, &mut made)
     };
     for &half in halves {
-        let chords = match is_ours {
-            true => [half, free_chord],
-            false => [locked_chord, half],
+        let chords = if is_ours {
+            [half, free_chord]
+        } else {
+            [locked_chord, half]
         };
         if !problem.passes(&chords[0], problem.radii(&chords[1])) {
             waiting.push(Pair {
@@ -224,13 +226,12 @@ fn turn_in(problem: &FlankProblem, pair: &Pair, finest: f64) -> Turned {
     // Below its own rounding a distance says nothing.
     let rounding = problem.rounding() / 8.0;
     // Two curves are clear where their chords are farther apart than both errors; finest chords go on until they touch.
-    let (margin, near, steps) = match pair.finest {
-        false => {
-            let margin = locked_chord.error + free_chord.error;
-            // Steps of d − margin never arrive: 5 % above it is near enough.
-            (margin, 1.05 * margin + rounding, STEPS)
-        }
-        true => (0.0, (STOP * finest).max(rounding), FINEST_STEPS),
+    let (margin, near, steps) = if pair.finest {
+        (0.0, (STOP * finest).max(rounding), FINEST_STEPS)
+    } else {
+        let margin = locked_chord.error + free_chord.error;
+        // Steps of d − margin never arrive: 5 % above it is near enough.
+        (margin, 1.05 * margin + rounding, STEPS)
     };
     let mut opening = pair.opening;
     for _ in 0..steps {
@@ -265,9 +266,10 @@ fn bracket(
     // Half a turn is as far as a bracket means anything.
     let turned = |depth: f64| {
         let square = lever * lever - 2.0 * bulge * depth;
-        match square >= 0.0 && lever > 0.0 {
-            true => (2.0 * depth / (lever + square.sqrt())).min(PI),
-            false => PI,
+        if square >= 0.0 && lever > 0.0 {
+            (2.0 * depth / (lever + square.sqrt())).min(PI)
+        } else {
+            PI
         }
     };
     let rounding = problem.rounding();

@@ -59,9 +59,10 @@ impl Sought {
             Sought::Foremost(along) => (along, 0.0),
             Sought::Nearest(to) => {
                 let distance = (to - point).norm();
-                match distance > d {
-                    true => ((to - point) / distance, (d / distance).asin()),
-                    false => (C::ONE, FRAC_PI_2),
+                if distance > d {
+                    ((to - point) / distance, (d / distance).asin())
+                } else {
+                    (C::ONE, FRAC_PI_2)
                 }
             }
         }
@@ -105,9 +106,10 @@ impl Sought {
             }
             // A stretch is at most d/cos w long on either side of its middle; along it the value falls by no more than the sine of the
             // angle between what falls and the normal.
-            let gain = match off + slack < WIDE {
-                true => d.min(d / turned.cos() * (off + slack).sin()),
-                false => d,
+            let gain = if off + slack < WIDE {
+                d.min(d / turned.cos() * (off + slack).sin())
+            } else {
+                d
             };
             let splits = low < middle && middle < high && count < MOST_STRETCHES;
             if value - gain >= best.0 - fine || !splits {

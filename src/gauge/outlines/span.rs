@@ -154,9 +154,10 @@ impl<'a> Anvils<'a> {
             let closed = self.closed(angle);
             let halves = angle != one.0 && angle != other.0;
             if halves && rest(one, other) > fine {
-                match closed.slope * one.1 > 0.0 {
-                    true => one = (angle, closed.slope),
-                    false => other = (angle, closed.slope),
+                if closed.slope * one.1 > 0.0 {
+                    one = (angle, closed.slope)
+                } else {
+                    other = (angle, closed.slope)
                 }
                 continue;
             }

@@ -90,13 +90,15 @@ impl Pair {
             // An undercut gear's mate may have any number of teeth.
             let second = random.decades(3.0, 401.0) as u32;
             let module = random.decades(0.05, 20.0);
-            let alpha = match random.chance(0.4) {
-                true => random.pick(&[14.5, 20.0, 25.0, 30.0]),
-                false => random.within(14.5, 30.0),
+            let alpha = if random.chance(0.4) {
+                random.pick(&[14.5, 20.0, 25.0, 30.0])
+            } else {
+                random.within(14.5, 30.0)
             };
-            let teeth = match random.chance(0.5) {
-                true => [second, first],
-                false => [first, second],
+            let teeth = if random.chance(0.5) {
+                [second, first]
+            } else {
+                [first, second]
             };
             let hands = [hand, hand.mate()];
             let [wheel, pinion] = [0, 1].map(|k: usize| {
@@ -153,13 +155,15 @@ impl Pair {
             .find_map(|a| GearPair::with_locked(wheel.clone(), pinion.clone(), a, locked).ok())
             .expect("a distance between jam and out of mesh");
         let assembly = assembly.with_face(self.face).expect("ends in order");
-        let whole = match random.chance(0.2) {
-            true => random.within(-50.0, 50.0).round(),
-            false => 0.0,
+        let whole = if random.chance(0.2) {
+            random.within(-50.0, 50.0).round()
+        } else {
+            0.0
         };
-        let part = match random.chance(0.1) {
-            true => 0.0,
-            false => random.within(0.0, 1.0),
+        let part = if random.chance(0.1) {
+            0.0
+        } else {
+            random.within(0.0, 1.0)
         };
         let mating = Mating {
             wheel_tooth: random.one_of(self.numbers[0].teeth),

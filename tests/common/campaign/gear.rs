@@ -127,9 +127,10 @@ impl Numbers {
     ) -> Numbers {
         let kind = random.pick(&RackKind::ALL);
         let rack = kind.draw(random, pressure_angle_deg.to_radians());
-        let profile_shift = match random.chance(0.15) {
-            true => 0.0,
-            false => random.within(-0.6, 1.2),
+        let profile_shift = if random.chance(0.15) {
+            0.0
+        } else {
+            random.within(-0.6, 1.2)
         };
         let plain = f64::from(teeth) * module_mm + 2.0 * module_mm * (rack[0] + profile_shift);
         let tip = random.pick(&[
@@ -146,9 +147,10 @@ impl Numbers {
                     Tip::TurnedDown => -random.decades(0.01, 0.8),
                     Tip::Raised => random.decades(0.01, 0.6),
                 };
-        let allowance = match random.chance(0.5) {
-            true => random.within(-0.03, 0.005),
-            false => random.within(-0.3, 0.25),
+        let allowance = if random.chance(0.5) {
+            random.within(-0.03, 0.005)
+        } else {
+            random.within(-0.3, 0.25)
         };
         let mut numbers = Numbers {
             teeth,

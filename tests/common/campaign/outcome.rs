@@ -256,9 +256,10 @@ pub fn combination(assembly: &GearPair, contact: &Contact) -> String {
             Member::Pinion => &contact.pinion,
         };
         let form = assembly.gear(member).gear().form_radius();
-        match (touch.radius - form).abs() <= JOINT {
-            true => "joint",
-            false => touch.curve.name(),
+        if (touch.radius - form).abs() <= JOINT {
+            "joint"
+        } else {
+            touch.curve.name()
         }
     };
     format!("{} on {}", name(assembly.locked()), name(assembly.free()))

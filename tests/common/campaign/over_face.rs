@@ -44,9 +44,10 @@ fn judge(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
     let um = drawn.assembly.operating_pitch_radius(drawn.assembly.free()) * 1e3;
     if let Err(unproven) = &certified.found {
         let reason = format!("certificate: {}", unproven.reason);
-        return match reason.contains("effort") {
-            true => Verdict::Unproven(reason),
-            false => Verdict::Fault(reason),
+        return if reason.contains("effort") {
+            Verdict::Unproven(reason)
+        } else {
+            Verdict::Fault(reason)
         };
     }
     let mut agreement = Agreement {

@@ -154,9 +154,10 @@ impl Half {
     fn rolled_to(&self, gamma: f64) -> [f64; 2] {
         let (sin, cos) = gamma.sin_cos();
         let size = (self.wide * sin).hypot(self.round * cos);
-        let from_centre = match size > 0.0 {
-            true => [self.wide * self.wide * sin, self.round * self.round * cos].map(|v| v / size),
-            false => [0.0; 2],
+        let from_centre = if size > 0.0 {
+            [self.wide * self.wide * sin, self.round * self.round * cos].map(|v| v / size)
+        } else {
+            [0.0; 2]
         };
         let deep = self.depth + from_centre[1];
         [deep, (deep * gamma.tan() - from_centre[0]) / self.reference]
@@ -255,9 +256,10 @@ impl Half {
         let to_corner = (radius - self.tip).hypot(beyond);
         let to_space = over_root.hypot(before);
         if over_root <= 0.0 {
-            let (cut, end) = match before > beyond {
-                true => (before, to_space),
-                false => (beyond, to_corner),
+            let (cut, end) = if before > beyond {
+                (before, to_space)
+            } else {
+                (beyond, to_corner)
             };
             return Clearance {
                 mm: if cut > 0.0 { end } else { over_root.max(cut) },
@@ -269,9 +271,10 @@ impl Half {
         let beside = (-half - angle) * radius * across;
         // Beyond the end of the space all of the half tooth lies on the other side of the radius there.
         let from_flank = beside.max(radius - self.tip).max(before);
-        let from_tooth = match from_flank < 0.0 && beyond > 0.0 {
-            true => to_corner,
-            false => from_flank.max(beyond),
+        let from_tooth = if from_flank < 0.0 && beyond > 0.0 {
+            to_corner
+        } else {
+            from_flank.max(beyond)
         };
         let over_land = if before > 0.0 { to_space } else { over_root };
         Clearance {

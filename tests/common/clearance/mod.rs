@@ -85,9 +85,10 @@ fn crosses(found: &[f64], along: impl Fn(usize) -> f64, at: impl Fn(f64) -> Clea
         };
         for _ in 0..40 {
             let middle = 0.5 * (clear + over);
-            match at(middle).mm < 0.0 {
-                true => over = middle,
-                false => clear = middle,
+            if at(middle).mm < 0.0 {
+                over = middle
+            } else {
+                clear = middle
             }
         }
         !at(over).cut
@@ -191,13 +192,14 @@ impl<'a> Referee<'a> {
         let out = other.tip + NEAR * self.module + least.max(0.0);
         let at = |t: f64| {
             let [x, y] = to.seen(from.out(one.along(t, its)));
-            match x.hypot(y) > out {
-                true => Clearance {
+            if x.hypot(y) > out {
+                Clearance {
                     mm: f64::INFINITY,
                     cut: false,
                     end: f64::INFINITY,
-                },
-                false => other.clearance(x, y, ends),
+                }
+            } else {
+                other.clearance(x, y, ends)
             }
         };
         let along = |k: usize| k as f64 / POINTS as f64;
@@ -325,9 +327,10 @@ impl<'a> Referee<'a> {
             if middle == clear || middle == over {
                 break;
             }
-            match self.least(middle) < 0.0 {
-                true => over = middle,
-                false => clear = middle,
+            if self.least(middle) < 0.0 {
+                over = middle
+            } else {
+                clear = middle
             }
         }
         over

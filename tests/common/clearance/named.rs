@@ -109,9 +109,10 @@ fn half_tooth(
     touch: &Touch,
 ) -> Named {
     let stood = Stood::new(assembly, member);
-    let rotation = match member == assembly.locked() {
-        true => pose.locked_rotation(),
-        false => contact.rotation,
+    let rotation = if member == assembly.locked() {
+        pose.locked_rotation()
+    } else {
+        contact.rotation
     };
     Named {
         frame: stood.frame(rotation, side, touch.tooth),

@@ -31,13 +31,15 @@ impl Here<'_> {
         let module = self.module();
         let formula = limits::radial_clearance(self.assembly, member);
         // Along the face of helical gears the eccentricities stand in all directions to a tooth: taken for the worst.
-        let off = match self.assembly.is_helical() {
-            true => Member::BOTH.map(|member| self.assembly.gear(member).eccentricity()),
-            false => [0.0; 2],
+        let off = if self.assembly.is_helical() {
+            Member::BOTH.map(|member| self.assembly.gear(member).eccentricity())
+        } else {
+            [0.0; 2]
         };
-        let found = match self.assembly.is_helical() {
-            true => None,
-            false => least_over(self.assembly, member, pitches, tick)?,
+        let found = if self.assembly.is_helical() {
+            None
+        } else {
+            least_over(self.assembly, member, pitches, tick)?
         };
         let least = found.map_or(formula, |found| found.distance.min(formula)) - off[0] - off[1];
         let limit = limits::LEAST_CLEARANCE * module;
@@ -97,12 +99,13 @@ impl Here<'_> {
             as_built.flank_offset(Side::Left, tooth) - as_built.flank_offset(Side::Right, tooth)
         };
         let teeth = 1..=gear.basic_data().teeth();
-        let thinnest = teeth.reduce(
-            |thinnest, tooth| match widening(tooth) < widening(thinnest) {
-                true => tooth,
-                false => thinnest,
-            },
-        );
+        let thinnest = teeth.reduce(|thinnest, tooth| {
+            if widening(tooth) < widening(thinnest) {
+                tooth
+            } else {
+                thinnest
+            }
+        });
         let leaning = limits::tip_helix_cos(gear);
         let outlines =
             thinnest.map(|tooth| formula + gear.tip_radius() * widening(tooth) * leaning);

@@ -84,9 +84,10 @@ impl Here<'_> {
             run.material == self.seen.material && run.assembly.center_distance() == distance
         });
         // Over all directions of a runout the search follows one of them.
-        let beyond = match is_open(self.assembly) {
-            true => 10.0 * WIDTH,
-            false => 0.01 * WIDTH,
+        let beyond = if is_open(self.assembly) {
+            10.0 * WIDTH
+        } else {
+            0.01 * WIDTH
         };
         let each = runs.map(|run| {
             let least = run.least.as_ref().filter(|least| least.holds())?;

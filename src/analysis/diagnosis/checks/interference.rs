@@ -94,13 +94,17 @@ impl Here<'_> {
             Member::Pinion => lowest.pinion,
         };
         let on_edge = touch.curve == ProfilePart::Involute;
-        let place = match on_edge {
-            true => "on the undercut edge, at the form circle,",
-            false => "below the involute",
+        let place = if on_edge {
+            "on the undercut edge, at the form circle,"
+        } else {
+            "below the involute"
         };
-        let curve = |touch: Touch| match on_edge {
-            true => format!("{}", touch.tooth),
-            false => format!("{} {}", touch.tooth, touch.curve.name()),
+        let curve = |touch: Touch| {
+            if on_edge {
+                format!("{}", touch.tooth)
+            } else {
+                format!("{} {}", touch.tooth, touch.curve.name())
+            }
         };
         format!(
             "touched {place} in {} of {poses} poses by {} tooth pairs, lowest at wheel {}, pinion {}",

@@ -124,13 +124,14 @@ impl Here<'_> {
                 ("least_shift_modules", least),
                 ("edge_deg", edge.to_degrees()),
             ],
-            note: match undercut {
-                true => format!(
+            note: if undercut {
+                format!(
                     "undercut: form diameter {:.4} mm, profile kink of {:.2}°",
                     2.0 * gear.form_radius(),
                     edge.to_degrees()
-                ),
-                false => format!("form diameter {:.4} mm", 2.0 * gear.form_radius()),
+                )
+            } else {
+                format!("form diameter {:.4} mm", 2.0 * gear.form_radius())
             },
         }
     }
@@ -160,9 +161,10 @@ impl Here<'_> {
                 .into_iter()
                 .collect(),
             note: nominal.map_or(String::new(), |nominal| {
-                let overlap = match overlap > 0.0 {
-                    true => format!("; and overlap ratio {overlap:.4}"),
-                    false => String::new(),
+                let overlap = if overlap > 0.0 {
+                    format!("; and overlap ratio {overlap:.4}")
+                } else {
+                    String::new()
                 };
                 format!("{nominal:.4} at the nominal zero-backlash centre distance{overlap}")
             }),

@@ -194,9 +194,10 @@ pub fn failed_checks(
             (None, Some(false)) => Known::Missed,
             _ => Known::Found(once(&mut zeros, material, || start()?.zero())?),
         };
-        let onset = match ExactKernel::new(assembly).keeps_to_involutes(assembly) {
-            true => Known::Kept,
-            false => Known::Found(once(&mut onsets, material, || start()?.onset())?),
+        let onset = if ExactKernel::new(assembly).keeps_to_involutes(assembly) {
+            Known::Kept
+        } else {
+            Known::Found(once(&mut onsets, material, || start()?.onset())?)
         };
         let pitches = || {
             let runs = study.runs()?;

@@ -78,13 +78,14 @@ impl Edges {
             let distances = [problem.distance - off, problem.distance + off];
             !reached[k] || deepest[k].is_some_and(|least| room().exceeds(spread, distances, least))
         });
-        match clear && !self.jams {
-            true => self.short.then_some(Edges {
+        if clear && !self.jams {
+            self.short.then_some(Edges {
                 on_locked: false,
                 on_free: false,
                 ..self
-            }),
-            false => Some(self),
+            })
+        } else {
+            Some(self)
         }
     }
 

@@ -40,9 +40,10 @@ impl<'a> Facing<'a> {
     /// The teeth of `posed`; both involutes are asked about where pairs touch on the line of action between sections only, or nowhere (`short`):
     /// else they are tightest in sections that are looked at anyway.
     pub fn new(assembly: &GearPair, posed: &'a PosedFlanks<'a>, short: bool) -> Facing<'a> {
-        let all = match short {
-            true => Curves::ALL,
-            false => Curves::ALL.without(ProfilePart::Involute, ProfilePart::Involute),
+        let all = if short {
+            Curves::ALL
+        } else {
+            Curves::ALL.without(ProfilePart::Involute, ProfilePart::Involute)
         };
         Facing {
             posed,

@@ -27,9 +27,10 @@ pub(super) fn tips_on_roots(
         Edge::root_end(free, |step| posed.free(step)),
     ];
     // What touches the mate's flank farther out is tightest elsewhere; where nothing holds the free gear yet, anything may.
-    let curves = match stands.is_held {
-        true => Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet)),
-        false => Curves::ALL,
+    let curves = if stands.is_held {
+        Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet))
+    } else {
+        Curves::ALL
     };
     let deep = |place: Place| Place { curves, ..place };
     let tips_at = |which: usize, turning: &Turning, direction: f64, places: &mut Vec<Place>| {

@@ -255,9 +255,10 @@ pub(super) fn crossing_places(
             let off = 2.0 * unsure;
             let beside = [-BESIDE, BESIDE, -off, off];
             for beside in &beside[..if unsure > BESIDE { 4 } else { 2 }] {
-                let doubt = match beside.abs() > BESIDE {
-                    true => per_turn * beside.abs(),
-                    false => 0.0,
+                let doubt = if beside.abs() > BESIDE {
+                    per_turn * beside.abs()
+                } else {
+                    0.0
                 };
                 places.extend(locked.on_face(step, b + beside / locked.twist, doubt));
             }

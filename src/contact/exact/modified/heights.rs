@@ -181,9 +181,10 @@ impl Heights<'_> {
             // Farther out along the string the roll changes by sin η/s_F a length; `s_F` is less by a tenth at most.
             let play = 1.5 * off * (sin + off / reach) / reach;
             let by = width * follows;
-            let faced = match on > 0.0 {
-                true => [look.y - by - play, look.y + play],
-                false => [look.y - play, look.y + by + play],
+            let faced = if on > 0.0 {
+                [look.y - by - play, look.y + play]
+            } else {
+                [look.y - play, look.y + by + play]
             };
             (faced, reach)
         } else {
@@ -264,10 +265,12 @@ impl Heights<'_> {
             - short * cos * (1.0 + follows_least);
         // The greatest value of height + slope t + bend t²/2 from 0 to the width.
         let slope = look.slope * on;
-        let best = match bend < 0.0 {
-            true => (-slope / bend).clamp(0.0, width),
-            false if slope + 0.5 * bend * width > 0.0 => width,
-            false => 0.0,
+        let best = if bend < 0.0 {
+            (-slope / bend).clamp(0.0, width)
+        } else if slope + 0.5 * bend * width > 0.0 {
+            width
+        } else {
+            0.0
         };
         look.height + best * (slope + 0.5 * bend * best)
     }

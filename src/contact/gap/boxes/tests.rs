@@ -58,9 +58,10 @@ fn one_round_two_is_as_small_as_its_direction_allows() {
                 along.iter().copied().fold(f64::MIN, f64::max),
                 -along.iter().copied().fold(f64::MAX, f64::min),
             ];
-            let own = match axis(&C::new(1.0, 0.0)) == 1.0 {
-                true => round.half[0],
-                false => round.half[1],
+            let own = if axis(&C::new(1.0, 0.0)) == 1.0 {
+                round.half[0]
+            } else {
+                round.half[1]
             };
             assert!(half.iter().all(|half| (half - own).abs() < 1e-12));
         }
@@ -161,9 +162,10 @@ fn what_is_behind_lies_clockwise_at_every_radius() {
                         (one.middle.im - one.half[1], one.middle.im + one.half[1]),
                     );
                     let sign = 1f64.copysign(one.middle.re);
-                    let divided = match sign > 0.0 {
-                        true => least.0 > most.1 + 1e-9,
-                        false => least.1 < most.0 - 1e-9,
+                    let divided = if sign > 0.0 {
+                        least.0 > most.1 + 1e-9
+                    } else {
+                        least.1 < most.0 - 1e-9
                     };
                     let outward = free
                         .iter()

@@ -265,10 +265,7 @@ fn edges_that_cross_are_at_one_point() {
                         for _ in 0..60 {
                             let middle = 0.5 * (low + high);
                             let same = (off(middle, step, before.0).0 < 0.0) == (before.1 < 0.0);
-                            match same {
-                                true => low = middle,
-                                false => high = middle,
-                            }
+                            if same { low = middle } else { high = middle }
                         }
                         crossed.push((low, off(low, step, before.0).1));
                     }

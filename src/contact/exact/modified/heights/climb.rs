@@ -57,9 +57,10 @@ impl Heights<'_> {
     /// Whether nothing of the free flank faces what is beyond a place in the sense `on`.
     pub(super) fn leaves(&self, look: &Look, on: f64) -> bool {
         let (low, high) = self.free.range;
-        match on > 0.0 {
-            true => look.y <= low + SAME_ROLL,
-            false => look.y >= high - SAME_ROLL,
+        if on > 0.0 {
+            look.y <= low + SAME_ROLL
+        } else {
+            look.y >= high - SAME_ROLL
         }
     }
 
@@ -149,9 +150,10 @@ impl Heights<'_> {
             }
             let there = self.look(x)?;
             let slope = there.slope * on;
-            match slope > 0.0 {
-                true => (near, rise, fall) = (there, slope, 0.5 * fall),
-                false => (far, fall, rise) = (there, slope, 0.5 * rise),
+            if slope > 0.0 {
+                (near, rise, fall) = (there, slope, 0.5 * fall)
+            } else {
+                (far, fall, rise) = (there, slope, 0.5 * rise)
             }
             if slope.abs() <= LEVEL_SLOPE {
                 break;

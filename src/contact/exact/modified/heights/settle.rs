@@ -45,9 +45,10 @@ impl Heights<'_> {
                 if is_near && (task.is_search || self.most_near(&look, on, width) <= task.level) {
                     continue;
                 }
-                let middle = match is_near {
-                    true => self.division(&look, on, width),
-                    false => look.x + 0.5 * on * width,
+                let middle = if is_near {
+                    self.division(&look, on, width)
+                } else {
+                    look.x + 0.5 * on * width
                 };
                 let half = (middle - look.x) * on;
                 if !(half > 0.0 && half < width) {
@@ -82,9 +83,10 @@ impl Heights<'_> {
         let is_clear = match known {
             None => self.along(*middle, low, task)? && self.along(*middle, high, task)?,
             Some(known) => {
-                let [away, back] = match known.x >= middle.x {
-                    true => [high, low],
-                    false => [low, high],
+                let [away, back] = if known.x >= middle.x {
+                    [high, low]
+                } else {
+                    [low, high]
                 };
                 self.along(*known, away, task)?
                     && self.along(*known, middle.x, task)?

@@ -60,8 +60,8 @@ mod tests {
 
     #[test]
     fn a_command_that_is_gone_names_what_to_do_instead() {
-        let told = message("gearlash -q export box.rexs pair.toml --stage 10").unwrap();
-        assert!(told.starts_with("gearlash export is gone: gearlash check PAIR --format json"));
+        let text = message("gearlash -q export box.rexs pair.toml --stage 10").unwrap();
+        assert!(text.starts_with("gearlash export is gone: gearlash check PAIR --format json"));
         assert!(message("gearlash exports pair.toml").is_none());
         assert!(message("gearlash check export").is_none());
     }
@@ -70,8 +70,8 @@ mod tests {
     fn every_entry_is_found_by_its_own_words() {
         for gone in GONE {
             let line = format!("gearlash {} {} pair.toml", gone.command, gone.option);
-            let told = message(&line.replace("  ", " ")).unwrap();
-            assert!(told.ends_with(gone.instead), "{told}");
+            let text = message(&line.replace("  ", " ")).unwrap();
+            assert!(text.ends_with(gone.instead), "{text}");
         }
     }
 }

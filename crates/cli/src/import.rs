@@ -163,7 +163,7 @@ fn outlines(args: &Args) -> Result<ExitCode, Error> {
 /// A table in cells, or a protocol's.
 fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
     let row = args.header_row.map(|row| row.to_string());
-    let said = [
+    let stated = [
         ("sheet", &args.sheet),
         ("header_row", &row),
         ("tooth_column", &args.tooth_column),
@@ -172,9 +172,9 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
         ("column", &args.column),
         ("decimal", &args.decimal),
     ];
-    let keys = said
+    let keys = stated
         .into_iter()
-        .filter_map(|(key, said)| Some((key, said.clone()?)));
+        .filter_map(|(key, stated)| Some((key, stated.clone()?)));
     let keys: Vec<(&str, String)> = keys.collect();
     Ok(import::tables(
         &args.file,

@@ -87,9 +87,9 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
 }
 
 /// The section that is asked for, mm, which the gear must have.
-fn section(asked: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
+fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
     let face = entry.spec.face().filter(|_| entry.spec.is_helical());
-    let Some(mm) = asked else {
+    let Some(mm) = requested else {
         return Ok(face.map_or(0.0, |[from, to]| 0f64.clamp(from, to)));
     };
     let refused = match face {

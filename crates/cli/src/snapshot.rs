@@ -207,9 +207,9 @@ fn which() -> Error {
 
 /// The pose asked for, by its teeth or by its backlash, and the name of its file.
 fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
-    if let Some((asked, wanted)) = wanted(args) {
+    if let Some((option, wanted)) = wanted(args) {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
-        let found = worst::find((asked, wanted), study, args.center_distance, material)?;
+        let found = worst::find((option, wanted), study, args.center_distance, material)?;
         let (distance, end) = (found.assembly.center_distance(), found.material.name());
         let name = match wanted {
             Wanted::Least => "worst".to_owned(),

@@ -78,19 +78,19 @@ pub(super) struct Found {
 }
 
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given. Tells the verdict on standard
-/// error. Returns the pose that is `wanted` by the option `asked`.
+/// error. Returns the pose that is `wanted` by the option `option`.
 pub(super) fn find(
-    (asked, wanted): (&str, Wanted),
+    (option, wanted): (&str, Wanted),
     study: Study,
     distance: Option<f64>,
     material: Option<Material>,
 ) -> Result<Found, Error> {
     if study.is_drawn() && matches!(wanted, Wanted::LeastOf(_)) {
         return Err(Error::Usage(format!(
-            "{asked}: the kinds of contact are of gears by their data; give --worst alone"
+            "{option}: the kinds of contact are of gears by their data; give --worst alone"
         )));
     }
-    let study = narrowed(asked, study, distance, material)?;
+    let study = narrowed(option, study, distance, material)?;
     let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
     tell_verdict(&lines(&verdict));
@@ -107,9 +107,9 @@ pub(super) fn find(
     let Some((material, assembly, pose)) = chosen else {
         return Err(Error::Usage(match wanted {
             Wanted::LeastOf(_) => format!(
-                "{asked}: no pose of the pair file has such a contact; `gearlash check` counts the kinds that it has"
+                "{option}: no pose of the pair file has such a contact; `gearlash check` counts the kinds that it has"
             ),
-            _ => format!("{asked}: no pose is in mesh; there is none to draw"),
+            _ => format!("{option}: no pose is in mesh; there is none to draw"),
         }));
     };
     Ok(Found {
@@ -158,7 +158,7 @@ fn least_of(
 }
 
 fn narrowed(
-    asked: &str,
+    option: &str,
     mut study: Study,
     distance: Option<f64>,
     material: Option<Material>,
@@ -169,7 +169,7 @@ fn narrowed(
     let Some(distance) = distance else {
         return match study.center_distances.is_empty() {
             true => Err(Error::Usage(format!(
-                "{asked}: the pair file has no centre distance; give one with --center-distance"
+                "{option}: the pair file has no centre distance; give one with --center-distance"
             ))),
             false => Ok(study),
         };

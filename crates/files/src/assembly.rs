@@ -28,11 +28,11 @@ pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
         );
     }
     let mut seen = HashSet::new();
-    let twice = list.iter().find(|mm| !seen.insert(mm.to_bits()));
-    if let Some(twice) = twice {
+    let duplicate = list.iter().find(|mm| !seen.insert(mm.to_bits()));
+    if let Some(duplicate) = duplicate {
         return table.refuse(
             spelling(table),
-            format!("{twice:?} is listed twice, allowed is each distance once"),
+            format!("{duplicate:?} is listed twice, allowed is each distance once"),
             "list each centre distance to be run once",
         );
     }
@@ -76,7 +76,7 @@ pub fn check_shared(file: &Table, wheel: &GearPart, pinion: &GearPart) -> Option
     shared
 }
 
-/// The fault of the centre distance `a`, mm, between gears of these base radii' sum, if there is one.
+/// The fault of the centre distance `a`, mm, where the base circles overlap; `base_radii` is the sum of both radii.
 pub fn overlap(a: f64, base_radii: f64) -> Option<String> {
     let overlap = GearError::BaseCirclesOverlap {
         center_distance_mm: a,

@@ -1,9 +1,9 @@
 //! Text from files, made fit for what shows it: a terminal, a log, a picture, a page, JSON.
 //!
-//! Titles, file names, keys and cells come from outside. Whatever shows them may act on some of their characters; every
-//! place that prints or writes such text takes it through [`plain`], JSON through [`json`].
+//! Titles, file names, keys and cells come from outside. A terminal, picture or page may act on some of their characters. Every
+//! place that prints or writes such text passes it through [`plain`], JSON through [`json`].
 
-/// Whether something that shows `c` acts on it, or cannot hold it.
+/// Whether a terminal, picture or page acts on `c`, or cannot hold it.
 ///
 /// Controls move a terminal's cursor, change its colours and end lines; so do the separators U+2028 and U+2029. Unicode's
 /// `Bidi_Control` (PropList.txt; UAX #9) and the deprecated format characters beside it, U+206A to U+206F, turn the text behind them
@@ -58,8 +58,8 @@ pub fn line(text: &str) -> String {
     cut(&plain(text), LONGEST_LINE)
 }
 
-/// `text` of a file to be shown with its lines and at its byte offsets: each byte of a character that acts is a space, line ends
-/// excepted, and so is the second sign of a `##` that would begin a command of a CI log.
+/// `text` of a file, shown with its lines and at its byte offsets. Each byte of a character that acts becomes a space, except
+/// line ends. So does the second sign of a `##` that would begin a command of a CI log.
 pub fn quoted_source(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
@@ -88,7 +88,7 @@ fn begins_command(rest: &str) -> bool {
 /// `value` as JSON, a line end at its end, with every character that acts written as an escape.
 ///
 /// # Errors
-/// Of serde_json: a value that JSON cannot hold.
+/// The error of serde_json for a value that JSON cannot hold.
 pub fn json_of(value: &impl serde::Serialize) -> serde_json::Result<String> {
     Ok(json(serde_json::to_string_pretty(value)?) + "\n")
 }
@@ -126,7 +126,7 @@ pub fn json(text: String) -> String {
     escaped
 }
 
-/// `text` where it has up to `most` characters, else as many of them and an ellipsis.
+/// `text` with at most `most` characters; a longer one is cut and ends with an ellipsis.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{} …", &text[..end]),

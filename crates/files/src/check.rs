@@ -1,7 +1,7 @@
-//! Checks a file against the schema of its spec: every problem at once, with key, value, what is allowed and the way out.
+//! Checks a file against the schema of its spec. It reports every problem at once, with key, value, allowed values and remedy.
 //!
-//! The schema holds type, range and description of each key, and which keys go together ([`crate::spec`]). Serde
-//! then reads the spec. Values of two tables and the geometry are checked where they are used.
+//! The schema holds type, range and description of each key, and which keys go together ([`crate::spec`]). Serde then reads the
+//! spec. Values of two tables and the geometry are checked where they are used.
 
 use crate::error::Problem;
 use crate::nearest::{is_slip, nearest};
@@ -32,7 +32,7 @@ const ORDERED: [[&str; 2]; 4] = [
     ["lower_um", "upper_um"],
 ];
 
-/// A checked file: what is good of it can be read.
+/// A checked file; its good values can be read.
 #[derive(Debug)]
 pub struct Checked<'a> {
     table: Table<'a>,
@@ -58,7 +58,7 @@ impl<'a> Checked<'a> {
         &self.table
     }
 
-    /// Whether nothing is wrong with the value at the dotted `path`, nor below it, be it there or not.
+    /// Whether neither the value at the dotted `path` nor any below it has a problem. An absent value has none.
     pub fn is_good(&self, path: &str) -> bool {
         let below = |path: &str, above: &str| {
             let rest = path.strip_prefix(above);
@@ -73,7 +73,7 @@ impl<'a> Checked<'a> {
         self.table.has(path) || self.bad.iter().any(|bad| bad == path)
     }
 
-    /// The value at the dotted `path`: `None` where something is wrong with it, `Some(None)` where it is not there.
+    /// The value at the dotted `path`: `None` where it has a problem, `Some(None)` where it is absent.
     pub fn read<T: Deserialize<'a>>(&self, path: &str) -> Option<Option<T>> {
         if !self.is_good(path) {
             return None;
@@ -96,7 +96,7 @@ struct Walk<'a> {
 
 /// Where a value stands.
 #[derive(Clone, Copy)]
-struct At<'k> {
+struct ValuePlace<'k> {
     key: &'k str,
     unit: &'static str,
     /// The schema of its key.
@@ -118,7 +118,7 @@ impl Walk<'_> {
         }
     }
 
-    fn wrong(&mut self, at: At, node: &Node, reason: String, help: impl Into<String>) {
+    fn wrong(&mut self, at: ValuePlace, node: &Node, reason: String, help: impl Into<String>) {
         if self.reading.only_counts() {
             return;
         }
@@ -151,7 +151,7 @@ impl Walk<'_> {
         }
     }
 
-    fn value(&mut self, at: At, node: &Node, schema: &Value) {
+    fn value(&mut self, at: ValuePlace, node: &Node, schema: &Value) {
         let options = self.options(schema);
         let kinds: &[Kind] = match node {
             Node::Flag(_) => &[Kind::Flag],
@@ -224,9 +224,9 @@ impl Walk<'_> {
         }
     }
 
-    fn number(&mut self, at: At, node: &Node, number: f64, schema: &Value) {
+    fn number(&mut self, at: ValuePlace, node: &Node, number: f64, schema: &Value) {
         let bound = |name: &str| schema[name].as_f64();
-        if let Some(reason) = unmodelled::value(at.key, node) {
+        if let Some(reason) = unmodelled::teeth_reason(at.key, node) {
             return self.wrong(at, node, reason.to_owned(), "give an external pair");
         }
         let wrong = if !number.is_finite() {
@@ -245,7 +245,7 @@ impl Walk<'_> {
         self.wrong(at, node, reason, self.words(at.schema));
     }
 
-    fn word(&mut self, at: At, node: &Node, text: &str, schema: &Value) {
+    fn word(&mut self, at: ValuePlace, node: &Node, text: &str, schema: &Value) {
         let words = words(schema);
         if words.contains(&text) {
             return;
@@ -260,7 +260,7 @@ impl Walk<'_> {
         self.wrong(at, node, reason, help);
     }
 
-    fn list(&mut self, at: At, node: &Node, list: &[Node], schema: &Value) {
+    fn list(&mut self, at: ValuePlace, node: &Node, list: &[Node], schema: &Value) {
         let length = |name: &str| schema[name].as_u64();
         let (least, most) = (length("minItems").unwrap_or(0), length("maxItems"));
         let count = list.len() as u64;
@@ -281,28 +281,30 @@ impl Walk<'_> {
             for (place, element) in (1..).zip(list) {
                 if kinds == [Kind::Table] {
                     let key = format!("{}[{place}]", at.key);
-                    let at = At { key: &key, ..at };
+                    let at = ValuePlace { key: &key, ..at };
                     self.value(at, element, items);
                 } else if let (Node::List(_), [Kind::List]) = (element, &kinds[..]) {
                     self.list_in_list(at, place, element, items);
                 } else {
                     let place = Some(place);
-                    self.value(At { place, ..at }, element, items);
+                    self.value(ValuePlace { place, ..at }, element, items);
                 }
             }
             Some(())
         });
     }
 
-    /// All problems of a list in a list are one problem of it.
-    fn list_in_list(&mut self, at: At, place: usize, node: &Node, schema: &Value) {
-        let ((), inner) = self.reading.apart(|| self.value(at, node, schema));
+    /// Merges all problems of an inner list into one problem of it.
+    fn list_in_list(&mut self, at: ValuePlace, place: usize, node: &Node, schema: &Value) {
+        let ((), inner) = self
+            .reading
+            .capture_problems(|| self.value(at, node, schema));
         let inner = inner.into_list();
         if !inner.is_empty() {
             let reasons: Vec<String> = inner.into_iter().map(|problem| problem.reason).collect();
             let place = Some(place);
             let words = self.words(at.schema);
-            self.wrong(At { place, ..at }, node, reasons.join("; "), words);
+            self.wrong(ValuePlace { place, ..at }, node, reasons.join("; "), words);
         }
     }
 
@@ -332,7 +334,7 @@ impl Walk<'_> {
                 }
                 continue;
             };
-            let at = At {
+            let at = ValuePlace {
                 key: &key,
                 unit: unit_of(name).unwrap_or(unit),
                 schema: inner,
@@ -340,7 +342,7 @@ impl Walk<'_> {
             };
             self.value(at, node, inner);
         }
-        self.together(&table, schema);
+        self.check_combinations(&table, schema);
         for [low, high] in ORDERED {
             if let (Some(least), Some(most)) = (table.number(low), table.number(high))
                 && least > most
@@ -385,7 +387,7 @@ impl Walk<'_> {
                         format!("given together with {beside}, which stands in its place"),
                         "remove one or the other".to_owned(),
                     )
-                } else if let Some((reason, help)) = unmodelled::why(&key, name, node) {
+                } else if let Some((reason, help)) = unmodelled::key_reason(&key, name, node) {
                     (reason.to_owned(), help.to_owned())
                 } else {
                     let near =
@@ -421,7 +423,7 @@ impl Walk<'_> {
     }
 
     /// Which keys go together.
-    fn together(&mut self, table: &Keys, schema: &Value) {
+    fn check_combinations(&mut self, table: &Keys, schema: &Value) {
         let mut wrong = |key: &str, reason: String, help: String| {
             self.add(below(table.path, key), table.get(key), reason, help);
         };
@@ -479,8 +481,8 @@ impl Walk<'_> {
     fn words(&self, schema: &Value) -> String {
         let options = self.options(schema);
         let each = [schema].into_iter().chain(options.into_iter().take(1));
-        let mut said = each.filter_map(|one| one["description"].as_str());
-        let words = spec::in_a_row(said.next().unwrap_or("correct it"));
+        let mut descriptions = each.filter_map(|one| one["description"].as_str());
+        let words = spec::as_clause(descriptions.next().unwrap_or("correct it"));
         match schema["default"].as_f64() {
             Some(default) => format!("{words}; {} by default", grouped(default)),
             None => words,

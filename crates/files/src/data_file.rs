@@ -10,7 +10,7 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-/// Where it is, and what to call it in a message.
+/// A data file: its path, and its name in messages.
 #[derive(Debug, Clone)]
 pub struct DataFile {
     /// The reading of the pair file.
@@ -19,14 +19,14 @@ pub struct DataFile {
     key: String,
     /// As written in the pair file.
     name: String,
-    /// Where that is.
+    /// The path to it.
     path: PathBuf,
-    /// Whether that is outside the pair file's folder, by its real place.
+    /// Whether its real place is outside the pair file's folder.
     outside: bool,
 }
 
-/// In place of what stands in a file outside the pair file's folder. Such a file is read: engineers have network folders. But
-/// whoever writes a pair file and sees the messages must not read by them whatever file the program may read.
+/// Replaces text of a file outside the pair file's folder. The file is read, because engineers have network folders. But the
+/// writer of a pair file who sees the messages must not learn from them the content of any file that the program may read.
 const NOT_SHOWN: &str = "(not shown: the file is outside the pair file's folder)";
 /// Characters of a path that a message shows: as long as Linux allows.
 const LONGEST_PATH: usize = 4096;
@@ -58,7 +58,7 @@ impl DataFile {
         &self.name
     }
 
-    /// Where it is.
+    /// The path to it.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -86,7 +86,7 @@ impl DataFile {
         }
     }
 
-    /// What was found in the file, in words that may hold names from it and have been cut already.
+    /// `words` about content of the file. Names from it in them are already cut to length.
     pub fn found(&self, words: String) -> String {
         match self.outside {
             true => NOT_SHOWN.to_owned(),
@@ -99,7 +99,7 @@ impl DataFile {
         &self.reading
     }
 
-    /// A problem in the file. What the reason says of its content has been through [`DataFile::quote`] or [`DataFile::bare`].
+    /// A problem in the file. The caller passes its content through [`DataFile::quote`] or [`DataFile::bare`].
     pub fn problem(&self, reason: impl Display, help: impl Display) -> Problem {
         let path = cut(&self.path.display().to_string(), LONGEST_PATH);
         Problem {
@@ -141,7 +141,7 @@ impl DataFile {
     }
 }
 
-/// Whether the real place of `path`, links followed, is not below `folder`. Of one that is not there nothing is read.
+/// Whether the real place of `path`, links followed, is not below `folder`. A file that does not exist is outside.
 fn is_outside(path: &Path, folder: &Path) -> bool {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),
@@ -153,7 +153,7 @@ fn is_outside(path: &Path, folder: &Path) -> bool {
     }
 }
 
-/// The line on which a record stands; its position is that of the blank lines before it.
+/// The line of a record. `start` counts from the blank lines before it.
 pub fn line_of(text: &str, start: &csv::Position) -> u64 {
     let rest = text.get(start.byte() as usize..).unwrap_or_default();
     let blank = rest.bytes().take_while(|&b| b == b'\r' || b == b'\n');

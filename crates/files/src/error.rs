@@ -1,4 +1,4 @@
-//! What is wrong with an input file: every problem at once, each with its key and what helps.
+//! Errors of an input file: every problem at once, each with its key and a remedy.
 
 use crate::{characters, location};
 use std::fmt;
@@ -14,7 +14,7 @@ pub struct Problem {
     pub value: Option<String>,
     /// The fault, and the allowed values.
     pub reason: String,
-    /// The way out.
+    /// The remedy.
     pub help: String,
 }
 
@@ -56,7 +56,7 @@ pub struct InputError {
 }
 
 impl InputError {
-    /// The error of a file without its text.
+    /// The error of a file, without its text.
     pub(crate) fn of(file: &Path, problems: Vec<Problem>) -> InputError {
         InputError {
             file: file.to_path_buf(),
@@ -65,7 +65,8 @@ impl InputError {
         }
     }
 
-    /// A line for each problem, the file before it. Text of the file breaks no line and acts on no terminal or log.
+    /// The lines of the message: one per problem, prefixed by the file. Text of the file breaks no line and acts on no terminal
+    /// or log.
     pub fn lines(&self) -> Vec<String> {
         let problems = self.problems.iter();
         let line = |problem| characters::line(&format!("{}: {problem}", self.file.display()));

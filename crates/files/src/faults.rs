@@ -1,4 +1,4 @@
-//! Which key of a gear's table a [`MeasurementError`] comes from, and what helps.
+//! Finds the key of a gear's table for a [`MeasurementError`], and a remedy.
 
 use super::findings::suspected;
 use super::numbers::ascii;
@@ -28,7 +28,7 @@ pub fn add_all(of: &Statements, errors: Vec<MeasurementError>) {
     }
 }
 
-/// Checks the pitch of `sheet` by itself and its eccentricity beside `runout`.
+/// Checks the pitch of `sheet` itself, and its eccentricity beside `runout`.
 pub fn check_pitch(
     table: &Table,
     sheet: &PitchSheet,
@@ -37,8 +37,8 @@ pub fn check_pitch(
 ) -> Option<()> {
     let pitch = sheet.measured();
     let curves = pitch.curves(basic_data).err().into_iter().flatten();
-    let once = pitch.check_eccentricity(&runout.measured()).err();
-    let errors: Vec<MeasurementError> = curves.chain(once).collect();
+    let eccentricity = pitch.check_eccentricity(&runout.measured()).err();
+    let errors: Vec<MeasurementError> = curves.chain(eccentricity).collect();
     let good = errors.is_empty();
     for error in errors {
         let problem = of_flanks(table, Some(sheet), runout, error);
@@ -47,7 +47,7 @@ pub fn check_pitch(
     good.then_some(())
 }
 
-/// The key, what is wrong and what helps.
+/// The problem of `error`: key, reason and remedy.
 fn problem(of: &Statements, error: MeasurementError) -> Problem {
     let fault = |role, suspects| Fault { of, role, suspects };
     match error {
@@ -160,7 +160,7 @@ impl Fault<'_> {
         self.suspects.iter().map(suspected).collect()
     }
 
-    /// A problem of the whole tooth: blame the thickness where a nominal tooth would do, or `otherwise` with what helps.
+    /// A problem of the whole tooth. It blames the thickness where a nominal tooth would work; else `otherwise`, with its help.
     fn shape(&self, reason: String, otherwise: &'static str, help: String) -> Problem {
         let (statement, under) = self.of.of_thickness(self.role);
         match statement.key() {
@@ -186,7 +186,7 @@ impl Fault<'_> {
             .unwrap_or("profile_shift");
         let tip_given = tip_key == "tip_diameter_mm";
         match error {
-            // Rounded down: what is printed fits.
+            // Rounded down, so that the printed value fits.
             GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => table.problem(
                 "rack.root_radius",
                 format!("too large for the tool's tip, allowed is up to {} modules with this dedendum and pressure angle", ascii(most, 6)),

@@ -1,4 +1,4 @@
-//! What the measurements of a gear say of each other, in words.
+//! Findings about the measurements of a gear, in words.
 
 mod eccentricity;
 mod outlier;

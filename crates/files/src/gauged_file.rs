@@ -1,9 +1,10 @@
-//! A gear file that states what the gauges read.
+//! A gear file that states the gauges' readings.
 //!
-//! The pitch of both flanks carries how the thickness varies from tooth to tooth: beside it stands the mean thickness
-//! alone, or it would count twice. What every tooth is thicker than the mean thickness that cut the root
-//! stands by tooth, the same for all (see [`StatedThickness`]). Flanks that go against each other (thickness alone makes
-//! them) look like a reversed left flank; the spans bear out the sign, so they stand as a cross-check where they do not count.
+//! The pitch of both flanks already contains the variation of thickness from tooth to tooth. Only the mean thickness is stated
+//! beside it: per-tooth values would count twice. The difference between each tooth and the mean thickness that cut the root is
+//! the same for all teeth and is stated per tooth (see [`StatedThickness`]). Flanks that vary opposite to each other come from
+//! thickness alone and look like a reversed left flank. The spans show that the sign is right, so they become a cross-check where
+//! they are not the statement.
 
 use crate::characters::plain;
 use crate::spec::{
@@ -13,10 +14,10 @@ use crate::spec::{
 use gearlash::gauge::{Gauged, Spans, StatedThickness, Unmeasured};
 use gearlash::gear::Flank;
 
-/// Why there is no gear file.
+/// Reasons for no gear file.
 #[derive(Debug, thiserror::Error)]
 pub enum NoGearFile {
-    /// The readings do not say enough: a file that left something out would be of another gear.
+    /// The readings are incomplete. A file without some of them would describe another gear.
     #[error(transparent)]
     Unmeasured(#[from] Unmeasured),
     /// Its lengths cannot be multiplied.
@@ -27,7 +28,7 @@ pub enum NoGearFile {
     Unwritable(#[from] toml::ser::Error),
 }
 
-/// The gear file, as TOML, of a gear that was understood as `spec` and is called `name` in a few words.
+/// The gear file, as TOML, of a gear that was understood as `spec`; `name` describes it in a few words.
 ///
 /// # Errors
 /// [`NoGearFile`].

@@ -16,7 +16,7 @@ use gearlash::error::GearError;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 
-/// The parts of one gear that are right.
+/// The parts of one gear that have no problem.
 #[derive(Debug, Default)]
 pub struct GearPart {
     /// `z`.
@@ -25,9 +25,9 @@ pub struct GearPart {
     pub module_mm: Option<f64>,
     /// `α`, degrees as written.
     pub pressure_angle_deg: Option<f64>,
-    /// How its teeth wind.
+    /// The helix of its teeth.
     pub helix: Option<Helix>,
-    /// Lengths along the pitch line in the normal section over those in the section of the file.
+    /// Ratio of lengths along the pitch line in the normal section to those in the section of the file.
     in_section: f64,
     /// All of these.
     pub basic_data: Option<BasicGearData>,
@@ -223,7 +223,7 @@ impl GearPart {
         )
     }
 
-    /// Refuses keys that cannot stand beside a helix angle, and warns of a face too short for the span.
+    /// Rejects keys that are not allowed beside a helix angle, and warns of a face too short for the span.
     fn beside_helix(&mut self, of: &Statements, gear: &AsBuilt) -> Option<()> {
         let helix = self.helix?;
         if helix.angle_deg == 0.0 {
@@ -244,7 +244,7 @@ impl GearPart {
         Some(())
     }
 
-    /// Puts `findings` into words, those of the pitch sheet's own values before the `header_warnings`.
+    /// Puts `findings` into words. Findings on the pitch sheet's own values come before the `header_warnings`.
     fn describe(&mut self, of: &Statements, findings: &[Finding], header_warnings: Vec<String>) {
         let sheet = |finding: &&Finding| matches!(finding, Finding::PitchDoesNotClose { .. });
         let of_sheet = findings.iter().take_while(sheet).count();

@@ -1,4 +1,4 @@
-//! What tells a gearbox model (REXS) from other files.
+//! Recognises gearbox models (REXS).
 
 use crate::error::Problem;
 use std::path::Path;
@@ -9,10 +9,10 @@ pub fn is_rexs(path: &Path) -> bool {
     ending.is_some_and(|ending| ["rexs", "rexsj", "rexsz"].iter().any(|one| ending == *one))
 }
 
-/// The `bytes` of the file at `path`, which is to be a pair file or gear file.
+/// The `bytes` of the file at `path`, which should be a pair file or gear file.
 ///
 /// # Errors
-/// It is a gearbox model, by its name or as XML.
+/// The file is a gearbox model, by its name or as XML.
 pub fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let is_xml = text.trim_ascii_start().starts_with(b"<");

@@ -6,12 +6,12 @@ use super::spec::GearSpec;
 use super::table::Table;
 use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
 
-/// How a gear's teeth wind, and over what length.
+/// The helix of a gear's teeth, and their length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Helix {
     /// `β`, degrees as written; 0 of a spur gear.
     pub angle_deg: f64,
-    /// `None` where it is not stated, as of a spur gear.
+    /// `None` where it is not stated, and for a spur gear.
     pub hand: Option<Hand>,
     /// Its ends, mm from its measuring plane; `None` where none is stated.
     pub face_mm: Option<[f64; 2]>,
@@ -75,7 +75,7 @@ impl Helix {
         table.keep("helix_angle_deg", wound, help)
     }
 
-    /// Puts it into the echo of a gear; of a spur gear what was written.
+    /// Puts it into the echo of a gear; a spur gear keeps its statements.
     pub fn echo(&self, spec: &mut GearSpec) {
         spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
         spec.hand = self.hand;

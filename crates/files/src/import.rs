@@ -1,7 +1,7 @@
-//! The content of a file of a measuring machine, a workbook or a CSV: every table that gearlash reads, its numbers, and the lines of a
-//! pair file that name it.
+//! The content of a file of a measuring machine, a workbook or a CSV: every table that gearlash reads, its numbers, and the lines
+//! of a pair file that name it.
 //!
-//! Each kind of table is read as the pair file would have it read, so that the lines give the same numbers.
+//! Each kind of table is read as for a pair file, so that the lines give the same numbers.
 
 mod read;
 mod table;
@@ -71,7 +71,7 @@ pub struct Imported {
     /// Tables that are not read, and why.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_read: Vec<String>,
-    /// To be pasted into a pair file or gear file beside the file.
+    /// Lines for a pair file or gear file beside the file.
     pub toml: String,
     /// The files that were read.
     #[serde(skip)]
@@ -89,7 +89,7 @@ impl Imported {
 /// The tables in the `bytes` of the file at `path`: CSV, a workbook, or a text protocol.
 ///
 /// # Errors
-/// [`InputError`] with all that is wrong with its tables; keys are those of a pair file.
+/// [`InputError`] with all problems of its tables; keys are those of a pair file.
 pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported, InputError> {
     let reading = Rc::new(Reading::of_working_folder());
     let name = path.display().to_string();
@@ -105,7 +105,7 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
     let table = Table::new("", &reading, &entries);
     let tables =
         || read::tables(table, bytes, options.only, &mut not_read).filter(|_| reading.is_good());
-    let (tables, problems) = reading.apart(tables);
+    let (tables, problems) = reading.capture_problems(tables);
     let of_file = |problem| of_file(problem, &name);
     match tables {
         Some(tables) if !tables.is_empty() => Ok(Imported {
@@ -119,7 +119,8 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
             sources: reading.sources(),
         }),
         _ => {
-            // Without a table, what is not read is what is wrong. Columns of neither kind of pitch are read as both.
+            // Without a table, the reasons for tables that are not read are the problems. Columns of neither kind of pitch are
+            // read as both.
             let mut distinct: Vec<Problem> = Vec::new();
             for problem in problems.into_list().into_iter().chain(not_read) {
                 let problem = of_file(problem);
@@ -132,7 +133,7 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
     }
 }
 
-/// A problem without the key and the path, which name the file once more.
+/// A problem without key and path, which would name the file again.
 fn of_file(problem: Problem, name: &str) -> Problem {
     let reason = problem.reason.strip_prefix(&format!("{name}: "));
     Problem {

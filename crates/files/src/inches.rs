@@ -11,12 +11,12 @@ pub const MM_PER_INCH: f64 = 25.4;
 /// Keys in inches that are remembered: a pair file has some dozens. Problems of others name the key in mm.
 const MOST_REMEMBERED: usize = 1000;
 
-/// The keys in inches of a file, by their dotted paths in mm: path and value as they stand in the file.
+/// The keys in inches of a file by their dotted paths in mm, each with path and value as written.
 #[derive(Debug, Default)]
 pub struct Inches {
     stated: HashMap<String, (String, String)>,
-    /// Keys that stand in both units.
-    twice: Vec<Problem>,
+    /// Keys that are given in both units.
+    in_both_units: Vec<Problem>,
 }
 
 /// The name in mm of a key in inches.
@@ -34,15 +34,15 @@ fn below(path: &str, key: &str) -> String {
 }
 
 impl Inches {
-    /// Turns all lengths of a file into mm; with the problems of keys that stand in both units.
+    /// Converts all lengths of a file to mm. Also returns the problems of keys that are given in both units.
     pub fn to_mm(entries: &mut Vec<(String, Node)>) -> (Inches, Vec<Problem>) {
         let mut inches = Inches::default();
         inches.entries(entries, ["", ""], false);
-        let twice = std::mem::take(&mut inches.twice);
-        (inches, twice)
+        let in_both_units = std::mem::take(&mut inches.in_both_units);
+        (inches, in_both_units)
     }
 
-    /// Puts the key and the value of `problem` as they stand in the file.
+    /// Puts key and value of `problem` as written in the file.
     pub fn restore(&self, problem: &mut Problem) {
         let key = &problem.key;
         let inner = key.match_indices(['.', '[']).map(|(at, _)| at);
@@ -57,17 +57,18 @@ impl Inches {
         problem.key = format!("{stated}{}", &key[end..]);
     }
 
-    /// Entries at a path in mm and at the path as it stands in the file; `in_inches`: the key above states the unit.
+    /// Converts entries. `paths` are the path in mm and as written; `in_inches`: the key above states the unit.
     fn entries(&mut self, entries: &mut Vec<(String, Node)>, paths: [&str; 2], in_inches: bool) {
         let keys: HashSet<&str> = entries.iter().map(|(key, _)| &key[..]).collect();
         let names = entries.iter().filter_map(name_in_mm);
-        let twice: HashSet<String> = names.filter(|name| keys.contains(&name[..])).collect();
+        let in_both_units: HashSet<String> =
+            names.filter(|name| keys.contains(&name[..])).collect();
         entries.retain(|entry| {
-            let in_mm = name_in_mm(entry).filter(|name| twice.contains(name));
-            let told = in_mm
+            let in_mm = name_in_mm(entry).filter(|name| in_both_units.contains(name));
+            let reported = in_mm
                 .as_ref()
-                .filter(|_| self.twice.len() < MOST_REMEMBERED);
-            self.twice.extend(told.map(|in_mm| Problem {
+                .filter(|_| self.in_both_units.len() < MOST_REMEMBERED);
+            self.in_both_units.extend(reported.map(|in_mm| Problem {
                 key: below(paths[1], &entry.0),
                 value: Some(entry.1.shown()),
                 reason: format!("given together with {in_mm}, allowed is one of them"),
@@ -95,7 +96,7 @@ impl Inches {
     }
 
     fn value(&mut self, node: &mut Node, paths: [&str; 2], in_inches: bool) {
-        // A millionth of a nm: 1.5 in is the f64 of 38.1.
+        // Rounded to a millionth of a nm: 1.5 in is then exactly the f64 of 38.1.
         let length = |inches: f64| Node::Number(rounded(inches * MM_PER_INCH, 12));
         match node {
             Node::Whole(inches) if in_inches => *node = length(*inches as f64),

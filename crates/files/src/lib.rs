@@ -1,8 +1,8 @@
 //! From a pair file to a [`Study`](gearlash::analysis::study::Study): every key of the interface, every problem at once.
 //!
-//! A file becomes a tree of values (`source`, `node`). The schema of the spec checks it (`check`), then serde reads the spec.
-//! The tables it names are read (`sheet`). The metrology and the geometry take the result: `faults` traces their errors back to keys,
-//! `findings` puts their findings into words. Nothing here computes what a gear is.
+//! A file becomes a tree of values (`source`, `node`). The schema of the spec checks it (`check`), then serde reads the spec. The
+//! tables it names are read (`sheet`). Metrology and geometry take the result: `faults` finds the keys of their errors,
+//! `findings` puts their findings into words. This package computes nothing about gears.
 //!
 //! ```no_run
 //! use std::path::Path;
@@ -28,6 +28,7 @@ mod gauged_file;
 mod gear;
 mod gear_file;
 mod gearbox_model;
+mod grouped_warnings;
 mod helix;
 pub mod import;
 mod inches;
@@ -49,7 +50,6 @@ mod reading;
 mod require;
 pub mod rexs;
 mod runout;
-mod said_once;
 mod sheet;
 mod source;
 mod sources;
@@ -119,7 +119,7 @@ pub fn read(path: &Path) -> Result<PairFile, InputError> {
     with_tree(path, pair_by_data)
 }
 
-/// Reads the pair file `text`, be its gears given by data or by outlines, as [`read_text`] does.
+/// Reads the pair file `text` with gears by data or by outlines, as [`read_text`] does.
 ///
 /// # Errors
 /// As [`read`].
@@ -143,7 +143,7 @@ pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError>
     of_text(name, text, gears_by_data)
 }
 
-/// Reads the pair file at `path`, be its gears given by data or by outlines. `-` is standard input.
+/// Reads the pair file at `path` with gears by data or by outlines. `-` is standard input.
 ///
 /// # Errors
 /// As [`read`].
@@ -151,7 +151,7 @@ pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
     with_tree(path, any_pair)
 }
 
-/// Reads the pair that two drawings make.
+/// Reads a pair from two drawings.
 ///
 /// # Errors
 /// As [`read`]; keys are those that a pair file would have.
@@ -187,7 +187,7 @@ pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
     with_tree(path, gears_by_data)
 }
 
-/// Reads the gears of the file at `path`, a gear file or a pair file, be they given by data or by outlines.
+/// Reads the gears of the file at `path`, a gear file or a pair file, given by data or by outlines.
 ///
 /// # Errors
 /// As [`read`].
@@ -204,7 +204,7 @@ pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
     })
 }
 
-/// Reads the gear that the drawing at `path` is.
+/// Reads the gear of the drawing at `path`.
 ///
 /// # Errors
 /// As [`read`]; keys are those that a gear file would have.
@@ -216,7 +216,7 @@ pub fn read_drawing(
     without_text(of_text(path, &text, outlines::read_gear))
 }
 
-/// A result whose error has no text: a place in a text that nobody wrote would point to nothing.
+/// A result whose error has no text. The text was generated: a place in it would point to nothing.
 fn without_text<T>(result: Result<T, InputError>) -> Result<T, InputError> {
     result.map_err(|error| InputError {
         text: String::new(),
@@ -274,7 +274,7 @@ fn of_text<T>(
     with_text(name, reading, Ok(text.to_owned()), understand)
 }
 
-/// The result of `understand` for a text, if nothing is wrong.
+/// The result of `understand` for a text without problems.
 fn with_text<T>(
     path: &Path,
     reading: Reading,

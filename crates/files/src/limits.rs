@@ -1,4 +1,4 @@
-//! How large a study may be, and ranges in words.
+//! Limits of the size of a study, and ranges in words.
 
 use std::ops::RangeInclusive;
 
@@ -18,5 +18,5 @@ pub const MOST_POSES: u64 = 10_000_000;
 /// Bytes that a pose takes in a result as JSON, about: 900 where a pair is jammed to 2250 with tip corners.
 pub const POSE_BYTES_JSON: u64 = 2250;
 
-/// The same as CSV.
+/// Bytes that a pose takes in a result as CSV, about.
 pub const POSE_BYTES_CSV: u64 = 450;

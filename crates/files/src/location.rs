@@ -1,15 +1,17 @@
-//! Where in a TOML text the keys of problems stand, and what makes a text no TOML.
+//! Places of keys in a TOML text, and its syntax errors.
 
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Error};
 
-/// Bytes of a text in which places are looked for: it is parsed for that a second time, and a parser takes a hundred times its size
-/// (tuned: two gears of 10 000 teeth with every list written out have half as many).
+/// Longest text in which places are searched, bytes. The search parses it a second time, and a parser takes a hundred times its
+/// size (tuned: two gears of 10 000 teeth with every list written out have half as many).
 const MOST_LOCATED: usize = 1 << 20;
 
-/// Bytes of `text` at which each of the dotted `keys` stands, key and value; of a table its name; of a key that is not there the
-/// innermost table it should stand in. Of a text that is no TOML the empty keys are its [`syntax_errors`], in their order. `None`: nowhere.
+/// The byte range in `text` of each of the dotted `keys`; `None`: not found.
+///
+/// A value has the range of key and value, a table that of its name. An absent key has that of the innermost table it belongs to.
+/// Where `text` is no TOML, the empty keys have the ranges of its [`syntax_errors`], in order.
 pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Option<Range<usize>>> {
     if text.len() > MOST_LOCATED {
         return keys.map(|_| None).collect();
@@ -25,8 +27,8 @@ pub fn of_keys<'k>(text: &str, keys: impl Iterator<Item = &'k str>) -> Vec<Optio
     }
 }
 
-/// What makes `text` no TOML, in the order of the text: of each line the first error, from which others there mostly follow. Of a long
-/// text one.
+/// The syntax errors of `text` in its order. Each line has one, as further errors mostly follow from the first. A text over the
+/// limit has one in all.
 pub fn syntax_errors(text: &str) -> Vec<Error> {
     if text.len() > MOST_LOCATED {
         return DeTable::parse(text).err().into_iter().collect();
@@ -57,7 +59,7 @@ fn in_table(mut table: &DeTable, path: &str) -> Option<Range<usize>> {
     innermost
 }
 
-/// The keys of a dotted path, a dot in quotes being part of its key.
+/// The keys of a dotted path. A dot in quotes is part of its key.
 fn segments(path: &str) -> impl Iterator<Item = &str> {
     let mut quoted = false;
     path.split(move |c| {
@@ -66,7 +68,7 @@ fn segments(path: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether `name` is what a message calls `segment`: as it stands, or in quotes.
+/// Whether messages write the key `name` as `segment`: as it is, or in quotes.
 fn is_named(name: &Spanned<toml::de::DeString>, segment: &str) -> bool {
     let name = name.get_ref().as_ref();
     name == segment || segment.starts_with('"') && format!("{name:?}") == segment
@@ -96,7 +98,7 @@ mod tests {
         assert_eq!(lines.collect::<Vec<_>>(), [0, 2, 3, 4]);
     }
 
-    /// A text that is too long to be looked through has its first error.
+    /// A text over the limit has its first error.
     #[test]
     fn a_long_text_has_one_syntax_error() {
         let text = "]\n".repeat(MOST_LOCATED);

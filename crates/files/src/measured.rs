@@ -8,10 +8,10 @@ use super::table::Table;
 use gearlash::analysis::study::MeasuredRow;
 use std::collections::{HashMap, HashSet};
 
-/// Cells of a CSV file: those of 250 000 rows.
+/// Most cells of a CSV file: those of 250 000 rows.
 const MOST_CELLS: usize = 2_000_000;
 
-/// The columns, in any order; one of sources may stand beside them.
+/// The columns, in any order; a column of sources is allowed, too.
 const COLUMNS: [Column; 7] = [
     Column::CenterDistance,
     Column::WheelTooth,
@@ -65,7 +65,7 @@ impl Measured {
         firsts.filter(|(_, mm)| seen.insert(mm.to_bits())).collect()
     }
 
-    /// A warning where two rows say the same of the same mating at the same distance.
+    /// A warning where two rows state the same mating at the same distance.
     pub fn equal_rows(&self) -> Option<String> {
         let mut seen = HashMap::new();
         let equal = self.rows.iter().filter_map(|(line, row)| {

@@ -2,7 +2,7 @@
 
 /// The word of `known` with the least edit distance from `word`, and that distance.
 ///
-/// On a tie the first. Of a very long word none: no known word is half as long.
+/// The first wins a tie. A word over 64 characters has none: no known word is half as long.
 pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<(&'k str, usize)> {
     const LONGEST: usize = 64;
     if word.chars().nth(LONGEST).is_some() {
@@ -14,7 +14,7 @@ pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<(&'k str, usize)> {
         .min_by_key(|&(_, distance)| distance)
 }
 
-/// Whether `distance` is so small that `word` can only be a slip: up to two in five of its letters.
+/// Whether `distance` is so small that `word` must be a typing error: at most two in five of its letters.
 ///
 /// Tuned: `theet` is `teeth`, `phases` is not `start`.
 pub fn is_slip(word: &str, distance: usize) -> bool {

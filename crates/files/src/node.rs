@@ -9,13 +9,13 @@ use serde::forward_to_deserialize_any;
 use std::collections::HashSet;
 use std::fmt;
 
-/// Characters of a value or a cell that a message shows. Tuned: what a line of a terminal holds beside the reason.
+/// Characters of a value or a cell that a message shows. Tuned: they fit a line of a terminal beside the reason.
 pub const LONGEST: usize = 60;
 
-/// Keys of one table: a hundred times those that are known. Behind them nothing is worth reading.
+/// Most keys of one table: a hundred times the known ones. Further keys cannot be meaningful.
 const MOST_KEYS: usize = 1000;
 
-/// A value as it stands in the file.
+/// A value as written in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Node {
     /// `true` or `false`.
@@ -37,7 +37,7 @@ pub enum Node {
 }
 
 impl Node {
-    /// What it is, with its article.
+    /// Its kind, with the article.
     pub fn kind(&self) -> &'static str {
         match self {
             Node::Flag(_) => "a boolean",
@@ -50,7 +50,7 @@ impl Node {
         }
     }
 
-    /// The keys and values of a table; none of anything else.
+    /// The keys and values of a table; empty for other kinds.
     pub fn entries(&self) -> &[(String, Node)] {
         match self {
             Node::Table(entries) => entries,
@@ -58,7 +58,7 @@ impl Node {
         }
     }
 
-    /// The elements of a list; none of anything else.
+    /// The elements of a list; empty for other kinds.
     pub fn list(&self) -> &[Node] {
         match self {
             Node::List(list) => list,
@@ -73,7 +73,7 @@ impl Node {
         cut(&text, LONGEST)
     }
 
-    /// Appends the value; leaves off elements once `text` is longer than `enough`.
+    /// Appends the value, and stops adding elements once `text` is longer than `enough`.
     fn write(&self, text: &mut String, enough: usize) {
         match self {
             Node::Flag(flag) => text.push_str(&flag.to_string()),
@@ -132,7 +132,7 @@ impl From<toml::Value> for Node {
     }
 }
 
-/// For JSON. `serde_json::Value` would silently keep the last of two equal keys; here they are an error.
+/// `serde_json::Value` would silently keep the last of two equal keys; here they are an error.
 impl<'de> Deserialize<'de> for Node {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Node, D::Error> {
         deserializer.deserialize_any(NodeVisitor)
@@ -157,7 +157,7 @@ impl<'de> Visitor<'de> for NodeVisitor {
     }
 
     fn visit_u64<E>(self, whole: u64) -> Result<Node, E> {
-        // Beyond i64 only a length could stand, and no length has so many digits.
+        // Only lengths could exceed i64, and no length has as many digits.
         Ok(i64::try_from(whole).map_or(Node::Number(whole as f64), Node::Whole))
     }
 

@@ -1,16 +1,16 @@
 //! Numbers as text for people: one place for decimals, minus signs, raised digits and bounds.
 //!
-//! Pages and pictures have the true minus `−`, a terminal has ASCII's, since what it shows is pasted elsewhere.
-//! Neither has a negative zero. Lengths come in mm; what says µm in its name multiplies by 1000. Results for
-//! programs are not written here: JSON and CSV hold the shortest text that reads back to the same f64.
+//! Pages and pictures have the true minus `−`, a terminal has ASCII's, because users paste its text elsewhere. Neither has a
+//! negative zero. Lengths are given in mm; functions with µm in their name multiply by 1000. Results for programs are not written
+//! here: JSON and CSV hold the shortest text that reads back to the same f64.
 
 use gearlash::analysis::requirement::Quantity;
 use gearlash::pair::{BacklashUnit, Member, arcmin};
 
-/// What stands where there is no value.
+/// Stands for a missing value.
 pub const NONE: &str = "–";
 
-/// `value` with so many decimals and a true minus sign; a dash for none.
+/// `value` with `decimals` decimals and a true minus sign; a dash for none.
 pub fn fixed(value: impl Into<Option<f64>>, decimals: usize) -> String {
     match value.into() {
         Some(value) => true_minus(format!("{value:.decimals$}")),
@@ -18,27 +18,27 @@ pub fn fixed(value: impl Into<Option<f64>>, decimals: usize) -> String {
     }
 }
 
-/// The same in ASCII.
+/// [`fixed`] in ASCII.
 pub fn ascii(value: impl Into<Option<f64>>, decimals: usize) -> String {
     fixed(value, decimals).replace('−', "-")
 }
 
-/// A length in µm with so many decimals and a true minus sign; a dash for none.
+/// A length in µm with `decimals` decimals and a true minus sign; a dash for none.
 pub fn um(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
     fixed(length_mm.into().map(|mm| mm * 1e3), decimals)
 }
 
-/// The same in ASCII.
+/// [`um`] in ASCII.
 pub fn um_ascii(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
     ascii(length_mm.into().map(|mm| mm * 1e3), decimals)
 }
 
-/// A length in µm with so many decimals and its sign, plus or minus, in ASCII; zero has none.
+/// A length in µm with `decimals` decimals and its sign, plus or minus, in ASCII; zero has none.
 pub fn signed_um(length_mm: f64, decimals: usize) -> String {
     signed(length_mm * 1e3, decimals)
 }
 
-/// `value` with so many decimals and its sign, plus or minus, in ASCII; zero has none.
+/// `value` with `decimals` decimals and its sign, plus or minus, in ASCII; zero has none.
 pub fn signed(value: f64, decimals: usize) -> String {
     let text = ascii(value, decimals);
     match text.contains(|digit: char| ('1'..='9').contains(&digit)) && !text.starts_with('-') {
@@ -47,8 +47,8 @@ pub fn signed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A backlash `j_wt` of so many µm at centre distance `a`, mm, in `unit`, with a true minus sign; a dash for none. Arcmin have one
-/// decimal more than µm: one is some 10 to 20 µm at gears of usual size.
+/// A backlash `j_wt` at centre distance `a`, mm, in `unit`, with a true minus sign; a dash for none. Arcmin have one decimal more
+/// than µm: one arcmin is about 10 to 20 µm at gears of usual size.
 pub fn backlash(
     unit: BacklashUnit,
     j_wt_um: impl Into<Option<f64>>,
@@ -60,7 +60,7 @@ pub fn backlash(
     fixed(value, decimals + more)
 }
 
-/// The same in ASCII.
+/// [`backlash`] in ASCII.
 pub fn backlash_ascii(
     unit: BacklashUnit,
     j_wt_um: impl Into<Option<f64>>,
@@ -70,12 +70,12 @@ pub fn backlash_ascii(
     backlash(unit, j_wt_um, a, decimals).replace('−', "-")
 }
 
-/// `value` in as few digits as read back to the same number, with a true minus sign: what a user wrote.
+/// `value` in the fewest digits that read back to the same number, with a true minus sign, as a user writes it.
 pub fn shortest(value: f64) -> String {
     true_minus(format!("{value}"))
 }
 
-/// At least `least` and at most `most` decimals, no more than the value has.
+/// `value` with at least `least` and at most `most` decimals, without trailing zeros beyond `least`.
 pub fn trimmed(value: f64, least: usize, most: usize) -> String {
     let mut text = fixed(value, most);
     let whole = text.len() - most;
@@ -85,12 +85,12 @@ pub fn trimmed(value: f64, least: usize, most: usize) -> String {
     text.trim_end_matches('.').to_owned()
 }
 
-/// A centre distance as it was stated: three decimals, or as many as it has, up to nine. Fewer could make two of them equal.
+/// A centre distance as stated: three decimals, or as many as it has, up to nine. Fewer could make two distances equal.
 pub fn stated_distance(mm: f64) -> String {
     trimmed(mm, 3, 9)
 }
 
-/// Name and unit of a quantity, how many of the unit one mm (rad) is, and decimals.
+/// Name and unit of a quantity, the number of units per mm (rad), and its decimals.
 pub fn unit_of(quantity: Quantity) -> (&'static str, &'static str, f64, usize) {
     match quantity {
         Quantity::OperatingBacklash => ("j_wt", "µm", 1e3, 2),
@@ -107,13 +107,13 @@ pub fn unit_of(quantity: Quantity) -> (&'static str, &'static str, f64, usize) {
     }
 }
 
-/// `value` to the nearest of so many decimals; never −0.
+/// `value` rounded to `decimals` decimals; never −0.
 pub fn rounded(value: f64, decimals: usize) -> f64 {
     let scale = 10f64.powi(decimals as i32);
     (value * scale).round() / scale + 0.0
 }
 
-/// Three significant digits of a positive value; below 1e-4 as a power of ten.
+/// A positive value in three significant digits; below 1e-4 as a power of ten.
 pub fn significant(value: f64) -> String {
     if value >= 1e-4 {
         let decimals = (0..9)
@@ -128,12 +128,12 @@ pub fn significant(value: f64) -> String {
     format!("{digits:.2} · 10{}", raised(-exponent))
 }
 
-/// The order of a length in µm, such as `3e-9`; for tables in ASCII.
+/// The magnitude of a length in µm, such as `3e-9`; for tables in ASCII.
 pub fn order_um(length_mm: f64) -> String {
     power(length_mm * 1e3, 0)
 }
 
-/// `value` by its power of ten, with so many decimals before it, in ASCII.
+/// `value` in scientific notation with `decimals` decimals, in ASCII.
 pub fn power(value: f64, decimals: usize) -> String {
     format!("{value:.decimals$e}")
 }
@@ -145,7 +145,7 @@ pub fn bound_um(length_mm: f64) -> String {
         return "0".to_owned();
     }
     let power = um.log10().floor();
-    // What rounding of a product adds to a whole digit is none.
+    // A rounding error of the product does not add to a whole digit.
     let digit = (um / 10f64.powf(power) * (1.0 - 1e-12)).ceil();
     match digit {
         10.0 => scientific(1.0, power + 1.0),
@@ -169,19 +169,23 @@ pub fn um_within(length_mm: f64, bound_mm: f64) -> String {
     within(length_mm * 1e3, bound_mm * 1e3)
 }
 
-/// A bound from which on two decimals of a µm do not hold what is shown, mm.
-const SEEN: f64 = 5e-6;
+/// Bounds from this length on make the second decimal of a µm uncertain, mm.
+const VISIBLE_BOUND: f64 = 5e-6;
 
 /// A length in µm: as [`um_within`] where two decimals would hide the bound, else with two decimals. Both are given in mm.
 pub fn um_known(length_mm: f64, bound_mm: f64) -> String {
-    let bound = if bound_mm < SEEN { 0.0 } else { bound_mm };
+    let bound = if bound_mm < VISIBLE_BOUND {
+        0.0
+    } else {
+        bound_mm
+    };
     um_within(length_mm, bound)
 }
 
 /// `12.35 ± 0.57 µm`, or `12.35 µm (error ≤ 2·10⁻⁹ µm)` where the bound is smaller than what is shown. Both are given in mm.
 pub fn um_bounded(length_mm: f64, bound_mm: f64) -> String {
     let value = um_known(length_mm, bound_mm);
-    if bound_mm < SEEN {
+    if bound_mm < VISIBLE_BOUND {
         format!("{value} µm (error ≤ {} µm)", bound_um(bound_mm))
     } else {
         format!("{value} µm")
@@ -199,14 +203,14 @@ pub fn two_digits_up(value: f64) -> f64 {
         Some((digits.parse::<f64>().ok()?, power.parse::<i32>().ok()?))
     });
     let up = parts.and_then(|(digits, power)| {
-        // What has two digits stays: 1e-14 is above the rounding of a product.
+        // A value of two digits is unchanged: 1e-14 is above the rounding of a product.
         let tenths = (digits * 10.0 * (1.0 - 1e-14)).ceil();
         format!("{tenths}e{}", power - 1).parse().ok()
     });
     up.unwrap_or(value)
 }
 
-/// A difference, given in mm, in µm: four decimals, or its order where they would show none of it.
+/// A difference, given in mm, in µm: four decimals, or its magnitude where they would all be 0.
 pub fn difference_um(length_mm: impl Into<Option<f64>>) -> String {
     match length_mm.into() {
         Some(mm) if mm != 0.0 && mm.abs() < 5e-7 => {
@@ -220,7 +224,7 @@ pub fn difference_um(length_mm: impl Into<Option<f64>>) -> String {
     }
 }
 
-/// A number as `digits·10^power` with raised digits, or as it is where that is short.
+/// A number as `digits·10^power` with raised digits, or plainly where that is short.
 pub fn decades(number: f64) -> String {
     let text = format!("{number:e}");
     let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
@@ -230,7 +234,7 @@ pub fn decades(number: f64) -> String {
     }
 }
 
-/// So many bytes in words, to about two digits.
+/// A number of bytes in words, to about two digits.
 pub fn bytes(count: u64) -> String {
     match count {
         0..1_000_000_000 => format!("{} MB", count.div_ceil(1_000_000)),
@@ -239,7 +243,7 @@ pub fn bytes(count: u64) -> String {
     }
 }
 
-/// `digit·10^power` with raised digits, or as it is where that is short.
+/// `digit·10^power` with raised digits, or plainly where that is short.
 fn scientific(digit: f64, power: f64) -> String {
     if (-3.0..=3.0).contains(&power) {
         // Not `{}`: seven tenths would be 0.7000000000000001.

@@ -1,4 +1,4 @@
-//! The tables of a pair file put together: what both gears must share, and the study they make.
+//! The tables of a pair file together: the values both gears must share, and the study.
 
 use super::assembly;
 use super::check::Checked;
@@ -22,7 +22,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
-/// The tables of a pair file: `None` of one that is wrong, `Some(None)` of one that is not there.
+/// The tables of a pair file: `None` for a table with a problem, `Some(None)` for an absent one.
 pub struct PairTables<'a> {
     file: Checked<'a>,
     path: &'a Path,
@@ -64,7 +64,7 @@ impl<'a> PairTables<'a> {
         }
     }
 
-    /// The study, once what lies between the tables is checked too.
+    /// The study, after the checks that concern several tables.
     pub fn study(self) -> Option<PairFile> {
         let table = self.table().clone();
         let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
@@ -109,7 +109,7 @@ impl<'a> PairTables<'a> {
         let warm = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
         let factors = [self.wheel.scale * warm[0], self.pinion.scale * warm[1]];
         temperature::check_unequal(&table, factors)?;
-        // The distance of the measuring planes is taken to expand as the wheel does.
+        // The distance of the measuring planes expands as the wheel does.
         let offset = face_offset_mm.unwrap_or(0.0) * warm[0];
         let face = common_face::common_face(&table, gears, offset, factors)?;
         // Teeth are counted in the wheel's measuring plane.
@@ -196,7 +196,7 @@ impl<'a> PairTables<'a> {
         self.file.table()
     }
 
-    /// The temperature at which the pair runs, if one is stated.
+    /// The temperature at which the pair runs, where one is stated.
     fn temperature(&self, gears: [&GearPart; 2]) -> Option<Option<Temperature>> {
         let assembly = self.assembly.as_ref()?;
         let temperature = Temperature::read(self.table(), assembly, gears)?;
@@ -305,7 +305,7 @@ impl<'a> PairTables<'a> {
     }
 }
 
-/// The stem of the file at `path`, and its title, the stem where it has none.
+/// The stem of the file at `path`, and its title if it has one.
 pub fn names(file: &Checked, path: &Path) -> (String, Option<String>) {
     let stem = path
         .file_stem()

@@ -1,4 +1,4 @@
-//! Numbers of a pair that look as if something else were meant: warnings, never changes.
+//! Warnings about numbers of a pair that look like slips. Nothing is changed.
 
 use super::gear::GearPart;
 use super::numbers::{ascii, signed, um_ascii};
@@ -8,23 +8,25 @@ use gearlash::gear::involute::{inv, inv_of_roll, roll_at, roll_of_inv};
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
 const MOST_PLAY_MM: f64 = 0.1;
-/// The part of the radial clearance that a runout may take: eccentric by half of it, the tips come that much nearer to the roots.
+/// The share of the radial clearance that a runout may take. An eccentricity of half the runout moves the tips that much nearer
+/// to the roots.
 const MOST_OF_CLEARANCE: f64 = 0.5;
-/// Tolerance of `compare` above which it says nothing, µm: more than the backlash of many gears.
+/// Tolerance of `compare` above which it is meaningless, µm: more than the backlash of many gears.
 pub const MOST_TOLERANCE_UM: f64 = 100.0;
 /// Pressure angles of usual basic racks, degrees: 20 (ISO 53, DIN 867), 14.5, 20 and 25 (AGMA), 17.5 and 22.5 between them.
 const USUAL_ANGLES: [f64; 5] = [14.5, 17.5, 20.0, 22.5, 25.0];
 /// How near a centre distance lies to the one it was computed as, in modules: the rounding of a drawing and a tolerance.
-const SUITS: f64 = 0.002;
-/// How far it must lie from that of the pair as stated, in modules, to be questioned: backlash by distance is within that, twice the
-/// tangent of 20° of it being 0.04 modules.
-const OFF: f64 = 0.05;
-/// Both where only the pressure angle is another: such distances lie close together.
-const SUITS_BY_ANGLE: f64 = 0.0005;
-const OFF_BY_ANGLE: f64 = 0.01;
+const MATCH_WITHIN: f64 = 0.002;
+/// Least difference from the distance of the stated pair for a warning, in modules. Distances that are opened for backlash differ
+/// less: 0.05 modules give 2 tan 20° · 0.05 = 0.04 modules of backlash.
+const LEAST_DIFFERENCE: f64 = 0.05;
+/// Both limits where only the pressure angle differs: such distances lie close together.
+const ANGLE_MATCH_WITHIN: f64 = 0.0005;
+const ANGLE_LEAST_DIFFERENCE: f64 = 0.01;
 /// Backlash of nominal teeth, in modules, above which a distance is questioned: more than gears are run with.
 const MOST_BACKLASH: f64 = 0.25;
-/// Sums of profile shifts that are sought where none is stated: tenths, from more than pairs are opened by to more than racks allow.
+/// Sums of profile shifts that are tried where none is stated, in tenths: from more than is used for backlash to more than racks
+/// allow.
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 
 /// Radial play that no bearing has.
@@ -40,7 +42,7 @@ pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
     warnings.collect()
 }
 
-/// A tolerance of `compare` that lets everything pass; `key`: where it stands.
+/// A warning of a tolerance of `compare` that lets everything pass; `key` is its place.
 pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
     (um > MOST_TOLERANCE_UM).then(|| {
         format!(
@@ -55,11 +57,12 @@ pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> V
     let mut warnings = Vec::new();
     warnings.extend(runouts(wheel, pinion, distances));
     let distance = other_distance(wheel, pinion, distances);
-    warnings.extend(distance.or_else(|| far(wheel, pinion, distances)));
+    warnings.extend(distance.or_else(|| excessive_backlash(wheel, pinion, distances)));
     warnings
 }
 
-/// That tooth numbers may run against each other: both gears have data of single teeth, and neither states from which face they count.
+/// A warning that tooth numbers may run in opposite directions: both gears have data of single teeth, and neither states its
+/// reference face.
 pub fn in_faces(gears: [&GearPart; 2]) -> Option<String> {
     let is_open = gears
         .iter()
@@ -72,7 +75,7 @@ pub fn in_faces(gears: [&GearPart; 2]) -> Option<String> {
     })
 }
 
-/// Whether a gear's data tell its teeth apart.
+/// Whether a gear's data distinguish its teeth.
 fn has_tooth_data(gear: &GearSpec) -> bool {
     let per_tooth = gear.thickness.per_tooth_um.as_ref();
     gear.pitch.is_some() || per_tooth.is_some_and(|each| !each.is_empty())
@@ -90,7 +93,7 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
         .map(|(tip, root)| a - tip.1.gear().tip_radius() - root.1.gear().root_radius())
         .into_iter()
         .reduce(f64::min)?;
-    // Without clearance there is more to say than this; the check says it.
+    // Without clearance, the check of radial clearance reports the fault.
     let large = |gear: &(&str, &gearlash::gear::AsBuilt)| {
         clearance > 0.0 && 2.0 * gear.1.eccentricity() > MOST_OF_CLEARANCE * clearance
     };
@@ -104,10 +107,10 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
     ))
 }
 
-/// Centre distances that all leave nominal teeth more backlash than gears are run with.
+/// A warning of centre distances that all leave nominal teeth more backlash than usual gears have.
 ///
 /// Exact for involutes: `j_t = 2 r_b (inv α_wt − inv α_w0)/cos α_t` with `r_b` the sum of both base radii, at the reference circles.
-fn far(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
+fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let least = distances.iter().copied().reduce(f64::min)?;
     let gears = [wheel, pinion].map(|part| Some(part.as_built.as_ref()?.most().gear()));
     let [Some(wheel), Some(pinion)] = gears else {
@@ -130,7 +133,7 @@ fn far(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String>
     })
 }
 
-/// A centre distance that suits another pair than the one that is stated.
+/// A warning of a centre distance that suits another pair than the stated one.
 fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
     let teeth = f64::from(wheel.teeth? + pinion.teeth?);
     let scaled = |gear: &GearPart| Some(gear.scale * gear.module_mm? * f64::from(gear.teeth?));
@@ -149,7 +152,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         module * teeth / (2.0 * cos_helix) * alpha.cos() * roll.hypot(1.0)
     };
     let without_backlash = |degrees: f64, shift: f64| nominal(degrees, helix_deg, shift);
-    // A scan is meant to leave the distance: one of its distances that is right answers for all.
+    // A scan leaves the distance on purpose: one suitable distance of it is enough.
     let suits = |mm: f64, within: f64| {
         let near = |a: &&f64| (**a - mm).abs() <= within * module;
         mm.is_finite() && distances.iter().any(|a| near(&a))
@@ -161,7 +164,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         ascii(stated, 4)
     );
     let spur = nominal(angle, 0.0, x_1 + x_2);
-    if helix_deg != 0.0 && !suits(stated, OFF) && suits(spur, SUITS) {
+    if helix_deg != 0.0 && !suits(stated, LEAST_DIFFERENCE) && suits(spur, MATCH_WITHIN) {
         return Some(format!(
             "{off}; it would fit β = 0 ({} mm): was the helix angle forgotten in the distance?",
             ascii(spur, 4)
@@ -177,8 +180,8 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         let mut otherwise = otherwise
             .into_iter()
             .map(|(words, x)| (words, without_backlash(angle, x)));
-        if !suits(stated, OFF)
-            && let Some((words, mm)) = otherwise.find(|(_, mm)| suits(*mm, SUITS))
+        if !suits(stated, LEAST_DIFFERENCE)
+            && let Some((words, mm)) = otherwise.find(|(_, mm)| suits(*mm, MATCH_WITHIN))
         {
             return Some(format!(
                 "{off}; it would fit {words} ({} mm): was a profile shift forgotten, in the distance or in the file?",
@@ -186,9 +189,9 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
             ));
         }
         let mut angles = USUAL_ANGLES.into_iter().filter(|usual| *usual != angle);
-        if !suits(stated, OFF_BY_ANGLE)
+        if !suits(stated, ANGLE_LEAST_DIFFERENCE)
             && let Some(usual) =
-                angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), SUITS_BY_ANGLE))
+                angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), ANGLE_MATCH_WITHIN))
         {
             return Some(format!(
                 "{off}; it would fit a pressure angle of {usual}° ({} mm): check pressure_angle_deg",
@@ -201,7 +204,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
             .map(|tenths| f64::from(tenths) / 10.0);
         let shift = tenths
             .into_iter()
-            .find(|x| suits(without_backlash(angle, *x), SUITS))?;
+            .find(|x| suits(without_backlash(angle, *x), MATCH_WITHIN))?;
         return Some(format!(
             "{off}; it would fit profile shifts of {shift} together ({} mm): was profile_shift forgotten?",
             ascii(without_backlash(angle, shift), 4)

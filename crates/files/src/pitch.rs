@@ -7,17 +7,17 @@ use super::thickness::one_a_tooth;
 use gearlash::gear::Flank;
 use gearlash::metrology::{PitchSense, PitchStatement};
 
-/// The table's values, both flanks given.
+/// The values of the table, with both flanks.
 #[derive(Debug, Clone)]
 pub struct PitchSheet {
     /// As in the pair file, the values as lists.
     pub spec: PitchSpec,
-    /// Statements on the gear in the file of the values; `None`: they are lists.
+    /// Statements about the gear in the file of the values; `None` for lists.
     pub header: Option<Header>,
 }
 
 impl PitchSheet {
-    /// Reads what `spec`, the table of the gear's table `gear`, says; `Some(None)` when it has no values.
+    /// Reads the pitch `spec` of the gear's table `gear`; `Some(None)` where it has no values.
     pub fn read(gear: &Table, spec: PitchSpec, teeth: Option<u32>) -> Option<Option<PitchSheet>> {
         let table = gear.below("pitch");
         if spec.table.is_some() {

@@ -1,4 +1,4 @@
-//! `[profile]`: deviations of the flanks from the involute, of both or of each.
+//! `[profile]`: deviations of the flanks from the involute, for both flanks or each.
 
 mod trace;
 
@@ -29,7 +29,7 @@ pub struct Profiles {
 }
 
 impl Profiles {
-    /// Reads what `spec`, the table of the gear's table `gear`, says.
+    /// Reads the profile `spec` of the gear's table `gear`.
     pub fn read(
         gear: &Table,
         spec: ProfileSpec,
@@ -75,7 +75,7 @@ impl Profiles {
         })
     }
 
-    /// Statements on the gear in the files of traces.
+    /// Statements about the gear in the files of traces.
     pub fn headers(&self) -> &[Header] {
         &self.headers
     }
@@ -97,7 +97,7 @@ impl Profiles {
         })
     }
 
-    /// As in the pair file; `None` when nothing is said.
+    /// As in the pair file; `None` where it states nothing.
     pub fn spec(&self) -> Option<ProfileSpec> {
         let [right, left] = &self.flanks;
         if self.flanks == <[FlankProfileSpec; 2]>::default() {
@@ -117,7 +117,7 @@ impl Profiles {
     }
 }
 
-/// The key, below the gear's table, that says so much of a flank.
+/// The key, below the gear's table, that states `key` of a flank.
 pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
     let name = match key {
         ProfileKey::Slope => "slope_um",
@@ -135,22 +135,22 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
     }
 }
 
-/// The gear that the traces were measured on, as far as it is known.
+/// The gear that the traces were measured on, as far as known.
 struct Measured<'a> {
     teeth: Option<u32>,
     basic_data: Option<&'a BasicGearData>,
-    /// Statements on it in the files that were read.
+    /// Statements about it in the files that were read.
     headers: RefCell<Vec<Header>>,
 }
 
-/// Reports keys that stand twice, for both flanks and for one, and ranges that descend.
+/// Reports keys that are given for both flanks and again for one, and ranges that descend.
 pub fn check(gear: &Table) -> Option<()> {
     let both = gear.below("profile");
     let mut good = Some(());
     let own = Flank::BOTH.map(|side| (side, both.below(side.name())));
     for (side, own) in &own {
-        let twice = |key: &&str| both.has(key) && own.has(key);
-        for key in FLANK_KEYS.into_iter().filter(twice) {
+        let is_in_both = |key: &&str| both.has(key) && own.has(key);
+        for key in FLANK_KEYS.into_iter().filter(is_in_both) {
             let [of_both, of_own] = [&both, own].map(|table| table.path_of(""));
             let reason = format!("given together with {of_both}{key}, allowed is one of them");
             let help = format!(
@@ -179,7 +179,7 @@ pub fn check(gear: &Table) -> Option<()> {
     good
 }
 
-/// The keys of a flank, or of both, without its traces; the traces of each.
+/// The keys of a flank, or of both, without its traces; and the traces of each.
 fn flank(
     table: &Table,
     mut spec: FlankProfileSpec,

@@ -10,17 +10,17 @@ use gearlash::outline::OutlineGear;
 
 /// A pair file, understood.
 ///
-/// `G` is [`GearSpec`] where both gears are given by their data, and [`EitherGearSpec`] where they need not be.
+/// `G` is [`GearSpec`] where both gears are given by their data, else [`EitherGearSpec`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairFile<G = GearSpec> {
-    /// The study that it asks for.
+    /// The study of the file.
     pub study: Study,
     /// File stem, the name of the folder for results.
     pub stem: String,
     /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
     /// (beside the same measured file) it gives the same study.
     pub spec: PairSpec<G>,
-    /// The content of the drawings of wheel and pinion; `None` of a gear by its data.
+    /// The content of the drawings of wheel and pinion; `None` for a gear given by data.
     pub drawings: [Option<DrawingRead>; 2],
     /// Warnings, for standard error.
     pub warnings: Vec<String>,
@@ -60,7 +60,7 @@ impl<G> PairFile<G> {
     }
 }
 
-/// The reason why a study has no other centre distances, in the keys of pair files.
+/// The error for a centre distance that is not possible, in the keys of pair files.
 pub fn distance_refused(reason: &Error) -> String {
     match reason {
         Error::Gear(GearError::MeasuredRows) => {
@@ -70,14 +70,14 @@ pub fn distance_refused(reason: &Error) -> String {
     }
 }
 
-/// One gear of a file, for what needs no mate.
+/// One gear of a file, for commands that need no mate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearEntry<G = GearSpec> {
     /// `wheel` or `pinion` of a pair file, `gear` of a gear file.
     pub name: &'static str,
-    /// In the thicknesses it states: `AsMeasured` alone, or `Most` and `Least`. Empty in a file with an outline.
+    /// Its materials: `AsMeasured` alone, or `Most` and `Least`. Empty in a file with an outline.
     pub materials: Vec<(Material, AsBuilt)>,
-    /// The same in a file with an outline.
+    /// Its materials in a file with an outline.
     pub drawn: Vec<(Material, OutlineGear)>,
     /// Its table as understood, defaults filled in.
     pub spec: G,
@@ -94,7 +94,7 @@ pub struct GearsFile<G = GearSpec> {
     pub stem: String,
     /// One gear, or wheel and pinion.
     pub gears: Vec<GearEntry<G>>,
-    /// The temperature that they have, °C, where a pair file states one; lengths are those of 20 °C elsewhere.
+    /// The temperature of the gears, °C, where a pair file states one; else lengths are those at 20 °C.
     pub temperature_c: Option<f64>,
     /// Warnings, for standard error.
     pub warnings: Vec<String>,

@@ -1,4 +1,4 @@
-//! One reading of a file: the folder of the files that it names, what was read, and what was found wrong or worth a remark.
+//! One reading of a file: the folder of its files, the files read, problems and remarks.
 
 use crate::error::Problem;
 use crate::inches::Inches;
@@ -7,7 +7,7 @@ use crate::sources::Sources;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-/// Problems of one list that are reported one by one; the rest is counted. Tuned: they fit a screen beside others.
+/// Problems of one list that are reported one by one; the others are counted. Tuned: they fit a screen beside others.
 const MOST_OF_A_LIST: usize = 12;
 
 /// The reading of a file and of the files that it names.
@@ -22,11 +22,11 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// The reading of the file at `path`, which is itself the first source; of standard input: at the working folder.
+    /// The reading of the file at `path`, which is itself the first source. Standard input has the working folder.
     pub fn of(path: &Path) -> Reading {
         let reading = Reading::of_working_folder();
         let standard_input = path == Path::new(crate::STANDARD_INPUT);
-        // On Unix a link to the file that it is.
+        // A link to the file behind standard input, on Unix.
         let source = if standard_input {
             Path::new("/dev/stdin")
         } else {
@@ -84,9 +84,11 @@ impl Reading {
 
     /// Turns all lengths of the file into mm.
     pub fn to_mm(&self, entries: &mut Vec<(String, Node)>) {
-        let (inches, twice) = Inches::to_mm(entries);
+        let (inches, problems_of_both) = Inches::to_mm(entries);
         self.inches.replace(inches);
-        twice.into_iter().for_each(|problem| self.add(problem));
+        problems_of_both
+            .into_iter()
+            .for_each(|problem| self.add(problem));
     }
 
     /// Adds a problem.
@@ -107,14 +109,14 @@ impl Reading {
 
     /// The result of `read` for the list at `key`; `None` where it adds a problem. Only the first dozen are reported.
     pub fn list<T>(&self, key: &str, read: impl FnOnce() -> Option<T>) -> Option<T> {
-        let (read, problems) = self.apart(read);
+        let (read, problems) = self.capture_problems(read);
         let is_good = problems.is_empty();
         self.add_list(key, problems);
         read.filter(|_| is_good)
     }
 
-    /// The result of `read`, and the problems that it adds: those of one list.
-    pub fn apart<T>(&self, read: impl FnOnce() -> T) -> (T, Problems) {
+    /// The result of `read`, and the problems of one list that it adds.
+    pub fn capture_problems<T>(&self, read: impl FnOnce() -> T) -> (T, Problems) {
         let inner = Problems {
             is_list: true,
             ..Problems::default()
@@ -138,7 +140,7 @@ impl Reading {
         }
     }
 
-    /// Whether the next problem will only be counted: then it is counted.
+    /// Whether the next problem is only counted. If so, it is counted now.
     pub fn only_counts(&self) -> bool {
         let mut problems = self.problems.borrow_mut();
         let is_full = problems.is_full();
@@ -146,12 +148,12 @@ impl Reading {
         is_full
     }
 
-    /// Whether the list has as many problems as are reported.
+    /// Whether the list has its maximum of reported problems.
     pub fn is_full(&self) -> bool {
         self.problems.borrow().is_full()
     }
 
-    /// Whether there is no problem.
+    /// Whether no problem was added.
     pub fn is_good(&self) -> bool {
         self.problems.borrow().is_empty()
     }
@@ -166,7 +168,7 @@ impl Reading {
     }
 }
 
-/// Problems in the order in which they were met.
+/// Problems in the order in which they were found.
 #[derive(Debug, Default)]
 pub struct Problems {
     listed: Vec<Problem>,
@@ -188,7 +190,7 @@ impl Problems {
         self.is_list && self.listed.len() >= MOST_OF_A_LIST
     }
 
-    /// Whether there is none.
+    /// Whether no problem was added.
     pub fn is_empty(&self) -> bool {
         self.listed.is_empty()
     }

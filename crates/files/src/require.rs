@@ -1,4 +1,4 @@
-//! `[require]`: what the pair must keep, as the library takes it.
+//! `[require]`: the limits of the pair, converted for the library.
 
 use super::spec::{LimitsSpec, RequireSpec};
 use gearlash::analysis::requirement::{Limits, Quantity, Requirements};

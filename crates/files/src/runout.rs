@@ -1,4 +1,4 @@
-//! `[runout]`: how far the teeth stand from the rotation axis.
+//! `[runout]`: the distance of the teeth from the rotation axis.
 
 use super::sheet::{Column, Header, Sheet};
 use super::spec::{ReadingPlace, RunoutSpec};
@@ -8,16 +8,16 @@ use gearlash::metrology::{self, ProbeReadings, ReadWith, RunoutStatement};
 /// Runout `F_r` and the tooth towards which the teeth are displaced.
 #[derive(Debug, Clone, Default)]
 pub struct Runout {
-    /// As in the pair file; of readings 0 until they are fitted.
+    /// As in the pair file; 0 for readings until they are fitted.
     pub spec: RunoutSpec,
     /// The readings that it comes from.
     readings: Option<ProbeReadings>,
-    /// Statements on the gear in the file of the readings.
+    /// Statements about the gear in the file of the readings.
     pub header: Option<Header>,
 }
 
 impl Runout {
-    /// Reads what `spec`, the table of the gear's table `gear`, says.
+    /// Reads the runout `spec` of the gear's table `gear`.
     pub fn read(gear: &Table, spec: RunoutSpec, teeth: Option<u32>) -> Option<Runout> {
         let table = gear.below("runout");
         let beyond = |tooth: &f64| teeth.is_some_and(|teeth| *tooth >= f64::from(teeth) + 1.0);

@@ -12,25 +12,25 @@ use std::path::Path;
 use std::sync::mpsc::sync_channel;
 use std::time::Duration;
 
-/// Largest input of any kind.
+/// Largest input of any kind, bytes.
 const MOST_BYTES: u64 = 64 << 20;
 /// Largest text of a pair file, gear file or gearbox model: pitch and thickness of two gears of 10 000 teeth need 1 MiB.
 const MOST_TEXT: usize = 16 << 20;
-/// How long a pipe may bring no data.
+/// Longest wait for data of a pipe.
 const WAIT: Duration = Duration::from_secs(5);
 /// Bytes read at a time (tuned).
 const PIECE: usize = 1 << 16;
 
-/// Most signs that begin a key or a value of a TOML file: its parser takes some 150 bytes for each. A list of one value a tooth
-/// for the largest gear has 10 000.
+/// Most marks that begin a key or a value of a TOML file: its parser takes some 150 bytes for each. A list with one value per
+/// tooth of the largest gear has 10 000.
 const MOST_MARKS: usize = 500_000;
-/// Characters of what a parser says; its own words are shorter.
+/// Most characters quoted from a parser's message; its own words are shorter.
 const LONGEST_MESSAGE: usize = 300;
 
 /// The bytes of the file at `path`.
 ///
 /// # Errors
-/// One problem, its key empty: not there, a folder, over 64 MiB, unreadable, a pipe without data for 5 s.
+/// One problem with an empty key: not there, a folder, over 64 MiB, unreadable, a pipe without data for 5 s.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let metadata = std::fs::metadata(path).map_err(cannot)?;
     if metadata.is_dir() {
@@ -54,7 +54,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
 /// The bytes of standard input, up to its end.
 ///
 /// # Errors
-/// As [`bytes`]; a terminal may wait.
+/// As [`bytes`]; a terminal can wait for ever.
 pub fn standard_input() -> Result<Vec<u8>, Problem> {
     if std::io::stdin().is_terminal() {
         let mut bytes = Vec::new();
@@ -65,7 +65,7 @@ pub fn standard_input() -> Result<Vec<u8>, Problem> {
     by_pieces(|| Ok(std::io::stdin()))
 }
 
-/// The bytes of an input that may wait for ever: another thread reads it, this one waits for each piece.
+/// The bytes of an input that can wait for ever. Another thread reads it; this one waits for each piece.
 fn by_pieces<R: Read>(
     open: impl FnOnce() -> std::io::Result<R> + Send + 'static,
 ) -> Result<Vec<u8>, Problem> {
@@ -103,7 +103,7 @@ fn by_pieces<R: Read>(
     }
 }
 
-/// `bytes`, if these are not too many.
+/// `bytes`, if they are within the limit.
 fn limited(bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(Problem::of_file(
@@ -143,7 +143,7 @@ fn too_large(size: u64, most: u64) -> Problem {
 /// The text of a file of these `bytes`, without byte order mark.
 ///
 /// # Errors
-/// One problem, its key empty: not UTF-8, or over 16 MiB.
+/// One problem with an empty key: not UTF-8, or over 16 MiB.
 pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
     if bytes.len() > MOST_TEXT {
         return Err(too_large(bytes.len() as u64, MOST_TEXT as u64));
@@ -165,14 +165,14 @@ pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
         .unwrap_or(text))
 }
 
-/// Whether `text` is read as JSON: by the file's extension, by its first character when that says neither.
+/// Whether `text` is read as JSON: by the file's extension, or by its first character where the extension is neither.
 pub fn is_json(path: &Path, text: &str) -> bool {
     let extension = path.extension().unwrap_or_default();
     extension.eq_ignore_ascii_case("json")
         || !extension.eq_ignore_ascii_case("toml") && text.trim_start().starts_with('{')
 }
 
-/// The keys and values of a pair file: TOML or JSON by its extension, by its first character when that says neither.
+/// The keys and values of a pair file: TOML or JSON as [`is_json`] decides.
 ///
 /// Problems have an empty key: every syntax error of TOML, the first of JSON, with line and column.
 pub fn parse(path: &Path, text: &str, reading: &Reading) -> Option<Vec<(String, Node)>> {
@@ -215,7 +215,7 @@ fn of_toml(text: &str, reading: &Reading) -> Option<Node> {
                 errors.push(error);
             }
             for error in &errors {
-                // The line of one that is only counted is not looked for.
+                // The line is not computed for a problem that is only counted.
                 if !reading.only_counts() {
                     reading.add(not_toml(text, error));
                 }

@@ -1,17 +1,17 @@
-//! The files that were read, recognised under whatever name something else would write to them.
+//! The files that were read, recognised under any name of an output.
 //!
-//! Only ordinary files are kept: a pipe or a device that was read loses nothing by being written to.
+//! Only ordinary files are kept: writing to a pipe or a device that was read does no harm.
 
 use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
 
-/// Every file that a study came from: the pair file, its tables, protocols, workbooks and measured rows.
+/// Every file of a study: the pair file, its tables, protocols, workbooks and measured rows.
 #[derive(Debug, Clone, Default)]
 pub struct Sources {
     read: Vec<(PathBuf, Identity)>,
 }
 
-/// Any two are equal: where a study was read from is no part of what it says.
+/// Any two are equal: the origin of a study is not part of its content.
 impl PartialEq for Sources {
     fn eq(&self, _: &Sources) -> bool {
         true
@@ -26,12 +26,12 @@ type Identity = (u64, u64);
 type Identity = PathBuf;
 
 impl Sources {
-    /// None.
+    /// No files.
     pub fn new() -> Sources {
         Sources::default()
     }
 
-    /// Keeps the file at `path` in mind, where it is an ordinary one.
+    /// Records the file at `path` if it is an ordinary one.
     pub fn add(&mut self, path: &Path) {
         let identity = std::fs::metadata(path)
             .ok()
@@ -41,7 +41,7 @@ impl Sources {
         }
     }
 
-    /// Keeps those of `others` in mind, too.
+    /// Records the files of `others`.
     pub fn extend(&mut self, others: &Sources) {
         self.read.extend_from_slice(&others.read);
     }
@@ -51,7 +51,7 @@ impl Sources {
         self.read.iter().map(|(path, _)| path.as_path())
     }
 
-    /// The name under which the file at `path` was read; `None`: it was not, or nothing is there.
+    /// The name under which the file at `path` was read; `None` where it was not read or does not exist.
     pub fn named(&self, path: &Path) -> Option<&Path> {
         self.find(path, &std::fs::metadata(path).ok()?)
     }

@@ -1,4 +1,4 @@
-//! The tables of one gear and the keys under which they stand.
+//! The tables of one gear, and their keys.
 
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
@@ -9,7 +9,7 @@ use super::thickness;
 use gearlash::gear::{Face, Flank, GearDesign};
 use gearlash::metrology::{Measurements, StatementRole};
 
-/// The tables of one gear, understood.
+/// The tables of one gear, as understood.
 pub struct Statements<'a> {
     /// `[wheel]`, `[pinion]` or `[gear]`.
     pub table: &'a Table<'a>,
@@ -40,7 +40,7 @@ impl Statements<'_> {
         }
     }
 
-    /// A statement of the thickness and the table it stands in, below the gear's.
+    /// A statement of the thickness, and the table of it below the gear's.
     pub fn of_thickness(&self, role: StatementRole) -> (&StatementSpec, &'static str) {
         match (role, &self.thickness.cross_check) {
             (StatementRole::CrossCheck, Some(check)) => (&check.statement, thickness::CROSS_CHECK),

@@ -1,4 +1,4 @@
-//! `[sweep]`: which poses are run.
+//! `[sweep]`: the poses to run.
 
 use super::check::Checked;
 use super::node::Node;
@@ -7,7 +7,7 @@ use crate::error::Problem;
 use gearlash::pair::SweepPlan;
 use serde::Deserialize;
 
-/// The poses of every run, and how the pair file says it.
+/// The poses of every run, and their keys in the pair file.
 #[derive(Debug)]
 pub struct Sweep {
     pub plan: SweepPlan,
@@ -15,12 +15,12 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Reads `[sweep]`; when it is not there, one wheel revolution.
+    /// Reads `[sweep]`; without it, one wheel revolution.
     pub fn read(file: &Checked, teeth: (Option<u32>, Option<u32>)) -> Option<Sweep> {
         let matings = file.table().get("sweep.mating").map_or(&[][..], Node::list);
         let reading = file.table().reading();
         reading.list("sweep.mating", || {
-            // A mating that is wrong in itself is reported.
+            // A mating with a problem of its own is already reported.
             let each = (1..).zip(matings);
             let good =
                 each.filter_map(|(place, one)| Some((place, <[u32; 2]>::deserialize(one).ok()?)));
@@ -80,7 +80,7 @@ impl Sweep {
     }
 }
 
-/// The problem of a mating whose teeth are not there, at `key` and a `place` in it.
+/// The problem of a mating whose teeth do not exist, at `key` and a `place` in it.
 fn beyond_gear(
     key: &str,
     mating: [u32; 2],

@@ -1,7 +1,7 @@
-//! Names that formulas, drawings and other programs have for keys.
+//! Names of keys in formulas, drawings and other programs.
 
 /// A key and its other names, in small letters and without underscores.
-const CALLED: [(&str, &str); 14] = [
+const SYNONYMS: [(&str, &str); 14] = [
     ("teeth", "z z1 z2 n numberofteeth numteeth zaehnezahl"),
     ("module_mm", "m mn module modul normalmodule"),
     (
@@ -32,6 +32,6 @@ pub fn synonym<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     const LONGEST: usize = 64;
     let name = (name.len() <= LONGEST).then(|| name.to_lowercase().replace(['_', '-', '*'], ""))?;
     let called = |names: &str| names.split(' ').any(|other| other == name);
-    let mut all = CALLED.iter().filter(|(_, names)| called(names));
+    let mut all = SYNONYMS.iter().filter(|(_, names)| called(names));
     all.find_map(|(key, _)| known.iter().copied().find(|known| known == key))
 }

@@ -6,7 +6,7 @@ use crate::error::Problem;
 use std::fmt::Display;
 use std::rc::Rc;
 
-/// A table and the dotted path it stands under, empty for the whole file.
+/// A table and its dotted path, which is empty for the whole file.
 #[derive(Debug, Clone)]
 pub struct Table<'a> {
     path: String,
@@ -24,7 +24,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The table at the dotted `path` below this one, empty where it is not there.
+    /// The table at the dotted `path` below this one; empty where it is absent.
     pub fn below(&self, path: &str) -> Table<'a> {
         let entries = self.get(path).map_or(&[][..], Node::entries);
         Table::new(&self.path_of(path), self.reading, entries)
@@ -40,7 +40,7 @@ impl<'a> Table<'a> {
         self.entries
     }
 
-    /// The dotted `path` below this table, seen from the file.
+    /// The dotted `path` below this table as a path of the file.
     pub fn path_of(&self, path: &str) -> String {
         if self.path.is_empty() {
             path.to_owned()
@@ -66,7 +66,7 @@ impl<'a> Table<'a> {
         self.get(path).is_some()
     }
 
-    /// A problem with the value at the dotted `path` below this table, given or not.
+    /// A problem with the value at the dotted `path` below this table, present or not.
     pub fn problem(&self, path: &str, reason: impl Display, help: impl Display) -> Problem {
         Problem {
             key: self.path_of(path),
@@ -76,17 +76,17 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Adds such a problem.
+    /// Adds [`Table::problem`].
     pub fn add(&self, path: &str, reason: impl Display, help: impl Display) {
         self.reading.add(self.problem(path, reason, help));
     }
 
-    /// Adds such a problem; always `None`.
+    /// Adds [`Table::problem`]; always `None`.
     pub fn refuse<T>(&self, path: &str, reason: impl Display, help: impl Display) -> Option<T> {
         self.reading.refuse(self.problem(path, reason, help))
     }
 
-    /// The value; `None` with its error added as such a problem.
+    /// The value; for an error `None`, with [`Table::problem`] added.
     pub fn keep<T, E: Display>(
         &self,
         path: &str,

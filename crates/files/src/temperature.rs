@@ -1,4 +1,4 @@
-//! `assembly.temperature_c`: from lengths stated at 20 °C to those of warm or cold gears and housing.
+//! `assembly.temperature_c`: converts lengths stated at 20 °C to those of warm or cold gears and housing.
 
 use super::gear::GearPart;
 use super::numbers::{ascii, rounded, shortest};
@@ -11,10 +11,10 @@ use gearlash::pair::MOST_UNEQUAL;
 /// The temperature at which lengths are stated, °C (ISO 1).
 pub const REFERENCE_C: f64 = 20.0;
 
-/// Checks that `factors` of the lengths of both gears leave modules that mesh.
+/// Checks that the length `factors` of both gears leave modules that mesh.
 pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
-    let apart = (wheel - pinion).abs() / wheel.max(pinion);
-    if apart <= MOST_UNEQUAL {
+    let difference = (wheel - pinion).abs() / wheel.max(pinion);
+    if difference <= MOST_UNEQUAL {
         return Some(());
     }
     let keys = ["pinion.scale", "wheel.scale"];
@@ -23,18 +23,18 @@ pub fn check_unequal(file: &Table, [wheel, pinion]: [f64; 2]) -> Option<()> {
         key.unwrap_or("assembly.temperature_c"),
         format!(
             "lets the modules of wheel and pinion differ by {} %, allowed is up to {} %",
-            ascii(100.0 * apart, 2),
+            ascii(100.0 * difference, 2),
             100.0 * MOST_UNEQUAL
         ),
         "check scale, the temperature and the coefficients of expansion",
     )
 }
 
-/// How gears and housing expand.
+/// Thermal expansion of gears and housing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Temperature {
     temperature_c: f64,
-    /// Lengths of the wheel, of the pinion and of the housing, times so much.
+    /// Factors of the lengths of wheel, pinion and housing.
     factors: [f64; 3],
 }
 
@@ -86,18 +86,18 @@ impl Temperature {
         )
     }
 
-    /// Lengths of the wheel and of the pinion, times so much.
+    /// Factors of the lengths of wheel and pinion.
     pub fn of_gears(&self) -> [f64; 2] {
         let [wheel, pinion, _] = self.factors;
         [wheel, pinion]
     }
 
-    /// A centre distance of the warm housing, mm: digits beyond those of a file would be rounding.
+    /// A centre distance of the warm housing, mm. It is rounded to the digits of a file.
     pub fn distance(&self, mm: f64) -> f64 {
         rounded(mm * self.factors[2], 12)
     }
 
-    /// The warm gears; what no gear can be is a problem.
+    /// The warm gears. A gear that cannot exist is a problem.
     pub fn gears(
         &self,
         file: &Table,

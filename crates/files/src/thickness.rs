@@ -1,4 +1,4 @@
-//! `[thickness]`: lists and tables of its statements beside the number of teeth, and what they mean to the metrology.
+//! `[thickness]`: lists and tables of its statements beside the number of teeth, and their measurements for metrology.
 
 use super::numbers::ascii;
 use super::sheet::{Column, Coverage, Sheet, Wanted};
@@ -11,12 +11,12 @@ use gearlash::gear::{Deviations, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{self, ThicknessStatement, Toleranced};
 use std::collections::HashSet;
 
-/// Where the second statement stands, below the gear's table.
+/// The table of the second statement, below the gear's.
 pub const CROSS_CHECK: &str = "thickness.cross_check";
 
 /// Reads the tables that `spec` names and checks its lists on a gear with `teeth` teeth; fills in defaults.
 ///
-/// `gear` is the gear's table. `None` where a statement is wrong; `per_tooth_um` is `None` where its values are.
+/// `gear` is the gear's table. `None` where a statement has a problem; `per_tooth_um` is `None` where its values have one.
 pub fn complete(
     gear: &Table,
     mut spec: ThicknessSpec,
@@ -50,7 +50,7 @@ pub fn complete(
 
 fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32>) -> Option<()> {
     if let Some(field) = &mut spec.designation {
-        // As a drawing writes it.
+        // In the notation of drawings.
         *field = field
             .parse()
             .ok()
@@ -89,7 +89,7 @@ fn complete_statement(table: &Table, spec: &mut StatementSpec, teeth: Option<u32
     Some(())
 }
 
-/// Refuses dimensions over bodies that the file does not name, where balls and pins give different thicknesses.
+/// Rejects dimensions over unspecified bodies where balls and pins give different thicknesses.
 pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Option<()> {
     let data = &design.basic_data;
     if data.hand().is_none() || data.teeth().is_multiple_of(2) {
@@ -132,7 +132,7 @@ pub fn check_body(gear: &Table, spec: &ThicknessSpec, design: &GearDesign) -> Op
     named
 }
 
-/// Where the readings all round a gear were taken.
+/// Places of readings all round a gear.
 struct Places<'s> {
     key: &'static str,
     places: &'s mut Option<Vec<u32>>,
@@ -140,7 +140,7 @@ struct Places<'s> {
 }
 
 impl Places<'_> {
-    /// Fills in readings and places: from the table's file, or tooth by tooth where every tooth has its reading.
+    /// Fills in readings and places: from the table's file, or tooth by tooth where every tooth has a reading.
     fn complete(
         self,
         table: &Table,
@@ -195,8 +195,8 @@ impl Places<'_> {
         }
         let mut seen = HashSet::new();
         match places.iter().find(|place| !seen.insert(**place)) {
-            Some(twice) => wrong(
-                format!("{twice} is listed twice, allowed is once"),
+            Some(duplicate) => wrong(
+                format!("{duplicate} is listed twice, allowed is once"),
                 "keep one reading of it, or their mean".to_owned(),
             ),
             None => Some(()),
@@ -252,7 +252,7 @@ impl StatementSpec {
             .map(|(key, _)| key)
     }
 
-    /// The measurement as the metrology takes it.
+    /// The measurement for metrology.
     pub(crate) fn measured(&self) -> ThicknessStatement {
         if let Some(span) = &self.span {
             let teeth = span.teeth;
@@ -309,7 +309,7 @@ impl StatementSpec {
 }
 
 impl ThicknessSpec {
-    /// Turns allowances stated in another section, `cos` times as large in the normal one, into normal ones.
+    /// Converts allowances stated in the transverse section to normal ones; `cos` is their ratio.
     pub fn allowances_in_normal_section(&mut self, cos: f64) {
         let second = self.cross_check.as_mut().map(|check| &mut check.statement);
         for statement in [&mut self.statement].into_iter().chain(second) {
@@ -326,7 +326,7 @@ impl ThicknessSpec {
 }
 
 impl CrossCheckSpec {
-    /// The measurement as the metrology takes it.
+    /// The measurement for metrology.
     pub(crate) fn measured(&self) -> metrology::CrossCheck {
         metrology::CrossCheck {
             statement: self.statement.measured(),
@@ -335,7 +335,7 @@ impl CrossCheckSpec {
     }
 }
 
-/// One value, or the least and the greatest; the schema allows nothing else.
+/// One value, or the least and the greatest; the schema allows no other combination.
 fn single_or_band(mm: Option<f64>, least: Option<f64>, most: Option<f64>) -> Toleranced<f64> {
     match (least, most) {
         (Some(least), Some(most)) => Toleranced::Band { least, most },

@@ -1,4 +1,4 @@
-//! `[tolerance]`: which keys go with which distribution.
+//! `[tolerance]`: allowed keys for each distribution.
 
 use super::check::Checked;
 use super::spec::{ScatterName, ScatterSpec, ToleranceSpec};
@@ -29,7 +29,7 @@ pub fn tolerance(file: &Checked) -> Option<Option<ToleranceSpec>> {
     file.read("tolerance")
 }
 
-/// The fault of the keys of the distribution at `path`: where, why, and what to do.
+/// The fault of the keys of the distribution at `path`: key, reason and remedy.
 fn fault(
     file: &Checked,
     path: &str,

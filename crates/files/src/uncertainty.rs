@@ -1,11 +1,11 @@
-//! `[uncertainty]`: what the measurements may be off, as the library takes it.
+//! `[uncertainty]`: standard uncertainties of the measurements, converted for the library.
 
 use super::spec::{GearSpec, ThicknessSpec, UncertaintySpec};
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::gear::{AsBuilt, thickness};
 
 impl UncertaintySpec {
-    /// As the library takes it, mm: the thickness of each gear as it was stated.
+    /// In mm for the library, with the thickness of each gear by its statement.
     pub(crate) fn of_gears(&self, gears: [(&GearSpec, &AsBuilt); 2]) -> Uncertainty {
         let mm = 1e-3;
         Uncertainty {
@@ -19,8 +19,9 @@ impl UncertaintySpec {
         }
     }
 
-    /// Standard uncertainty of `s_bt`, mm: a span is off by as much (in the normal section: `cos β_b` of it); pins by what a thicker tooth lifts
-    /// them; an allowance is one at the reference circle in the normal section, `cos α_t/cos β` of which is left at the base circle.
+    /// Standard uncertainty of `s_bt`, mm. A span measures `s_bt cos β_b`. Pins are lifted by a thicker tooth: the slope of that
+    /// lift converts. An allowance applies at the reference circle in the normal section; at the base circle it is `cos α_t/cos
+    /// β` times that.
     fn base_thickness(&self, spec: &ThicknessSpec, gear: &AsBuilt) -> f64 {
         let basic_data = gear.gear().basic_data();
         let stated = &spec.statement;

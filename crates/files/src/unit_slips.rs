@@ -1,19 +1,19 @@
-//! Numbers that look as if another unit were meant, by one rule for each unit: warnings, never changes.
+//! Warnings about numbers that look like another unit, by one rule per unit. Nothing is changed.
 
 use super::numbers::ascii;
 use serde::Serialize;
 use serde_json::Value;
 
-/// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a gear that
-/// is worth measuring.
+/// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a
+/// gear that is worth measuring.
 const LEAST_UM: f64 = 0.5;
-/// Below this it is 0 but for rounding: as mm it would be 0.1 µm, less than the last digit that machines print.
+/// Below this a value is 0 but for rounding: as mm it would be 0.1 µm, less than the last digit that machines print.
 const ROUNDING_UM: f64 = 1e-4;
-/// Above this gears of steel lose their hardness, °C.
+/// Above this temperature gears of steel lose their hardness, °C.
 const MOST_C: f64 = 120.0;
-/// Below this helical teeth are hardly told from spur ones, degrees: 1° in radians is 57 times less.
+/// Below this helix angle helical teeth are hardly distinct from spur ones, degrees: 1° in radians is 57 times less.
 const LEAST_HELIX_DEG: f64 = 1.0;
-/// Lengths that look like metres below these, mm: no face ends so near to its measuring plane, no flank is placed so finely.
+/// Lengths that look like metres below these, mm: no face ends so near to its measuring plane, and no flank is placed so finely.
 const LEAST_MM: [(&str, f64); 2] = [("face_mm", 0.1), ("flank_offset_mm", 0.001)];
 
 /// Warnings of numbers in the table at `path` that look like another unit.

@@ -1,11 +1,11 @@
-//! Keys and values that no pair file has, or has any more: the reason, and for those that are gone what to state instead.
+//! Keys and values that a pair file cannot have, with the reason; and removed keys with their successors.
 
 use crate::node::Node;
 
 const INTERNAL: &str = "internal gears are not modelled yet: both gears are external";
 
-/// Parts of a key's words, and why there is no such key.
-const TAKEN: [(&str, &str); 3] = [
+/// Parts of a key's words, and the reason for no such key.
+const UNSUPPORTED: [(&str, &str); 3] = [
     (
         "lead helix_slope helix_form f_h_beta f_hb crown",
         "deviations and modifications of the lead are not modelled: flanks wind as their helix angle says",
@@ -17,15 +17,15 @@ const TAKEN: [(&str, &str); 3] = [
     ("internal ring_gear", INTERNAL),
 ];
 
-/// Keys that are gone: the end of their path, the reason, and the way out.
-const GONE: [(&str, &str, &str); 1] = [(
+/// Removed keys: the end of the path, the reason and the remedy.
+const REMOVED: [(&str, &str, &str); 1] = [(
     "thickness.file",
     "the key is gone: thickness is not taken from the probe's positions in a curve file",
     "state the thickness by `span`, `over_pins` or another key of the table",
 )];
 
-/// The reason why `teeth` of this number, or a word beside them, is not allowed, if it stands for an internal gear.
-pub fn value(path: &str, node: &Node) -> Option<&'static str> {
+/// The reason why this number of `teeth`, or a word beside it, is not allowed, where it means an internal gear.
+pub fn teeth_reason(path: &str, node: &Node) -> Option<&'static str> {
     value_is_internal(path, node).then_some(INTERNAL)
 }
 
@@ -37,9 +37,9 @@ fn value_is_internal(path: &str, node: &Node) -> bool {
     }
 }
 
-/// Why there is no key `name`, by its dotted `path` and its value, and the way out, if it is one of these.
-pub fn why(path: &str, name: &str, node: &Node) -> Option<(&'static str, &'static str)> {
-    let gone = GONE.iter().find(|(end, ..)| path.ends_with(end));
+/// The reason and the remedy for a key `name` that is not supported, by its dotted `path` and value.
+pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, &'static str)> {
+    let gone = REMOVED.iter().find(|(end, ..)| path.ends_with(end));
     if let Some((_, reason, help)) = gone {
         return Some((reason, help));
     }
@@ -47,12 +47,12 @@ pub fn why(path: &str, name: &str, node: &Node) -> Option<(&'static str, &'stati
         return Some((INTERNAL, "remove it"));
     }
     let name = name.to_lowercase();
-    // At the beginning of a word alone: `misleading` is none.
+    // Only at the beginning of a word: `misleading` does not match.
     let starts = |part: &str| {
         name.match_indices(part)
             .any(|(at, _)| at == 0 || name[..at].ends_with('_'))
     };
-    let mut taken = TAKEN.iter();
-    let (_, why) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
-    Some((why, "remove it"))
+    let mut taken = UNSUPPORTED.iter();
+    let (_, key_reason) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
+    Some((key_reason, "remove it"))
 }

@@ -162,7 +162,7 @@ impl DrawnChart {
                     .to_owned(),
             ));
         }
-        let distance = asked_distance(args)?;
+        let distance = requested_distance(args)?;
         let end = args.material.map(|end| material(end, &study)).transpose()?;
         let title = study.title.clone();
         let found = worst::find(("--kind field", Wanted::Least), study, distance, end)?;
@@ -190,7 +190,7 @@ impl DrawnChart {
 
 /// The centre distance at which a chart is drawn: what was asked for, else the first of `stated`, if there is one.
 fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
-    if let Some(given) = asked_distance(args)? {
+    if let Some(given) = requested_distance(args)? {
         return Ok(vec![given]);
     }
     if stated.len() > 1 && args.kind != Kind::Map {
@@ -203,7 +203,7 @@ fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
 }
 
 /// The centre distance that was asked for.
-fn asked_distance(args: &Args) -> Result<Option<f64>, Error> {
+fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     match args.center_distance.as_ref().map(|given| &given.0[..]) {
         None => Ok(None),
         Some([only]) => Ok(Some(*only)),

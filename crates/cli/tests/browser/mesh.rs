@@ -1,7 +1,7 @@
 //! The mesh: what the page shows is what the result says, and every control does its work.
 
 use crate::chromium::{Chromium, Tab};
-use crate::page::{Site, open, said, unfold};
+use crate::page::{Site, open, shown_text, unfold};
 use serde_json::{Value, json};
 
 /// Shows a pose by the controls' own events.
@@ -81,15 +81,15 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
             let expected = site.pose(run, pose);
             let j_wt = expected["j_wt_um"].as_f64().expect("a backlash");
             negative += i32::from(j_wt < 0.0);
-            let shown = said(&mut tab, "backlash");
+            let shown = shown_text(&mut tab, "backlash");
             assert_eq!(shown, format!("{j_wt:.3} µm").replace('-', "−"));
             let whole = tab.text("document.getElementById('viewer-backlash').dataset.um");
             assert_eq!(whole.parse(), Ok(j_wt));
             assert_eq!(
-                said(&mut tab, "status"),
+                shown_text(&mut tab, "status"),
                 expected["status"].as_str().expect("a status")
             );
-            let bound = said(&mut tab, "bound");
+            let bound = shown_text(&mut tab, "bound");
             let bound = bound.trim_start_matches("≤ ").trim_end_matches(" µm");
             let plain: String = bound.chars().map(lowered).collect();
             let bound: f64 = plain.replace("·10", "e").parse().expect("a bound");
@@ -104,7 +104,7 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
                     "wheel tooth {} on pinion tooth {}, ",
                     contact["wheel_tooth"], contact["pinion_tooth"]
                 );
-                let shown = said(&mut tab, side);
+                let shown = shown_text(&mut tab, side);
                 let class = shown
                     .strip_prefix(&teeth)
                     .unwrap_or_else(|| panic!("{shown}: not {teeth}"));
@@ -144,7 +144,7 @@ pub fn an_overlap_is_reported_where_it_cannot_be_seen(browser: &Chromium, site: 
             ),
             false => String::new(),
         };
-        assert_eq!(said(&mut tab, "overlapping"), expected);
+        assert_eq!(shown_text(&mut tab, "overlapping"), expected);
         let red = tab
             .text("getComputedStyle(document.querySelector('#viewer-locked-left path')).stroke")
             == "rgb(224, 64, 44)";
@@ -174,8 +174,8 @@ pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
     tab.open(&site.stuck);
     for (run, status) in [(0, "jammed"), (1, "no contact")] {
         go(&mut tab, run, 3);
-        assert_eq!(said(&mut tab, "status"), status);
-        assert_eq!(said(&mut tab, "backlash"), "none");
+        assert_eq!(shown_text(&mut tab, "status"), status);
+        assert_eq!(shown_text(&mut tab, "backlash"), "none");
         assert_eq!(
             tab.text("document.getElementById('viewer-backlash').title"),
             ""
@@ -232,7 +232,7 @@ pub fn a_run_can_be_chosen(browser: &Chromium, site: &Site) {
     assert_eq!(labels, json!([&expected[..], &[worst]].concat()));
     for (run, label) in expected.iter().enumerate() {
         go(&mut tab, run, 5);
-        assert_eq!(said(&mut tab, "run"), *label);
+        assert_eq!(shown_text(&mut tab, "run"), *label);
         assert_stands(&mut tab, site.pose(run, 5));
         let outline = tab.text("document.querySelector('#viewer-pinion use').getAttribute('href')");
         assert_eq!(outline, format!("#viewer-pinion-{}", run % 2));
@@ -250,10 +250,10 @@ pub fn play_advances_until_paused(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
     go(&mut tab, 0, 3);
     tab.click("#viewer-play");
-    assert_eq!(said(&mut tab, "play"), "Pause");
+    assert_eq!(shown_text(&mut tab, "play"), "Pause");
     tab.until("Number(document.getElementById('viewer-slider').value) >= 6");
     tab.click("#viewer-play");
-    assert_eq!(said(&mut tab, "play"), "Play");
+    assert_eq!(shown_text(&mut tab, "play"), "Play");
     let stopped = number_shown(&mut tab);
     std::thread::sleep(std::time::Duration::from_millis(400));
     assert_eq!(number_shown(&mut tab), stopped);

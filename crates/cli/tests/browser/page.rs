@@ -91,7 +91,7 @@ pub fn unfold(tab: &mut Tab) {
 }
 
 /// What an element of the viewer says.
-pub fn said(tab: &mut Tab, name: &str) -> String {
+pub fn shown_text(tab: &mut Tab, name: &str) -> String {
     tab.text(&format!(
         "document.getElementById('viewer-{name}').textContent"
     ))

@@ -59,6 +59,6 @@ pub fn a_section_of_helical_gears_can_be_chosen(browser: &Chromium, site: &Site)
     assert_at(&mut tab, poses[20]["right"]["section_mm"].as_f64().unwrap());
     tab.click("[name=viewer-side][value=left]");
     assert_at(&mut tab, poses[20]["left"]["section_mm"].as_f64().unwrap());
-    let said = tab.text("document.getElementById('viewer-section-text').textContent");
-    assert!(said.starts_with("Drawn in the section at z = "), "{said}");
+    let shown = tab.text("document.getElementById('viewer-section-text').textContent");
+    assert!(shown.starts_with("Drawn in the section at z = "), "{shown}");
 }

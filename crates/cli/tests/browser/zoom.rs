@@ -175,9 +175,9 @@ pub fn two_fingers_pinch(browser: &Chromium, site: &Site) {
     // With the focus every touch is the picture's.
     tab.eval("document.getElementById('viewer-picture').focus()");
     let [x, y] = tab.middle("#viewer-picture");
-    let touch = |tab: &mut Tab, kind: &str, apart: &[f64]| {
+    let touch = |tab: &mut Tab, kind: &str, distances: &[f64]| {
         let points: Vec<_> = (0..)
-            .zip(apart)
+            .zip(distances)
             .map(|(id, off)| json!({ "x": x + off, "y": y, "id": id }))
             .collect();
         tab.call(

@@ -53,12 +53,12 @@ fn the_action_gates_on_pair_files() {
         Some(0)
     );
     let both = act(at, "check", "pairs/*.toml", false, "");
-    let told = String::from_utf8(both.stdout.clone()).unwrap();
+    let message = String::from_utf8(both.stdout.clone()).unwrap();
     assert_eq!(both.status.code(), Some(1));
-    assert!(told.contains("::error file=pairs/bad.toml"), "{told}");
+    assert!(message.contains("::error file=pairs/bad.toml"), "{message}");
     assert!(
-        !told.contains("good one.toml") && !told.contains("::notice"),
-        "{told}"
+        !message.contains("good one.toml") && !message.contains("::notice"),
+        "{message}"
     );
     // What is no file or no command is reported where it is looked for: in the log.
     assert_eq!(code(act(at, "check", "none/*.toml", false, "")), Some(2));
@@ -105,9 +105,9 @@ fn a_changed_table_is_looked_at() {
         fs::write(at.join(table), rows(1)).unwrap();
         git(at, &["commit", "--quiet", "-a", "-m", "second"]);
         let found = act(at, "check", "pairs/*.toml", true, &base);
-        let told = String::from_utf8(found.stdout).unwrap();
-        assert!(told.contains("pairs/pair.toml"), "{table}: {told}");
-        assert!(!told.contains("other.toml"), "{table}: {told}");
+        let message = String::from_utf8(found.stdout).unwrap();
+        assert!(message.contains("pairs/pair.toml"), "{table}: {message}");
+        assert!(!message.contains("other.toml"), "{table}: {message}");
         // A table that is gone.
         git(at, &["rm", "--quiet", table]);
         git(at, &["commit", "--quiet", "-m", "third"]);

@@ -121,28 +121,32 @@ fn refused(what: &str, table: (&str, &[u8]), pair: (&str, &[u8]), most_mb: usize
         .current_dir(folder.path())
         .output()
         .unwrap();
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{what}: {told}");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{what}: {message}");
     assert!(output.stdout.is_empty());
-    assert!(told.len() < 5000, "{what}: {} bytes of message", told.len());
+    assert!(
+        message.len() < 5000,
+        "{what}: {} bytes of message",
+        message.len()
+    );
     // A line for each problem, and below it the piece of the pair file.
     let of_piece = |line: &str| {
         let rest = line.trim_start_matches(|c: char| c == ' ' || c.is_ascii_digit());
         rest.starts_with('|') || rest.starts_with("--> ")
     };
-    let mut lines = told.lines();
+    let mut lines = message.lines();
     assert!(
         lines.all(|line| line.starts_with("error: ") || of_piece(line)),
-        "{what}: {told}"
+        "{what}: {message}"
     );
-    told
+    message
 }
 
 fn of_pitch(name: &str, table: &[u8], says: &str) {
     let keys = format!("pitch = {{ kind = \"single\", file = \"{name}\" }}");
     let pair = pair(44, &keys);
-    let told = refused(says, (name, table), ("pair.toml", pair.as_bytes()), 500);
-    assert!(told.contains(says), "{says:?} in {told}");
+    let message = refused(says, (name, table), ("pair.toml", pair.as_bytes()), 500);
+    assert!(message.contains(says), "{says:?} in {message}");
 }
 
 #[test]
@@ -247,30 +251,30 @@ fn sixteen_million_commas_within_200_megabytes() {
     let commas = vec![b','; 16 * MIB];
     let keys = "pitch = { kind = \"single\", file = \"p.csv\" }";
     let gear = pair(44, keys);
-    let told = refused(
+    let message = refused(
         "pitch",
         ("p.csv", &commas),
         ("pair.toml", gear.as_bytes()),
         200,
     );
-    assert!(told.contains("has some 16777216 cells"), "{told}");
+    assert!(message.contains("has some 16777216 cells"), "{message}");
     let rig = pair(44, "").replace("[sweep]\nmating = [[1, 1]]", "[measured]\nfile = \"p.csv\"");
-    let told = refused(
+    let message = refused(
         "rig",
         ("p.csv", &commas),
         ("pair.toml", rig.as_bytes()),
         200,
     );
-    assert!(told.contains("has some 16777216 cells"), "{told}");
+    assert!(message.contains("has some 16777216 cells"), "{message}");
     // One record over many lines: line ends in quotes count as cells.
     let quoted = "\"a\n\",".repeat(3_000_000);
-    let told = refused(
+    let message = refused(
         "rig",
         ("p.csv", quoted.as_bytes()),
         ("pair.toml", rig.as_bytes()),
         300,
     );
-    assert!(told.contains("has some 6000000 cells"), "{told}");
+    assert!(message.contains("has some 6000000 cells"), "{message}");
 }
 
 #[test]
@@ -328,7 +332,7 @@ fn pair_files() {
         ("p.json", json_keys, "more than 1000 keys in one table"),
     ];
     for (name, text, says) in cases {
-        let told = refused(says, ("x", b""), (name, text.as_bytes()), 500);
-        assert!(told.contains(says), "{says:?} in {told}");
+        let message = refused(says, ("x", b""), (name, text.as_bytes()), 500);
+        assert!(message.contains(says), "{says:?} in {message}");
     }
 }

@@ -45,8 +45,8 @@ fn ends_by(name: &str, method: &str) -> (Option<i32>, BTreeMap<String, u64>, Str
     let file = fixture("reference/hard").join(format!("{name}.toml"));
     let file = file.to_str().unwrap();
     let args = ["simulate", file, "--method", method, "--format", "json"];
-    let (code, json, told) = run(folder.path(), &args);
-    let json: Value = serde_json::from_str(&json).expect(&told);
+    let (code, json, message) = run(folder.path(), &args);
+    let json: Value = serde_json::from_str(&json).expect(&message);
     let mut ends = BTreeMap::new();
     for run in json["runs"].as_array().unwrap() {
         for pose in run["poses"].as_array().unwrap() {
@@ -54,7 +54,7 @@ fn ends_by(name: &str, method: &str) -> (Option<i32>, BTreeMap<String, u64>, Str
             *ends.entry(status).or_insert(0) += 1;
         }
     }
-    (code, ends, told)
+    (code, ends, message)
 }
 
 #[test]
@@ -65,11 +65,11 @@ fn every_hard_pair_ends_alike_by_every_method() {
             .map(|(status, poses)| ((*status).to_owned(), *poses))
             .collect();
         for method in ["exact", "polygon", "both"] {
-            let (code, ends, told) = ends_by(name, method);
-            assert_eq!(code, Some(0), "{name} by {method}: {told}");
+            let (code, ends, message) = ends_by(name, method);
+            assert_eq!(code, Some(0), "{name} by {method}: {message}");
             assert_eq!(ends, want, "{name} by {method}");
-            let agree = told.contains("exact and polygon method agree: largest difference ");
-            assert_eq!(agree, method == "both", "{name} by {method}: {told}");
+            let agree = message.contains("exact and polygon method agree: largest difference ");
+            assert_eq!(agree, method == "both", "{name} by {method}: {message}");
         }
     };
     std::thread::scope(|scope| {

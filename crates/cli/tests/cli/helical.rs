@@ -15,15 +15,15 @@ fn folder() -> tempfile::TempDir {
 }
 
 fn drawn(folder: &Path, args: &[&str]) -> String {
-    let (code, picture, told) = run(folder, args);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, picture, message) = run(folder, args);
+    assert_eq!(code, Some(0), "{message}");
     picture
 }
 
 fn refused(folder: &Path, args: &[&str], why: &str) {
-    let (code, _, told) = run(folder, args);
-    assert_eq!(code, Some(2), "{told}");
-    assert!(told.contains(why), "{told}");
+    let (code, _, message) = run(folder, args);
+    assert_eq!(code, Some(2), "{message}");
+    assert!(message.contains(why), "{message}");
 }
 
 const POSE: [&str; 6] = [
@@ -129,11 +129,11 @@ fn a_chart_shows_the_field_of_action() {
         .concat();
         drawn(folder.path(), &args)
     };
-    let (_, _, told) = run(
+    let (_, _, message) = run(
         folder.path(),
         &["chart", "measured.toml", "--kind", "field", "-o", "-"],
     );
-    assert!(told.contains("teeth 5·14 / 3·17"), "{told}");
+    assert!(message.contains("teeth 5·14 / 3·17"), "{message}");
     let picture = chart(&[]);
     roxmltree::Document::parse(&picture).unwrap();
     for words in [
@@ -175,8 +175,8 @@ fn every_chart_is_drawn_of_helical_pairs() {
     let folder = folder();
     for kind in ["revolution", "distance", "difference", "inspection", "map"] {
         let args = ["chart", "measured.toml", "--kind", kind, "-o", "-"];
-        let (_, picture, told) = run(folder.path(), &args);
-        assert!(picture.starts_with("<svg"), "{kind}: {told}");
+        let (_, picture, message) = run(folder.path(), &args);
+        assert!(picture.starts_with("<svg"), "{kind}: {message}");
     }
 }
 
@@ -184,8 +184,8 @@ fn every_chart_is_drawn_of_helical_pairs() {
 #[test]
 fn a_page_tells_what_the_face_width_costs() {
     let folder = folder();
-    let (code, page, told) = run(folder.path(), &["report", "measured.toml", "-o", "-"]);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, page, message) = run(folder.path(), &["report", "measured.toml", "-o", "-"]);
+    assert_eq!(code, Some(0), "{message}");
     let document = scraper::Html::parse_document(&page);
     let text = |selector: &str| -> Vec<String> {
         let selector = scraper::Selector::parse(selector).unwrap();

@@ -13,7 +13,7 @@ fn pair_with(folder: &Path, wheel: &str, below: &str) {
     fs::write(folder.join("pair.toml"), text).unwrap();
 }
 
-fn told(folder: &Path) -> String {
+fn message(folder: &Path) -> String {
     let output = gearlash(folder)
         .args(["simulate", "pair.toml", "--format", "json"])
         .output()
@@ -78,11 +78,11 @@ fn nothing_of_a_file_outside_the_folder_is_quoted() {
             ] {
                 let put = |text: &str| text.replace("FILE", file);
                 pair_with(&folder, &put(wheel), &put(below));
-                let told = told(&folder);
+                let message = message(&folder);
                 let shows = ["hunter2", "root:", "7654", "7,654", "1.234", "5,678"]
                     .iter()
-                    .any(|part| told.contains(part));
-                assert!(!(shows && is_outside), "{file}: {secret}: {told}");
+                    .any(|part| message.contains(part));
+                assert!(!(shows && is_outside), "{file}: {secret}: {message}");
                 quoted_inside += usize::from(shows && !is_outside);
             }
         }
@@ -102,9 +102,12 @@ fn the_first_line_of_a_password_file_is_not_printed() {
         "",
         &format!("[measured]\nfile = \"{up}etc/passwd\""),
     );
-    let told = told(folder.path());
-    assert!(told.contains("no line names the columns tooth, "), "{told}");
-    assert!(!told.contains("root"), "{told}");
+    let message = message(folder.path());
+    assert!(
+        message.contains("no line names the columns tooth, "),
+        "{message}"
+    );
+    assert!(!message.contains("root"), "{message}");
 }
 
 /// A header, a cell, a key, a value and a name of a million characters each: cut at 60, visibly.
@@ -141,13 +144,23 @@ fn messages_are_short_whatever_stands_in_a_file() {
     ];
     for (wheel, below) in cases {
         pair_with(folder, &wheel, &below);
-        let told = told(folder);
-        let longest = told.lines().map(|line| line.chars().count()).max().unwrap();
-        assert!(longest < 6100 && told.chars().count() < 15_000, "{longest}");
+        let message = message(folder);
+        let longest = message
+            .lines()
+            .map(|line| line.chars().count())
+            .max()
+            .unwrap();
+        assert!(
+            longest < 6100 && message.chars().count() < 15_000,
+            "{longest}"
+        );
         // A line that names no column is no header, and is not shown; headings are listed.
-        let is_no_header = told.contains("no line names the columns");
-        let listed = told.contains("\"left (ä") && told.contains("ä … (B)");
-        assert!(told.contains(&shown) || is_no_header || listed, "{told}");
+        let is_no_header = message.contains("no line names the columns");
+        let listed = message.contains("\"left (ä") && message.contains("ä … (B)");
+        assert!(
+            message.contains(&shown) || is_no_header || listed,
+            "{message}"
+        );
     }
     // A parser's own words.
     fs::write(
@@ -155,9 +168,9 @@ fn messages_are_short_whatever_stands_in_a_file() {
         format!("\"{long}\" = 1\n\"{long}\" = 2\n"),
     )
     .unwrap();
-    let told = told(folder);
+    let message = message(folder);
     assert!(
-        told.chars().count() < 500 && told.contains("duplicate key `\"ää"),
-        "{told}"
+        message.chars().count() < 500 && message.contains("duplicate key `\"ää"),
+        "{message}"
     );
 }

@@ -32,10 +32,13 @@ fn warnings_of_the_gear_files_are_reported() {
         .collect();
     assert!(!warned.is_empty(), "{alone}");
     let output = matched(here);
-    let told = String::from_utf8(output.get_output().stderr.clone()).unwrap();
+    let message = String::from_utf8(output.get_output().stderr.clone()).unwrap();
     for text in warned {
         let line = format!("warning: w/1.toml and 3 more: {text}");
-        assert!(told.lines().any(|told| told == line), "{line}: {told}");
+        assert!(
+            message.lines().any(|message| message == line),
+            "{line}: {message}"
+        );
     }
     // Of gears that are drawn whole, too.
     let pair = fs::read_to_string(here.join("pair.toml")).unwrap();
@@ -45,9 +48,9 @@ fn warnings_of_the_gear_files_are_reported() {
         .args(["tolerance", "drawn.toml", "-o", "t"])
         .output()
         .unwrap();
-    let told = String::from_utf8(output.stderr).unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
     let wanted = "warning: drawn.toml: tolerance.wheel.gears: w/1.toml and 1 more: gear.pitch";
-    assert!(told.contains(wanted), "{told}");
+    assert!(message.contains(wanted), "{message}");
 }
 
 /// A gear file name becomes a cell: it acts on no terminal, log or spreadsheet.

@@ -37,21 +37,21 @@ fn kinks_and_bores_have_their_places() {
         "smooth.toml",
         &pair("file = \"points.csv\"\nkind = \"smooth\""),
     );
-    let (code, _, said) = run(folder.path(), &["check", "smooth.toml", "--verbose"]);
-    assert_eq!(code, Some(0), "{said}");
+    let (code, _, notes) = run(folder.path(), &["check", "smooth.toml", "--verbose"]);
+    assert_eq!(code, Some(0), "{notes}");
     // A trapezoid has four corners a tooth, all of more than 30°.
     assert!(
-        said.contains("wheel: 12 teeth") && said.contains("48 of them kinks of more than 30°"),
-        "{said}"
+        notes.contains("wheel: 12 teeth") && notes.contains("48 of them kinks of more than 30°"),
+        "{notes}"
     );
     write(
         "bores.toml",
         &pair("file = \"bores.svg\"\ncenter_mm = \"bore\""),
     );
-    let (code, _, said) = run(folder.path(), &["check", "bores.toml"]);
-    assert_eq!(code, Some(2), "{said}");
+    let (code, _, notes) = run(folder.path(), &["check", "bores.toml"]);
+    assert_eq!(code, Some(2), "{notes}");
     assert!(
-        said.contains("2 are drawn, about (20.0000, -20.0000) and (26.0000, -20.0000)"),
-        "{said}"
+        notes.contains("2 are drawn, about (20.0000, -20.0000) and (26.0000, -20.0000)"),
+        "{notes}"
     );
 }

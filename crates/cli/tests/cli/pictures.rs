@@ -146,13 +146,13 @@ fn an_animation_states_the_extremes_of_what_it_shows() {
     ];
     let drawn = snapshot(&folder, &pose).assert().success();
     let words = words(&drawn.get_output().stdout);
-    let (_, told) = words.split_once("greatest ").unwrap();
-    let (told, _) = told.split_once(" µm").unwrap();
-    let told: f64 = told.parse().unwrap();
+    let (_, message) = words.split_once("greatest ").unwrap();
+    let (message, _) = message.split_once(" µm").unwrap();
+    let message: f64 = message.parse().unwrap();
     // Half a digit, and no lower than what 4001 poses find.
     assert!(
-        told > greatest - 0.005 && told < greatest + 0.02,
-        "{told} {greatest}"
+        message > greatest - 0.005 && message < greatest + 0.02,
+        "{message} {greatest}"
     );
     assert!(words.contains("least\u{a0}jwt120.00 µm"), "{words}");
 }

@@ -33,8 +33,8 @@ j_bn_um = LIMITS
 
 fn checked(folder: &Path, text: &str) -> (Option<i32>, Value) {
     std::fs::write(folder.join("pair.toml"), text).unwrap();
-    let (code, json, told) = run(folder, &["check", "pair.toml", "--format", "json"]);
-    let json: Value = serde_json::from_str(&json).expect(&told);
+    let (code, json, message) = run(folder, &["check", "pair.toml", "--format", "json"]);
+    let json: Value = serde_json::from_str(&json).expect(&message);
     (code, json["files"][0].clone())
 }
 
@@ -183,8 +183,8 @@ fn a_drawn_pair_gets_the_distance_of_its_data() {
             "-o",
             &file,
         ];
-        let (code, _, told) = run(folder.path(), &words);
-        assert_eq!(code, Some(0), "{told}");
+        let (code, _, message) = run(folder.path(), &words);
+        assert_eq!(code, Some(0), "{message}");
     }
     let at = |distance: &str, require: &str| {
         let text = format!(

@@ -18,11 +18,11 @@ fn a_key_of_ten_thousand_characters_gets_no_suggestion() {
             .args(["check", "pair.toml"])
             .output()
             .unwrap();
-        let told = String::from_utf8(output.stderr).unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2));
-        assert!(told.contains("unknown key"), "{told}");
-        assert_eq!(told.contains("did you mean"), suggested, "{told}");
-        assert!(!told.contains("nearest known"), "{told}");
+        assert!(message.contains("unknown key"), "{message}");
+        assert_eq!(message.contains("did you mean"), suggested, "{message}");
+        assert!(!message.contains("nearest known"), "{message}");
     }
 }
 
@@ -60,7 +60,10 @@ fn a_hundred_thousand_threads_are_not_started() {
     let (one, many) = (run("1"), run("100000"));
     assert!(many.status.success());
     assert_eq!(one.stdout, many.stdout);
-    let told = String::from_utf8(many.stderr).unwrap();
-    assert!(told.contains("note: RAYON_NUM_THREADS=100000: "), "{told}");
+    let message = String::from_utf8(many.stderr).unwrap();
+    assert!(
+        message.contains("note: RAYON_NUM_THREADS=100000: "),
+        "{message}"
+    );
     assert!(one.stderr.is_empty());
 }

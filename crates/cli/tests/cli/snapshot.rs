@@ -57,12 +57,15 @@ fn the_greatest_pose_and_the_least_of_a_kind_of_contact() {
     assert!(greatest.contains("156.38") && !worst.contains("156.38"));
     let (code, edge, _) = draw("--worst=undercut-edge");
     assert!(code == Some(0) && edge != worst);
-    let (code, _, told) = draw("--worst=root");
+    let (code, _, message) = draw("--worst=root");
     assert_eq!(code, Some(2));
     assert!(
-        told.contains("no pose of the pair file has such a contact"),
-        "{told}"
+        message.contains("no pose of the pair file has such a contact"),
+        "{message}"
     );
-    let (code, _, told) = draw("--worst=corner");
-    assert!(code == Some(2) && told.contains("undercut-edge"), "{told}");
+    let (code, _, message) = draw("--worst=corner");
+    assert!(
+        code == Some(2) && message.contains("undercut-edge"),
+        "{message}"
+    );
 }

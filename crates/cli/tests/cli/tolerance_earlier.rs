@@ -9,9 +9,9 @@ fn read(folder: &Path, name: &str) -> String {
 
 /// Runs, with the exit code that is expected, and says what was reported.
 fn ends(folder: &Path, args: &str, wanted: i32) -> String {
-    let (code, _, told) = tolerance(folder, args);
-    assert_eq!(code, Some(wanted), "{args}: {told}");
-    told.replace('\n', " ")
+    let (code, _, message) = tolerance(folder, args);
+    assert_eq!(code, Some(wanted), "{args}: {message}");
+    message.replace('\n', " ")
 }
 
 /// As of `simulate`: JSON and CSV are the result itself, printed, and files where a folder is named.
@@ -24,8 +24,8 @@ fn json_and_csv_without_a_folder_write_nothing() {
     ends(here, &format!("{run} -o o"), 0);
     let before = files(here);
     for (format, file) in [("json", "result.json"), ("csv", "result.csv")] {
-        let (code, printed, told) = tolerance(here, &format!("{run} --format {format}"));
-        assert_eq!(code, Some(0), "{told}");
+        let (code, printed, message) = tolerance(here, &format!("{run} --format {format}"));
+        assert_eq!(code, Some(0), "{message}");
         assert_eq!(printed, read(here, &format!("o/{file}")));
     }
     assert_eq!(files(here), before);
@@ -74,8 +74,8 @@ fn names_that_are_no_text_are_taken_as_they_are() {
     ] {
         let run = |arguments: &[&OsStr], wanted: i32| {
             let output = gearlash(working).args(arguments).output().unwrap();
-            let told = String::from_utf8(output.stderr).unwrap();
-            assert_eq!(output.status.code(), Some(wanted), "{told}");
+            let message = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(wanted), "{message}");
             String::from_utf8(output.stdout).unwrap()
         };
         let at = |name: &str| start.join(name).into_os_string();

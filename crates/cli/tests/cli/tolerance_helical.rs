@@ -48,16 +48,16 @@ fn a_helical_population_is_what_simulate_finds_pair_by_pair() {
     let folder = empty_folder();
     let here = folder.path();
     std::fs::write(here.join("pair.toml"), pair()).unwrap();
-    let (code, text, told) = tolerance(here, "tolerance pair.toml -o o --format json");
-    assert_eq!(code, Some(0), "{told}");
+    let (code, text, message) = tolerance(here, "tolerance pair.toml -o o --format json");
+    assert_eq!(code, Some(0), "{message}");
     let result: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(result["outcomes"]["clear"], 12, "{result}");
     let worst = result["worst"].as_array().unwrap();
     assert_eq!(worst.len(), 10);
     for one in worst {
         let file = format!("o/{}", one["file"].as_str().unwrap());
-        let (_, text, told) = run(here, &["simulate", &file, "--format", "json"]);
-        let simulated: Value = serde_json::from_str(&text).expect(&told);
+        let (_, text, message) = run(here, &["simulate", &file, "--format", "json"]);
+        let simulated: Value = serde_json::from_str(&text).expect(&message);
         let found = &simulated["extremes"][0]["with_bearing_clearance"];
         for (key, end) in [("least_um", "least"), ("greatest_um", "greatest")] {
             let (value, wanted) = (um(&found[end]["pose"]["j_wt_um"]), um(&one[key]));
@@ -78,8 +78,8 @@ fn helical_runout_has_a_worst_case() {
     let worst = |name: &str, text: String| -> [f64; 2] {
         std::fs::write(here.join(format!("{name}.toml")), text).unwrap();
         let args = format!("tolerance {name}.toml -o {name} --format json");
-        let (code, text, told) = tolerance(here, &args);
-        assert_eq!(code, Some(0), "{told}");
+        let (code, text, message) = tolerance(here, &args);
+        assert_eq!(code, Some(0), "{message}");
         let result: Value = serde_json::from_str(&text).unwrap();
         let worst =
             [0, 1].map(|end| um(&result["limits"]["worst_case"][["least_um", "greatest_um"][end]]));
@@ -126,8 +126,8 @@ fn a_helix_angle_that_goes_to_0_gives_the_spur_population() {
         }
         std::fs::write(here.join(format!("{name}.toml")), text).unwrap();
         let args = format!("tolerance {name}.toml --format json");
-        let (code, text, told) = tolerance(here, &args);
-        assert_eq!(code, Some(0), "{name}: {told}");
+        let (code, text, message) = tolerance(here, &args);
+        assert_eq!(code, Some(0), "{name}: {message}");
         serde_json::from_str(&text).unwrap()
     };
     let none = of("none", &|_| String::new(), "");
@@ -187,8 +187,8 @@ fn helical_gears_are_matched_over_their_face() {
     std::fs::write(here.join("pair.toml"), text).unwrap();
     let words = super::matching::MATCH.split(' ');
     let words: Vec<&str> = words.chain(["--format", "json", "-o", "out"]).collect();
-    let (code, printed, told) = run(here, &words);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, printed, message) = run(here, &words);
+    assert_eq!(code, Some(0), "{message}");
     let result: Value = serde_json::from_str(&printed).unwrap();
     let pairs = result["pairs"].as_array().unwrap();
     assert_eq!((pairs.len(), &result["phases"]), (2, &json!(3)));
@@ -207,11 +207,11 @@ fn helical_gears_are_matched_over_their_face() {
         let text =
             gear("wheel", &own(wheel_um, wheel_high)) + &gear("pinion", &pinion) + &rest(&sweep);
         std::fs::write(here.join("phase.toml"), text).unwrap();
-        let (_, text, told) = run(
+        let (_, text, message) = run(
             here,
             &["simulate", "phase.toml", "--no-files", "--format", "json"],
         );
-        let simulated: Value = serde_json::from_str(&text).expect(&told);
+        let simulated: Value = serde_json::from_str(&text).expect(&message);
         for (key, end) in [("least_um", "least"), ("greatest_um", "greatest")] {
             let value = um(&simulated["extremes"][0][end]["pose"]["j_wt_um"]);
             assert!(
@@ -239,20 +239,20 @@ fn helical_gears_are_matched_over_their_face() {
         ),
     ] {
         std::fs::write(w.join("3.toml"), third.replace(from, to)).unwrap();
-        let (code, _, told) = run(here, &words);
-        assert!(code == Some(2) && told.contains(wanted), "{told}");
+        let (code, _, message) = run(here, &words);
+        assert!(code == Some(2) && message.contains(wanted), "{message}");
     }
     // Of gears that are drawn whole, too.
     std::fs::write(w.join("3.toml"), third.replace("\"right\"", "\"left\"")).unwrap();
     let text = pair().split("[tolerance.wheel]").next().unwrap().to_owned()
         + "[tolerance.wheel]\ngears = \"w/*.toml\"\n";
     std::fs::write(here.join("drawn.toml"), &text).unwrap();
-    let (code, _, told) = run(here, &["tolerance", "drawn.toml", "-o", "t"]);
+    let (code, _, message) = run(here, &["tolerance", "drawn.toml", "-o", "t"]);
     assert!(
-        code == Some(2) && told.contains("hand is another than wheel.hand"),
-        "{told}"
+        code == Some(2) && message.contains("hand is another than wheel.hand"),
+        "{message}"
     );
     std::fs::remove_file(w.join("3.toml")).unwrap();
-    let (code, _, told) = run(here, &["tolerance", "drawn.toml", "-o", "t"]);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, _, message) = run(here, &["tolerance", "drawn.toml", "-o", "t"]);
+    assert_eq!(code, Some(0), "{message}");
 }

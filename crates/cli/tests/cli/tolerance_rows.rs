@@ -11,8 +11,8 @@ fn bytes(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 fn ok(here: &Path, args: &str) -> String {
-    let (code, printed, told) = tolerance(here, args);
-    assert_eq!(code, Some(0), "{args}: {told}");
+    let (code, printed, message) = tolerance(here, args);
+    assert_eq!(code, Some(0), "{args}: {message}");
     printed
 }
 
@@ -50,8 +50,8 @@ fn any_ranges_on_any_threads_give_the_bytes_of_one_run() {
         assert_eq!(rows.lines().count(), 300);
         assert_eq!(*all.get_or_insert(rows.clone()), rows, "{ranges}");
         let args = format!("tolerance pair.toml --from-rows r{ranges}/*.csv -o o{ranges}");
-        let told = ok(here, &args);
-        assert_eq!(told.replace(&format!("o{ranges}"), "whole"), printed);
+        let message = ok(here, &args);
+        assert_eq!(message.replace(&format!("o{ranges}"), "whole"), printed);
         assert!(
             bytes(&here.join(format!("o{ranges}"))) == wanted,
             "{ranges}"

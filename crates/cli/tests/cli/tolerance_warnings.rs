@@ -24,9 +24,9 @@ fn every_requirement_of_a_pair_file_is_judged() {
         let own = ("j_wt_um = { min = 40, max = 150 }", require);
         with(folder.path(), &[at, distance, play, own]);
         let args = "tolerance pair.toml -o o --format json";
-        let (code, printed, told) = tolerance(folder.path(), args);
-        assert_eq!(code, Some(0), "{told}");
-        assert!(!told.contains("looked at"), "{told}");
+        let (code, printed, message) = tolerance(folder.path(), args);
+        assert_eq!(code, Some(0), "{message}");
+        assert!(!message.contains("looked at"), "{message}");
         serde_json::from_str(&printed).unwrap()
     };
     let counts = |result: &Value| {

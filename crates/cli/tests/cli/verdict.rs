@@ -77,9 +77,9 @@ fn a_runout_without_direction_is_taken_in_every_one() {
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let told = text(&output.stderr);
+    let message = text(&output.stderr);
     for gear in ["wheel", "pinion"] {
-        assert!(told.contains(&format!("{gear}.runout:")), "{told}");
+        assert!(message.contains(&format!("{gear}.runout:")), "{message}");
     }
     let quiet = gearlash(folder.path()).arg("check").arg(&file).output();
     assert_eq!(text(&quiet.unwrap().stderr), "", "notes without --verbose");
@@ -144,19 +144,19 @@ fn out_of_mesh_says_up_to_where_it_is_in_mesh() {
         let output = gearlash(folder.path()).arg("simulate").arg(&file).output();
         text(&output.unwrap().stdout).replace('\n', " ")
     };
-    let told = said("78.5");
+    let message = said("78.5");
     assert!(
-        told.contains("Out of mesh at a = 78.500 mm.") && !told.contains("Proven"),
-        "{told}"
+        message.contains("Out of mesh at a = 78.500 mm.") && !message.contains("Proven"),
+        "{message}"
     );
-    let (_, rest) = told.split_once("In mesh up to a = ").unwrap();
+    let (_, rest) = message.split_once("In mesh up to a = ").unwrap();
     let to: f64 = rest.split_once(" mm").unwrap().0.parse().unwrap();
     // Poses between those that were looked at leave up to 0.5 µm sooner: it is not proven.
     assert!(!said(&(to - 1e-3).to_string()).contains("Out of mesh"));
     // A verdict that says "not proven" of a distance does not say "proven" of the whole.
     assert!(
         rest.starts_with(&format!("{to:.4} mm (not proven)")),
-        "{told}"
+        "{message}"
     );
     let mixed = said("[73.8, 73.9, 78.5]");
     assert!(
@@ -181,8 +181,11 @@ fn junit_has_what_was_noticed_as_output() {
     let document = roxmltree::Document::parse(&junit).unwrap();
     let mut nodes = document.descendants();
     let output = nodes.find(|node| node.has_tag_name("system-out"));
-    let told = output.and_then(|output| output.text()).unwrap();
-    assert!(told.contains("traces of 4 of 44 right flanks"), "{told}");
+    let message = output.and_then(|output| output.text()).unwrap();
+    assert!(
+        message.contains("traces of 4 of 44 right flanks"),
+        "{message}"
+    );
 }
 
 /// The corpus holds what some sixty pairs come to: spur, helical, drawn, jammed, out of mesh.

@@ -22,17 +22,20 @@ fn an_injected_failure_leaves_whole_files() {
         for (when, error) in whens.into_iter().zip(errors) {
             let what = format!("{call}:error={error}:when={when}");
             let output = injected(&sets, &what);
-            let told = told(&output);
+            let stderr_of = stderr_of(&output);
             match output.status.code() {
                 Some(0) => assert!(sets.in_place() == sets.new, "{what}"),
                 Some(2) => {
                     refused += 1;
-                    assert!(told.contains("cannot be written"), "{what}: {told}");
+                    assert!(
+                        stderr_of.contains("cannot be written"),
+                        "{what}: {stderr_of}"
+                    );
                     sets.check(&what);
                     let left = temporary(sets.folder.path());
                     assert!(left.is_empty() || call == "unlink", "{what}: {left:?}");
                 }
-                other => panic!("{what}: {other:?}, {told}"),
+                other => panic!("{what}: {other:?}, {stderr_of}"),
             }
             sets.write("old");
             assert!(sets.in_place() == sets.old, "{what}");
@@ -78,12 +81,12 @@ fn a_full_disk_leaves_the_old_files() {
     let after = contents(&disk);
     let unmounted = Command::new("umount").arg(&disk).status();
     assert!(unmounted.is_ok_and(|status| status.success()));
-    assert!(first.status.success(), "{}", told(&first));
+    assert!(first.status.success(), "{}", stderr_of(&first));
     assert_eq!(second.status.code(), Some(2));
     assert!(
-        told(&second).contains("No space left on device"),
+        stderr_of(&second).contains("No space left on device"),
         "{}",
-        told(&second)
+        stderr_of(&second)
     );
     assert!(after == before);
 }

@@ -77,11 +77,11 @@ fn no_output_takes_the_place_of_a_file_that_was_read() {
     let before = contents(folder.path());
     for words in TO_FILES {
         let output = run(folder.path(), words);
-        let told = told(&output);
-        assert_eq!(output.status.code(), Some(2), "{words}: {told}");
+        let stderr_of = stderr_of(&output);
+        assert_eq!(output.status.code(), Some(2), "{words}: {stderr_of}");
         assert!(
-            told.contains("this is the file ") && told.contains("which was read"),
-            "{words}: {told}"
+            stderr_of.contains("this is the file ") && stderr_of.contains("which was read"),
+            "{words}: {stderr_of}"
         );
         assert_eq!(output.stdout, b"", "{words}");
         assert!(contents(folder.path()) == before, "{words}");
@@ -99,7 +99,7 @@ fn a_result_is_not_replaced_by_what_is_made_of_it() {
     let before = contents(folder.path());
     let output = run(folder.path(), "simulate result.json -o .");
     assert_eq!(output.status.code(), Some(2));
-    assert!(told(&output).contains("result.json: this is the file result.json"));
+    assert!(stderr_of(&output).contains("result.json: this is the file result.json"));
     assert!(contents(folder.path()) == before);
 }
 
@@ -108,10 +108,10 @@ fn a_result_is_not_replaced_by_what_is_made_of_it() {
 fn the_message_names_both_files() {
     let folder = workshop();
     let output = run(folder.path(), "simulate with_curve.txt.toml -o inner");
-    let told = told(&output);
+    let stderr_of = stderr_of(&output);
     assert!(
-        told.contains("inner/result.csv: this is the file curve.txt"),
-        "{told}"
+        stderr_of.contains("inner/result.csv: this is the file curve.txt"),
+        "{stderr_of}"
     );
 }
 
@@ -146,6 +146,6 @@ fn the_step_summary_is_no_input() {
     command.env("GITHUB_STEP_SUMMARY", folder.path().join("p.toml"));
     let output = command.output().unwrap();
     assert_eq!(output.status.code(), Some(2));
-    assert!(told(&output).contains("p.toml: this is the file p.toml"));
+    assert!(stderr_of(&output).contains("p.toml: this is the file p.toml"));
     assert!(contents(folder.path()) == before);
 }

@@ -58,7 +58,7 @@ impl Sets {
             .args(self.words(name))
             .output()
             .unwrap();
-        assert!(output.status.success(), "{}", told(&output));
+        assert!(output.status.success(), "{}", stderr_of(&output));
     }
 
     /// The files but for temporary ones.

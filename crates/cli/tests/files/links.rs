@@ -38,7 +38,7 @@ fn an_output_through_a_link_that_leads_nowhere_is_refused() {
     symlink("nowhere/page.html", folder.path().join("page.html")).unwrap();
     let output = run(folder.path(), "report p.toml -o page.html");
     assert_eq!(output.status.code(), Some(2));
-    assert!(told(&output).contains("page.html: this is a link to a file that is not there"));
+    assert!(stderr_of(&output).contains("page.html: this is a link to a file that is not there"));
 }
 
 /// A link of a result's name is replaced, what it points to stays: it belongs to somebody else.
@@ -72,7 +72,7 @@ fn a_device_is_written_to_and_stays() {
     assert!(null.is_char_device());
     let output = run(folder.path(), "report p.toml -o /dev/full");
     assert_eq!(output.status.code(), Some(2));
-    assert!(told(&output).contains("/dev/full: cannot be written: No space left on device"));
+    assert!(stderr_of(&output).contains("/dev/full: cannot be written: No space left on device"));
 }
 
 fn pipe(path: &Path) {
@@ -88,12 +88,12 @@ fn a_pipe_that_nobody_writes_or_reads_is_reported() {
     let output = run(folder.path(), "simulate pipe.toml");
     assert_eq!(output.status.code(), Some(2));
     assert!(begun.elapsed() < Duration::from_secs(10));
-    let told = told(&output);
+    let stderr_of = stderr_of(&output);
     assert!(
-        told.contains(
+        stderr_of.contains(
             "pipe.toml: cannot be read: no data has come for 5 s; start the program that writes to it"
         ),
-        "{told}"
+        "{stderr_of}"
     );
     let output = run(folder.path(), "report p.toml -o pipe.toml");
     assert_eq!(output.status.code(), Some(2));
@@ -115,7 +115,7 @@ fn a_pipe_that_is_written_slowly_is_read_whole() {
         .unwrap();
     let output = run(folder.path(), "simulate pipe.toml --format json");
     assert!(writer.wait().unwrap().success());
-    assert!(output.status.success(), "{}", told(&output));
+    assert!(output.status.success(), "{}", stderr_of(&output));
     assert_eq!(
         output.stdout,
         run(folder.path(), "simulate p.toml --format json").stdout
@@ -147,17 +147,17 @@ fn an_input_that_stops_is_reported() {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        let mut told = String::new();
+        let mut stderr_of = String::new();
         let mut stderr = std::io::BufReader::new(child.stderr.take().unwrap());
-        stderr.read_line(&mut told).unwrap();
+        stderr.read_line(&mut stderr_of).unwrap();
         assert!(begun.elapsed() < Duration::from_secs(15), "{name}");
         let words = match name {
             "/dev/zero" => "has more than 64 MiB",
             _ => "no data has come for 5 s",
         };
         assert!(
-            told.contains(name) && told.contains(words),
-            "{name}: {told}"
+            stderr_of.contains(name) && stderr_of.contains(words),
+            "{name}: {stderr_of}"
         );
         drop(stderr);
         child.kill().unwrap();

@@ -31,7 +31,7 @@ fn run(folder: &Path, words: &str) -> Output {
         .unwrap()
 }
 
-fn told(output: &Output) -> String {
+fn stderr_of(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 

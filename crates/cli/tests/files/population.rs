@@ -35,17 +35,17 @@ fn interrupted(folder: &Path) -> String {
     assert!(sent.unwrap().success());
     let ended = child.wait_with_output().unwrap();
     assert_eq!(ended.status.code(), Some(130));
-    told(&ended)
+    stderr_of(&ended)
 }
 
 #[test]
 fn an_interrupted_run_prints_the_commands_that_go_on() {
     let folder = population();
     let path = folder.path();
-    let said = interrupted(path);
-    let commands: Vec<&str> = said.split('`').skip(1).step_by(2).collect();
-    assert_eq!(commands.len(), 2, "{said}");
-    assert!(said.contains("are in rows.csv: go on with"), "{said}");
+    let message = interrupted(path);
+    let commands: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    assert_eq!(commands.len(), 2, "{message}");
+    assert!(message.contains("are in rows.csv: go on with"), "{message}");
     let left = std::fs::read_to_string(path.join("rows.csv")).unwrap();
     assert!(left.ends_with('\n'));
     // A header of two lines, and whole blocks.
@@ -54,13 +54,13 @@ fn an_interrupted_run_prints_the_commands_that_go_on() {
     let go_on = |command: &str, further: &str| {
         let words = command.strip_prefix("gearlash ").unwrap();
         let done = run(path, &format!("{words} {further}"));
-        assert!(done.status.success(), "{}", told(&done));
+        assert!(done.status.success(), "{}", stderr_of(&done));
     };
     go_on(commands[0], "");
     go_on(commands[1], "--format json -o o");
     std::fs::remove_file(path.join("rows.csv")).unwrap();
     let whole = run(path, &RUN.replace("-o o", "--format json -o whole"));
-    assert!(whole.status.success(), "{}", told(&whole));
+    assert!(whole.status.success(), "{}", stderr_of(&whole));
     let result = |folder: &str| std::fs::read(path.join(folder).join("result.json")).unwrap();
     assert!(result("o") == result("whole"));
 }

@@ -72,7 +72,7 @@ fn a_folder_in_the_place_of_a_file_leaves_the_old_set() {
     change(folder.path(), "[37.3]");
     let output = simulate(folder.path(), "results");
     assert_eq!(output.status.code(), Some(2));
-    assert!(told(&output).contains("results/result.csv: cannot be written: is a directory"));
+    assert!(stderr_of(&output).contains("results/result.csv: cannot be written: is a directory"));
     assert!(contents(&folder.path().join("results")) == before);
 }
 

@@ -20,11 +20,11 @@ fn end(mut child: Child) -> (Option<i32>, f64, String) {
     let begun = Instant::now();
     let code = child.wait().unwrap().code();
     let took = begun.elapsed().as_secs_f64();
-    let mut told = String::new();
+    let mut stderr_of = String::new();
     if let Some(mut stderr) = child.stderr.take() {
-        stderr.read_to_string(&mut told).unwrap();
+        stderr.read_to_string(&mut stderr_of).unwrap();
     }
-    (code, took, told)
+    (code, took, stderr_of)
 }
 
 /// A folder of inputs that take long.
@@ -94,10 +94,10 @@ fn one_signal_ends_any_long_command_at_once() {
             std::thread::sleep(Duration::from_millis(250));
             assert!(child.try_wait().unwrap().is_none(), "{words}: too short");
             send(&child, signal);
-            let (ended, took, told) = end(child);
-            assert_eq!(ended, Some(code), "{words}: {told}");
-            let last = told.ends_with("error: interrupted; nothing was written\n");
-            assert!(last, "{words}: {told}");
+            let (ended, took, stderr_of) = end(child);
+            assert_eq!(ended, Some(code), "{words}: {stderr_of}");
+            let last = stderr_of.ends_with("error: interrupted; nothing was written\n");
+            assert!(last, "{words}: {stderr_of}");
             assert!(contents(folder.path()) == before, "{words}");
             took
         });
@@ -134,8 +134,8 @@ fn one_signal_ends_the_writing_of_large_results_at_once() {
             std::thread::sleep(Duration::from_millis(wait));
             assert!(child.try_wait().unwrap().is_none(), "too short");
             send(&child, "INT");
-            let (ended, took, told) = end(child);
-            assert_eq!(ended, Some(130), "{told}");
+            let (ended, took, stderr_of) = end(child);
+            assert_eq!(ended, Some(130), "{stderr_of}");
             assert!(contents(folder.path()) == before);
             took
         });

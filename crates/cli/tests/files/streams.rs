@@ -36,10 +36,11 @@ fn a_full_standard_output_is_reported_and_ends_with_2() {
         let output = command.args(words.split(' ')).stdout(full()).output();
         let output = output.unwrap();
         assert_eq!(output.status.code(), Some(2), "{words}");
-        let told = told(&output);
+        let stderr_of = stderr_of(&output);
         assert!(
-            told.contains("error: standard output: cannot be written: No space left on device"),
-            "{words}: {told}"
+            stderr_of
+                .contains("error: standard output: cannot be written: No space left on device"),
+            "{words}: {stderr_of}"
         );
         assert_eq!(temporary(folder.path()), [] as [PathBuf; 0], "{words}");
     }
@@ -56,13 +57,13 @@ fn a_closed_pipe_is_quiet() {
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
         drop(child.stdout.take());
-        let mut told = String::new();
+        let mut stderr_of = String::new();
         let stderr = child.stderr.take();
-        stderr.unwrap().read_to_string(&mut told).unwrap();
-        assert_eq!(child.wait().unwrap().code(), usual, "{words}: {told}");
+        stderr.unwrap().read_to_string(&mut stderr_of).unwrap();
+        assert_eq!(child.wait().unwrap().code(), usual, "{words}: {stderr_of}");
         assert!(
-            !told.contains("error") && !told.contains("panicked"),
-            "{words}: {told}"
+            !stderr_of.contains("error") && !stderr_of.contains("panicked"),
+            "{words}: {stderr_of}"
         );
     }
 }

@@ -95,15 +95,17 @@ fn a_pin_that_fits_no_space_is_refused_with_those_that_fit() {
             text(&output.stderr),
         )
     };
-    let (code, _, told) = run("100000");
-    assert_eq!(code, Some(2), "{told}");
+    let (code, _, message) = run("100000");
+    assert_eq!(code, Some(2), "{message}");
     let words = "--pin-mm 100000: gear: a ball of 100000 mm finds no rest in the space after tooth 1; pins of ";
-    let (_, fit) = told.split_once(words).unwrap_or_else(|| panic!("{told}"));
+    let (_, fit) = message
+        .split_once(words)
+        .unwrap_or_else(|| panic!("{message}"));
     let mut numbers = fit.split(' ').filter_map(|word| word.parse::<f64>().ok());
     let [least, greatest] = [0; 2].map(|_| numbers.next().unwrap());
     let touches_involutes = |pin: f64| {
-        let (code, text, told) = run(&pin.to_string());
-        assert_eq!(code, Some(0), "{pin}: {told}");
+        let (code, text, message) = run(&pin.to_string());
+        assert_eq!(code, Some(0), "{pin}: {message}");
         let json: Value = serde_json::from_str(&text).unwrap();
         // The ball of the runout is the pin.
         let seats = json["gears"][0]["runout"]["readings"].as_array().unwrap();

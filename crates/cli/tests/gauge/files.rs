@@ -29,13 +29,13 @@ fn names(folder: &Path) -> BTreeSet<String> {
 /// s_b = cos α (m π/2 + A_s + m z inv α) by its allowance A_s. W_20 at z 100 touches the tip, as W_12 does at z 44, W_1 and W_2 the form circle.
 #[test]
 fn a_gear_file_is_never_refused_and_never_wrong() {
-    for (teeth, asked) in [
+    for (teeth, requested) in [
         (100, &["1", "5", "12", "20", "50"][..]),
         (44, &["1", "2", "5", "12", "22", "23"]),
         (45, &["1", "6", "22"]),
         (5, &["1", "2"]),
     ] {
-        for k in asked {
+        for k in requested {
             let folder = folder();
             let shift = if teeth < 17 {
                 "profile_shift = 0.5\ntip_diameter_mm = 6.6"
@@ -296,8 +296,8 @@ fn a_page_holds_all_charts_of_a_gear() {
         .skip(1)
         .map(|id| id.split('"').next().unwrap())
         .collect();
-    let apart: std::collections::BTreeSet<&&str> = ids.iter().collect();
-    assert_eq!(apart.len(), ids.len());
+    let distinct: std::collections::BTreeSet<&&str> = ids.iter().collect();
+    assert_eq!(distinct.len(), ids.len());
 }
 
 /// It began with the number of the last one, 101.

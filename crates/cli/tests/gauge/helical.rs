@@ -78,14 +78,14 @@ fn text_and_files_say_what_is_over_balls() {
         folder.path(),
         &["one.toml", "--pin", "9", "-o", "out"],
     ));
-    for said in [
+    for words in [
         "gear, 27 teeth, module 4.5 mm, β 21° right",
         "M_dK, two balls 9 mm",
         "M_dR, two lying pins 9 mm  147.311166",
         "thickness s_n, normal",
         "Span: along the normal",
     ] {
-        assert!(text.contains(said), "{said}: {text}");
+        assert!(text.contains(words), "{words}: {text}");
     }
     let table = std::fs::read_to_string(folder.path().join("out/gauge_gear.csv"));
     assert!(table.unwrap().contains(",147.3111662"));
@@ -106,9 +106,9 @@ fn text_and_files_say_what_is_over_balls() {
     let short = gauge(folder.path(), &["short.toml", "--span", "4"])
         .assert()
         .success();
-    let told = String::from_utf8(short.get_output().stderr.clone()).unwrap();
+    let message = String::from_utf8(short.get_output().stderr.clone()).unwrap();
     assert!(
-        told.contains("gear.face_mm: a span over 4 teeth needs a face of 18.63 mm"),
-        "{told}"
+        message.contains("gear.face_mm: a span over 4 teeth needs a face of 18.63 mm"),
+        "{message}"
     );
 }

@@ -115,7 +115,8 @@ fn thickness_by_tooth_with_a_mean_comes_back() {
                 let name = format!("{mean_um} {pitch} {a}");
                 assert!(found.off_um() < 1e-6, "{name}: {} µm", found.off_um());
                 // The two statements of the thickness do not look like one said twice, nor the left flanks like turned ones.
-                let about = |told: &&String| told.contains("thickness") || told.contains("flanks");
+                let about =
+                    |message: &&String| message.contains("thickness") || message.contains("flanks");
                 assert_eq!(found.warnings.iter().find(about), None, "{name}");
             }
         }
@@ -133,7 +134,7 @@ fn thickness_by_tooth_alone_is_no_reversed_left_flank() {
             let found = round_trip([wheel, pinion], assembly([a, a + 0.1]));
             let name = format!("{mean_um} {a}");
             assert!(found.off_um() < 1e-6, "{name}: {} µm", found.off_um());
-            let accused = |told: &&String| told.contains("flanks vary opposite");
+            let accused = |message: &&String| message.contains("flanks vary opposite");
             assert_eq!(found.warnings.iter().find(accused), None, "{name}");
         }
     }

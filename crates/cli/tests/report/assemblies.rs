@@ -52,9 +52,9 @@ fn a_pair_that_assembles_as_stated_assembles() {
 fn poses_of_another_assembly_are_reported() {
     let document = Html::parse_document(&page(&twenty("mating = [[1, 1], [5, 5]]")));
     let notes = words(&document, "#result .note");
-    let told = "Of the poses that the pair file asks for, 2 belong to another phase: the teeth that it names meet at those flanks \
+    let shown = "Of the poses that the pair file asks for, 2 belong to another phase: the teeth that it names meet at those flanks \
                 where wheel tooth 1 meets pinion tooth 2.";
-    assert!(notes.contains(told), "{notes}");
+    assert!(notes.contains(shown), "{notes}");
 }
 
 /// One other phase and one pose of it: the page said "there are 1 other ways" and "1 belong".

@@ -126,10 +126,10 @@ fn drawings_that_jam_are_out_of_mesh_or_turn() {
     assert!(jammed.contains("Assembles from a = 40.0714 mm"));
     assert_eq!(select(&document, "#poses figure").len(), 1);
     assert!(jammed.contains("jammed: a tip sits in a root"));
-    let apart = page(&drawn(&at("44.3")));
-    checked(&apart);
-    assert!(apart.contains("Out of mesh at a = 44.300 mm"));
-    assert!(apart.contains("No pose is in mesh: there is nothing to draw."));
+    let out_of_mesh = page(&drawn(&at("44.3")));
+    checked(&out_of_mesh);
+    assert!(out_of_mesh.contains("Out of mesh at a = 44.300 mm"));
+    assert!(out_of_mesh.contains("No pose is in mesh: there is nothing to draw."));
     // The first curve is that of the tightest.
     let several = page(&drawn(&at("[40.2, 40.0, 40.1]")));
     let document = checked(&several);

@@ -130,13 +130,14 @@ fn a_jammed_pair_and_one_out_of_mesh() {
     // Two gears of 20 teeth and module 2 without allowances assemble from a = 40 on.
     assert!(jammed.contains("assembles from a = 40.0000 mm on"));
     assert!(jammed.contains("Scale bars are correct"));
-    let apart = page(&plain("44.5"));
-    checked(&apart);
-    assert!(apart.contains("Out of mesh at a = 44.500 mm"));
+    let out_of_mesh = page(&plain("44.5"));
+    checked(&out_of_mesh);
+    assert!(out_of_mesh.contains("Out of mesh at a = 44.500 mm"));
     assert!(
-        apart.contains("Left out: over these centre distances the gears are jammed or out of mesh")
+        out_of_mesh
+            .contains("Left out: over these centre distances the gears are jammed or out of mesh")
     );
     // No heading stands over nothing.
-    assert!(apart.contains("No pose is in mesh: there is nothing to draw."));
-    assert!(!apart.contains("Scale bars are correct"));
+    assert!(out_of_mesh.contains("No pose is in mesh: there is nothing to draw."));
+    assert!(!out_of_mesh.contains("Scale bars are correct"));
 }

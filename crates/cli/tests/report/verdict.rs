@@ -40,13 +40,13 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
     let document = Html::parse_document(&page(&at_117_3("")));
     let answer = answer(&document);
     assert_eq!(answer, "Does not assemble at a = 117.300 mm.");
-    let told = text(&select(&document, ".extremes .value")[0]);
-    let told = told
+    let shown = text(&select(&document, ".extremes .value")[0]);
+    let shown = shown
         .strip_prefix('−')
-        .and_then(|told| told.strip_suffix(" µm"));
-    let told = -told.unwrap().parse::<f64>().unwrap();
+        .and_then(|shown| shown.strip_suffix(" µm"));
+    let shown = -shown.unwrap().parse::<f64>().unwrap();
     // Between two poses of the sweep it falls a little lower; both shown to 0.005 µm.
-    assert!(told <= least + 0.005 && told > least - 0.05, "{answer}");
+    assert!(shown <= least + 0.005 && shown > least - 0.05, "{answer}");
     let place = text(&select(&document, ".extremes")[0]);
     assert!(place.contains("teeth 5·60"), "{place}");
     let cells = row(&document, "#result", "117.300");

@@ -97,7 +97,7 @@ fn grades_stand_beside_those_required() {
     let table = "[aria-label=\"Accuracy grades\"]";
     let rows = select(&document, &format!("{table} tbody tr"));
     let cell = Selector::parse("td, th").unwrap();
-    let told = |name: &str| {
+    let shown = |name: &str| {
         let name = format!("{name}, right flanks, datum axis");
         let row = rows.iter().find(|row| text(row).contains(&name)).unwrap();
         let cells = row.select(&cell).skip(3);
@@ -113,7 +113,7 @@ fn grades_stand_beside_those_required() {
         ),
         ("range of the single pitch", ["11.000", "–", "–", "–"]),
     ] {
-        assert_eq!(told(name), cells, "{name}");
+        assert_eq!(shown(name), cells, "{name}");
     }
     // Without a grade nothing is required.
     let document = Html::parse_document(&page(&pair.replace("grade = 5\n", "")));

@@ -12,17 +12,17 @@ pub struct Affine {
 }
 
 impl Affine {
-    /// The map of a point `p` to `turn p + shift`.
+    /// The map from a point `p` to `turn p + shift`.
     pub fn new(turn: Matrix2<f64>, shift: Vector2<f64>) -> Affine {
         Affine { turn, shift }
     }
 
-    /// `scale` times as great, y reversed.
+    /// Scales by `scale` and reverses y.
     pub fn upright(scale: f64) -> Affine {
         Affine::new(Matrix2::new(scale, 0.0, 0.0, -scale), Vector2::zeros())
     }
 
-    /// The map of lengths in mm that this is of lengths in units of `scale` mm.
+    /// This map for lengths in mm; it is given for lengths in units of `scale` mm.
     pub fn in_units(&self, scale: f64) -> Affine {
         Affine::new(self.turn, self.shift * scale)
     }
@@ -33,7 +33,7 @@ impl Affine {
         Affine::new(Matrix2::new(a, c, b, d), Vector2::new(e, f))
     }
 
-    /// This map behind `inner`.
+    /// The map that applies `inner` first, then this one.
     pub fn after(&self, inner: &Affine) -> Affine {
         Affine::new(self.turn * inner.turn, self.turn * inner.shift + self.shift)
     }

@@ -4,7 +4,7 @@ use super::limits::{FIT_MM, MOST_SEGMENTS};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Vector2, Vector3};
 
-/// The highest degree: that of CAD programs is 11 at most, and the cost grows with its square.
+/// The highest degree: CAD programs use 11 at most, and the cost grows with its square.
 const HIGHEST_DEGREE: usize = 15;
 /// Halvings of a piece: one that needs more than 4096 cubic curves is refused. A circle of a metre takes some 300.
 const MOST_HALVINGS: u32 = 12;
@@ -23,7 +23,7 @@ pub struct BSpline {
 }
 
 impl BSpline {
-    /// What is wrong with it, in words.
+    /// The fault of the spline, in words.
     pub fn fault(&self) -> Option<String> {
         let (degree, count) = (self.degree, self.points.len());
         if !(1..=HIGHEST_DEGREE).contains(&degree) {
@@ -67,7 +67,7 @@ impl BSpline {
 
     /// Its segments, and how far they may lie from it, mm; `None` where that cannot be brought below 0.01 µm.
     ///
-    /// Of a spline without [`fault`](BSpline::fault).
+    /// The spline must have no [`fault`](BSpline::fault).
     pub fn segments(&self) -> Option<(Vec<PathSegment>, f64)> {
         let equal = self.weights.windows(2).all(|pair| pair[0] == pair[1]);
         let mut segments = Vec::new();
@@ -115,12 +115,12 @@ impl BSpline {
     }
 }
 
-/// The point a homogeneous one stands for.
+/// The point of the plane for homogeneous coordinates.
 fn plane(point: &Vector3<f64>) -> Point2<f64> {
     Point2::from(point.xy() / point.z)
 }
 
-/// The same without its weights, the degree raised to 3, or a line; `None` of a degree above 3.
+/// The piece without its weights, exact: a line, or a cubic curve with raised degree; `None` above degree 3.
 fn exact(piece: &[Vector3<f64>]) -> Option<PathSegment> {
     let points: Vec<Point2<f64>> = piece.iter().map(plane).collect();
     match points[..] {
@@ -167,14 +167,14 @@ fn hermite(piece: &[Vector3<f64>]) -> [Point2<f64>; 4] {
     ]
 }
 
-/// How far points of equal parameter of the rational curve N/w and of the cubic q are apart at most.
+/// A bound on the distance of points with equal parameter on the rational curve N/w and on the cubic q.
 ///
 /// (N − w q) is a Bézier curve of degree n + 3, within the hull of its control points; w is no less than its least one.
 fn distance(piece: &[Vector3<f64>], curve: &[Point2<f64>; 4]) -> f64 {
     let degree = piece.len() - 1;
     let least = piece.iter().map(|point| point.z).fold(f64::MAX, f64::min);
     let control = |index: usize| {
-        // Of a product: Σ C(n,i) C(3,j) / C(n+3,i+j) a_i b_j over i + j = index.
+        // The product of both: Σ C(n,i) C(3,j) / C(n+3,i+j) a_i b_j over i + j = index.
         let pairs = (index.saturating_sub(3)..=index.min(degree)).map(|i| (i, index - i));
         let terms = pairs.map(|(i, j)| {
             let share = choose(degree, i) * choose(3, j) / choose(degree + 3, index);

@@ -1,7 +1,7 @@
-//! Joins the loose ends of what is drawn into loops.
+//! Joins the loose ends of drawn pieces into loops.
 //!
-//! First the ends that are the same point but for rounding, then, of those left, the ones nearer than `join`: so a short line
-//! between two others stays what it is. Ends are looked up in a grid of squares of that size, so that n pieces take O(n).
+//! Ends that are one point but for rounding are joined first. Then the remaining ends nearer than `join` are. This keeps a short
+//! line between two others. Ends are looked up in a grid of squares of that size, so that n pieces take O(n).
 
 use super::DrawingError;
 use super::error::at;
@@ -18,7 +18,7 @@ const MOST_IN_A_SQUARE: usize = 8;
 /// A closed path.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loop {
-    /// Each starts where the one before ends, the first where the last ends, to 1e-9 mm; in any direction.
+    /// Each segment starts where the one before ends, the first where the last ends, to 1e-9 mm. Either direction is possible.
     pub segments: Vec<PathSegment>,
     /// Layer or id; empty without one.
     pub name: String,
@@ -35,7 +35,7 @@ pub struct Chains {
     pub found: Vec<Loop>,
     /// Open ones.
     pub open: Vec<Open>,
-    /// Where loops too small to be any were left out.
+    /// Places of loops that are too small and were left out.
     pub specks: Vec<String>,
 }
 
@@ -50,19 +50,19 @@ pub struct Open {
     pub bound: f64,
     /// Layer or id; empty without one.
     pub name: String,
-    /// Where in the file its first piece stands.
+    /// Place in the file of its first piece.
     pub place: String,
     /// How many pieces it has.
     pieces: usize,
 }
 
 impl Open {
-    /// A length not below its own, mm.
+    /// An upper bound on its length, mm.
     pub fn length(&self) -> f64 {
         self.segments.iter().map(PathSegment::length).sum()
     }
 
-    /// What is wrong with it, among the `open` paths of its layer.
+    /// The fault of this open path, among the `open` paths of its layer.
     pub fn error(&self, open: &[Open]) -> DrawingError {
         let others = open.iter().filter(|other| !std::ptr::eq(*other, self));
         let others: Vec<Point2<f64>> = others.flat_map(|other| other.ends).collect();
@@ -89,7 +89,7 @@ impl Open {
     }
 }
 
-/// Joins `pieces`, whose ends nearer than `join` mm are one; a gap that is no rounding is closed by a straight line.
+/// Joins `pieces`. Ends nearer than `join` mm are one point; a gap larger than rounding is closed by a straight line.
 pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
     let ends: Vec<Point2<f64>> = pieces.iter().flat_map(Piece::ends).collect();
     let mut mates = vec![None; ends.len()];
@@ -127,7 +127,7 @@ pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
         }
         let last = |way: &[usize]| ends[way[way.len() - 1] ^ 1];
         let ends = [last(&backward), last(&forward)];
-        // The first piece stands in both ways.
+        // The first piece is in both directions.
         let before = backward[1..].iter().rev().map(|entry| entry ^ 1);
         let way: Vec<usize> = before.chain(forward).collect();
         chains.open.push(Open {
@@ -148,7 +148,7 @@ pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
     Ok(chains)
 }
 
-/// The ends by which each piece is entered, from `entry` on, and whether the way comes back there.
+/// The ends by which each piece is entered, from `entry` on, and whether the path closes.
 fn walk(entry: usize, mates: &[Option<usize>]) -> (Vec<usize>, bool) {
     let mut way = vec![entry];
     let mut at = entry;
@@ -224,7 +224,7 @@ impl Chains {
             made.reach(start);
         }
         let length: f64 = way.iter().map(|entry| pieces[entry / 2].length()).sum();
-        // There and back, with both gaps closed.
+        // A line drawn there and back, with both gaps closed, is no loop.
         if length > 4.0 * join {
             self.found.push(made);
         } else {
@@ -248,7 +248,7 @@ impl Loop {
         let gap = (point - end).norm();
         if gap > SAME_MM {
             self.segments.push(PathSegment::Line([end, point]));
-            // What was drawn, continued, meets somewhere between.
+            // The drawn lines, continued, meet somewhere between.
             self.bound_mm = self.bound_mm.max(0.5 * gap);
         }
     }

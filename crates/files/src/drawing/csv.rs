@@ -1,4 +1,4 @@
-//! A list of points: x and y a line, in order along a closed outline. A z beside them must be of one value.
+//! A list of points: x and y per line, in order along a closed outline. A third column z must have one value.
 
 use super::error::LONGEST_NAME;
 use super::limits::MOST_SEGMENTS;
@@ -163,7 +163,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
     Ok((rows, stated))
 }
 
-/// What separates the columns of a line.
+/// The separator of the columns of a line.
 fn mark_of(text: &str) -> char {
     let marks = [';', '\t', ','];
     let found = marks.into_iter().find(|mark| text.contains(*mark));
@@ -181,7 +181,7 @@ fn commented_unit(comment: &str) -> Option<&str> {
     matches!(key.trim(), "unit" | "units").then(|| unit.trim().trim_matches('"'))
 }
 
-/// What a heading says behind `axis`, without its brackets: a unit or nothing; `None` for any other heading.
+/// The text of a heading behind `axis`, without its brackets: a unit or nothing; `None` for any other heading.
 fn named<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
     let (first, rest) = heading.trim_matches('"').split_at_checked(1)?;
     let unit = rest.trim_matches([' ', '(', ')', '[', ']', '_']);
@@ -230,7 +230,7 @@ fn one_decimal_sign(rows: &[Row]) -> Result<(), DrawingError> {
         let help = "write all numbers with one decimal sign and without thousands separators";
         return Err(DrawingError::at(format!("line {line}"), reason, help));
     }
-    // A point is taken for what it is in every program that writes coordinates.
+    // A point is the decimal sign: every program that writes coordinates uses it.
     let unsure = sign == Decimal::Comma
         && numbers().all(|(_, number)| number.decimal.is_none() || number.may_be_thousands);
     match unsure {

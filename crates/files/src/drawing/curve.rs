@@ -9,7 +9,8 @@ use std::f64::consts::TAU;
 /// follows the arc to 4e-17 of the chord.
 const FLATTEST_BULGE: f64 = 1e-3;
 
-/// How far a cubic curve with the ends and tangents of an arc of the unit circle that sweeps `4 atan(quarter)` lies from it, at most.
+/// A bound on the distance of a cubic curve from an arc of the unit circle that sweeps `4 atan(quarter)`, with the same ends and
+/// tangents.
 ///
 /// With handles of 4/3 tan(θ/4) its squared distance from the centre exceeds 1 by at most 4/27 sin⁶(θ/4)/cos²(θ/4) (Dokken, Dæhlen,
 /// Lyche, Mørken: Good approximation of circles by curvature-continuous Bézier curves, 1990), the distance by no more than half that.
@@ -67,7 +68,7 @@ pub fn elliptic(
     let (same, other) = (side(1.0), side(-1.0));
     let greatest = 0.5 * (same + other);
     if same.min(other) <= SAME_MM {
-        // u and v are of one length and at right angles, v to the left of u if it is `same` that is left.
+        // u and v have equal length and are perpendicular; v is to the left of u where `same` is the one that remains.
         let hand = if same > other { 1.0 } else { -1.0 };
         let start = u.y.atan2(u.x) + hand * from;
         let halves = if sweep.abs() >= TAU { 2 } else { 1 };

@@ -17,7 +17,7 @@ pub const LONGEST_NAME: usize = 60;
 pub struct DrawingError {
     /// Its place in the file, what is wrong, and what was expected.
     pub reason: String,
-    /// The way out.
+    /// The remedy.
     pub help: String,
 }
 
@@ -52,13 +52,13 @@ impl DrawingError {
         DrawingError::at(place, reason, help)
     }
 
-    /// Nothing closed is drawn.
+    /// The drawing has no closed path.
     pub(super) fn no_loop(reason: String) -> DrawingError {
         let help = "draw the outline as one closed path";
         DrawingError::new(format!("no closed loop: {reason}"), help)
     }
 
-    /// A layer or id (`what`) that the file does not have, beside those that it has.
+    /// A layer or id (`what`) that the file does not have; `known` are those that it has.
     pub(super) fn not_there(what: &str, name: &str, known: &[String]) -> DrawingError {
         let name = cut(name, LONGEST_NAME);
         let reason = format!("has no {what} \"{name}\", {}", has(known));
@@ -93,7 +93,7 @@ pub fn at(point: &Point2<f64>) -> String {
     format!("({}, {}) mm", ascii(point.x, 6), ascii(point.y, 6))
 }
 
-/// The names there are.
+/// The names in the file.
 fn has(known: &[String]) -> String {
     if known.is_empty() {
         return "and no other".to_owned();

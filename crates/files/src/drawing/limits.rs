@@ -7,7 +7,7 @@ pub const JOIN_MM: f64 = 0.001;
 pub(super) const SAME_MM: f64 = 1e-9;
 /// Coordinates and radii beyond this are no gear's, mm: a kilometre.
 pub(super) const FARTHEST_MM: f64 = 1e6;
-/// What has no exact form is followed as near as this, mm: 0.01 µm, a tenth of the finest outline that makes sense to write. Tuned:
+/// Bound on the fit of curves without an exact form, mm: 0.01 µm, a tenth of the finest outline that makes sense to write. Tuned:
 /// a tenth of it takes twice the curves.
 pub(super) const FIT_MM: f64 = 1e-5;
 /// Bytes of a drawing: a text file of a million segments.

@@ -1,8 +1,8 @@
 //! Closed loops of exact segments from a drawing: DXF, SVG, or a list of points.
 //!
-//! Each format becomes pieces in mm (`dxf`, `svg`, `csv`); `chain` joins their ends into loops. Lines, arcs and cubic
-//! curves stay exact; what has no such form (an ellipse, a rational spline) becomes cubic curves with a bound that is derived,
-//! never sampled. No unit is guessed, nothing is closed that was drawn open, and what is left out is said.
+//! Each format becomes pieces in mm (`dxf`, `svg`, `csv`); `chain` joins their ends into loops. Lines, arcs and cubic curves stay
+//! exact. Ellipses and rational splines become cubic curves; their bound is derived, never sampled. No unit is guessed and no
+//! open path is closed beyond `join_mm`. Ignored elements are reported.
 
 mod affine;
 mod bspline;
@@ -62,7 +62,7 @@ impl Format {
 /// looks the same.
 ///
 /// # Errors
-/// [`DrawingError`], each with its place and what helps.
+/// [`DrawingError`], each with its place and a remedy.
 pub fn read(name: &Path, bytes: &[u8], options: &Options) -> Result<Drawing, DrawingError> {
     if bytes.len() > MOST_BYTES {
         return Err(DrawingError::too_large("bytes", MOST_BYTES));

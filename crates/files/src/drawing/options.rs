@@ -11,11 +11,11 @@ pub struct Options {
     pub unit: Option<Unit>,
     /// Factor of all lengths.
     pub scale: f64,
-    /// What to read: a layer of a DXF, the id of an element of an SVG; `None`: all.
+    /// The layer of a DXF or the id of an element of an SVG to read; `None`: all.
     pub select: Option<String>,
     /// Ends nearer than this are one point, mm.
     pub join_mm: f64,
-    /// Where one tooth is drawn, how it is repeated.
+    /// How the one drawn tooth is repeated, where the drawing shows one tooth.
     pub repeat: Option<Repeat>,
     /// A list of points is joined by a cubic spline with continuous curvature, not by straight lines.
     pub smooth: bool,
@@ -35,7 +35,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Length of a unit of the drawing, mm: what the file states (in words, and mm), else what was given.
+    /// Length of a unit of the drawing, mm: as the file states it (in words, and mm), else as given.
     pub(super) fn unit_mm(
         &self,
         stated: Option<(String, f64)>,

@@ -1,4 +1,4 @@
-//! What a file draws, in mm, before its ends are joined.
+//! A drawn piece, in mm, before its ends are joined.
 
 use gearlash::outline::PathSegment;
 use nalgebra::Point2;
@@ -10,20 +10,20 @@ pub struct Piece {
     pub segments: Vec<PathSegment>,
     /// Layer or id; empty without one.
     pub name: String,
-    /// How far the segments may lie from what was drawn, mm.
+    /// How far the segments may lie from the drawing, mm.
     pub bound: f64,
-    /// Where in the file it stands.
+    /// Its place in the file.
     pub place: String,
 }
 
 impl Piece {
-    /// Where it starts and ends.
+    /// Its start and end.
     pub fn ends(&self) -> [Point2<f64>; 2] {
         let last = self.segments.len() - 1;
         [self.segments[0].start(), self.segments[last].end()]
     }
 
-    /// Points on it, in steps of 1e-6 mm, in the direction that puts the lesser ones first: equal for what is drawn twice.
+    /// Points on it, in steps of 1e-6 mm, from the lesser end on. They are equal for pieces that are drawn twice.
     pub fn trace(&self) -> Vec<[i64; 2]> {
         const STEP: f64 = 1e-6;
         let at = |segment: &PathSegment| {
@@ -51,7 +51,7 @@ impl Piece {
             .collect()
     }
 
-    /// A length not below its own, mm.
+    /// An upper bound on its length, mm.
     pub fn length(&self) -> f64 {
         self.segments.iter().map(PathSegment::length).sum()
     }

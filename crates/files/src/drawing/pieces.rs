@@ -1,4 +1,4 @@
-//! All pieces of a file, and the loops that they make.
+//! All pieces of a file, and the loops that they form.
 
 use super::chain::{Chains, Loop, Open, chain};
 use super::error::{LONGEST_NAME, at};
@@ -15,14 +15,14 @@ const GAP: f64 = 0.25;
 /// Open paths beside an outline that are compared with each other.
 const MOST_HELPERS: usize = 2000;
 
-/// What a file draws.
+/// The content of a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
     /// Length of one of its units, mm.
     pub unit_mm: f64,
     /// At least one, in the order of the file.
     pub loops: Vec<Loop>,
-    /// What was left out, and why.
+    /// Ignored elements, and why.
     pub remarks: Vec<String>,
 }
 
@@ -38,7 +38,7 @@ pub struct Pieces {
     left_out: Vec<LeftOut>,
 }
 
-/// What was left out for one reason.
+/// Elements that were ignored for one reason.
 #[derive(Debug)]
 struct LeftOut {
     what: String,
@@ -47,7 +47,7 @@ struct LeftOut {
 }
 
 impl Pieces {
-    /// Adds one of the layer `layer`: the segments without those of no length, if any is left.
+    /// Adds a piece to the layer `layer`, without its segments of length 0. A piece with no other segments is ignored.
     pub fn add(&mut self, layer: &str, mut piece: Piece) -> Result<(), DrawingError> {
         for segment in &piece.segments {
             check(segment, &piece.place)?;
@@ -71,7 +71,7 @@ impl Pieces {
         Ok(())
     }
 
-    /// Remembers that something at `place` is left out: what it is, one of few words.
+    /// Remembers that an element at `place` is ignored. `what` is one of a few kinds.
     pub fn leave_out(&mut self, what: &str, place: &str) {
         match self.left_out.iter_mut().find(|known| known.what == what) {
             Some(known) => known.count += 1,
@@ -83,8 +83,8 @@ impl Pieces {
         }
     }
 
-    /// Their loops. What is drawn twice counts once. A layer whose paths are all open is left out beside one with loops. An open path
-    /// beside loops of its layer is left out if it is a helper line, else it is an error.
+    /// The loops. Pieces drawn twice count once. A layer whose paths are all open is ignored beside one with loops. An open path
+    /// beside loops of its layer is ignored if it is a helper line; else it is an error.
     pub fn drawing(mut self, options: &Options) -> Result<Drawing, DrawingError> {
         let (mut loops, mut all_open) = (Vec::new(), Vec::new());
         for (layer, mut pieces) in std::mem::take(&mut self.layers) {
@@ -188,7 +188,7 @@ fn open_layer(layer: &str, open: &[Open]) -> String {
     )
 }
 
-/// Refuses numbers that are not finite or that no gear has.
+/// Rejects numbers that are not finite or too large for a gear.
 fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
     let near = |point: &Point2<f64>| point.x.abs().max(point.y.abs()) <= FARTHEST_MM;
     let good = segment.is_finite()

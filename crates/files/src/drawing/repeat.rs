@@ -1,4 +1,4 @@
-//! One tooth that stands for all: repeated about the gear's centre.
+//! One drawn tooth, repeated about the gear's centre.
 
 use super::DrawingError;
 use super::affine::Affine;
@@ -18,7 +18,7 @@ pub struct Repeat {
 }
 
 impl Repeat {
-    /// Whether a closed polygon is part of a gear: it does not wind round the centre.
+    /// Whether a closed polygon is only part of a gear: it does not wind round the centre.
     pub fn is_part(&self, points: &[Point2<f64>]) -> bool {
         let next = points.iter().skip(1).chain(&points[..1]);
         let turns = points.iter().zip(next).map(|(from, to)| {
@@ -28,7 +28,7 @@ impl Repeat {
         turns.sum::<f64>().abs() < 0.5 * TAU
     }
 
-    /// The outline whose teeth are all `tooth`, an open path; straight lines join one to the next.
+    /// The outline with `tooth`, an open path, as every tooth. Straight lines join each to the next.
     ///
     /// # Errors
     /// The path takes more than its share of a turn, or the outline has too many segments.

@@ -38,7 +38,7 @@ pub fn closed_spline(points: &[Point2<f64>]) -> Vec<PathSegment> {
 
 /// Solves a cyclic tridiagonal system with a dominant diagonal: its corners are a matrix of rank one (Sherman, Morrison).
 ///
-/// A row is what stands before, on and behind the diagonal.
+/// A row holds the elements before, on and behind the diagonal.
 fn cyclic(rows: &[[f64; 3]], right: Vec<Vector2<f64>>) -> Vec<Vector2<f64>> {
     let last = rows.len() - 1;
     let (upper, lower) = (rows[0][0], rows[last][2]);
@@ -53,8 +53,8 @@ fn cyclic(rows: &[[f64; 3]], right: Vec<Vector2<f64>>) -> Vec<Vector2<f64>> {
     let corner: Vec<f64> = corner.iter().map(|value| value.x).collect();
     let share = upper / pivot;
     let factor = (solved[0] + solved[last] * share) / (1.0 + corner[0] + corner[last] * share);
-    let apart = |(value, along): (&Vector2<f64>, &f64)| value - factor * *along;
-    solved.iter().zip(&corner).map(apart).collect()
+    let corrected = |(value, along): (&Vector2<f64>, &f64)| value - factor * *along;
+    solved.iter().zip(&corner).map(corrected).collect()
 }
 
 /// Solves a tridiagonal system with a dominant diagonal (Thomas).

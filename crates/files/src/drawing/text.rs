@@ -1,4 +1,4 @@
-//! From the bytes of a drawing to text, and from a byte of it to its line.
+//! Decodes the bytes of a drawing, and finds the line of a byte.
 
 use super::DrawingError;
 use encoding_rs::WINDOWS_1252;
@@ -16,16 +16,16 @@ pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
     })
 }
 
-/// Where the lines of a text begin.
+/// The line ends of a text.
 pub struct Lines(Vec<usize>);
 
 impl Lines {
-    /// Of `text`.
+    /// The lines of `text`.
     pub fn of(text: &str) -> Lines {
         Lines(text.match_indices('\n').map(|(at, _)| at).collect())
     }
 
-    /// "line 12", where byte `at` stands.
+    /// "line 12", the line of byte `at`.
     pub fn place(&self, at: usize) -> String {
         format!("line {}", self.0.partition_point(|&end| end < at) + 1)
     }

@@ -42,7 +42,7 @@ impl Unit {
         }
     }
 
-    /// The one called `name`, as in a pair file or as tables write it.
+    /// The unit called `name`, as in a pair file or as tables write it.
     pub(super) fn named(name: &str) -> Option<Unit> {
         let name = match name {
             "in" => "inch",

@@ -1,4 +1,4 @@
-//! What pitch says of the eccentricity, in words.
+//! Findings about the eccentricity in pitch, in words.
 
 use crate::numbers::ascii;
 use crate::statements::Statements;
@@ -11,22 +11,22 @@ pub fn shown(e: Eccentricity) -> String {
     format!("{um} µm towards tooth {tooth}")
 }
 
-/// What datum-axis pitch contains.
+/// The eccentricity contained in datum-axis pitch.
 pub fn in_pitch(note: &EccentricityNote) -> String {
     let found = shown(note.in_pitch);
     match (note.stated, note.difference_um) {
-        (Some(stated), Some(apart)) if note.stated_counts => format!(
+        (Some(stated), Some(difference)) if note.stated_counts => format!(
             "the datum-axis values contain an eccentricity of {found}. That of [runout], {}, {} µm from it, is used and removed \
              from them; the first harmonic that remains is used as the gear's own pitch",
             shown(stated),
-            ascii(apart, 3),
+            ascii(difference, 3),
         ),
-        (stated, apart) => {
-            let beside = match (stated, apart) {
-                (Some(stated), Some(apart)) => format!(
+        (stated, difference) => {
+            let beside = match (stated, difference) {
+                (Some(stated), Some(difference)) => format!(
                     "; that of [runout], {}, {} µm from it, is not used",
                     shown(stated),
-                    ascii(apart, 3)
+                    ascii(difference, 3)
                 ),
                 _ => String::new(),
             };
@@ -38,7 +38,7 @@ pub fn in_pitch(note: &EccentricityNote) -> String {
     }
 }
 
-/// What own-axis pitch should not hold.
+/// An eccentricity in own-axis pitch, which should be free of it.
 pub fn in_own_pitch(in_pitch: Eccentricity, stated: Eccentricity, runout: RunoutSource) -> String {
     format!(
         "the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {}, and {}: \
@@ -57,7 +57,7 @@ pub fn in_own_pitch(in_pitch: Eccentricity, stated: Eccentricity, runout: Runout
     )
 }
 
-/// What own-axis pitch holds towards another tooth.
+/// An eccentricity in own-axis pitch that points to another tooth than the stated one.
 pub fn stated_elsewhere(in_pitch: Eccentricity, stated: Eccentricity) -> String {
     format!(
         "the pitch of both flanks contains the first harmonic of an eccentricity of {}, as large as the one stated here, {}, and both are \
@@ -67,7 +67,7 @@ pub fn stated_elsewhere(in_pitch: Eccentricity, stated: Eccentricity) -> String 
     )
 }
 
-/// Left flanks against right ones, and what eccentricity they hold reversed and as stated.
+/// Left flanks that vary opposite to the right ones, with the eccentricity they contain if reversed and as stated.
 pub fn left_reversed(of: &Statements, eccentricity_um: Option<[f64; 2]>) -> String {
     let eccentricities = eccentricity_um.map_or(String::new(), |[reversed, stated]| {
         let [reversed, stated] = [reversed, stated].map(|um| ascii(um, 3));

@@ -34,18 +34,22 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
     format!(
         "{}: {} is {}, {why}: check it; it is used as given",
         of.table.path_of(key),
-        what(outlier),
-        off(outlier)
+        outlier_name(outlier),
+        deviation(outlier)
     )
 }
 
-/// As the end of the help with something that cannot be.
+/// The outlier as the end of a help text for impossible measurements.
 pub fn suspected(outlier: &Outlier) -> String {
-    format!(", above all {}: it is {}", what(outlier), off(outlier))
+    format!(
+        ", above all {}: it is {}",
+        outlier_name(outlier),
+        deviation(outlier)
+    )
 }
 
-/// Which one it is.
-fn what(outlier: &Outlier) -> String {
+/// Name of the outlier.
+fn outlier_name(outlier: &Outlier) -> String {
     match outlier {
         Outlier::Reading(reading) => {
             let place = if reading.over_pins { "space" } else { "tooth" };
@@ -63,8 +67,8 @@ fn what(outlier: &Outlier) -> String {
     }
 }
 
-/// From what it lies how far.
-fn off(outlier: &Outlier) -> String {
+/// Its deviation and the reference it deviates from.
+fn deviation(outlier: &Outlier) -> String {
     match outlier {
         Outlier::Reading(reading) => format!(
             "{} µm from the median of all {}, {}",

@@ -1,11 +1,11 @@
-//! What runout readings say, in words.
+//! Findings about runout readings, in words.
 
 use super::eccentricity::shown;
 use crate::numbers::ascii;
 use gearlash::gear::Probe;
 use gearlash::metrology::{FittedReadings, FlankKnowledge, RunoutContradiction};
 
-/// What was made of them.
+/// The result of the fit.
 pub fn readings(readings: &FittedReadings) -> String {
     let [range, left] = [readings.range_um, readings.left_um].map(|um| ascii(um, 3));
     let fitted = shown(readings.eccentricity);
@@ -43,7 +43,7 @@ fn probe(readings: &FittedReadings) -> String {
     }
 }
 
-/// Readings beside the flanks that they refuse.
+/// Readings that contradict the flanks.
 pub fn contradiction(found: &RunoutContradiction) -> String {
     let place = match found.probe {
         Probe::Ball(_) => "after tooth",

@@ -1,4 +1,4 @@
-//! What measurements say of the tooth thickness, in words.
+//! Findings about the tooth thickness, in words.
 
 use crate::numbers::ascii;
 use crate::statements::Statements;

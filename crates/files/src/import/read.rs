@@ -1,4 +1,4 @@
-//! Which tables a file has: each kind is looked for, and read as a pair file that names it would have it read.
+//! The tables of a file: each kind is searched for, and read as for a pair file that names it.
 
 use super::table::{ImportedTable, Kind};
 use crate::check::Checked;
@@ -10,7 +10,7 @@ use crate::spec::TABLE;
 use crate::table::Table;
 use gearlash::metrology::PitchKind;
 
-/// The tables of the file that `table` names, all or those of one kind; with `not_read` what is there but ambiguous.
+/// The tables of the file that `table` names, all or of one kind. Ambiguous tables are added to `not_read`.
 pub(super) fn tables(
     table: Table,
     bytes: Vec<u8>,
@@ -50,7 +50,7 @@ pub(super) fn tables(
         ),
     ];
     for (kind, column, name, title) in singles {
-        // A key that names the column says nothing of what it holds.
+        // A key that names the column does not tell its quantity.
         let named = choice.column("column").is_none() || only.is_some();
         let coverage = match kind {
             Kind::Runout | Kind::Thickness => Coverage::EveryTooth,
@@ -59,8 +59,8 @@ pub(super) fn tables(
         let columns = [column];
         let request = from.request(&columns, coverage);
         if is_asked(kind) && named && (only.is_some() || content.has(&request)) {
-            let (sheet, faults) = reading.apart(|| from.sheet(&request));
-            // A table that is not asked for by its name hides nothing else.
+            let (sheet, faults) = reading.capture_problems(|| from.sheet(&request));
+            // A table that was not requested by name hides no other.
             let is_wrong = content.has_each(&request) || only.is_some();
             from.report(faults, is_wrong, not_read);
             let table = |sheet| ImportedTable::of(kind, title.to_owned(), &[name], &sheet);
@@ -109,8 +109,8 @@ impl From<'_> {
         }
     }
 
-    /// Cumulative and single pitch, or what a table has that does not say which.
-    fn pitch(&self, asked: bool, tables: &mut Vec<ImportedTable>, not_read: &mut Vec<Problem>) {
+    /// Cumulative and single pitch; `not_read` receives columns whose kind is not stated.
+    fn pitch(&self, requested: bool, tables: &mut Vec<ImportedTable>, not_read: &mut Vec<Problem>) {
         let chosen = ["left", "right"].map(|key| self.choice.column(key));
         let chosen = chosen.iter().any(Option::is_some);
         let mut first: Option<Option<Origin>> = None;
@@ -120,11 +120,15 @@ impl From<'_> {
             let others = columns.map(Column::of_other_kind);
             let request = self.request(&columns, Coverage::EveryTooth);
             let other = self.request(&others, Coverage::EveryTooth);
-            let is_default = asked && kind == PitchKind::Cumulative && !self.content.has(&other);
+            let is_default =
+                requested && kind == PitchKind::Cumulative && !self.content.has(&other);
             if !self.content.has(&request) && !is_default {
                 continue;
             }
-            let (sheet, bad) = self.file.reading().apart(|| self.sheet(&request));
+            let (sheet, bad) = self
+                .file
+                .reading()
+                .capture_problems(|| self.sheet(&request));
             let Some(sheet) = sheet.filter(|_| bad.is_empty()) else {
                 faults.push((bad, self.content.has_each(&request)));
                 continue;
@@ -136,11 +140,11 @@ impl From<'_> {
             {
                 continue;
             }
-            let said = match &sheet.origin {
+            let stated_kind = match &sheet.origin {
                 Some(origin) => origin.kind,
                 None => Some(kind),
             };
-            let (pitch_kind, title) = match said {
+            let (pitch_kind, title) = match stated_kind {
                 Some(PitchKind::Single) => (Some("single"), "Single pitch deviation fp, µm"),
                 Some(PitchKind::Cumulative) => {
                     (Some("cumulative"), "Cumulative pitch deviation Fp, µm")
@@ -159,7 +163,7 @@ impl From<'_> {
             });
             first = Some(sheet.origin);
         }
-        // Columns that were named are of one kind: that they are not of the other is no fault.
+        // Named columns are of one kind. Faults of the other kind do not count.
         match (chosen, &first) {
             (true, Some(_)) => faults.clear(),
             (true, None) => faults.truncate(1),
@@ -171,7 +175,7 @@ impl From<'_> {
         }
     }
 
-    /// Reports `faults`, or adds them to what is not read.
+    /// Reports `faults`, or adds them to the tables that are not read.
     fn report(&self, faults: Problems, is_wrong: bool, not_read: &mut Vec<Problem>) {
         if is_wrong {
             self.file.reading().add_list(self.file.key(), faults);
@@ -180,7 +184,7 @@ impl From<'_> {
         }
     }
 
-    /// As many teeth as the file states, or as there are: one that is missing is reported.
+    /// A table with as many teeth as the file states, or as it has; a missing tooth is reported.
     fn sheet(&self, request: &Request) -> Option<Sheet> {
         let sheet = Sheet::of(self.content, request)?;
         if request.wanted.coverage != Coverage::EveryTooth {

@@ -1,9 +1,9 @@
-//! One table of a file: what it holds, where it stands, and its columns.
+//! One table of a file: its content, place and columns.
 
 use crate::sheet::{Column, Row, Sheet};
 use serde::Serialize;
 
-/// What a table holds.
+/// The content of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
@@ -24,38 +24,38 @@ pub enum Kind {
 /// One table.
 #[derive(Debug, Clone, Serialize)]
 pub struct ImportedTable {
-    /// What it holds.
+    /// Its content.
     pub kind: Kind,
     /// Its name in words.
     pub title: String,
-    /// Of pitch, "single" or "cumulative" where the table says it.
+    /// "single" or "cumulative" for pitch, where the table states it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_kind: Option<&'static str>,
     /// Whether its rows are numbered by spaces.
     #[serde(skip)]
     pub(super) by_space: bool,
-    /// Of a workbook that has several, its sheet.
+    /// Its sheet, where a workbook has several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
     /// The line of its header; none in a protocol.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub header_row: Option<u64>,
-    /// What of the file is no part of it.
+    /// Parts of the file that are not part of the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
-    /// Its columns, as many values in each.
+    /// Its columns, all with the same number of values.
     pub columns: Vec<ImportedColumn>,
 }
 
 /// One column.
 #[derive(Debug, Clone, Serialize)]
 pub struct ImportedColumn {
-    /// What it is, with its unit: `tooth`, `right_um`.
+    /// Its quantity, with its unit: `tooth`, `right_um`.
     pub name: &'static str,
     /// Its heading in the file, and its letter.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heading: Option<(String, String)>,
-    /// A value a row.
+    /// One value per row.
     pub values: Vec<Value>,
 }
 
@@ -74,12 +74,12 @@ pub enum Value {
 }
 
 impl ImportedTable {
-    /// How many rows it has.
+    /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// The number in the heading of its values, such as that of teeth in "Wk 3 [mm]".
+    /// The number in the heading of its values, such as the teeth in "Wk 3 [mm]".
     pub(super) fn spanned(&self) -> Option<u32> {
         let (heading, _) = self.columns.get(1)?.heading.as_ref()?;
         let (name, _) = heading.split_once(['[', '(']).unwrap_or((heading, ""));

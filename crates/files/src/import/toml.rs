@@ -3,7 +3,7 @@
 use super::table::{ImportedTable, Kind};
 use std::path::Path;
 
-/// The lines of a pair file that name the tables, and what else it must say of them.
+/// The lines of a pair file that name the tables, and the keys that they need.
 pub(super) fn lines(
     tables: &[ImportedTable],
     path: &Path,
@@ -69,13 +69,13 @@ pub(super) fn lines(
         if let Some(sheet) = table.sheet.as_ref().filter(|_| !is_said("sheet")) {
             lines += &format!("sheet = {}\n", text(sheet));
         }
-        for (key, said) in keys {
+        for (key, value) in keys {
             let is_pitch = table.kind == Kind::Pitch;
             match *key {
                 "left" | "right" if !is_pitch => {}
                 "column" if is_pitch => {}
-                "header_row" => lines += &format!("{key} = {said}\n"),
-                _ => lines += &format!("{key} = {}\n", text(said)),
+                "header_row" => lines += &format!("{key} = {value}\n"),
+                _ => lines += &format!("{key} = {}\n", text(value)),
             }
         }
         written.push(table.kind);

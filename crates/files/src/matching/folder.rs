@@ -56,7 +56,7 @@ fn is_named_as_one(path: &Path) -> bool {
     })
 }
 
-/// Why there is no file at `path`, if so: what is neither file nor folder, such as a pipe, might never end.
+/// The reason why the file at `path` is not read. Reading a pipe or other special file might never end.
 fn no_file(path: &Path) -> Option<String> {
     match std::fs::metadata(path) {
         Err(reason) => Some(format!("cannot be read: {reason}")),
@@ -64,7 +64,7 @@ fn no_file(path: &Path) -> Option<String> {
     }
 }
 
-/// Files whose gears would have the name of another's.
+/// The errors of files whose gears have equal names.
 fn same_names(files: &[PathBuf]) -> Vec<InputError> {
     let mut names: BTreeMap<OsString, &Path> = BTreeMap::new();
     let mut errors = Vec::new();

@@ -6,18 +6,18 @@ use crate::numbers::shortest;
 use crate::read::PairFile;
 use crate::spec::GearSpec;
 use crate::temperature::REFERENCE_C;
-use crate::tolerance::{middle, placed, unlike};
+use crate::tolerance::{middle, placed, shape_difference};
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
 use std::ffi::OsStr;
 use std::path::Path;
 
-/// A measured gear and the file that it is of.
+/// A measured gear with the name of its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedGear {
     /// Name of the file without its folder and ending.
     pub name: String,
-    /// The gear; in the middle of a band of thickness.
+    /// The gear, in the middle of a band of thickness.
     pub gear: AsBuilt,
     /// Its file as understood.
     pub spec: GearSpec,
@@ -37,7 +37,7 @@ pub struct ReadGear {
     pub remarks: Vec<String>,
 }
 
-/// The gear of a gear file, or the `member` of a pair file, which must be one of the gears of `pair`; it faces as that does.
+/// The gear of a gear file, or the `member` of a pair file. It must match a gear of `pair`, and faces as that does.
 pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputError> {
     let file = crate::read_gears(path)?;
     let wrong = |problem| InputError::of(path, vec![problem]);
@@ -67,14 +67,14 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
         ),
         help: "match gears of one pair".to_owned(),
     });
-    let unlike = unlike(&entry.spec, pair, member).map(|reason| {
+    let shape_difference = shape_difference(&entry.spec, pair, member).map(|reason| {
         let help = "match gears whose teeth wind and end as those of the pair";
         Problem {
             key: entry.name.to_owned(),
             ..Problem::of_file(reason, help)
         }
     });
-    let others: Vec<Problem> = others.chain(unlike).collect();
+    let others: Vec<Problem> = others.chain(shape_difference).collect();
     if !others.is_empty() {
         return Err(InputError::of(path, others));
     }
@@ -102,14 +102,14 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
     })
 }
 
-/// A name, its bytes that are no UTF-8 as `\xff`, so that names that differ stay apart.
+/// A name with bytes that are not UTF-8 as `\xff`, so that different names stay different.
 fn in_utf8(name: &OsStr) -> String {
     let chunks = name.as_encoded_bytes().utf8_chunks();
     let text = chunks.map(|chunk| format!("{}{}", chunk.valid(), chunk.invalid().escape_ascii()));
     text.collect()
 }
 
-/// The values in which a gear differs from one whose place it takes: key, value of `gear`, value of `own`.
+/// The values in which a gear differs from the one it replaces: key, value of `gear`, value of `own`.
 fn differences<'a>(
     gear: &'a GearSpec,
     own: &'a GearSpec,

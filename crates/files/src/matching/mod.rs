@@ -1,4 +1,4 @@
-//! Selective assembly: folders of measured gears, and which go together.
+//! Selective assembly: folders of measured gears, and which of them are paired.
 
 mod folder;
 mod gear;

@@ -3,8 +3,8 @@
 use super::folder::gear_files;
 use super::gear::{NamedGear, one, thickness_key, warm};
 use crate::error::{InputError, Problem};
+use crate::grouped_warnings::GroupedWarnings;
 use crate::read::PairFile;
-use crate::said_once::SaidOnce;
 use crate::tolerance::{Tick, sha256};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
@@ -15,7 +15,7 @@ use serde_json::json;
 use std::ops::Range;
 use std::path::Path;
 
-/// The gears that are matched, and how they are put together.
+/// The gears that are matched, and the conditions of assembly.
 #[derive(Debug, Clone)]
 pub struct MatchFile {
     /// The pair: centre distance, bearings, requirement.
@@ -24,13 +24,13 @@ pub struct MatchFile {
     pub wheels: Vec<NamedGear>,
     /// In the order of their names.
     pub pinions: Vec<NamedGear>,
-    /// The terms on which they are put together.
+    /// The conditions of assembly.
     pub terms: Terms,
     /// Warnings beside those of the pair.
     pub warnings: Vec<String>,
-    /// Warnings of the gears' own files, each with the first file that it is of.
+    /// Warnings of the gears' files, each with the first file that has it.
     pub gear_warnings: Vec<String>,
-    /// Notes on the gears' own files, each with the first file that it is of.
+    /// Notes on the gears' files, each with the first file that has it.
     pub gear_remarks: Vec<String>,
 }
 
@@ -38,7 +38,7 @@ pub struct MatchFile {
 /// backlash, mm. The gears face as those of the pair file do.
 ///
 /// # Errors
-/// [`InputError`] of each file that cannot be used, all of them: the pair file's alone where it is one.
+/// [`InputError`] of every file that cannot be used; of the pair file alone where it is one of them.
 pub fn read_match(
     path: &Path,
     [wheels, pinions]: [&Path; 2],
@@ -49,7 +49,8 @@ pub fn read_match(
         return Err(vec![InputError::of(path, vec![problem])]);
     }
     let (mut errors, mut bands) = (Vec::new(), Vec::new());
-    let (mut gear_warnings, mut gear_remarks) = (SaidOnce::default(), SaidOnce::default());
+    let (mut gear_warnings, mut gear_remarks) =
+        (GroupedWarnings::default(), GroupedWarnings::default());
     let mut gears = |folder: &Path, member: Member| {
         let mut gears = Vec::new();
         for file in gear_files(folder, &mut errors) {
@@ -82,7 +83,7 @@ pub fn read_match(
     };
     let requirement = Requirement::of(&pair.study.requirements);
     let mut warnings: Vec<String> = unused(&pair).into_iter().collect();
-    warnings.extend(middles(&bands));
+    warnings.extend(band_warning(&bands));
     let mut terms = Terms {
         center_distances,
         clearance: pair.study.bearing_clearance,
@@ -92,7 +93,7 @@ pub fn read_match(
         target,
     };
     if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
-        let ends = ends_of(&terms, wheel, pinion).map_err(|reason| {
+        let ends = extreme_pairs(&terms, wheel, pinion).map_err(|reason| {
             let problem = Problem {
                 key: "assembly.center_distance_mm".to_owned(),
                 ..Problem::of_file(
@@ -126,8 +127,8 @@ pub fn read_match(
     })
 }
 
-/// A wheel and a pinion as near, and as far apart, as the distances and their bearings allow.
-fn ends_of(
+/// A wheel and a pinion at the least and greatest distance that the list and the bearings allow.
+fn extreme_pairs(
     terms: &Terms,
     wheel: &NamedGear,
     pinion: &NamedGear,
@@ -175,7 +176,7 @@ impl MatchFile {
     }
 }
 
-/// A warning of what the pair file states of its own gears and of scatter, which says nothing of gears that were measured.
+/// A warning that scatter and thickness bands of the pair file's own gears are ignored for measured gears.
 fn unused(pair: &PairFile) -> Option<String> {
     let (_, most_wheel, most_pinion) = pair.study.materials.first()?;
     let (_, least_wheel, least_pinion) = pair.study.materials.last()?;
@@ -195,7 +196,7 @@ fn unused(pair: &PairFile) -> Option<String> {
 }
 
 /// A warning of gear files that state a band of thickness.
-fn middles(bands: &[String]) -> Option<String> {
+fn band_warning(bands: &[String]) -> Option<String> {
     let first = bands.first()?;
     let others = match bands.len() - 1 {
         0 => String::new(),

@@ -1,4 +1,4 @@
-//! Which gears go together, and the sentence that says how many.
+//! The result of a matching, and its sentence.
 
 use super::read::MatchFile;
 use crate::numbers::{fixed, rounded, shortest};
@@ -6,7 +6,7 @@ use crate::tolerance::{Limit, limits};
 use gearlash::error::GearError;
 use gearlash::matching::{Expected, Fit, Matrix, PairFit};
 
-/// A pair that was made.
+/// A pair of a matching.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatchedPair {
     /// Name of the wheel.
@@ -26,28 +26,28 @@ pub struct MatchResult {
     pub names: [Vec<String>; 2],
     /// Every wheel with every pinion.
     pub matrix: Matrix,
-    /// The pairs that were made, in the order of the wheels.
+    /// The pairs, in the order of the wheels.
     pub pairs: Vec<MatchedPair>,
     /// The pairs by their places in the matrix.
     pub places: Vec<(usize, usize)>,
     /// Whether no other assignment is better.
     pub is_best: bool,
-    /// Names of the wheels and of the pinions that are left over.
+    /// Names of the unpaired wheels and pinions.
     pub left_over: [Vec<String>; 2],
-    /// Gears taken as they come.
+    /// The expectation for random pairing.
     pub at_random: Expected,
-    /// Thickness classes, and how many of them do best.
+    /// The best number of thickness classes, and the expectation for them.
     pub by_classes: Option<(usize, Expected)>,
     /// Least and greatest backlash allowed, and the wanted one, mm.
     pub limits: [Option<f64>; 2],
     /// Limits of other quantities.
     pub others: Vec<Limit>,
-    /// Wanted, mm.
+    /// Target backlash, mm.
     pub wanted: f64,
 }
 
 impl MatchResult {
-    /// The assignment of the gears of `file`, whose matrix has these `cells`, wheel by wheel.
+    /// The assignment of the gears of `file`; `cells` is their matrix, wheel by wheel.
     ///
     /// # Errors
     /// Another number of cells than wheels times pinions.
@@ -103,7 +103,7 @@ impl MatchResult {
         })
     }
 
-    /// Whether as many pairs were made as there are gears for.
+    /// Whether every gear that could have a mate is paired.
     pub fn is_complete(&self) -> bool {
         self.pairs.len() == self.matrix.most()
     }

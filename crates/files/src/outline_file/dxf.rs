@@ -1,6 +1,6 @@
 //! One closed LWPOLYLINE as DXF R2000, ASCII.
 //!
-//! AutoCAD asks for the whole frame of a file of this version (DXF Reference, R2000: tables, blocks and objects with their handles).
+//! AutoCAD needs all sections of a file of this version (DXF Reference, R2000: tables, blocks and objects with their handles).
 //! Other programs need its header and the entity.
 
 use super::number;
@@ -73,7 +73,7 @@ pub(super) fn text(outline: &[PathSegment], tolerance: f64, header: &[String]) -
         text += &format!("999\n{}\n", ascii(line));
     }
     frame(&mut text, BEFORE);
-    // Closed (70: 1).
+    // Group code 70, value 1: closed.
     text += &format!("90\n{}\n70\n1\n", vertices.len());
     for (point, bulge) in vertices {
         text += &format!("10\n{}\n20\n{}\n", number(point.x), number(point.y));
@@ -85,7 +85,7 @@ pub(super) fn text(outline: &[PathSegment], tolerance: f64, header: &[String]) -
     text
 }
 
-/// Adds group codes and values, a line each.
+/// Adds group codes and values, one per line.
 fn frame(text: &mut String, words: &str) {
     for word in words.split_whitespace() {
         text.push_str(word);

@@ -27,25 +27,25 @@ pub enum OutlineFormat {
 /// Characters of a title in a header: a line of a DXF has up to 2049 bytes, and a character of it up to 14.
 const LONGEST_TITLE: usize = 100;
 
-/// What an outline file is of.
+/// An outline and its description in the file.
 #[derive(Debug, Clone, Copy)]
 pub struct OutlineFile<'a> {
     /// Title of the file that states the gear.
     pub title: &'a str,
     /// `wheel`, `pinion` or `gear`.
     pub name: &'a str,
-    /// Which thickness.
+    /// The thickness that is drawn.
     pub material: Material,
     /// The gear.
     pub gear: &'a AsBuilt,
-    /// Of a helical gear the transverse section that is drawn, mm from its measuring plane away from the viewer; 0 of a spur gear.
+    /// The transverse section that is drawn, mm from the measuring plane away from the viewer; 0 for a spur gear.
     pub section_mm: f64,
     /// Bound on the distance of a chord from its curve, µm (> 0).
     pub tolerance_um: f64,
 }
 
 impl OutlineFile<'_> {
-    /// The outline in `format`: see [`of_gear`] and [`of_section`] for how it lies.
+    /// The outline in `format`: see [`of_gear`] and [`of_section`] for its position.
     pub fn text(&self, format: OutlineFormat) -> String {
         let tolerance = self.tolerance_um * 1e-3;
         let outline = match self.gear.gear().basic_data().hand() {
@@ -59,7 +59,7 @@ impl OutlineFile<'_> {
         }
     }
 
-    /// What it is, a line each.
+    /// The description, one line each.
     fn header(&self, arcs: bool) -> Vec<String> {
         let built = self.gear;
         let lands = match arcs {
@@ -96,7 +96,7 @@ impl OutlineFile<'_> {
     }
 
     fn svg(&self, outline: &[PathSegment]) -> String {
-        // y is down: what is counter-clockwise on the gear is so on the sheet, against the sense that SVG counts as positive.
+        // y points down. Counter-clockwise stays counter-clockwise on the sheet, the negative sense of SVG.
         let spot = |point: Point2<f64>| format!("{} {}", number(point.x), number(-point.y));
         let mut data = format!("M{}", spot(outline[0].start()));
         for (part, next) in outline.iter().zip(outline.iter().cycle().skip(1)) {
@@ -111,7 +111,7 @@ impl OutlineFile<'_> {
             };
             data += &spot(next.start());
         }
-        // Some room for the line around the gear, to whole µm.
+        // A margin for the line around the gear, to whole µm.
         let reach = (1020.0 * self.gear.reach()).ceil() / 1e3;
         let [corner, size] = [-reach, 2.0 * reach].map(number);
         let svg = SVG::new()

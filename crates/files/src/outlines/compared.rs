@@ -34,7 +34,7 @@ pub struct ComparedOutlines {
     pub gears: [OutlineGear; 2],
     /// Their centres in the drawings, mm.
     pub centres: [Point2<f64>; 2],
-    /// How far B lies from A.
+    /// The deviations of B from A.
     pub difference: OutlineDifference,
     /// Remarks on each, for standard error.
     pub remarks: [Vec<String>; 2],
@@ -43,7 +43,7 @@ pub struct ComparedOutlines {
 }
 
 impl TwoDrawings<'_> {
-    /// Tables of a pair file that say the same.
+    /// The tables of a pair file for both drawings.
     pub(crate) fn tables(&self) -> String {
         let table = |k: usize| outline_table(NAMES[k], self.paths[k], &self.options[k]);
         [0, 1].map(table).concat()
@@ -87,7 +87,7 @@ impl ComparedOutlines {
         }
     }
 
-    /// Whether no deviation is above `tolerance_um` + bound; without a tolerance nothing is judged.
+    /// Whether no deviation exceeds `tolerance_um` + bound. Without a tolerance every comparison passes.
     pub fn passes(&self, tolerance_um: Option<f64>) -> bool {
         tolerance_um.is_none_or(|tolerance| {
             self.farthest().beyond.abs() <= 1e-3 * tolerance + self.difference.bound

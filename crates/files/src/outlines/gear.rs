@@ -12,7 +12,7 @@ use gearlash::gear::Face;
 use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
 use nalgebra::Point2;
 
-/// Teeth of a gear at most.
+/// Most teeth of a gear.
 const MOST_TEETH: u32 = 10_000;
 
 /// The content of a drawing.
@@ -24,13 +24,13 @@ pub struct DrawingRead {
     pub centre: Point2<f64>,
     /// Lines, arcs and cubic curves of the outline.
     pub parts: [usize; 3],
-    /// How far these may lie from what was drawn, mm.
+    /// Their greatest distance from the drawing, mm.
     pub bound_mm: f64,
     /// Closed paths within the outline that are not part of it, such as a bore.
     pub inside: usize,
 }
 
-/// A gear that is an outline.
+/// A gear given by an outline.
 pub(super) struct OutlinePart {
     pub gear: OutlineGear,
     pub read: DrawingRead,
@@ -38,7 +38,7 @@ pub(super) struct OutlinePart {
     pub remarks: Vec<String>,
 }
 
-/// Reads the table `name` of a gear that is an outline.
+/// Reads the table `name` of a gear given by an outline.
 pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     let table = file.table().below(name);
     let face = file.read::<Face>(&table.path_of("reference_face"));
@@ -144,7 +144,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     })
 }
 
-/// The drawing that `spec` names, of the gear's table `gear`.
+/// The drawing that `spec` names, in the gear's table `gear`.
 fn drawn(gear: &Table, spec: OutlineSpec, scale: f64) -> Option<(OutlineSpec, Path, DataFile)> {
     let table = gear.below("outline");
     let data = DataFile::of(&table)?;
@@ -245,7 +245,7 @@ fn centres(circles: &[Point2<f64>]) -> String {
     }
 }
 
-/// Where a smooth curve through points has kinks that it takes round: points at which its chords turn by more than those of a regular
+/// The kinks that a smooth curve through points rounds off: points at which its chords turn by more than those of a regular
 /// polygon of twelve corners.
 fn kinks(segments: &[PathSegment]) -> String {
     const SHARP_DEG: f64 = 30.0;
@@ -272,7 +272,7 @@ fn place(path: &Path, error: &OutlineError) -> String {
     format!("the path from {}: {error}", path.outline.place)
 }
 
-/// The way out of an error.
+/// The remedy of an error.
 pub(super) fn help(error: &OutlineError) -> &'static str {
     match error {
         OutlineError::NotFinite { .. } | OutlineError::SelfCrossing { .. } => {

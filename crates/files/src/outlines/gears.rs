@@ -10,7 +10,7 @@ use crate::spec::{EitherGearSpec, GEAR};
 use gearlash::analysis::study::Material;
 use std::path::Path;
 
-/// Reads a gear file whose gear is an outline.
+/// Reads a gear file with an outline.
 pub(crate) fn read(tree: &Tree) -> Option<AnyGears> {
     let file = Checked::new(&GEAR, tree.table());
     let (stem, title) = names(&file, tree.path);
@@ -36,7 +36,7 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyGears> {
     })
 }
 
-/// The gear file that says the same as a drawing alone.
+/// The text of the gear file for a drawing alone.
 pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
     outline_table("gear", path, options)
 }

@@ -1,4 +1,4 @@
-//! The outlines of a drawing, to choose from.
+//! A list of the outlines of a drawing, for a user to choose from.
 
 use super::paths::{outlines, start};
 use crate::drawing::{self, Format, Options, Unit};
@@ -14,7 +14,7 @@ pub struct ListedOutlines {
     pub unit_mm: f64,
     /// In the order of the file.
     pub outlines: Vec<ListedOutline>,
-    /// What was left out or mended.
+    /// Ignored and repaired elements.
     pub remarks: Vec<String>,
 }
 
@@ -40,10 +40,10 @@ pub fn lists_outlines(path: &Path) -> bool {
     matches!(Format::of(path), Some(Format::Dxf | Format::Svg))
 }
 
-/// The outlines of the drawing at `path`; `units` is the length of its unit as a pair file names it, where it states none.
+/// The outlines of the drawing at `path`; `units` is its unit as in a pair file, needed where it states none.
 ///
 /// # Errors
-/// [`InputError`] where it is no drawing, or has a fault.
+/// [`InputError`] where the file is no drawing or has a fault.
 pub fn listed_outlines(path: &Path, units: Option<&str>) -> Result<ListedOutlines, InputError> {
     let unit = |name: &str| Unit::NAMED.iter().find(|(known, _)| *known == name);
     let options = Options {

@@ -1,4 +1,4 @@
-//! Pair files of which one gear at least is an outline: from the keys and the drawing to the study; gears by their
+//! Pair files with at least one gear given by an outline: from the keys and the drawing to the study. Also gears given by an
 //! outline alone.
 
 mod compared;

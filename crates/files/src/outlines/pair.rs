@@ -1,4 +1,4 @@
-//! A pair file with an outline: two gears, where they stand, and the study they make.
+//! A pair file with an outline: two gears, their positions, and the study.
 
 use super::gear::{self, DrawingRead, OutlinePart};
 use crate::Tree;
@@ -13,7 +13,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::outline::{OutlineGear, OutlinePair};
 use std::path::Path;
 
-/// Tables that an outline has no use for, and why.
+/// Tables that do not apply to an outline, and why.
 const LEFT_OUT: [(&str, &str); 5] = [
     (
         "accuracy",
@@ -25,7 +25,7 @@ const LEFT_OUT: [(&str, &str); 5] = [
     ("tolerance", "does not scatter yet"),
 ];
 
-/// Limits that an outline has no value for, and why.
+/// Limits that do not apply to an outline, and why.
 const NOT_REQUIRED: [(&str, &str); 3] = [
     (
         "j_bn_um",
@@ -50,7 +50,7 @@ struct Part {
     remarks: Vec<String>,
 }
 
-/// Reads the pair file of `tree`, of which a gear is an outline.
+/// Reads the pair file of `tree`, which has at least one outline.
 pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
     let file = Checked::new(&PAIR, tree.table());
     let table = file.table();
@@ -147,7 +147,7 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
     })
 }
 
-/// `[require]`, of what an outline has.
+/// `[require]`, limited to quantities that an outline has.
 fn required(file: &Checked) -> Option<Option<RequireSpec>> {
     let require = file.read("require")?;
     let file = file.table();
@@ -190,7 +190,7 @@ fn part(file: &Checked, name: &str) -> Option<Part> {
     })
 }
 
-/// Each material; a gear with one has it in both of its pair.
+/// The pairs of each material. A gear with one material appears in both.
 fn materials(wheel: &Part, pinion: &Part) -> Vec<(Material, OutlineGear, OutlineGear)> {
     let several = [wheel, pinion]
         .into_iter()
@@ -207,7 +207,7 @@ fn materials(wheel: &Part, pinion: &Part) -> Vec<(Material, OutlineGear, Outline
     .collect()
 }
 
-/// Two drawings and how they are put together, in place of a pair file.
+/// Two drawings and their assembly, in place of a pair file.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawings<'a> {
     /// The wheel's.
@@ -238,7 +238,7 @@ pub struct OutlineOptions<'a> {
 }
 
 impl Drawings<'_> {
-    /// The pair file that says the same.
+    /// The text of the pair file for both drawings.
     pub(crate) fn pair_file(&self) -> String {
         let name = |path: &Path| {
             path.file_stem()
@@ -257,13 +257,13 @@ impl Drawings<'_> {
     }
 }
 
-/// A line of a pair file, where there is a value.
+/// A line of a pair file; empty without a value.
 fn key(name: &str, value: Option<&str>) -> String {
     let text = |value: &str| toml::Value::String(value.to_owned());
     value.map_or(String::new(), |value| format!("{name} = {}\n", text(value)))
 }
 
-/// The table of the gear `name` that a drawing is.
+/// The table of the gear `name` given by a drawing.
 pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -> String {
     let mut table = format!("[{name}.outline]\n");
     let file = path.display().to_string();

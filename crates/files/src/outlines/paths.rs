@@ -1,4 +1,4 @@
-//! Which of the closed paths of a drawing is the gear.
+//! Selects the gear among the closed paths of a drawing.
 
 use crate::drawing::{Drawing, Loop};
 use crate::numbers::ascii;
@@ -14,7 +14,7 @@ pub(super) struct Path {
     pub remarks: Vec<String>,
 }
 
-/// Points of a path, so many of each segment.
+/// Points of a path, `each` per segment.
 fn corners(path: &Loop, each: u32) -> Vec<Point2<f64>> {
     let points = |segment: &PathSegment| {
         let segment = *segment;
@@ -23,18 +23,18 @@ fn corners(path: &Loop, each: u32) -> Vec<Point2<f64>> {
     path.segments.iter().flat_map(points).collect()
 }
 
-/// Which of several outlines of a drawing is the gear.
+/// How the gear is selected among several outlines.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Choice {
     /// By its number, from 1 in the order of the file.
     Number(u32),
-    /// The one round a point of the drawing, mm.
+    /// The one that encloses a point of the drawing, mm.
     At(Point2<f64>),
-    /// The only one, or the one round the centre, mm, where that is stated.
+    /// The only one, or the one that encloses the centre, mm, where that is stated.
     Centre(Option<Point2<f64>>),
 }
 
-/// Outlines of a drawing at most: each path is compared with all of them.
+/// Most outlines of a drawing: each path is compared with all of them.
 const MOST_OUTLINES: usize = 10_000;
 
 /// A closed path that lies inside no other.
@@ -143,7 +143,7 @@ pub(super) fn chosen(drawing: Drawing, choice: Choice) -> Result<Path, String> {
     })
 }
 
-/// Outlines by number and place, a few of them.
+/// Outlines by number and place, at most a few.
 fn list(loops: &[Loop], outlines: &[Outline]) -> String {
     const FEW: usize = 6;
     let named = outlines.iter().take(FEW).enumerate().map(|(index, one)| {
@@ -158,7 +158,7 @@ fn list(loops: &[Loop], outlines: &[Outline]) -> String {
     format!("{}{more}", named.join(", "))
 }
 
-/// Where a path begins.
+/// The start of a path, in words.
 pub(super) fn start(path: &Loop) -> String {
     let first = path.segments.first();
     coordinates(&first.map_or(Point2::origin(), PathSegment::start))
@@ -171,7 +171,7 @@ pub(super) fn whole_circle(path: &Loop) -> Option<Point2<f64>> {
         _ => None,
     });
     let (first, radius) = centres.next()??;
-    // As the same circle is printed twice.
+    // A circle that is printed twice.
     let same = |found: Option<(Point2<f64>, f64)>| {
         found.is_some_and(|(centre, other)| {
             (centre - first).norm() <= 1e-6 * radius && (other - radius).abs() <= 1e-6 * radius
@@ -182,6 +182,6 @@ pub(super) fn whole_circle(path: &Loop) -> Option<Point2<f64>> {
 
 /// A place of a drawing, mm.
 pub(super) fn coordinates(point: &Point2<f64>) -> String {
-    // As messages of faults have them, to be copied into a file.
+    // In the format of error messages, so that users can copy them into a file.
     format!("({}, {})", ascii(point.x, 4), ascii(point.y, 4))
 }

@@ -1,23 +1,23 @@
-//! Outlines where gears by their data are needed.
+//! Rejects outlines where gears given by data are needed.
 
 use crate::Tree;
 use crate::check::Checked;
 use crate::gear_file;
 use crate::spec::{GEAR, PAIR};
 
-/// The keys of gears that are outlines.
+/// The keys of gears given by an outline.
 fn outlines(file: &Tree) -> impl Iterator<Item = String> {
     let keys = ["wheel", "pinion", "gear"].map(|name| format!("{name}.outline"));
     let table = file.table();
     keys.into_iter().filter(move |key| table.has(key))
 }
 
-/// Whether a gear of a pair or gear file is an outline.
+/// Whether a gear of a pair or gear file is given by an outline.
 pub(crate) fn has_outline(file: &Tree) -> bool {
     outlines(file).next().is_some()
 }
 
-/// Refuses a pair or gear file with an outline where gears by their data are needed.
+/// Rejects a pair or gear file with an outline where gears given by data are needed.
 pub(crate) fn refuse(file: &Tree) -> Option<()> {
     if !has_outline(file) {
         return Some(());

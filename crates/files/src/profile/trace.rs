@@ -52,10 +52,10 @@ pub fn read(
     good?;
     for (flank, traces) in Flank::BOTH.into_iter().zip(&mut traces) {
         traces.sort_by_key(|trace| trace.tooth);
-        let twice = traces
+        let duplicate = traces
             .windows(2)
             .find(|pair| pair[0].tooth == pair[1].tooth);
-        let reason = match (twice, &traces[..]) {
+        let reason = match (duplicate, &traces[..]) {
             (
                 Some(
                     [
@@ -83,7 +83,7 @@ pub fn read(
             reason,
             "keep one trace a tooth, each with its tooth, or one for all",
         );
-        // Most often the other flank has the same.
+        // The other flank mostly has the same problem.
         return None;
     }
     good.map(|()| traces)
@@ -167,10 +167,10 @@ fn of_lists(table: &Table, stated: TraceSpec, gear: &Measured) -> Option<Vec<Poi
     Some(points)
 }
 
-/// A reason and what helps.
+/// A reason and a remedy.
 type Fault = (String, String);
 
-/// Roll length of what a trace says of where it was; `Err(None)` where the gear is not known, which is reported.
+/// Roll length of a trace's stated position; `Err(None)` where the gear is unknown, which is reported elsewhere.
 fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fault>> {
     if by == Column::RollLength {
         return Ok(at_mm);
@@ -189,7 +189,7 @@ fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fa
     }
 }
 
-/// The fault of a point behind `last`.
+/// The fault of a point that does not ascend from `last`.
 fn ascending(last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
     let last = last.filter(|last| point.0 <= last.0)?;
     let how = match point.0 < last.0 {

@@ -5,7 +5,7 @@ use crate::error::Problem;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
-/// Unpacked, as much as a file that is not zipped may have: 16 MiB.
+/// Largest unpacked size: 16 MiB, as for a file that is not zipped.
 const MOST_BYTES: u64 = 16 << 20;
 const PLACE: &str = "the archive";
 
@@ -30,7 +30,7 @@ pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
             .name()
             .map_err(|error| damaged(&error))?
             .to_ascii_lowercase();
-        // The Finder's copies of names are no files.
+        // Copies of names by macOS's Finder are not files.
         let is_rexs = [".rexs", ".rexsj"]
             .iter()
             .any(|ending| name.ends_with(ending));

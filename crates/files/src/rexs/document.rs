@@ -14,7 +14,7 @@ pub struct Document {
     pub application: String,
     pub components: Vec<Component>,
     pub relations: Vec<Relation>,
-    /// Parts beside components and relations, such as a load spectrum.
+    /// Parts other than components and relations, such as a load spectrum.
     pub others: Vec<String>,
 }
 
@@ -46,7 +46,7 @@ pub struct Relation {
 }
 
 impl Document {
-    /// Checks what every reader of it relies on.
+    /// Checks the assumptions of every reader of the document.
     ///
     /// # Errors
     /// An unknown version, an id that stands twice.
@@ -70,22 +70,22 @@ impl Document {
         let mut seen = HashSet::new();
         for component in &self.components {
             if !seen.insert(component.id) {
-                return Err(twice(&component.place()));
+                return Err(duplicate(&component.place()));
             }
             let mut seen = HashSet::new();
             for attribute in &component.attributes {
                 if !seen.insert(&attribute.id) {
-                    return Err(twice(&component.place_of(&attribute.id)));
+                    return Err(duplicate(&component.place_of(&attribute.id)));
                 }
             }
         }
         Ok(())
     }
 
-    /// The component of that id.
+    /// The component with an id.
     ///
     /// # Errors
-    /// There is none.
+    /// It does not exist.
     pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, Problem> {
         let found = self.components.iter().find(|component| component.id == id);
         found.ok_or_else(|| {
@@ -97,7 +97,7 @@ impl Document {
         })
     }
 
-    /// The relations of that kind in which a component has that role.
+    /// The relations of a kind in which a component has a role.
     pub fn relations(&self, kind: &str, role: &str, id: i32) -> impl Iterator<Item = &Relation> {
         let relations = self.relations.iter();
         relations.filter(move |relation| {
@@ -105,7 +105,7 @@ impl Document {
         })
     }
 
-    /// How many components there are of each kind, but for those of `read`.
+    /// The number of components of each kind, without those in `read`.
     pub fn kinds_beside(&self, read: &[i32]) -> Vec<(String, usize)> {
         let mut kinds = BTreeMap::new();
         let rest = self.components.iter().filter(|c| !read.contains(&c.id));
@@ -127,7 +127,7 @@ impl Component {
         format!("{}, {}", self.place(), cut(attribute, LONGEST))
     }
 
-    /// The attribute of that id.
+    /// The attribute with an id.
     pub fn attribute(&self, id: &str) -> Option<&Attribute> {
         self.attributes.iter().find(|attribute| attribute.id == id)
     }
@@ -137,7 +137,7 @@ impl Relation {
     /// The component in a role.
     ///
     /// # Errors
-    /// There is none, or there are several.
+    /// No component has it, or several do.
     pub fn one(&self, role: &str) -> Result<i32, Problem> {
         let mut all = self.refs.iter().filter(|(r, _)| r == role);
         match (all.next(), all.next()) {
@@ -158,12 +158,12 @@ impl Relation {
     }
 }
 
-/// Text of a file, to be compared.
+/// Text of a file, for comparison.
 pub fn text_of(text: &str) -> String {
     plain(text.trim())
 }
 
-/// Text of a file, to be shown.
+/// Text of a file, for display.
 pub fn shown(text: &str) -> String {
     cut(&plain(text.trim()), LONGEST)
 }
@@ -177,7 +177,7 @@ pub fn problem(place: &str, reason: impl Into<String>, help: &str) -> Problem {
     }
 }
 
-fn twice(place: &str) -> Problem {
+fn duplicate(place: &str) -> Problem {
     problem(
         place,
         "stands twice",

@@ -1,4 +1,4 @@
-//! Why a stage becomes no pair: something is wrong with the file, or it is no pair that can be read.
+//! Reasons why a stage becomes no pair: a fault of the file, or a pair that is not supported.
 
 use super::document::{Component, problem, shown};
 use crate::error::Problem;
@@ -8,7 +8,7 @@ use std::cell::RefCell;
 pub enum Fault {
     /// The file is wrong.
     Wrong(Problem),
-    /// The stage is left out, and why.
+    /// The stage is ignored, with the reason.
     LeftOut(String),
 }
 
@@ -18,14 +18,14 @@ impl From<Problem> for Fault {
     }
 }
 
-/// A unit of the format: its names in the versions. The sign that `mum` stands for is U+00B5 or U+03BC.
+/// A unit of the format: its names in the versions. The sign written as `mum` is U+00B5 or U+03BC.
 pub type Unit = &'static [&'static str];
 pub const MILLIMETRE: Unit = &["mm"];
 pub const MICROMETRE: Unit = &["mum", "µm", "μm"];
 pub const DEGREE: Unit = &["deg", "°"];
 pub const NUMBER: Unit = &["none", ""];
 
-/// The attributes of a component, those that were read kept in mind.
+/// The attributes of a component; it remembers which were read.
 pub struct Attributes<'a> {
     component: &'a Component,
     read: RefCell<Vec<String>>,
@@ -40,12 +40,12 @@ impl<'a> Attributes<'a> {
         }
     }
 
-    /// Whose they are.
+    /// The component of the attributes.
     pub fn component(&self) -> &'a Component {
         self.component
     }
 
-    /// The text of an attribute; `None` where it is not there or has no single value.
+    /// The text of an attribute; `None` where it is absent or has no single value.
     pub fn text(&self, id: &str) -> Option<&'a str> {
         let value = self.component.attribute(id)?.value.as_deref()?;
         self.read.borrow_mut().push(id.to_owned());
@@ -55,7 +55,7 @@ impl<'a> Attributes<'a> {
     /// A number.
     ///
     /// # Errors
-    /// It is none, or in another unit.
+    /// The text is no number, or its unit differs.
     pub fn number(&self, id: &str, unit: Unit) -> Result<Option<f64>, Problem> {
         let Some(text) = self.text(id) else {
             return Ok(None);
@@ -70,7 +70,7 @@ impl<'a> Attributes<'a> {
             let reason = format!("in the unit {other}, the format has {unit}");
             return Err(wrong(&reason, "convert it, or export the file again"));
         }
-        // No exponent without digits, no "inf", no "nan": what the format's own number is.
+        // Exponents without digits, "inf" and "nan" are no numbers of the format.
         let digits = text.trim_start_matches(['-', '+']);
         let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
         match number.filter(|_| digits.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
@@ -79,16 +79,16 @@ impl<'a> Attributes<'a> {
         }
     }
 
-    /// A number that must be there.
+    /// A number that must be present.
     ///
     /// # Errors
-    /// As [`Attributes::number`]; it is not there.
+    /// As [`Attributes::number`]; the attribute is absent.
     pub fn need(&self, id: &str, unit: Unit) -> Result<f64, Fault> {
         let found = self.number(id, unit)?;
         found.ok_or_else(|| Fault::LeftOut(format!("{} has no {id}", self.component.place())))
     }
 
-    /// A whole number from 1 on; `None` where it is not there.
+    /// A whole number from 1 on; `None` where it is absent.
     ///
     /// # Errors
     /// As [`Attributes::number`]; a fraction, zero or negative.
@@ -109,7 +109,7 @@ impl<'a> Attributes<'a> {
         }
     }
 
-    /// Ids of those that were not read.
+    /// Ids of the attributes that were not read.
     pub fn unread(&self) -> Vec<&'a str> {
         let read = self.read.borrow();
         let ids = self.component.attributes.iter().map(|a| a.id.as_str());

@@ -18,7 +18,7 @@ pub struct Gear<'a> {
     pub module: f64,
     /// Degrees.
     pub pressure_angle: f64,
-    /// `None` of a spur gear.
+    /// `None` for a spur gear.
     pub helix: Option<Helix>,
     /// `None`: not stated.
     pub shift: Option<f64>,
@@ -26,15 +26,15 @@ pub struct Gear<'a> {
     pub tip: Option<f64>,
     /// `None`: not stated.
     pub rack: Option<RackSpec>,
-    /// The one that counts, and others.
+    /// The statement that counts, then the others.
     pub thickness: Vec<Thickness>,
     /// Remarks for the user.
     pub remarks: Vec<String>,
-    /// The components it was read from, the gear first.
+    /// The components it was read from; the gear is first.
     pub parts: Vec<Attributes<'a>>,
 }
 
-/// How the teeth of a helical gear wind, and their length.
+/// Helix and face width of a helical gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Helix {
     /// Degrees, above 0.
@@ -76,7 +76,7 @@ fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
 }
 
 impl<'a> Gear<'a> {
-    /// The gear whose own attributes these are.
+    /// Reads the gear with these own attributes.
     pub fn read(document: &'a Document, gear: Attributes<'a>) -> Result<Gear<'a>, Fault> {
         let (teeth, module, helix) = basics(&gear)?;
         let id = gear.component().id;
@@ -158,13 +158,13 @@ impl<'a> Gear<'a> {
             self.parts.push(tool);
         }
         racks.dedup();
-        let unlike = racks.len() > 1;
+        let several = racks.len() > 1;
         self.rack = match racks.pop() {
-            Some(rack) if !unlike => rack,
+            Some(rack) if !several => rack,
             _ => None,
         };
         if self.rack.is_none() {
-            let why = match unlike {
+            let why = match several {
                 true => "has tools that differ",
                 false => "has no rack-shaped tool with addendum and tip radius",
             };
@@ -179,7 +179,7 @@ impl<'a> Gear<'a> {
     }
 }
 
-/// Tools of a gear, each once: by a reference of the gear, from version 1.3 on by manufacturing steps of its flanks.
+/// Tools of a gear, each once: by a reference of the gear; from version 1.3 on also by manufacturing steps of its flanks.
 fn tools<'a>(document: &'a Document, parts: &[i32]) -> Vec<(&'a Relation, i32)> {
     const KINDS: [(&str, &str, &str); 3] = [
         ("ordered_reference", "origin", "referenced"),
@@ -206,8 +206,8 @@ fn tools<'a>(document: &'a Document, parts: &[i32]) -> Vec<(&'a Relation, i32)> 
     tools
 }
 
-/// The basic rack that a rack-shaped tool cuts: its addendum cuts the dedendum, its tip round the root round.
-/// `None` where one of the two is not stated.
+/// The basic rack of a rack-shaped tool: its addendum cuts the dedendum, its tip round the root round. `None` where one of the
+/// two is not stated.
 fn rack(
     tool: &Attributes,
     module: f64,
@@ -265,7 +265,7 @@ fn flanks(document: &Document, gear: i32) -> Result<Vec<Attributes<'_>>, Problem
     Ok(flanks)
 }
 
-/// Settings of the steps that manufacture a gear or its flanks, each once.
+/// Settings of the manufacturing steps of a gear or its flanks, each once.
 fn settings<'a>(
     document: &'a Document,
     gear: i32,
@@ -286,7 +286,7 @@ fn settings<'a>(
     Ok(settings)
 }
 
-/// The value of all flanks that state it.
+/// The common value of all flanks that state it.
 fn shared(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fault> {
     let mut all: Option<f64> = None;
     for flank in flanks {

@@ -1,4 +1,4 @@
-//! The profile shift that a gear is generated with: the thickness as manufacturing states it.
+//! The profile shift that a gear is generated with: the thickness as stated for manufacturing.
 
 use super::fault::{Attributes, Fault, NUMBER};
 use crate::numbers::{rounded, shortest};
@@ -11,7 +11,7 @@ const SHIFT: &str = "generated_addendum_modification_coefficient";
 pub enum Generated {
     None,
     One(GeneratedShift),
-    /// Different ones, in words: the last manufacturing step is not known.
+    /// Different ones, in words: the last manufacturing step is unknown.
     Several(String),
 }
 
@@ -68,15 +68,15 @@ impl Generated {
 }
 
 impl GeneratedShift {
-    /// Whether it is the profile shift `x` itself and without deviations: it then states no allowance.
+    /// Whether it equals the profile shift `x` and has no deviations. It then states no allowance.
     pub fn is(&self, x: f64) -> bool {
         self.shift == x && self.deviations == [0.0; 2]
     }
 
     /// Upper and lower allowance of the thickness at the reference cylinder against a gear of profile shift `x`, µm.
     ///
-    /// A rack that stands `x` modules off generates the thickness `s_n = m_n (π/2 + 2 x tan α_n)` (ISO 21771, as `BasicGearData::half_base_angle`).
-    /// The gear generated at `x_E` thus has `A_sn = s(x_E) − s(x) = 2 m_n tan α_n (x_E − x)`.
+    /// A rack shifted by `x` modules generates the thickness `s_n = m_n (π/2 + 2 x tan α_n)` (ISO 21771, as
+    /// `BasicGearData::half_base_angle`). The gear generated at `x_E` thus has `A_sn = s(x_E) − s(x) = 2 m_n tan α_n (x_E − x)`.
     pub fn allowances_um(&self, x: f64, basic_data: &BasicGearData) -> [f64; 2] {
         let of_shift = um_of_shift(basic_data);
         self.deviations
@@ -84,7 +84,7 @@ impl GeneratedShift {
     }
 }
 
-/// µm of thickness that a profile shift of one module makes.
+/// Thickness per module of profile shift, µm.
 pub fn um_of_shift(basic_data: &BasicGearData) -> f64 {
     2e3 * basic_data.module() * basic_data.pressure_angle().tan()
 }

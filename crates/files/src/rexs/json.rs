@@ -64,7 +64,7 @@ struct JsonAttribute {
     choice: Option<String>,
 }
 
-/// The file that `text` is.
+/// Parses `text`.
 ///
 /// # Errors
 /// The fault and its line.

@@ -1,8 +1,8 @@
 //! Import of REXS, the exchange format for gearboxes.
 //!
-//! A stage of external gears, spur or helical, becomes a pair file. Everything else is named and left out. Internal gears and planetary
-//! stages are never read as external pairs. Versions 1.0 to 2.0 are read, as XML, as JSON, and zipped (`.rexsz`). The facts of the format
-//! come from the public Java API of its owner (<https://github.com/fva-net/rexs-api-java>, Apache-2.0).
+//! A stage of external gears, spur or helical, becomes a pair file. Every other part is listed and ignored. Internal gears and
+//! planetary stages are never read as external pairs. Versions 1.0 to 2.0 are read, as XML, as JSON, and zipped (`.rexsz`). The
+//! facts of the format come from the public Java API of its owner (<https://github.com/fva-net/rexs-api-java>, Apache-2.0).
 
 mod archive;
 mod document;
@@ -29,7 +29,7 @@ use std::path::Path;
 /// Stages of a file. The largest gearboxes have a dozen.
 const MOST_STAGES: usize = 200;
 
-/// A REXS file and what its stages became.
+/// A REXS file and the results of its stages.
 #[derive(Debug)]
 pub struct RexsFile {
     /// Version of the format: "1.4".
@@ -47,7 +47,7 @@ pub struct RexsFile {
 /// A stage.
 #[derive(Debug)]
 pub struct RexsStage {
-    /// The component's.
+    /// Id of its component.
     pub id: i32,
     /// The component's type, such as `cylindrical_stage`.
     pub kind: String,
@@ -73,15 +73,15 @@ pub struct RexsPair {
 /// Reads the REXS file at `path`; `-` is standard input.
 ///
 /// # Errors
-/// [`InputError`] with the place of what is wrong with the file as a whole: a line and a column, or a component and an attribute. A fault
-/// of one stage is the reason of that stage.
+/// [`InputError`] with the place of a fault of the whole file: line and column, or component and attribute. A fault of one stage
+/// is the reason of that stage.
 pub fn read(path: &Path) -> Result<RexsFile, InputError> {
     let (name, sources) = (crate::named(path), Reading::of(path).sources());
     let file = crate::bytes(path).and_then(|bytes| of_bytes(name, sources, bytes));
     file.map_err(|problem| InputError::of(name, vec![problem]))
 }
 
-/// Reads `bytes`, called `path` in messages.
+/// Reads `bytes`; messages call the file `path`.
 fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, Problem> {
     let bytes = if bytes.starts_with(b"PK") {
         archive::unpacked(&bytes)?
@@ -130,7 +130,7 @@ fn of_bytes(path: &Path, sources: Sources, bytes: Vec<u8>) -> Result<RexsFile, P
     })
 }
 
-/// The stage that `component` is; the components it was read from are added to `used`.
+/// The stage of `component`. The components it was read from are added to `used`.
 fn stage_of(
     document: &Document,
     component: &Component,
@@ -154,7 +154,7 @@ fn stage_of(
     }
 }
 
-/// The pair file of a stage, if gearlash takes it.
+/// The pair file of a stage, if gearlash supports it.
 fn pair_of(stage: &Stage, source: &str) -> Result<RexsPair, String> {
     let pair_file = stage.pair_file(&plain(source));
     let mut remarks = stage.remarks();
@@ -177,7 +177,7 @@ fn pair_of(stage: &Stage, source: &str) -> Result<RexsPair, String> {
 }
 
 impl RexsFile {
-    /// The stage of that id.
+    /// The stage with an id.
     pub fn stage(&self, id: i32) -> Option<&RexsStage> {
         self.stages.iter().find(|stage| stage.id == id)
     }

@@ -1,4 +1,4 @@
-//! One stage of a REXS file: the pair that it is, or why it is none that can be read.
+//! One stage of a REXS file: its pair, or the reason why it has none.
 
 use super::document::{Component, Document};
 use super::fault::{Attributes, Fault, MICROMETRE, MILLIMETRE};
@@ -11,7 +11,7 @@ use gearlash::gear::MeasuringBody;
 use gearlash::pair::DesignatedDistance;
 use std::fmt::Write;
 
-/// The field of DIN 3964, as version 1.0 calls it and as all others do.
+/// The tolerance field of DIN 3964, as version 1.0 names it and as later ones do.
 const FIELD: [&str; 2] = [
     "center_distance_tolerance_field_din_3964_1980",
     "din_3964_center_distance_tolerance_field",
@@ -75,7 +75,7 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
 }
 
 impl<'a> Stage<'a> {
-    /// The stage that `component` is.
+    /// The stage of `component`.
     pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, Fault> {
         let [one, two] = gears(document, component)?;
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
@@ -158,7 +158,7 @@ impl<'a> Stage<'a> {
         )
     }
 
-    /// Its pair file. Values that are not stated take the defaults of a pair file.
+    /// Its pair file. Absent values take the defaults of a pair file.
     pub fn pair_file(&self, source: &str) -> String {
         let component = self.stage.component();
         let title = match component.name.as_str() {
@@ -214,15 +214,16 @@ impl<'a> Stage<'a> {
 /// Allowances are printed in whole µm, and so is half a grade of the table.
 const ROUNDING_UM: f64 = 1.0;
 
-/// Checks the allowances of a centre distance (upper and lower, µm) against its tolerance field; a remark where they are not comparable.
+/// Checks the allowances of a centre distance (upper and lower, µm) against its tolerance field. Returns a remark where they are
+/// not comparable.
 fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<String>, String> {
     let field = format!("{distance} js{grade}").parse::<DesignatedDistance>();
     let half = match field.and_then(|field| field.deviations_um()) {
         Ok([_, half]) => half,
         Err(error) => return Ok(Some(format!("js{grade} is not compared: {error}"))),
     };
-    let apart = |(one, other): (f64, f64)| (one - other).abs() > ROUNDING_UM;
-    match allowances.into_iter().zip([half, -half]).any(apart) {
+    let differs = |(one, other): (f64, f64)| (one - other).abs() > ROUNDING_UM;
+    match allowances.into_iter().zip([half, -half]).any(differs) {
         false => Ok(None),
         true => Err(format!(
             "contradicts itself: js{grade} is ±{} µm, its centre distance allowances are {} / {} µm",

@@ -9,20 +9,20 @@ use gearlash::gear::{BasicGearData, MeasuringBody, ThicknessField};
 const SPAN: &str = "span_measurement";
 const SPANNED: &str = "number_of_teeth_for_span_measurement";
 const PIN: &str = "diameter_of_measuring_ball_or_pin";
-/// All three are the same for a spur gear.
+/// Names of the dimension over pins or balls. All three are equal for a spur gear.
 const SIZES: [(&str, MeasuringBody); 3] = [
     ("size_over_pins", MeasuringBody::Pin),
     ("size_over_balls", MeasuringBody::Ball),
     (DIAMETRAL, MeasuringBody::Pin),
 ];
-/// Over balls or over pins, which it does not say.
+/// The dimension over unspecified bodies, balls or pins.
 const DIAMETRAL: &str = "diametral_measurement";
-/// The series of DIN 3967, as version 1.0 calls it and as all others do.
+/// The series of DIN 3967, as version 1.0 names it and as later ones do.
 const SERIES: [&str; 2] = [
     "tooth_thickness_deviation_tolerance_series_din_3967_1978",
     "din_3967_deviation_tolerance_series",
 ];
-/// Limits of the thickness in forms that are not read: where nothing else states it, the gear is not taken for a nominal one.
+/// Limits of the thickness in forms that are not read. A gear with no other statement is not assumed to be nominal.
 const OTHER_LIMITS: [&str; 6] = [
     "upper_backlash_allowance_balls_or_pins",
     "lower_backlash_allowance_balls_or_pins",
@@ -56,7 +56,7 @@ const ROUNDING_UM: f64 = 1.0;
 const ROUNDING_SHIFT: f64 = 0.0005;
 
 impl Thickness {
-    /// Upper and lower allowance, µm; `None` of a measured length.
+    /// Upper and lower allowance, µm; `None` for a measured length.
     fn allowances_um(&self, basic_data: &BasicGearData) -> Result<Option<[f64; 2]>, String> {
         match self {
             Thickness::Series(field) => field
@@ -79,13 +79,13 @@ impl Thickness {
     }
 }
 
-/// Checks the allowances of a span against those of the series.
+/// Checks the allowances of a span against the series.
 fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> Result<(), String> {
     let series = field
         .allowances_um(basic_data)
         .map_err(|error| error.to_string())?;
-    let apart = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
-    match series.iter().zip(&span).any(apart) {
+    let differs = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
+    match series.iter().zip(&span).any(differs) {
         false => Ok(()),
         true => Err(format!(
             "contradicts itself: {field} is {} / {} µm, the allowances of its span make {} / {} µm",
@@ -141,7 +141,7 @@ pub fn stated(
                     stated.push(Thickness::Allowance { upper, lower });
                     remarks.push(format!("{place} has no other thickness: {words}"));
                 }
-                // Programs write the profile shift itself where none was given.
+                // Programs write the profile shift itself where no generated one was entered.
                 Some(first) if one.is(shift) => {
                     remarks.push(format!("{place}: {words}, {} counts", first.words()));
                 }

@@ -7,11 +7,11 @@ use crate::error::Problem;
 use roxmltree::Node;
 use std::str::FromStr;
 
-/// Elements and texts of a file of 16 MiB: a hundred thousand in a gearbox with its results.
+/// Most elements and texts of a file of 16 MiB. A gearbox with its results has a hundred thousand.
 const MOST_NODES: u32 = 4_000_000;
 const AGAIN: &str = "export the file again";
 
-/// The file that `text` is.
+/// Parses `text`.
 ///
 /// # Errors
 /// The fault and its line.
@@ -96,7 +96,7 @@ fn relation(node: Node) -> Result<Relation, Problem> {
     })
 }
 
-/// Each child of `parent`, all of which are called `name`.
+/// Each child of `parent`; all must be called `name`.
 fn of<T>(
     parent: Node,
     name: &str,

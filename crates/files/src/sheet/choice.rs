@@ -1,4 +1,4 @@
-//! Keys that stand beside `file`: they say where in the file the table is, if the file alone does not.
+//! Keys beside `file`: they locate the table in the file where the file alone does not.
 
 use super::number::Decimal;
 use crate::table::Table;
@@ -51,7 +51,7 @@ impl Choice {
             .and_then(|(_, name)| name)
     }
 
-    /// A key that only a table of cells can have, where one is given.
+    /// A given key that applies to tables of cells alone.
     pub fn of_cells(&self) -> Option<&'static str> {
         let row = self.header_row.map(|_| "header_row");
         let mut columns = self.columns().into_iter();

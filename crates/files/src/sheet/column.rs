@@ -95,17 +95,17 @@ impl Column {
         }
     }
 
-    /// Its name in messages.
+    /// Name in messages.
     pub fn name(self) -> &'static str {
         self.description().0
     }
 
-    /// The key that names the column; empty where there is none.
+    /// The key that names the column; empty without one.
     pub fn key(self) -> &'static str {
         self.description().1
     }
 
-    /// Its unit.
+    /// Unit.
     pub fn unit(self) -> &'static str {
         self.description().2
     }
@@ -129,7 +129,7 @@ impl Column {
         self.pitch().map(|(_, kind)| kind)
     }
 
-    /// The pitch deviation of the other kind; any other column itself.
+    /// The pitch deviation of the other kind; other columns unchanged.
     pub fn of_other_kind(self) -> Column {
         let other = |kind| match kind {
             PitchKind::Single => PitchKind::Cumulative,
@@ -142,7 +142,7 @@ impl Column {
         }
     }
 
-    /// Whether a column with a heading of this meaning may be it.
+    /// Whether a column with a heading of this meaning may be this column.
     pub fn may_be(self, Meaning { side, quantity }: Meaning) -> bool {
         if let Some((wanted, kind)) = self.pitch() {
             let is_unsaid = matches!(quantity, Quantity::Unsaid | Quantity::Pitch);
@@ -151,7 +151,7 @@ impl Column {
         quantity == self.description().4 && (self != Column::Deviation || side.is_none())
     }
 
-    /// Whether a column that the user names may be it: its heading may say less, but nothing else.
+    /// Whether a column that the user names may be this column. Its heading may state less, but nothing else.
     pub fn may_be_named(self, meaning: Meaning) -> bool {
         let Meaning { side, quantity } = meaning;
         let is_deviation = quantity == Quantity::Deviation;

@@ -7,9 +7,9 @@ use crate::error::Problem;
 use encoding_rs::{Encoding, WINDOWS_1252};
 use std::borrow::Cow;
 
-/// Separators of columns, and the decimal sign that each settles.
+/// Separators of columns, and the decimal sign that each implies.
 ///
-/// A comma leaves only the point; a spreadsheet writes semicolons where the comma is its decimal sign.
+/// A comma leaves only the point. A spreadsheet writes semicolons where the comma is its decimal sign.
 const SEPARATORS: [(char, Option<Decimal>); 3] = [
     (',', Some(Decimal::Point)),
     (';', Some(Decimal::Comma)),
@@ -18,8 +18,8 @@ const SEPARATORS: [(char, Option<Decimal>); 3] = [
 
 /// Decodes UTF-8, UTF-16 with its byte order mark, or Windows-1252, as German Excel writes CSV.
 ///
-/// Windows-1252 has a character for nearly every byte. Text in another encoding gets other characters, none of which is part of a
-/// number or of a known name.
+/// Windows-1252 has a character for nearly every byte. Text in another encoding gets other characters; none is part of a number
+/// or of a known name.
 pub fn decode<'a>(file: &DataFile, bytes: &'a [u8]) -> Option<Cow<'a, str>> {
     let Some((encoding, mark)) = Encoding::for_bom(bytes) else {
         return Some(match std::str::from_utf8(bytes) {
@@ -40,7 +40,7 @@ pub fn decode<'a>(file: &DataFile, bytes: &'a [u8]) -> Option<Cow<'a, str>> {
     text
 }
 
-/// The cells of `text` by each separator that it has, or by the one that its first line `sep=;` names. The limit of cells is `most`.
+/// The cells of `text` by each separator that it has, or by the one in its first line `sep=;`. At most `most` cells are allowed.
 pub fn read(file: &DataFile, text: &str, most: usize) -> Option<Vec<Grid>> {
     file.reading().keep(grids(file, text, most))
 }
@@ -72,7 +72,7 @@ fn grids(file: &DataFile, text: &str, most: usize) -> Result<Vec<Grid>, Problem>
             "name the columns there, such as tooth;left (µm);right (µm)",
         ));
     }
-    // The number of cells, before they are made; a separator in quotes counts, too.
+    // Counts the cells before they are made. A separator in quotes counts, too.
     let count = |sign: char| {
         let ends_cell = [sign as u8, b'\n'];
         text.bytes().filter(|b| ends_cell.contains(b)).count()

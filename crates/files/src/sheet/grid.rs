@@ -1,17 +1,17 @@
-//! Cells of a sheet or of a text, before any of them has a meaning; and how large a table may be.
+//! Cells of a sheet or a text, before any has a meaning; and limits of the size of a table.
 //!
-//! No file takes more than some 300 MB or some seconds before it is refused. A table of the largest gear has 10 000 rows of a few
-//! columns. A file has at most 64 MiB, but packed it can hold a thousand times as much, and 64 million commas
-//! are 64 million cells of 32 bytes each.
+//! A file is rejected before it takes more than some 300 MB or some seconds. A table of the largest gear has 10 000 rows of a few
+//! columns. A file has at most 64 MiB, but packed it can hold a thousand times as much, and 64 million commas are 64 million
+//! cells of 32 bytes each.
 
 use super::number::{self, Decimal, Written};
 use crate::data_file::DataFile;
 
-/// Cells of a table: those of 10 000 teeth in 20 columns.
+/// Most cells of a table: those of 10 000 teeth in 20 columns.
 pub const MOST_CELLS: usize = 200_000;
-/// Rows of a protocol: those of both flanks of 10 000 teeth.
+/// Most rows of a protocol: those of both flanks of 10 000 teeth.
 pub const MOST_ROWS: usize = 20_000;
-/// Sheets of which a message names each.
+/// Sheets that a message lists by name.
 pub const MOST_NAMED: usize = 10;
 
 /// One cell.
@@ -19,7 +19,7 @@ pub const MOST_NAMED: usize = 10;
 pub enum Cell {
     /// Nothing, or only white space.
     Empty,
-    /// Text without white space around it. In a text file numbers are text too, and in a workbook they may be.
+    /// Text without white space around it. In a text file numbers are text too; in a workbook they can be.
     Text(String),
     /// A number of a workbook.
     Number(f64),
@@ -41,9 +41,9 @@ pub struct Line {
 pub struct Grid {
     /// Name of the sheet; none of a text.
     pub sheet: Option<String>,
-    /// At least one, without blank ones.
+    /// At least one; blank lines are left out.
     pub lines: Vec<Line>,
-    /// The decimal sign, where the format settles it.
+    /// The decimal sign, where the format determines it.
     pub decimal: Option<Decimal>,
 }
 
@@ -66,7 +66,7 @@ impl Cell {
         }
     }
 
-    /// Whether it has several lines and separators in them: a quotation mark is missing or left over.
+    /// Whether it contains several lines and separators: a quotation mark is missing or extra.
     pub fn is_torn(&self) -> bool {
         self.text().contains('\n') && self.text().contains([',', ';', '\t'])
     }

@@ -1,4 +1,4 @@
-//! The header of a table: the line that names its columns, wherever it stands, with the group headings above and the units below it.
+//! The header of a table: the line that names its columns, with the group headings above and the units below.
 
 use super::choice::{Choice, TOOTH};
 use super::column::Column;
@@ -8,7 +8,7 @@ use crate::data_file::DataFile;
 use crate::error::Problem;
 use std::fmt::Display;
 
-/// Lines in which a header is looked for, and cells of such a line. Each cell takes some µs.
+/// Lines in which a header is searched, and most cells of such a line. Each cell takes some µs.
 const MOST_SEARCHED: usize = 1_000;
 
 /// Heading of one column.
@@ -16,11 +16,11 @@ const MOST_SEARCHED: usize = 1_000;
 pub struct Heading {
     /// Its own cell; empty without one.
     own: String,
-    /// Its own cell, with that of its group before it.
+    /// Its own cell, preceded by that of its group.
     pub shown: String,
     /// `None` where the words are not known.
     pub meaning: Option<Meaning>,
-    /// The unit, as meant.
+    /// The unit in its standard form.
     pub unit: Option<&'static str>,
 }
 
@@ -100,8 +100,8 @@ impl Head {
         }
     }
 
-    /// The first line of `lines` that is a header by `is_one`, or the line below it where that is one with the first as its groups.
-    /// Where the pair file names a line, that line.
+    /// The first line of `lines` that is a header by `is_one`; or the line below, where that is a header with the first as its
+    /// groups. A line that the pair file names takes precedence.
     pub fn find(lines: &[Line], choice: &Choice, is_one: impl Fn(&Head) -> bool) -> Option<Head> {
         let good = |at: usize| Some(Head::of(lines, at)).filter(|head| is_one(head));
         if let Some(row) = choice.header_row {
@@ -117,7 +117,7 @@ impl Head {
         if first.has_units || next.is_none_or(|next| next.is_comment() || next.has_number()) {
             return Some(first);
         }
-        // Words that have a meaning with those above belong to the header, even if it then lacks a column that is wanted.
+        // Words that have a meaning with those above belong to the header, even if it then lacks a wanted column.
         let below = Head::of(lines, first.at + 1);
         let means = |heading: &Heading| {
             let quantity = heading.quantity();
@@ -144,7 +144,7 @@ impl Head {
         self.places(|heading| !heading.shown.is_empty())
     }
 
-    /// The columns that `name` may be: by their heading, or else by their letter.
+    /// The columns that `name` can mean: by their heading, or else by their letter.
     fn named(&self, name: &str) -> Vec<usize> {
         let name = name.trim();
         let is = |text: &str| text == name || heading::name_and_unit(text).0 == name;
@@ -157,7 +157,7 @@ impl Head {
         by_letter.collect()
     }
 
-    /// The columns that may be `wanted`, by `choice` or by their headings.
+    /// The columns that can be `wanted`, by `choice` or by their headings.
     pub fn places_of(&self, wanted: Column, choice: &Choice) -> Vec<usize> {
         match choice.column(wanted.key()) {
             Some(name) => self.named(name),
@@ -169,7 +169,7 @@ impl Head {
         }
     }
 
-    /// The columns that may hold tooth numbers of a table with `wanted` columns.
+    /// The columns that can hold tooth numbers of a table with `wanted` columns.
     pub fn teeth(&self, wanted: &[Column], choice: &Choice) -> Vec<usize> {
         if let Some(name) = choice.column(TOOTH) {
             return self.named(name);
@@ -184,7 +184,7 @@ impl Head {
         if !teeth.is_empty() {
             return teeth;
         }
-        // A number of something in the first column is the tooth's.
+        // An unspecified number in the first column is the tooth's.
         let first = self.headings.first().and_then(Heading::quantity);
         let is_number = first == Some(Quantity::Number);
         if is_number { vec![0] } else { Vec::new() }
@@ -214,7 +214,7 @@ impl Head {
     }
 }
 
-/// Whether `text` heads a group of columns: a pitch or a flank; directly above its column any known heading.
+/// Whether `text` heads a group of columns: a pitch or a flank. Directly above its column any known heading does.
 fn is_group(text: &str, is_above: bool) -> bool {
     let meaning = heading::meaning(heading::name_and_unit(text).0, None);
     meaning.is_some_and(|Meaning { quantity, .. }| {
@@ -222,7 +222,7 @@ fn is_group(text: &str, is_above: bool) -> bool {
     })
 }
 
-/// Whether the line holds nothing but units.
+/// Whether the line contains only units.
 fn is_units(line: &Line) -> bool {
     let unit = |cell: &Cell| heading::unit(cell.text()).is_some();
     let is_none = |cell: &Cell| *cell == Cell::Empty || heading::is_no_unit(cell.text());

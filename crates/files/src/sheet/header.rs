@@ -1,11 +1,11 @@
-//! The numbered header lines of a protocol: what they state of the gear is compared with the pair file.
+//! The numbered header lines of a protocol. Their statements about the gear are compared with the pair file.
 
 use super::number::{self, Decimal, Written};
 use crate::data_file::DataFile;
 use gearlash::gear::GearDesign;
 
-/// Labels, the key that states the same, and the usual number of the line. `*` is the umlaut, which the code pages of old machines
-/// write as one strange character or as two letters.
+/// Labels, the equivalent key, and the usual number of the line. `*` is the umlaut, which the code pages of old machines write as
+/// one strange character or as two letters.
 const LABELS: [(&str, &str, &str); 7] = [
     ("Z*hnezahl", "teeth", "22"),
     ("Normalmodul", "module_mm", "21"),
@@ -15,7 +15,7 @@ const LABELS: [(&str, &str, &str); 7] = [
     ("Kopfkreis", "tip_diameter_mm", "27"),
     ("Schr*gungswinkel", "helix_angle_deg", ""),
 ];
-/// Words beside the number of teeth that make the gear an internal one.
+/// Words beside the number of teeth that indicate an internal gear.
 const INTERNAL: [&str; 2] = ["innen", "internal"];
 /// Units that may follow a value.
 const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
@@ -25,7 +25,7 @@ const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 pub struct Header {
     stated: Vec<Stated>,
     warnings: Vec<String>,
-    /// The file, and its parts that are read and not used, in words.
+    /// The file, and its parts that are read but not used, in words.
     unused: Option<(DataFile, String)>,
 }
 
@@ -39,7 +39,7 @@ struct Stated {
     rounding: f64,
 }
 
-/// The same quantities as the pair file states them.
+/// The quantities that header lines can state, as in the pair file.
 #[derive(Debug, Clone, Copy)]
 pub struct StatedGear<'a> {
     /// The gear, its tip diameter filled in.
@@ -51,7 +51,7 @@ pub struct StatedGear<'a> {
 }
 
 impl Header {
-    /// Reads a line of a protocol. Lines that are not numbered header lines are passed over.
+    /// Reads a line of a protocol. Lines other than numbered header lines are skipped.
     ///
     /// `  22 :Zähnezahl.............: 44` or `21 Normalmodul 3.000 mm`: a number, a label, dots or a colon or neither, the value.
     pub fn take(&mut self, file: &DataFile, line: u64, text: &str) {
@@ -86,7 +86,7 @@ impl Header {
             let usual = LABELS
                 .iter()
                 .find(|(.., number)| *number == code && !code.is_empty());
-            // A number behind the number makes it a row of some other list.
+            // A number behind the number makes it a row of another list.
             if let Some((usual, ..)) = usual.filter(|_| label.starts_with(char::is_alphabetic)) {
                 self.warnings.push(format!(
                     "{}: {}: line {line} has the number of {}, but another label: it is not compared with the pair file",
@@ -201,11 +201,11 @@ impl Header {
         &self.warnings
     }
 
-    /// Reports what contradicts the pair file by more than the rounding of the printed value.
+    /// Reports contradictions to the pair file beyond the rounding of the printed value.
     pub fn check(&self, drawn: &StatedGear) {
         let design = drawn.design;
-        for said in &self.stated {
-            let stated = match said.key {
+        for statement in &self.stated {
+            let stated = match statement.key {
                 "teeth" => f64::from(design.basic_data.teeth()),
                 "module_mm" => design.basic_data.module(),
                 "pressure_angle_deg" => drawn.pressure_angle_deg,
@@ -214,12 +214,12 @@ impl Header {
                 _ => drawn.helix_angle_deg,
             };
             // Rounding of the comparison itself: some ulps of the value.
-            let allowed = said.rounding + 1e-12 * stated.abs();
-            if (said.value - stated).abs() > allowed {
-                let (label, key) = (&said.label, said.key);
-                let value = said.file.bare(&said.value.to_string());
-                said.file.add_at(
-                    said.line,
+            let allowed = statement.rounding + 1e-12 * stated.abs();
+            if (statement.value - stated).abs() > allowed {
+                let (label, key) = (&statement.label, statement.key);
+                let value = statement.file.bare(&statement.value.to_string());
+                statement.file.add_at(
+                    statement.line,
                     format!("{label} is {value}, the pair file has {key} = {stated}"),
                     "check that this is the gear's protocol, and correct the pair file or the line",
                 );
@@ -228,7 +228,7 @@ impl Header {
     }
 }
 
-/// The helix angle in `fields`, without its sign, which some machines do not print. Zeros may stand beside it.
+/// The helix angle in `fields`, without its sign, which some machines do not print. Zeros can be beside it.
 fn helix_angle<'a>(fields: &'a str, value: &'a str) -> Option<Written<'a>> {
     let words = fields.split([' ', '\t', ':', '°']).chain([value]);
     let numbers: Vec<Written> = words.filter_map(number::written).collect();
@@ -241,7 +241,7 @@ fn helix_angle<'a>(fields: &'a str, value: &'a str) -> Option<Written<'a>> {
     })
 }
 
-/// The bytes of `text` that are the label `known`, which no letter follows.
+/// The byte length of the label `known` at the start of `text`, if no letter follows it.
 fn labelled(text: &str, known: &str) -> Option<usize> {
     let (before, after) = known.split_once('*').unwrap_or((known, ""));
     let rest = text.strip_prefix(before)?;

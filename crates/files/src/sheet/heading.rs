@@ -12,16 +12,16 @@ use std::sync::LazyLock;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
-    /// Not stated: the heading names a flank alone.
+    /// Not stated: the heading names only a flank.
     Unsaid,
     Tooth,
-    /// A number of something that is not stated.
+    /// A number of an unspecified quantity.
     Number,
     /// The first tooth of a span.
     FirstTooth,
     /// The tooth before a space.
     Space,
-    /// Pitch deviation of a kind that is not stated.
+    /// Pitch deviation of an unspecified kind.
     Pitch,
     SinglePitch,
     CumulativePitch,
@@ -43,7 +43,7 @@ pub enum Quantity {
     MeasuredLeft,
     PredictedMin,
     PredictedMax,
-    /// Words on where a row comes from.
+    /// Words about the origin of a row.
     Source,
 }
 
@@ -114,7 +114,7 @@ fn find<'a, T>(lists: &'a BTreeMap<T, Set>, word: &str) -> Option<&'a T> {
         .map(|(meaning, _)| meaning)
 }
 
-/// The unit that `text` is, perhaps in brackets.
+/// The unit in `text`, with or without brackets.
 pub fn unit(text: &str) -> Option<&'static str> {
     let bare = text.trim().trim_start_matches(['(', '[']);
     let bare = bare.trim_end_matches([')', ']']).trim().to_lowercase();
@@ -122,13 +122,14 @@ pub fn unit(text: &str) -> Option<&'static str> {
     find(&VOCABULARY.units, bare).map(String::as_str)
 }
 
-/// Whether `text` stands for no unit in a row of units.
+/// Whether `text` is a placeholder for no unit in a row of units.
 pub fn is_no_unit(text: &str) -> bool {
     let bare = text.trim_matches(['(', ')', '[', ']', '.', ' ']);
     VOCABULARY.words.no_unit.contains(&bare.to_lowercase())
 }
 
-/// Splits the unit off a heading: `left (µm)`, `left [µm]`, `left_um` and `left / µm` have one. Other text in brackets is part of the name.
+/// Splits the unit off a heading: `left (µm)`, `left [µm]`, `left_um` and `left / µm` have one. Other text in brackets is part of
+/// the name.
 pub fn name_and_unit(text: &str) -> (&str, Option<&'static str>) {
     let text = text.trim();
     for (open, close) in [('(', ')'), ('[', ']')] {
@@ -169,7 +170,7 @@ pub fn side(text: &str) -> Option<Side> {
     }
 }
 
-/// One letter is a flank only beside a quantity or the word.
+/// One letter means a flank only beside a quantity or the word.
 fn letter(word: &str) -> Option<Side> {
     match word {
         "l" => Some(Side::Left),
@@ -208,10 +209,10 @@ fn of_words(name: &str) -> Option<Meaning> {
             None => rest.push(part),
         }
     }
-    let said = |side, quantity| Some(Meaning { side, quantity });
+    let meaning_of = |side, quantity| Some(Meaning { side, quantity });
     if is_both {
         // "Flanke L/R": each row names its flank.
-        return said(None, Quantity::Flank).filter(|_| has_flank && rest.is_empty());
+        return meaning_of(None, Quantity::Flank).filter(|_| has_flank && rest.is_empty());
     }
     if rest.is_empty() {
         let quantity = if side.is_some() {
@@ -219,10 +220,10 @@ fn of_words(name: &str) -> Option<Meaning> {
         } else {
             Quantity::Flank
         };
-        return said(side, quantity).filter(|_| has_flank || (side.is_some() && !is_letter));
+        return meaning_of(side, quantity).filter(|_| has_flank || (side.is_some() && !is_letter));
     }
     if let Some(quantity) = of_word(&rest.concat()) {
-        return said(side, quantity);
+        return meaning_of(side, quantity);
     }
     let mut found = None;
     for word in rest {
@@ -238,7 +239,7 @@ fn of_words(name: &str) -> Option<Meaning> {
             Some(_) => return None,
         });
     }
-    said(side, found?)
+    meaning_of(side, found?)
 }
 
 /// The words of `name`: `Zahn-Nr.` is one, `Fp-links` is two.

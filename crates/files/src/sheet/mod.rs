@@ -1,9 +1,9 @@
 //! Inspection tables in files of their own: CSV, `.xlsx`, or a measuring machine's protocol.
 //!
-//! A file becomes grids of cells, one for each sheet or separator ([`delimited`], [`workbook`]). The header is found in one of them
-//! ([`request`], [`head`], [`heading`]) and names the columns ([`places`]). The cells become numbers, in the order of the teeth
-//! ([`rows`], [`number`]). A [`protocol`] has rows of its own. Parts of the file that are not part of the table are reported. No number
-//! is padded, replaced or guessed: what is not understood is a problem with its line.
+//! A file becomes grids of cells, one for each sheet or separator ([`delimited`], [`workbook`]). The header is found in one of
+//! them ([`request`], [`head`], [`heading`]) and names the columns ([`places`]). The cells become numbers, in the order of the
+//! teeth ([`rows`], [`number`]). A [`protocol`] has rows of its own. Parts of the file that are not part of the table are
+//! reported. No number is padded, replaced or guessed: an unknown line is a problem with its line number.
 
 mod choice;
 mod column;
@@ -33,7 +33,7 @@ use number::Decimal;
 pub use request::{Coverage, Request, Wanted};
 pub use rows::{Found, Row};
 
-/// Formats that are not read: how their files begin, and their names.
+/// Formats that are not read: their first bytes and names.
 const NOT_READ: [(&[u8], &str); 2] = [
     (
         b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
@@ -53,18 +53,18 @@ pub struct Sheet {
     pub rows: Vec<Row>,
     /// The columns of the values.
     pub columns: Vec<Column>,
-    /// Place of the table in its file; `None`: in a protocol.
+    /// Place of the table in its file; `None` in a protocol.
     pub origin: Option<Origin>,
 }
 
 /// Place of a table in its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Origin {
-    /// The sheet, of a workbook that has several.
+    /// The sheet, where a workbook has several.
     pub sheet: Option<String>,
     /// The line of its header.
     pub header_row: u64,
-    /// The columns it is read from, that of the teeth first: heading and letter.
+    /// The columns it is read from, the teeth first: heading and letter.
     pub columns: Vec<(String, String)>,
     /// Kind of the columns of pitch by their headings.
     pub kind: Option<PitchKind>,
@@ -189,7 +189,7 @@ impl Origin {
         }
     }
 
-    /// A remark on it; `None` where the whole file is the table.
+    /// A remark on it; `None` where the table is the whole file.
     fn remark(&self, file: &DataFile) -> Option<String> {
         if self.sheet.is_none() && self.left_out.is_none() {
             return None;
@@ -227,7 +227,7 @@ pub enum Content {
 }
 
 impl Content {
-    /// Reads the `bytes` of `file`. The limit of cells of a CSV file is `most`.
+    /// Reads the `bytes` of `file`. A CSV file may have at most `most` cells.
     pub fn read(
         file: &DataFile,
         (bytes, most): (Vec<u8>, usize),
@@ -301,12 +301,15 @@ impl Content {
         }
     }
 
-    /// Whether there is one column for each that is wanted.
+    /// Whether there is one column for each wanted one.
     pub fn has_each(&self, request: &Request) -> bool {
         match self {
             Content::Cells(grids) => {
                 let reading = request.file.reading();
-                reading.apart(|| Found::find(request, grids)).0.is_some()
+                reading
+                    .capture_problems(|| Found::find(request, grids))
+                    .0
+                    .is_some()
             }
             Content::Protocol(_) | Content::P40(_) => true,
         }
@@ -317,7 +320,7 @@ impl Content {
         matches!(self, Content::P40(_))
     }
 
-    /// Reports what is wrong with a curve file of a P40.
+    /// Reports the problems of a curve file of a P40.
     pub fn check_p40(&self, file: &DataFile) -> Option<()> {
         match self {
             Content::P40(text) => p40::parse(file, text).map(|_| ()),
@@ -326,7 +329,7 @@ impl Content {
     }
 }
 
-/// The grids, below a blank header where the pair file says that there is none: letters name the columns.
+/// The grids, with a blank header added where the pair file states that there is none. Letters then name the columns.
 fn below_header(mut grids: Vec<Grid>, choice: &Choice) -> Vec<Grid> {
     if choice.header_row == Some(0) {
         for grid in &mut grids {

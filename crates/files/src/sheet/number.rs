@@ -1,8 +1,9 @@
-//! Numbers as tables write them: with a decimal point or a decimal comma, never both; and one decimal sign for a table.
+//! Numbers in tables: with a decimal point or a decimal comma, never both; and one decimal sign per table.
 //!
-//! `1,234` may be one and a bit, or a thousand and a bit. One decimal sign therefore holds for the whole table. Its separator may tell
-//! it: a comma between columns leaves the point, and German Excel writes `;` because its decimal sign is the comma. So may a number that
-//! cannot have thousands separators, such as `0,5`, `12.34` or a span of `19,230` mm. Where neither tells it, the number is a problem.
+//! `1,234` can be one and a bit, or a thousand and a bit. One decimal sign therefore holds for the whole table. Its separator can
+//! determine it: a comma between columns leaves the point, and German Excel writes `;` because its decimal sign is the comma. So
+//! can a number that cannot have thousands separators, such as `0,5`, `12.34` or a span of `19,230` mm. Otherwise the number is a
+//! problem.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,7 +16,7 @@ const MINUS: char = '\u{2212}';
 /// No span, dimension over pins or centre distance reaches this length, mm.
 const MOST_MM: f64 = 10_000.0;
 
-/// A sign that may stand between whole and fraction.
+/// A sign between whole part and fraction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub enum Decimal {
@@ -62,7 +63,7 @@ pub struct Written<'a> {
 
 /// Reads `text` as a number: a sign (a hyphen or the true minus U+2212), digits, at most one decimal sign between digits, an exponent.
 ///
-/// `None` for anything else, `nan`, `inf` and what overflows to it included.
+/// `None` for anything else, including `nan`, `inf` and numbers that overflow to it.
 pub fn written(text: &str) -> Option<Written<'_>> {
     let (mantissa, exponent) = match unsigned(text).split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
@@ -101,7 +102,7 @@ pub fn written(text: &str) -> Option<Written<'_>> {
     })
 }
 
-/// Reads `word` as [`written`] with a decimal point; the 0 before the point may be missing, as in the files of P40.
+/// Reads `word` as [`written`] with a decimal point. The 0 before the point can be missing, as in the files of P40.
 pub fn without_zero(word: &str) -> Option<Written<'_>> {
     let at = usize::from(word.starts_with(['-', '+']));
     if !word[at..].starts_with('.') {
@@ -125,7 +126,7 @@ pub fn without_zero(word: &str) -> Option<Written<'_>> {
     })
 }
 
-/// Whether the whole part begins with 0 and has more digits, such as `05`: its decimal sign is lost. No cell is written so.
+/// Whether the whole part begins with 0 and has more digits, such as `05`: its decimal sign is lost. No table writes such a cell.
 pub fn zero_first(text: &str) -> bool {
     let mut signs = unsigned(text).bytes();
     signs.next() == Some(b'0') && signs.next().is_some_and(|b| b.is_ascii_digit())
@@ -142,12 +143,12 @@ pub fn tooth(text: &str) -> Option<u32> {
     digits.then(|| text.parse().ok())?
 }
 
-/// A number of a table: its line, its column, and how it is written.
+/// A number of a table: its line, its column, and its text.
 pub type Placed<'a> = (u64, Column, Written<'a>);
 
-/// Checks that all `numbers` have one decimal sign, and that something tells which one.
+/// Checks that all `numbers` have one decimal sign, and that the table determines which one.
 ///
-/// `stated` is the sign by the pair file, `by_format` the sign that the format settles.
+/// `stated` is the sign in the pair file, `by_format` the sign that the format implies.
 pub fn check_decimal_sign(
     file: &DataFile,
     numbers: &[Placed],
@@ -208,7 +209,7 @@ pub fn check_decimal_sign(
     good
 }
 
-/// Whether the sign of `number` may separate thousands: of a length only where a thousand times its value is possible.
+/// Whether the sign of `number` can separate thousands. In a length it can only where a thousand times its value is possible.
 fn may_be_thousands(column: Column, number: &Written) -> bool {
     let is_length = matches!(
         column,

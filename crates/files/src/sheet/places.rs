@@ -33,7 +33,7 @@ impl Places {
 }
 
 impl Request<'_> {
-    /// The places of the tooth and the wanted columns that `head`, one of `lines`, names, or the pair file.
+    /// The places of the tooth and the wanted columns in `head`, one of `lines`.
     pub fn places(&self, head: &Head, lines: &[Line]) -> Option<Places> {
         if self.wanted.is_points() {
             return self.places_of_points(head);
@@ -86,7 +86,7 @@ impl Request<'_> {
             let place = self.one(head, *column, &in_unit(head, *column, places));
             Some((*column, self.file.reading().keep(place)?))
         });
-        // All problems are reported before the first ends it.
+        // All problems are reported, not only the first.
         let values: Vec<Option<_>> = values.collect();
         let values = values.into_iter().collect::<Option<Vec<_>>>()?;
         let places = Places {
@@ -109,7 +109,7 @@ impl Request<'_> {
         self.file.reading().refuse(problem)
     }
 
-    /// Points have a tooth or none, a flank or none, and a roll length or a diameter.
+    /// Points can have a tooth and a flank, and have a roll length or a diameter.
     fn places_of_points(&self, head: &Head) -> Option<Places> {
         let optional = |name: &str, places: Vec<usize>| match *places {
             [] => Some(None),
@@ -200,7 +200,7 @@ impl Request<'_> {
         }
     }
 
-    /// Whether `head` has no column that may be `column`, nor one of the other kind, and none is named.
+    /// Whether `head` has no column that can be `column` or its other kind, and none is named.
     fn is_missing(&self, head: &Head, column: Column) -> bool {
         let none = |column| head.places_of(column, self.choice).is_empty();
         let is_named = self.choice.column(column.key()).is_some();
@@ -224,8 +224,8 @@ impl Request<'_> {
         Ok(())
     }
 
-    /// Checks that all columns of pitch state their kind or none does. A column without kind beside one with it may be of the other
-    /// kind, unless the pair file names it.
+    /// Checks that all columns of pitch state their kind or none does. A column without a kind beside one with it can be of the
+    /// other kind, unless the pair file names it.
     fn check_same_kind(&self, head: &Head, places: &Places) -> Result<(), Problem> {
         let states = |place: usize| {
             let quantity = head.headings[place].quantity();
@@ -250,12 +250,12 @@ impl Request<'_> {
 
     /// The problem of a column of the other kind than `kind`.
     fn contradicts(&self, head: &Head, place: usize, kind: PitchKind) -> Problem {
-        let (stated, said, key) = match kind {
+        let (stated, other_kind, key) = match kind {
             PitchKind::Single => ("single", "cumulative pitch deviations, Fp", "cumulative"),
             PitchKind::Cumulative => ("cumulative", "single pitch deviations, fp", "single"),
         };
         let shown = head.shown_one(self.file, place);
-        let reason = format!("column {shown} is of {said}, asked for is kind = \"{stated}\"");
+        let reason = format!("column {shown} is of {other_kind}, asked for is kind = \"{stated}\"");
         let help = format!(
             "write kind = \"{key}\", or name the column of the other kind: left = \"…\", right = \"…\""
         );
@@ -290,7 +290,7 @@ impl Request<'_> {
         head.problem(self.file, reason, help)
     }
 
-    /// The problem of several columns that may be it.
+    /// The problem of several candidate columns.
     fn several(&self, head: &Head, name: &str, key: &str, places: &[usize]) -> Problem {
         let letters = places
             .iter()
@@ -327,7 +327,7 @@ impl Request<'_> {
     }
 }
 
-/// The first of `places` where all of them hold the same, else all.
+/// The first of `places` where all have equal cells, else all.
 fn dedup_equal(head: &Head, lines: &[Line], mut places: Vec<usize>) -> Vec<usize> {
     let rows = &lines[head.at + 1..];
     let is_equal = |place: &usize| {
@@ -340,7 +340,7 @@ fn dedup_equal(head: &Head, lines: &[Line], mut places: Vec<usize>) -> Vec<usize
     places
 }
 
-/// The one of `places` whose heading has the unit of `column`, where all others have another one.
+/// The one of `places` with the unit of `column`, where all others have a different unit.
 fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
     let unit = |place: &usize| head.headings[*place].unit;
     let good = |place: &&usize| unit(place) == Some(column.unit());
@@ -351,7 +351,7 @@ fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
     }
 }
 
-/// The line below `head` that is a header again: more than one of its headings is known.
+/// The line below `head` that repeats the header: more than one of its headings is known.
 fn repeated_header(head: &Head, lines: &[Line]) -> Option<u64> {
     let is_again = |at: &usize| {
         let below = Head::of(lines, *at);

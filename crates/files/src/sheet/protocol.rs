@@ -1,8 +1,8 @@
 //! The text protocol of a gear measuring machine, in the layout of Klingelnberg's.
 //!
-//! After numbered header lines, and among other data, stand two blocks: a line `linke Zahnflanke` or `rechte Zahnflanke`, a line
-//! `Zahn-Nr. fp Fp Fr`, and a row a tooth, in µm. Only these and the known header lines are read. Within a block everything must be
-//! a row until a blank line and other text. Curve files have the same blocks.
+//! After numbered header lines, and among other data, the protocol has two blocks: a line `linke Zahnflanke` or `rechte
+//! Zahnflanke`, a line `Zahn-Nr. fp Fp Fr`, and a row per tooth, in µm. Only these and the known header lines are read. Within a
+//! block everything must be a row until a blank line and other text. Curve files have the same blocks.
 
 use super::column::Column;
 use super::grid::MOST_ROWS;
@@ -27,7 +27,7 @@ enum Name {
     Cumulative,
     /// `Fr`: runout reading.
     Runout,
-    /// `fu`: difference of neighbouring single pitches. The others contain it.
+    /// `fu`: difference of neighbouring single pitches, which follows from the others.
     Jump,
 }
 
@@ -39,13 +39,13 @@ const NAMES: [(&str, Name); 5] = [
     ("fu", Name::Jump),
 ];
 
-/// Numbers that stand for a value that was not measured: what machines print, whatever the preamble says.
+/// Numbers that machines print for a missing value, whatever the preamble states.
 const KNOWN_UNMEASURED: [f64; 2] = [-2147483.648, -9999.0];
 
-/// Whether `value` stands for one that was not measured, as far as its digits say, never by its size: a known number, or the one that the
-/// preamble `declared`.
+/// Whether `value` means a missing value: it equals a known number, or the one that the preamble `declared`, to its printed
+/// digits. Its size does not matter.
 pub fn is_unmeasured(value: &Written, declared: Option<f64>) -> bool {
-    // Whole numbers at most: 1e7 has its last digit seven places above them.
+    // At most whole numbers: the last digit of 1e7 is seven places above them.
     let rounding = value.rounding.min(0.5);
     let mut numbers = KNOWN_UNMEASURED.into_iter().chain(declared);
     numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
@@ -74,11 +74,11 @@ pub struct Blocks<'a> {
     rows: usize,
 }
 
-/// Why a line of a block is wrong, and the way out.
+/// The fault of a line in a block, and a remedy.
 pub struct Wrong {
     pub reason: String,
     pub help: &'static str,
-    /// Whether the rest of the block makes no sense.
+    /// Whether the rest of the block is unreadable.
     pub ends_block: bool,
 }
 
@@ -189,7 +189,7 @@ impl<'a> Blocks<'a> {
             .is_some_and(|block| !block.rows.is_empty())
     }
 
-    /// Whether no row more is read.
+    /// Whether no further row is read.
     fn is_full(&self) -> bool {
         self.rows >= MOST_ROWS
     }
@@ -270,10 +270,10 @@ impl<'a> Blocks<'a> {
             };
             ordered(file, values?.into_iter().map(row).collect(), *wanted)
         });
-        // All columns are read before the first bad one ends it.
+        // All columns are read, so that every problem is reported.
         let columns: Vec<Option<Vec<Row>>> = columns.collect();
         let mut columns = columns.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
-        // Now that every tooth is there once.
+        // Every tooth is now known to be there once.
         if wanted
             .columns
             .iter()
@@ -332,7 +332,7 @@ impl<'a> Blocks<'a> {
         let Some(first) = columns.next() else {
             return file.refuse("has no column Fr", "give a protocol that has it");
         };
-        // The first of two rows of one tooth: that there are two is reported elsewhere.
+        // The first of two rows of one tooth; the duplicate is reported elsewhere.
         let by_tooth = first
             .iter()
             .rev()
@@ -364,8 +364,8 @@ impl<'a> Block<'a> {
         self.rows.iter().map(value).collect()
     }
 
-    /// Checks that single and cumulative pitch agree: `f_i = F_i − F_{i−1}`, within half a unit of the last printed digit of each of
-    /// the three. The block has every tooth once.
+    /// Checks that single and cumulative pitch agree: `f_i = F_i − F_{i−1}`, within half a unit of the last printed digit of each
+    /// of the three. The block has every tooth once.
     fn check_kinds_agree(&self, file: &DataFile) {
         let [Some(mut single), Some(mut cumulative)] =
             [Name::Single, Name::Cumulative].map(|name| self.column(name))
@@ -380,7 +380,7 @@ impl<'a> Block<'a> {
         for ((line, tooth, f), now) in single.into_iter().zip(cumulative) {
             let difference = now.2.value - before.2.value;
             let rounding = f.rounding + now.2.rounding + before.2.rounding;
-            // Rounding of the subtraction itself: some ulps of the values.
+            // Rounding of the subtraction: some ulps of the values.
             let slack = 1e-12 * (now.2.value.abs() + before.2.value.abs());
             if (f.value - difference).abs() > rounding + slack {
                 let reason = format!(

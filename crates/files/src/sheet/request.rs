@@ -1,4 +1,4 @@
-//! A request for a table: which columns of which file; and the header that it finds in one of the file's grids.
+//! A request for a table: its file and columns; and the header that it finds in one of the file's grids.
 
 use super::choice::Choice;
 use super::column::{self, Column};
@@ -10,25 +10,25 @@ use crate::error::Problem;
 /// Columns and rows that a reader needs.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted<'a> {
-    /// The columns beside the tooth, in the order in which the values come back.
+    /// The columns beside the tooth, in the order of the values.
     pub columns: &'a [Column],
     /// `z`, where it is known.
     pub teeth: Option<u32>,
-    /// Which rows must be there.
+    /// The rows that must be present.
     pub coverage: Coverage,
 }
 
-/// Which rows a table must have.
+/// The rows that a table must have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Coverage {
     /// Every tooth, exactly once.
     EveryTooth,
     /// Some teeth, each at most once.
     SomeTeeth,
-    /// Points of profile traces: tooth and flank may be named, and [`Column::RollLength`] stands for a diameter, too. A curve file
-    /// needs the radius of the base circle, mm, where its header does not state the gear.
+    /// Points of profile traces. Tooth and flank are optional; [`Column::RollLength`] also accepts a diameter. A curve file needs
+    /// the radius of the base circle, mm, where its header does not state the gear.
     Points { base_radius: Option<f64> },
-    /// Results of a rig, in the order of their lines; with the teeth of wheel and pinion, where they are known.
+    /// Results of a rig, in the order of their lines. `teeth` are the teeth of wheel and pinion, where known.
     Results { teeth: [Option<u32>; 2] },
 }
 
@@ -63,7 +63,7 @@ impl Request<'_> {
         let has_wanted = self.is_there(grids);
         let columns = self.wanted.columns.iter();
         let others: Vec<Column> = columns.map(|column| column.of_other_kind()).collect();
-        // Where only pitch of the other kind is there, that is reported.
+        // Where only pitch of the other kind is present, that is reported.
         let is_head = |head: &Head| {
             self.is_head(head, self.wanted.columns) || (!has_wanted && self.is_head(head, &others))
         };
@@ -138,7 +138,7 @@ impl Request<'_> {
         }
         let is_text = grids.first().is_some_and(|grid| grid.sheet.is_none());
         if found.len() > 1 && is_text {
-            // The separator by which the lines are rows.
+            // The separator that makes the lines rows of the table.
             let rows = found
                 .iter()
                 .filter(|(grid, head)| self.has_rows(grid, head));

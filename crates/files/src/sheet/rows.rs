@@ -1,4 +1,4 @@
-//! Rows of a table that was found: from its lines to numbers, in the order of the teeth; and what of the file is left out.
+//! Rows of a table: from its lines to numbers, in the order of the teeth; and the parts of the file that are left out.
 
 use super::column::Column;
 use super::grid::{Cell, Grid, Line, letter};
@@ -12,7 +12,7 @@ use crate::limits::whole_in;
 use gearlash::gear::{Flank, Side};
 use std::ops::RangeBounds;
 
-/// Lines, columns or teeth that a message names one by one. Tuned: a message of a few lines.
+/// Most lines, columns or teeth that a message lists. Tuned: a message of a few lines.
 const MOST_LISTED: usize = 8;
 const MOST_TEETH_LISTED: usize = 10;
 
@@ -21,7 +21,7 @@ const MOST_TEETH_LISTED: usize = 10;
 pub struct Row {
     /// Its line in the file.
     pub line: u64,
-    /// The tooth; points of traces may lack it, results of a rig have none.
+    /// The tooth; optional for points of traces, `None` for results of a rig.
     pub tooth: Option<u32>,
     /// The flank of a point, where it is named.
     pub flank: Option<Flank>,
@@ -118,7 +118,7 @@ impl<'a> Found<'a> {
     /// The rows as numbers: by ascending tooth, or points in the order of their lines.
     pub fn rows(&self, request: &Request) -> Option<Vec<Row>> {
         let mut numbers = Vec::new();
-        // All lines are read before the first bad one ends it.
+        // All lines are read, so that every problem is reported.
         let rows = self
             .lines
             .iter()
@@ -140,7 +140,7 @@ impl<'a> Found<'a> {
         self.lines.iter().map(source).collect()
     }
 
-    /// Checks that a row is as wide as the header, as a text's must be, and has no number that slipped out of its column.
+    /// Checks that a text's row is as wide as the header, and that no number is outside its column.
     fn check_width(&self, file: &DataFile, line: &Line) -> Option<()> {
         let (columns, found) = (self.head.headings.len(), line.cells.len());
         if self.grid.sheet.is_none() && found != columns {
@@ -168,7 +168,7 @@ impl<'a> Found<'a> {
         good
     }
 
-    /// One line as a row; its numbers as written are added to `numbers`.
+    /// One line as a row. Its numbers as written are added to `numbers`.
     fn row(&self, request: &Request, line: &'a Line, numbers: &mut Vec<Placed<'a>>) -> Option<Row> {
         let file = request.file;
         self.check_width(file, line)?;
@@ -289,14 +289,14 @@ impl<'a> Found<'a> {
     }
 }
 
-/// Whether a line sums up the table: its first cell says so, in the column of teeth or with nothing there.
+/// Whether a line is a statistic: its first cell names one, in the column of teeth or with an empty tooth.
 fn is_statistic(line: &Line, used: &[usize]) -> bool {
     let at_tooth = used.first().map_or(&Cell::Empty, |place| line.cell(*place));
     let first = line.first();
     (*at_tooth == Cell::Empty || at_tooth == first) && heading::is_statistic(first.text())
 }
 
-/// Whether a line may be a row of numbers in the columns `used`: remarks and dates are not.
+/// Whether a line can be a row of numbers in the columns `used`. Remarks and dates are not.
 fn is_row(line: &Line, used: &[usize]) -> bool {
     let mut cells = used.iter().map(|place| line.cell(*place));
     let first = cells.next().unwrap_or(&Cell::Empty);
@@ -311,7 +311,7 @@ fn is_row(line: &Line, used: &[usize]) -> bool {
     }
 }
 
-/// `rows` by ascending tooth; a tooth that the gear does not have, that is given twice or missing is a problem.
+/// `rows` by ascending tooth. A tooth that the gear does not have, or that is duplicate or missing, is a problem.
 pub fn ordered(file: &DataFile, mut rows: Vec<Row>, wanted: Wanted) -> Option<Vec<Row>> {
     let Some(last) = rows.iter().map(|row| row.line).max() else {
         let each = match wanted.coverage {
@@ -392,7 +392,7 @@ fn teeth_named(teeth: &[u32]) -> String {
     }
 }
 
-/// The first of `words`, and how many more there are.
+/// The first of `words`, and the number of others.
 fn some(words: impl Iterator<Item = String>) -> String {
     let words: Vec<String> = words.collect();
     let named = words

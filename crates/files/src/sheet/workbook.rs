@@ -1,10 +1,11 @@
 //! `.xlsx` workbooks: the sheets with content, or the one that is named.
 //!
-//! The zip archive is checked before its cells are read. Its own checksums find damage, at the end of each part. A reference beyond
-//! XFD1048576, a spreadsheet's last cell, has too many letters or digits for the integers of the reader behind; and that reader
-//! reserves room for as many texts as the archive says it has.
+//! The zip archive is checked before its cells are read. Checksums at the end of each part reveal damage. A reference beyond
+//! XFD1048576, a spreadsheet's last cell, has too many letters or digits for the integers of the xlsx reader. That reader also
+//! reserves memory for as many texts as the archive states.
 //!
-//! Text that is a number is read as in a text file. A date may have been a number (`1.2` to a German Excel): it is a problem with help.
+//! Text that is a number is read as in a text file. A date can be a mistyped number (`1.2` in a German Excel): it is a problem
+//! with help.
 
 use super::grid::{Cell, Grid, Line, MOST_CELLS, MOST_NAMED};
 use crate::data_file::DataFile;
@@ -16,17 +17,17 @@ use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
-/// Columns that a table may reach: far beyond its few own.
+/// Most columns of a table: far more than the few it has.
 const MOST_COLUMNS: usize = 100;
-/// Bytes of the text of all cells: as many as a text file may have.
+/// Most bytes of text in all cells: the limit of a text file.
 const MOST_TEXT: usize = 16 << 20;
-/// Characters of one cell: as many as a spreadsheet takes.
+/// Most characters of one cell: the limit of spreadsheets.
 const MOST_CHARACTERS: usize = 32_767;
-/// Bytes of one part that holds cells, unpacked: some hundred for each cell, and a few other sheets.
+/// Most unpacked bytes of one part with cells: some hundred for each cell, and a few other sheets.
 const MOST_PART: u64 = 32 << 20;
-/// Bytes of all parts, pictures included, unpacked; they are only read through.
+/// Most unpacked bytes of all parts, pictures included; they are only skipped.
 const MOST_UNPACKED: u64 = 64 << 20;
-/// Bytes of one tag: the text of a cell is not in it, and a name has no more than 255 characters.
+/// Most bytes of one tag. It does not contain the text of a cell, and a name has at most 255 characters.
 const MOST_TAG: usize = 1 << 16;
 /// Letters and digits of the last cell, XFD1048576.
 const MOST_LETTERS: usize = 3;
@@ -155,7 +156,7 @@ impl CellReader<'_> {
         Ok(cells)
     }
 
-    /// A cell of text. Many cells may share one text: its bytes count in each.
+    /// A cell of text. The bytes of a shared text count in each cell.
     fn text_cell(&mut self, text: &str) -> Result<Cell, String> {
         let text = text.trim();
         if text.is_empty() {
@@ -177,7 +178,7 @@ impl CellReader<'_> {
     }
 }
 
-/// `None` where there are no cells.
+/// The grid of a sheet; `None` without cells.
 fn grid(sheet: String, cells: Cells) -> Option<Grid> {
     let lines = cells.into_iter().map(|(row, mut cells)| {
         let width = cells.last_key_value().map_or(0, |(last, _)| last + 1);
@@ -229,11 +230,11 @@ fn check_archive(file: &DataFile, bytes: &[u8]) -> Result<(), String> {
 
 /// Checks the places of rows and cells (`r`), the ranges (`ref`) and the number of texts (`uniqueCount`).
 ///
-/// A reference between the parts may make any of them a sheet. Broken XML ends this check where it ends the reader behind, too; in a
-/// sheet it is an error here.
+/// A reference between the parts can make any of them a sheet. Broken XML ends this check and the xlsx reader at the same place;
+/// in a sheet it is an error here.
 fn check_xml(file: &DataFile, content: &[u8], is_sheet: bool) -> Result<(), String> {
     let mut reader = Reader::from_reader(content);
-    // As the reader behind has it, so that everything it reads is checked here.
+    // With the settings of the xlsx reader, so that everything it reads is checked here.
     reader.config_mut().check_end_names = is_sheet;
     let mut buffer = Vec::new();
     loop {
@@ -251,7 +252,7 @@ fn check_xml(file: &DataFile, content: &[u8], is_sheet: bool) -> Result<(), Stri
                 tag.len()
             ));
         }
-        // Duplicate names are not looked for: the time would grow with the square of their number.
+        // Duplicate names are not searched: the time would grow with the square of their number.
         for attribute in tag.attributes().with_checks(false) {
             let attribute = match attribute {
                 Ok(attribute) => attribute,

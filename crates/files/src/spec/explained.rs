@@ -1,28 +1,26 @@
-//! Example values with every key explained in the words of the schema: the files to start from.
+//! Example values, with every key explained by the description in the schema: the template files of `init`.
 
 use super::PAIR;
 use serde_json::Value;
 use std::collections::HashSet;
 
-/// Where words stand behind a short value.
+/// Column at which an explanation starts behind a short value.
 const COLUMN: usize = 31;
-/// Where a line of words ends.
+/// Column at which a line of explanation ends.
 const WIDTH: usize = 132;
-/// Bytes of what is said of a key that stands in one row with another.
+/// Longest explanation that shares a line with another, bytes.
 const SHORT: usize = 40;
 
-/// `examples` as a pair file in which each key is explained where it first stands.
+/// `examples` as a pair file in which each key is explained at its first place.
 ///
-/// They are TOML without words: a preface in comments, then tables and values, several of a key if need be; what is no more than an
-/// example stands behind a `#`. Order, words, choices and defaults are those of the schema (`pair_schema`); what it does not know
-/// is left out.
+/// The examples are TOML without explanations: a preface in comments, then tables and values. A key can have several values; values that are only examples are behind a `#`. Order, explanations, choices and defaults come from the schema (`pair_schema`); keys that it does not have are left out.
 pub fn explained(examples: &str) -> String {
     let (preface, examples) = examples.split_once("\n\n").unwrap_or(("", examples));
     let mut writer = Writer {
         examples: Example::all(examples),
         words: Words {
             schema: &PAIR,
-            said: HashSet::new(),
+            used: HashSet::new(),
         },
         text: format!("{preface}\n\n"),
     };
@@ -38,7 +36,7 @@ struct Example<'e> {
     key: &'e str,
     line: &'e str,
     value: Value,
-    /// `#` where it is no more than an example.
+    /// `#` for a value that is only an example.
     mark: &'static str,
 }
 
@@ -109,7 +107,7 @@ impl<'s> Writer<'s, '_> {
     }
 }
 
-/// Appends a line and its words: behind it, those of the keys in it below.
+/// Appends a line and its explanation. The explanations of its inner keys follow below.
 fn line(text: &mut String, example: &Example, words: &[String]) {
     let mut start = example.line;
     let length = start.chars().count();
@@ -138,32 +136,32 @@ fn line(text: &mut String, example: &Example, words: &[String]) {
     }
 }
 
-/// The words of a schema, each once.
+/// The descriptions of a schema, each used once.
 struct Words<'s> {
     schema: &'s Value,
-    said: HashSet<String>,
+    used: HashSet<String>,
 }
 
 impl<'s> Words<'s> {
-    /// What `value` of the key `name` means; then, each by itself, what the keys in it do.
+    /// The meaning of `value` under the key `name`; then, each in a row of its own, the meanings of its inner keys.
     fn of(&mut self, name: &str, node: &'s Value, value: &Value) -> Vec<String> {
         let mut words = Vec::new();
         for node in self.meant(node, value) {
             let description = node["description"].as_str().unwrap_or_default();
-            if !self.said.insert(format!("{name}: {description}")) {
+            if !self.used.insert(format!("{name}: {description}")) {
                 continue;
             }
-            words.push(in_a_row(description));
+            words.push(as_clause(description));
             let choices: Vec<(&str, &str)> = members(node, "oneOf")
                 .filter_map(|one| Some((one["const"].as_str()?, one["description"].as_str()?)))
                 .collect();
-            let is_said = choices
+            let is_included = choices
                 .iter()
                 .all(|(choice, _)| description.contains(choice));
-            if choices.len() > 1 && !is_said {
+            if choices.len() > 1 && !is_included {
                 let each = choices.iter();
                 words.extend(
-                    each.map(|(choice, meaning)| format!("\"{choice}\": {}", in_a_row(meaning))),
+                    each.map(|(choice, meaning)| format!("\"{choice}\": {}", as_clause(meaning))),
                 );
             }
             match node.get("default") {
@@ -174,11 +172,11 @@ impl<'s> Words<'s> {
         }
         words.retain(|words| !words.is_empty());
         let mut rows = vec![words.join("; ")];
-        rows.extend(together(self.of_keys(node, value)));
+        rows.extend(join_short_rows(self.of_keys(node, value)));
         rows
     }
 
-    /// What the keys in a value do: of each what it means behind its name, then what follows.
+    /// The meanings of the keys in a value: each with its name, followed by those of its inner keys.
     fn of_keys(&mut self, node: &'s Value, value: &Value) -> Vec<String> {
         let mut rows = Vec::new();
         let tables = || value.as_array().into_iter().flatten().chain([value]);
@@ -194,7 +192,7 @@ impl<'s> Words<'s> {
         rows
     }
 
-    /// The name and the node of a dotted key, of which `name` is the first part and `node` its node.
+    /// The last name and node of the dotted `key`. `name` is its first part and `node` the node of that part.
     fn below<'k>(
         &self,
         name: &'k str,
@@ -208,7 +206,7 @@ impl<'s> Words<'s> {
         })
     }
 
-    /// `node`, and that of its alternatives which `value` is.
+    /// `node`, and the alternative of it that matches `value`.
     fn meant(&self, node: &'s Value, value: &Value) -> Vec<&'s Value> {
         let node = match node.get("description") {
             Some(_) => node,
@@ -266,7 +264,7 @@ impl<'s> Words<'s> {
         keys
     }
 
-    /// What a node refers to, and its alternatives.
+    /// The node that `node` refers to, and its alternatives.
     fn inner(&self, node: &'s Value) -> impl Iterator<Item = &'s Value> {
         let named = node["$ref"]
             .as_str()
@@ -283,8 +281,8 @@ fn members<'s>(node: &'s Value, list: &str) -> impl Iterator<Item = &'s Value> {
     node[list].as_array().into_iter().flatten()
 }
 
-/// Short ones that follow each other in one row.
-fn together(words: Vec<String>) -> Vec<String> {
+/// Joins short rows that follow each other.
+fn join_short_rows(words: Vec<String>) -> Vec<String> {
     let mut rows: Vec<String> = Vec::new();
     let mut was_short = false;
     for words in words {
@@ -298,8 +296,8 @@ fn together(words: Vec<String>) -> Vec<String> {
     rows
 }
 
-/// A sentence as a part of a row of them.
-pub(crate) fn in_a_row(sentence: &str) -> String {
+/// A sentence as part of a row.
+pub(crate) fn as_clause(sentence: &str) -> String {
     let sentence = sentence.trim_end_matches('.');
     let word = sentence.split([' ', ':', ',']).next().unwrap_or_default();
     let plain = word == "A" || word.len() > 1 && word.chars().skip(1).all(char::is_lowercase);

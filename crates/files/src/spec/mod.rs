@@ -25,8 +25,8 @@ pub use assembly::{
     DesignatedDistanceSpec, DistanceBandSpec, MeasuredSpec, Phases, Revolutions, SweepSpec,
 };
 pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
+pub(crate) use explained::as_clause;
 pub use explained::explained;
-pub(crate) use explained::in_a_row;
 pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};

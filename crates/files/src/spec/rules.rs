@@ -1,4 +1,4 @@
-//! Rules of a schema for numbers, lists and keys that go together: more than a type can say.
+//! Rules of a schema for numbers, lists and combinations of keys, which types cannot express.
 //!
 //! Rules for values are attributes of the fields; rules for keys are functions.
 
@@ -27,7 +27,7 @@ pub fn above_zero(most: f64) -> impl Fn(&mut Schema) {
     )
 }
 
-/// A length, mm: twenty times the largest pair there can be. Beyond, squares of lengths would lose the gears.
+/// A length, mm: up to twenty times the largest possible pair. The squares of larger lengths would lose the gears by rounding.
 pub fn length() -> impl Fn(&mut Schema) {
     above_zero(1e9)
 }
@@ -69,7 +69,7 @@ pub fn at_most_one(schema: &mut Schema, groups: &[&[&str]]) {
     schema.insert("not".to_owned(), json!({ "anyOf": pairs }));
 }
 
-/// `key` stands only where one of the groups of keys does.
+/// `key` is allowed only beside one of the groups of keys.
 pub fn beside(schema: &mut Schema, key: &str, groups: &[&[&str]]) {
     depend(
         schema,
@@ -78,14 +78,14 @@ pub fn beside(schema: &mut Schema, key: &str, groups: &[&[&str]]) {
     );
 }
 
-/// `key` stands only where `list` holds a list, or where one of `others` stands.
+/// `key` is allowed only where `list` holds a list, or beside one of `others`.
 pub fn beside_list(schema: &mut Schema, key: &str, list: &str, others: &[&str]) {
     let is_list = json!({ "required": [list], "properties": { list: { "type": "array" } } });
     let others = others.iter().map(|other| required(&[other]));
     depend(schema, key, any_of([is_list].into_iter().chain(others)));
 }
 
-/// `key` does not stand where one of `others` does.
+/// `key` is not allowed beside any of `others`.
 pub fn not_beside(schema: &mut Schema, key: &str, others: &[&str]) {
     let others = any_of(others.iter().map(|other| required(&[other])));
     depend(schema, key, json!({ "not": others }));
@@ -100,7 +100,7 @@ pub fn without(schema: &mut Schema, key: &str) {
     }
 }
 
-/// The default of `key` is not what its absence means.
+/// Removes the default of `key`, which differs from the meaning of its absence.
 pub fn no_default(schema: &mut Schema, key: &str) {
     if let Some(Value::Object(keys)) = schema.get_mut("properties")
         && let Some(Value::Object(own)) = keys.get_mut(key)
@@ -109,7 +109,7 @@ pub fn no_default(schema: &mut Schema, key: &str) {
     }
 }
 
-/// A `list` that has values needs the `other` with values, and `key`.
+/// A `list` with values requires values in `other`, and `key`.
 pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
     let has_values =
         |list: &str| json!({ "required": [list], "properties": { list: { "minItems": 1 } } });
@@ -118,7 +118,7 @@ pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
     also(schema, json!({ "if": has_values(list), "then": needed }));
 }
 
-/// The description of `file` names the columns of the table.
+/// Appends the columns of the table to the description of `file`.
 pub fn columns(words: &str) -> impl Fn(&mut Schema) {
     fn append(value: &mut Value, words: &str) {
         if let Some(Value::String(text)) = value.pointer_mut("/properties/file/description") {
@@ -151,7 +151,7 @@ fn any_of(conditions: impl Iterator<Item = Value>) -> Value {
     }
 }
 
-/// `condition` holds where `key` stands, beside what does already.
+/// Adds `condition` for the presence of `key` to the existing ones.
 fn depend(schema: &mut Schema, key: &str, condition: Value) {
     let dependencies = schema.ensure_object().entry("dependencies");
     if let Value::Object(all) = dependencies.or_insert_with(|| json!({})) {
@@ -163,7 +163,7 @@ fn depend(schema: &mut Schema, key: &str, condition: Value) {
     }
 }
 
-/// `rule` holds, beside what does already.
+/// Adds `rule` to the existing ones.
 fn also(schema: &mut Schema, rule: Value) {
     let rules = schema.ensure_object().entry("allOf");
     if let Value::Array(rules) = rules.or_insert_with(|| json!([])) {
@@ -171,7 +171,7 @@ fn also(schema: &mut Schema, rule: Value) {
     }
 }
 
-/// Whole numbers without a point.
+/// A JSON number; whole numbers have no point.
 fn number(number: f64) -> Value {
     if number.fract() == 0.0 {
         // Every whole limit is below 2^53.
@@ -181,7 +181,7 @@ fn number(number: f64) -> Value {
     }
 }
 
-/// Adds `more` to the schema and all below it that are of type `name`.
+/// Adds `more` to the schema and to all inner ones of type `name`.
 fn bounds(name: &'static str, more: Value) -> impl Fn(&mut Schema) {
     move |schema| {
         let add = |schema: &mut Schema| {
@@ -193,7 +193,7 @@ fn bounds(name: &'static str, more: Value) -> impl Fn(&mut Schema) {
     }
 }
 
-/// Whether a value of type `name` is allowed; a key that may be left out allows `null` beside it until the schema is done.
+/// Whether a value of type `name` is allowed. Optional keys allow `null` beside it until the schema is complete.
 pub fn is_type(schema: &Schema, name: &str) -> bool {
     match schema.get("type") {
         Some(Value::Array(names)) => names.iter().any(|one| one == name),

@@ -1,4 +1,4 @@
-//! The JSON Schema of the files: what an editor needs to complete and check them.
+//! The JSON Schema of the files, for editors to complete and check them.
 
 use super::pair::TwoDrawingsSpec;
 use super::rules::is_type;
@@ -14,14 +14,14 @@ use std::sync::LazyLock;
 pub(crate) static PAIR: LazyLock<Value> = LazyLock::new(ordered::<PairSpec>);
 /// The schema of two drawings of one gear.
 pub(crate) static DRAWINGS: LazyLock<Value> = LazyLock::new(ordered::<TwoDrawingsSpec>);
-/// The schema of a table by itself.
+/// The schema of a single table.
 pub(crate) static TABLE: LazyLock<Value> = LazyLock::new(ordered::<AnyTableSpec>);
 /// The schema of gear files.
 pub(crate) static GEAR: LazyLock<Value> = LazyLock::new(ordered::<GearFileSpec>);
 
-/// The JSON Schema (draft 07) of pair files, as text: every key, its type and range, and which go together.
+/// The JSON Schema (draft 07) of pair files, as text: every key with type and range, and allowed combinations.
 ///
-/// [`read`](crate::read) checks more than it can say.
+/// [`read`](crate::read) checks more than a schema can express.
 pub fn pair_schema() -> String {
     printed(&PAIR)
 }
@@ -37,7 +37,7 @@ fn printed(schema: &Value) -> String {
     format!("{schema:#}\n")
 }
 
-/// Allows a key `_in` wherever one `_mm` is allowed or needed. The check meets none: it comes after the conversion.
+/// Allows a key `_in` wherever one `_mm` is allowed or needed. The check itself sees no such key: lengths are converted before it.
 fn allow_inches(schema: &mut Value) {
     let in_inches = |key: &str| {
         let name = key.strip_suffix("mm")?;
@@ -82,14 +82,14 @@ fn allow_inches(schema: &mut Value) {
 
 fn ordered<T: JsonSchema>() -> Value {
     let mut settings = SchemaSettings::draft07();
-    // Before `$ref` gets a place of its own, which draft 07 needs.
+    // Runs before `$ref` gets a place of its own, which draft 07 needs.
     let own: [fn(&mut Schema); 4] = [without_null, without_format, without_default, closed];
     for (place, transform) in own.into_iter().enumerate() {
         let everywhere = Box::new(RecursiveTransform(transform));
         settings.transforms.insert(place, everywhere);
     }
     let mut schema = settings.into_generator().into_root_schema_for::<T>();
-    // The description comes first for a reader.
+    // Readers see the description first.
     let mut ordered = Map::new();
     for key in ["$schema", "title", "description"] {
         ordered.extend(schema.ensure_object().shift_remove_entry(key));
@@ -100,7 +100,7 @@ fn ordered<T: JsonSchema>() -> Value {
     Value::Object(ordered)
 }
 
-/// A key that may be left out is left out: no value is `null`.
+/// Removes `null`: an optional key is left out, it has no null value.
 fn without_null(schema: &mut Schema) {
     let Some(object) = schema.as_object_mut() else {
         return;
@@ -127,21 +127,21 @@ fn without_null(schema: &mut Schema) {
     }
 }
 
-/// How wide a number is in memory is no matter of the file.
+/// Removes the format: the width of a number in memory does not concern the file.
 fn without_format(schema: &mut Schema) {
     if let Some(object) = schema.as_object_mut() {
         object.shift_remove("format");
     }
 }
 
-/// A default of several values is in the words of the key.
+/// Removes defaults of several values; the description of the key states them.
 fn without_default(schema: &mut Schema) {
     if let Some(Value::Object(_) | Value::Array(_) | Value::Null) = schema.get("default") {
         schema.remove("default");
     }
 }
 
-/// No table has other keys than those that are named.
+/// Forbids keys that a table does not list.
 fn closed(schema: &mut Schema) {
     if is_type(schema, "object") && schema.get("properties").is_some() {
         schema.insert("additionalProperties".to_owned(), false.into());

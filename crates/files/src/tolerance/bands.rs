@@ -1,4 +1,4 @@
-//! Bands that a file states: their middle, their limits, and those that `[tolerance]` draws nothing from.
+//! Bands stated by a file: their middle, their limits, and bands that `[tolerance]` does not draw from.
 
 use crate::read::PairFile;
 use crate::spec::ToleranceSpec;
@@ -7,7 +7,7 @@ use gearlash::gear::thickness::per_normal_thickness;
 use gearlash::gear::{AsBuilt, Deviations};
 use gearlash::pair::Member;
 
-/// A warning of each band of `pair` that `tolerance` leaves out, with what to write.
+/// A warning for each band of `pair` that `tolerance` does not draw from, with the key to write.
 pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
     let mut warnings = Vec::new();
     for (member, spec) in [
@@ -33,7 +33,7 @@ pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
     warnings
 }
 
-/// The gear in the middle of the thickest and the thinnest.
+/// The gear in the middle between the thickest and the thinnest.
 pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
     let gears: Vec<&AsBuilt> = gears.collect();
     let base = |gear: &AsBuilt| gear.gear().base_thickness();
@@ -46,7 +46,7 @@ pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, G
     first.varied(thicker, &Deviations::default())
 }
 
-/// Half of what the thickness of a gear may be more than its middle, and less, mm at the reference circle (in the normal section).
+/// The band of a gear's thickness about its middle, mm at the reference circle (in the normal section).
 pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
     let base = |(_, wheel, pinion): &(_, AsBuilt, AsBuilt)| match member {
         Member::Wheel => wheel.gear().base_thickness(),

@@ -1,4 +1,4 @@
-//! The files that names of measured gears stand for. Whatever else matches is reported, never passed over.
+//! Files of measured gears by names and patterns. Matches that are no such file are reported.
 
 use glob::{MatchOptions, Pattern};
 use std::collections::BTreeMap;
@@ -6,21 +6,22 @@ use std::ffi::OsString;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
-/// Files and folders that a pattern is compared with: twice the gears that a list may have.
+/// Most files and folders that are compared with a pattern: twice the gears that a list can have.
 const MOST_VISITED: usize = 200_000;
 
-/// What a name stands for.
+/// Files that a name stands for.
 #[derive(Debug, Default)]
 pub struct Named {
     /// Files, in the order of their names.
     pub files: Vec<PathBuf>,
-    /// What is left out, and why.
+    /// Matches that are ignored, and why.
     pub left_out: Vec<String>,
-    /// What cannot be read, and why.
+    /// Matches that cannot be read, and why.
     pub faults: Vec<String>,
 }
 
-/// The files that `name` stands for, relative to `folder`. `*`, `?` and `[` stand for letters within one name. Case matters.
+/// The files that `name` stands for, relative to `folder`. `*`, `?` and `[` match letters within one path component. Case
+/// matters.
 pub fn named(folder: &Path, name: &str) -> Named {
     let mut named = Named::default();
     if !name.contains(['*', '?', '[']) {
@@ -31,7 +32,7 @@ pub fn named(folder: &Path, name: &str) -> Named {
         }
         return named;
     }
-    let walk = match Walk::new(folder, name) {
+    let walk = match PathPattern::new(folder, name) {
         Ok(walk) => walk,
         Err(error) => {
             named.faults.push(format!("{name:?}: {error}"));
@@ -50,21 +51,21 @@ pub fn named(folder: &Path, name: &str) -> Named {
     named
 }
 
-/// A name with letters that stand for others, part by part. Names of files need not be UTF-8: what is none stands for one letter each.
-struct Walk {
+/// A pattern, component by component. File names need not be UTF-8: an invalid byte counts as one letter.
+struct PathPattern {
     start: PathBuf,
     parts: Vec<Part>,
 }
 
 enum Part {
-    /// Of this name.
+    /// An entry with this name.
     Named(PathBuf),
-    /// Of a name like this.
+    /// An entry that matches this pattern.
     Like(Pattern),
 }
 
-impl Walk {
-    fn new(folder: &Path, name: &str) -> Result<Walk, String> {
+impl PathPattern {
+    fn new(folder: &Path, name: &str) -> Result<PathPattern, String> {
         let (mut start, mut parts) = (folder.to_path_buf(), Vec::new());
         for part in Path::new(name).components() {
             let text = part.as_os_str().to_string_lossy();
@@ -83,10 +84,10 @@ impl Walk {
                 _ => Part::Named(PathBuf::from(part.as_os_str())),
             });
         }
-        Ok(Walk { start, parts })
+        Ok(PathPattern { start, parts })
     }
 
-    /// Every path that it stands for, in the order of their names, and whether also by capital letters; what cannot be read is one of `faults`.
+    /// Every matching path in the order of the names, and whether case matched. Read errors are added to `faults`.
     fn found(&self, faults: &mut Vec<String>) -> Vec<(PathBuf, bool)> {
         let mut found = vec![(self.start.clone(), true)];
         let mut visited = 0;
@@ -110,11 +111,11 @@ impl Walk {
                         }
                         let each = inner.into_iter().filter_map(|path| {
                             let name = path.file_name()?.to_string_lossy();
-                            let is_like = pattern.matches_with(&name, EITHER);
+                            let is_like = pattern.matches_with(&name, IGNORE_CASE);
                             let is_same = is_as_written && pattern.matches(&name);
                             is_like.then_some((path, is_same))
                         });
-                        // The file name borrows from the path.
+                        // Collected, because each file name borrows from its path.
                         next.extend(each.collect::<Vec<_>>());
                     }
                 }
@@ -125,14 +126,14 @@ impl Walk {
     }
 }
 
-/// Names but for capital letters.
-const EITHER: MatchOptions = MatchOptions {
+/// Matches names without regard to case.
+const IGNORE_CASE: MatchOptions = MatchOptions {
     case_sensitive: false,
     require_literal_separator: false,
     require_literal_leading_dot: false,
 };
 
-/// What stands in `folder`, by its names; nothing where that is no folder.
+/// The entries of `folder` by name; empty where it is no folder.
 fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     let at = match folder.as_os_str().is_empty() {
         true => Path::new("."),
@@ -158,7 +159,7 @@ fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
 }
 
 impl Named {
-    /// The file at `path`; one of several that a pattern stands for may be a folder.
+    /// Adds the file at `path`. A folder is ignored where a pattern matched it.
     fn add(&mut self, path: PathBuf, is_of_pattern: bool) {
         let name = path.display();
         match path.metadata() {
@@ -177,7 +178,7 @@ impl Named {
     }
 }
 
-/// Files of one folder and one name that differ in their endings, such as `p1.toml` and `p1.json`: which of them is the gear?
+/// Files of one folder whose names differ only in the extension, such as `p1.toml` and `p1.json`: the gear is ambiguous.
 pub fn duplicates(files: &[PathBuf]) -> Vec<String> {
     let mut first: BTreeMap<(PathBuf, OsString), &PathBuf> = BTreeMap::new();
     let mut duplicates = Vec::new();
@@ -208,7 +209,7 @@ mod tests {
             assert_eq!(found.faults.len(), 1, "{name}");
             assert!(found.faults[0].ends_with("`**` is not allowed, name each folder"));
         }
-        // From the folder of this package.
+        // Relative to the folder of this package.
         let found = named(Path::new("src"), "../Cargo.*");
         assert_eq!(found.files, [Path::new("src/../Cargo.toml")]);
     }

@@ -1,11 +1,11 @@
-//! Measured gears that are drawn whole.
+//! Measured gears that are drawn as a whole.
 
 use super::bands::middle;
 use super::gear_names::{duplicates, named};
+use crate::grouped_warnings::GroupedWarnings;
 use crate::numbers::shortest;
 use crate::read::GearsFile;
 use crate::reading::Reading;
-use crate::said_once::SaidOnce;
 use crate::spec::GearSpec;
 use crate::table::Table;
 use crate::temperature::REFERENCE_C;
@@ -13,7 +13,7 @@ use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
 use std::path::Path;
 
-/// Gear files of one list: more would not be a folder of measurements.
+/// Most gear files of one list: a folder of measurements has fewer.
 const MOST_GEARS: usize = 100_000;
 
 /// Warnings of one list, at most (tuned: they fit a screen beside others).
@@ -26,7 +26,8 @@ pub struct MeasuredGear {
     pub spec: GearSpec,
 }
 
-/// The gears that `names` stand for, in the order of the names and of the files' names, with warnings: of a pair file its `member`.
+/// The gears that `names` stand for, in the order of the names and of the file names, with warnings. A pair file gives its
+/// `member`.
 pub fn gears(
     names: &[String],
     member: Member,
@@ -60,12 +61,12 @@ pub fn gears(
         files.truncate(MOST_GEARS);
     }
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
-    let mut said = SaidOnce::default();
+    let mut grouped = GroupedWarnings::default();
     for path in files {
         match one(&path, member, file.reading()) {
             Ok((gear, has_band, warned)) => {
                 gears.push(gear);
-                said.add(&path, &warned);
+                grouped.add(&path, &warned);
                 banded.extend(has_band.then_some(path));
             }
             Err(reason) => wrong(
@@ -83,15 +84,15 @@ pub fn gears(
         let warning = format!(
             "{key}: {first}{others}: states a band of thickness, the gear drawn has its middle; give the thickness that was measured"
         );
-        // It changes numbers: before what was left out.
+        // Before the ignored files, because it changes results.
         warnings.insert(0, warning);
     }
-    let said = said.lines().into_iter();
-    warnings.extend(said.map(|line| format!("{key}: {line}")));
+    let grouped = grouped.lines().into_iter();
+    warnings.extend(grouped.map(|line| format!("{key}: {line}")));
     Some((gears, shortened(warnings, key)))
 }
 
-/// The first dozen of `warnings`, and how many more there are.
+/// The first dozen of `warnings`, and the number of others.
 fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
     let more = warnings.len().saturating_sub(MOST_WARNINGS);
     warnings.truncate(MOST_WARNINGS);
@@ -101,13 +102,14 @@ fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
     warnings
 }
 
-/// The gear of a gear file, or the `member` of a pair file: of a band of thickness the middle, whether it states one, and the file's warnings.
+/// The gear of a gear file, or the `member` of a pair file: the middle of a thickness band, whether there is a band, and the
+/// file's warnings.
 fn one(
     path: &Path,
     member: Member,
     reading: &Reading,
 ) -> Result<(MeasuredGear, bool, Vec<String>), String> {
-    // The content of the file is not quoted: it may lie outside the pair file's folder.
+    // The file's content is not quoted, because it can be outside the pair file's folder.
     let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
         1 => "this is no gear file that can be read".to_owned(),
         several => format!("this is no gear file that can be read: {several} problems"),

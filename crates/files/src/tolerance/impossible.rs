@@ -1,8 +1,8 @@
-//! Draws that no gear has, where there are more of them than allowed.
+//! Draws that give no gear, where there are more of them than allowed.
 
 use gearlash::population::Tally;
 
-/// More draws than allowed are of no gear or of no pair.
+/// More draws than allowed give no gear or no pair.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
     "tolerance: {count} of the first {done} draws are of no gear, more than the share of {share} of all {total} that tolerance.max_impossible allows; assembly {first}: {why}; narrow what scatters"
@@ -17,7 +17,7 @@ pub struct TooManyImpossible {
 }
 
 impl TooManyImpossible {
-    /// The error where `tally` has more than a `share` of `total`; `why` is the reason of an assembly.
+    /// The error where impossible draws exceed a `share` of `total`. `why` is the reason for an assembly.
     pub(super) fn find(
         tally: &Tally,
         total: u64,

@@ -32,8 +32,8 @@ pub fn limits(requirement: &Requirement) -> Vec<Limit> {
     each.collect()
 }
 
-/// The ends (`is_max`: the upper ones) of what is required, such as "40 µm", "40 µm or j_bn 38 µm", "radial clearance 0.3 mm"; `None` where there are
-/// none. `j_wt` is in mm.
+/// The required ends (`is_max`: the upper ones), such as "40 µm", "40 µm or j_bn 38 µm", "radial clearance 0.3 mm"; `None`
+/// without any. `j_wt` is in mm.
 pub fn in_words(j_wt: Option<f64>, others: &[Limit], is_max: bool) -> Option<String> {
     let own = j_wt.map(|mm| format!("{} µm", shortest(rounded(1e3 * mm, 6))));
     let others = others.iter().filter_map(|limit| {

@@ -1,4 +1,4 @@
-//! Distributions of a pair file as the library takes them.
+//! Distributions of a pair file, converted for the library.
 
 use crate::spec::{ScatterName, ScatterSpec};
 use crate::table::Table;
@@ -6,7 +6,7 @@ use gearlash::population::{Scatter, ScatterError};
 
 const MM: f64 = 1e-3;
 
-/// The distribution at `key` of the pair file, mm; limits that are not given are those of the `band`, mm, where there is one.
+/// The distribution at `key` of the pair file, mm. Absent limits are those of the `band`, mm, where there is one.
 pub fn scatter(
     spec: &ScatterSpec,
     band: Option<[f64; 2]>,
@@ -47,7 +47,7 @@ pub fn scatter(
         let reason = "has no limits, and the pair file states no band that they could be";
         return file.refuse(key, reason, "give lower_um and upper_um");
     };
-    // The library speaks of mm: the numbers in the message would be those of another unit.
+    // The library's message has numbers in mm, another unit than the file.
     let made = made.map_err(|error| match error {
         ScatterError::Limits { .. } => "the lower limit lies above the upper one".to_owned(),
         ScatterError::Outside { what, .. } => format!("{what} lies outside the limits"),

@@ -15,7 +15,7 @@ mod worst;
 
 pub(crate) use bands::middle;
 pub(crate) use limit::limits;
-pub(crate) use population::{placed, unlike};
+pub(crate) use population::{placed, shape_difference};
 pub(crate) use worst::sha256;
 
 pub use gear_names::named;
@@ -28,5 +28,5 @@ pub use run::{BLOCK, Tick, ToleranceRun, shell_word};
 pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};
 pub use worst::{Worst, is_worst_file, worst_file, worst_name};
 
-/// Assemblies of a run at most.
+/// Most assemblies of a run.
 pub const MOST_ASSEMBLIES: u64 = 1_000_000_000;

@@ -27,9 +27,9 @@ pub struct ToleranceFile {
     pub population: Population,
     /// The limits that each assembly must keep.
     pub requirement: Requirement,
-    /// Tables of the gears that are drawn whole, of wheel and pinion.
+    /// Tables of the gears that are drawn as a whole, for wheel and pinion.
     pub(super) measured: [Vec<MeasuredGear>; 2],
-    /// Warnings about it, beside those of the pair.
+    /// Warnings about it, in addition to those of the pair.
     pub warnings: Vec<String>,
 }
 
@@ -97,7 +97,7 @@ fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     })
 }
 
-/// The pair about which the numbers scatter: the middle of thickness bands, the nominal centre distance.
+/// The mean pair of the population: the middle of thickness bands, the nominal centre distance.
 fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
     let spec = &pair.spec.assembly;
     if spec.temperature_c.is_some_and(|celsius| celsius != 20.0) {
@@ -172,7 +172,7 @@ fn gear(
         }
     }?;
     let mut others = measured.iter();
-    if let Some(other) = others.find_map(|one| unlike(&one.spec, pair, member)) {
+    if let Some(other) = others.find_map(|one| shape_difference(&one.spec, pair, member)) {
         let help = "name gears whose teeth wind and end as those of the pair";
         return file.refuse(&key("gears"), other, help);
     }
@@ -191,8 +191,8 @@ fn gear(
     ))
 }
 
-/// How the teeth of `gear` wind or end otherwise than those of the pair's `member`, if they do.
-pub(crate) fn unlike(gear: &GearSpec, pair: &PairFile, member: Member) -> Option<String> {
+/// The difference of the helix or face of `gear` from the pair's `member`; `None` where they agree.
+pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member) -> Option<String> {
     let (own, name) = match member {
         Member::Wheel => (&pair.spec.wheel, "wheel"),
         Member::Pinion => (&pair.spec.pinion, "pinion"),
@@ -210,7 +210,7 @@ pub(crate) fn unlike(gear: &GearSpec, pair: &PairFile, member: Member) -> Option
     ))
 }
 
-/// A gear placed as the pair's `member`: the teeth of a helical pinion counted in the wheel's measuring plane.
+/// A gear placed as the pair's `member`. The teeth of a helical pinion are counted in the wheel's measuring plane.
 pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt {
     match pair.spec.assembly.face_offset_mm {
         Some(offset) if member == Member::Pinion && pair.study.is_helical() => {
@@ -228,7 +228,7 @@ fn face(pair: &PairFile, member: Member) -> Face {
     }
 }
 
-/// A population that cannot be, at the key that it comes from.
+/// The problem of an impossible population, at its key.
 fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
     let (key, help) = match error {
         PopulationError::Negative { what, .. } if what.contains("play") => (
@@ -256,7 +256,7 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
     file.problem(key, error.to_string(), help)
 }
 
-/// The pinion tooth that meets wheel tooth 1, of gears that are always put together as the sweep starts.
+/// The pinion tooth that meets wheel tooth 1, for gears that are always assembled as at the start of the sweep.
 fn marked(pair: &PairFile, own: &GearPair) -> u32 {
     match pair.study.sweep {
         Some(SweepPlan::Revolution {

@@ -4,7 +4,7 @@ use super::limit::Limit;
 use super::worst::Worst;
 use gearlash::population::{Contributions, Share, Statistics, Tally};
 
-/// The population of a run, in the words of its result.
+/// Description of the population of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct About {
     /// Title of the pair file.
@@ -19,9 +19,10 @@ pub struct About {
     pub max_ppm: Option<f64>,
     /// Names of the quantities that scatter.
     pub quantities: Vec<&'static str>,
-    /// Names of the quantities without an end: the worst case cuts them at their limits.
+    /// Names of the unbounded quantities. The worst case cuts them at their limits.
     pub without_end: Vec<&'static str>,
-    /// `j_wt`, mm, at the mean, in the worst case and by the root sum of squares, least and greatest each; `None` of whole gears.
+    /// `j_wt`, mm, at the mean, in the worst case and by the root sum of squares, least and greatest each; `None` for whole
+    /// gears.
     pub limit_cases: Option<[[Option<f64>; 2]; 3]>,
 }
 
@@ -32,7 +33,7 @@ pub struct ToleranceResult {
     pub about: About,
     /// Version of gearlash.
     pub version: &'static str,
-    /// SHA-256 of the pair as understood, and of all gears that are drawn.
+    /// SHA-256 of the pair as understood, and of all drawn gears.
     pub input_sha256: String,
     /// Seed.
     pub seed: u64,
@@ -48,7 +49,7 @@ pub struct ToleranceResult {
     pub worst: Vec<Worst>,
 }
 
-/// The share that misses the requirement among the first assemblies.
+/// The share of the first assemblies that misses the requirement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
     /// Number of assemblies, from the first on.
@@ -64,7 +65,7 @@ impl ToleranceResult {
         Some(1e6 * self.statistics.outside.share <= most)
     }
 
-    /// The share that misses the requirement up to the end of each of equal stretches.
+    /// The share that misses the requirement after each of equal stretches.
     pub fn convergence(&self) -> Vec<Convergence> {
         let total = u128::from(self.assemblies);
         let stretches = &self.tally.outside_by_stretch;

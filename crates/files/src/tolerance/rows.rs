@@ -1,4 +1,4 @@
-//! Rows of a run: files of them, one assembly a line, and the sums over rows from anywhere.
+//! Rows of a run: files with one assembly per line, and sums over rows of any origin.
 //!
 //! A file begins with a header (version, hash of the input, seed, first assembly, count) and the column names. Lengths have four decimals of a
 //! micrometre, the whole tenths of a nanometre that statistics count in, so that they read back exactly.
@@ -18,19 +18,19 @@ const TENTHS_PER_UM: f64 = 1e4;
 /// The greatest length that text gives back exactly, tenths of a nanometre: 2^53.
 const MOST_TENTHS: f64 = 9_007_199_254_740_992.0;
 
-/// Begins the header.
+/// Start of the header.
 const FORMAT: &str = "# gearlash rows 1: ";
 
 /// The columns.
 const COLUMNS: &str = "assembly,outcome,least_um,greatest_um,proven,below,above,margin_um";
 
-/// The longest line that is read, bytes: a header is shorter.
+/// The longest line that is read, bytes; a header is shorter.
 const LONGEST_LINE: u64 = 1000;
 
 /// Problems of one kind that are listed.
 const MOST_LISTED: usize = 12;
 
-/// The run that rows belong to, and which of its assemblies they are.
+/// The run of some rows, and their assemblies.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RowsHead {
     /// Version of gearlash.
@@ -67,7 +67,7 @@ impl RowsHead {
         )
     }
 
-    /// The header that `line` is.
+    /// Parses the header.
     fn parse(line: &str) -> Option<RowsHead> {
         let mut fields = line.strip_prefix(FORMAT)?.split(", ");
         let mut value = |name: &str| fields.next()?.strip_prefix(name)?.strip_prefix(' ');
@@ -100,7 +100,7 @@ pub fn tenths_to_um(tenths: i64) -> f64 {
     tenths as f64 / TENTHS_PER_UM
 }
 
-/// `um` in whole tenths of a nanometre; `None` of what is no such length.
+/// `um` in whole tenths of a nanometre; `None` for values outside the range.
 fn um_to_tenths(um: f64) -> Option<i64> {
     let tenths = (um * TENTHS_PER_UM).round();
     (tenths.abs() <= MOST_TENTHS).then_some(tenths as i64)
@@ -123,7 +123,7 @@ pub fn row_line(row: &Row) -> String {
     )
 }
 
-/// The row that `line` is.
+/// Parses a row.
 fn parse_row(line: &str) -> Option<Row> {
     let mut fields = line.split(',');
     let mut field = || fields.next();
@@ -151,7 +151,7 @@ fn outcome_kind(name: &str) -> Option<OutcomeKind> {
     all.find(|kind| kind.name() == name)
 }
 
-/// The rows of a file, line by line. A last line that is cut off, as after a kill, is no row.
+/// The rows of a file, line by line. A last line that is cut off, as after a kill, is ignored.
 pub struct RowsReader<'a, R> {
     name: &'a str,
     text: R,
@@ -164,7 +164,7 @@ impl<'a, R: BufRead> RowsReader<'a, R> {
     /// The header of the file called `name`, and its rows.
     ///
     /// # Errors
-    /// [`InputError`]: no file of rows.
+    /// [`InputError`]: the text is no file of rows.
     pub fn begin(name: &'a str, text: R) -> Result<(RowsHead, RowsReader<'a, R>), InputError> {
         let mut rows = RowsReader {
             name,
@@ -219,17 +219,17 @@ impl<R: BufRead> Iterator for RowsReader<'_, R> {
     }
 }
 
-/// Sums over the rows of a run, from however many sources, and which assemblies they are.
+/// Sums over the rows of a run from any number of sources, with the assemblies they cover.
 pub struct RowsTally<'a> {
     run: &'a ToleranceRun<'a>,
     tally: Tally,
     sources: Vec<String>,
-    /// Assemblies without a gap, each with the index of its source.
+    /// Assemblies without a gap, each range with the index of its source.
     ranges: Vec<(Range<u64>, usize)>,
 }
 
 impl<'a> RowsTally<'a> {
-    /// No rows yet of `run`.
+    /// No rows of `run` yet.
     pub fn new(run: &'a ToleranceRun<'a>) -> RowsTally<'a> {
         RowsTally {
             run,
@@ -239,7 +239,7 @@ impl<'a> RowsTally<'a> {
         }
     }
 
-    /// The sums so far, of a range of the run.
+    /// The sums over a range of the run.
     pub fn into_tally(self) -> Tally {
         self.tally
     }
@@ -249,7 +249,7 @@ impl<'a> RowsTally<'a> {
         &self.tally
     }
 
-    /// Begins the rows of `source`, as messages name it.
+    /// Begins the rows of `source`, its name in messages.
     fn begin(&mut self, source: &str, head: &RowsHead) -> Result<(), InputError> {
         let wanted = RowsHead::of(self.run, head.first, head.count);
         if let Some((name, own, wanted)) = head.difference(&wanted) {
@@ -263,7 +263,7 @@ impl<'a> RowsTally<'a> {
         Ok(())
     }
 
-    /// Adds `row` of the source that was begun last.
+    /// Adds `row` of the current source.
     ///
     /// # Errors
     /// [`Overflow`].
@@ -280,7 +280,7 @@ impl<'a> RowsTally<'a> {
     /// Adds the rows of the file at `path`.
     ///
     /// # Errors
-    /// As [`RowsTally::add_text`]; a file that cannot be read.
+    /// As [`RowsTally::add_text`]; also a file that cannot be read.
     pub fn add_file(&mut self, path: &Path) -> Result<(), InputError> {
         let name = path.display().to_string();
         let file = File::open(path).map_err(|error| unreadable(&name, &error))?;
@@ -290,7 +290,7 @@ impl<'a> RowsTally<'a> {
     /// Adds the rows of the `text` of a file called `name`.
     ///
     /// # Errors
-    /// [`InputError`]: rows of another run, or a line that is no row.
+    /// [`InputError`]: rows of another run, or an invalid line.
     pub fn add_text(&mut self, name: &str, text: impl BufRead) -> Result<(), InputError> {
         let (head, rows) = RowsReader::begin(name, text)?;
         self.begin(name, &head)?;
@@ -304,11 +304,11 @@ impl<'a> RowsTally<'a> {
     /// The sums over all assemblies of the run.
     ///
     /// # Errors
-    /// [`InputError`] of the pair file, which names the assemblies that are missing, there twice or beyond the run.
+    /// [`InputError`] of the pair file, which lists assemblies that are missing, duplicate or beyond the run.
     pub fn finish(mut self) -> Result<Tally, InputError> {
         let total = self.run.assemblies();
         self.ranges.sort_by_key(|(range, _)| range.start);
-        let (mut missing, mut twice, mut beyond) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut missing, mut duplicate, mut beyond) = (Vec::new(), Vec::new(), Vec::new());
         let (mut next, mut before) = (1, 0);
         for (range, source) in &self.ranges {
             let name = &self.sources[*source];
@@ -318,7 +318,7 @@ impl<'a> RowsTally<'a> {
             if range.start < next {
                 let other = &self.sources[before];
                 let doubled = named(&(range.start..range.end.min(next)));
-                twice.push(format!("{doubled} in {name} and {other}"));
+                duplicate.push(format!("{doubled} in {name} and {other}"));
             }
             if range.end > total + 1 {
                 let rest = range.start.max(total + 1)..range.end;
@@ -342,9 +342,9 @@ impl<'a> RowsTally<'a> {
                 format!("compute them, the first by {command}"),
             ));
         }
-        if !twice.is_empty() {
+        if !duplicate.is_empty() {
             problems.push(Problem::of_file(
-                format!("rows are there twice: {}", listed(twice.into_iter())),
+                format!("rows are there twice: {}", listed(duplicate.into_iter())),
                 "name rows of each assembly once",
             ));
         }
@@ -365,7 +365,7 @@ impl<'a> RowsTally<'a> {
     }
 }
 
-/// The way out of a file that has no rows.
+/// The remedy for a file without rows.
 const HELP: &str = "name files that gearlash tolerance --rows wrote";
 
 fn unreadable(source: &str, error: &std::io::Error) -> InputError {
@@ -390,7 +390,7 @@ fn named(range: &Range<u64>) -> String {
     }
 }
 
-/// The first of `each`, and how many more there are.
+/// The first of `each`, and the number of others.
 fn listed(each: impl ExactSizeIterator<Item = String>) -> String {
     let more = each.len().saturating_sub(MOST_LISTED);
     let first: Vec<String> = each.take(MOST_LISTED).collect();

@@ -13,10 +13,10 @@ use serde_json::json;
 use std::ops::{ControlFlow, Range};
 use std::path::Path;
 
-/// Assemblies between two steps: after each the rows are written (tuned: some seconds on two cores, and enough for many threads).
+/// Assemblies per step; the rows are written after each step (tuned: some seconds on two cores, and enough for many threads).
 pub const BLOCK: u64 = 2048;
 
-/// Told that a step of the work begins; a break ends the work.
+/// Called when a step of the work begins; a break ends the work.
 pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
 
 /// A population of a pair file with the seed and the number of assemblies of a run.
@@ -31,7 +31,7 @@ pub struct ToleranceRun<'a> {
 }
 
 impl<'a> ToleranceRun<'a> {
-    /// The run of the `file` read from `path`, with its own seed and number of assemblies where none is given.
+    /// The run of the `file` read from `path`. Seed and number of assemblies default to those of the file.
     ///
     /// # Errors
     /// As [`limit_cases`].
@@ -94,7 +94,7 @@ impl<'a> ToleranceRun<'a> {
         )
     }
 
-    /// The command that gives the statistics of the rows in `files`, words of a shell.
+    /// The command for the statistics of the rows in `files`, words of a shell.
     pub fn statistics_command(&self, files: &str) -> String {
         let own = u64::from(self.file.tolerance.assemblies);
         let mut command = self.command();
@@ -122,7 +122,7 @@ impl<'a> ToleranceRun<'a> {
         self.sample().rows(numbers, tick)
     }
 
-    /// More assemblies that no gear has than are allowed, in the rows that are summed in `tally`.
+    /// The error where more assemblies than allowed give no gear, in the rows summed in `tally`.
     pub fn too_many_impossible(&self, tally: &Tally) -> Option<TooManyImpossible> {
         let why = |number| {
             let drawn = self.file.population.assembly(self.sample().draw(number));
@@ -136,8 +136,8 @@ impl<'a> ToleranceRun<'a> {
         )
     }
 
-    /// The result of the run, whose rows are summed in `tally`. The contributions come from samples of their own: `tick` is called once every
-    /// [`ROWS_CHUNK`](gearlash::population::ROWS_CHUNK) rows of these.
+    /// The result of the run with the rows summed in `tally`. The contributions come from samples of their own. `tick` is called
+    /// once every [`ROWS_CHUNK`](gearlash::population::ROWS_CHUNK) rows of these.
     ///
     /// # Errors
     /// [`ContributionsError`].

@@ -1,11 +1,11 @@
-//! A run in one sentence: what a production manager and a designer ask.
+//! The result of a run in one sentence, for production managers and designers.
 
 use super::limit::in_words;
 use super::result::{About, ToleranceResult};
 use crate::numbers::{rounded, shortest};
 use gearlash::population::{Contributions, Factor, Share};
 
-/// The sentence of `result`: the share that misses the requirement, with its interval, and the quantity that most of the spread comes from.
+/// The sentence of `result`: the share that misses the requirement, with its interval, and the main source of the spread.
 ///
 /// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
 pub fn sentence(result: &ToleranceResult) -> String {
@@ -13,7 +13,7 @@ pub fn sentence(result: &ToleranceResult) -> String {
     let least = in_words(about.min_mm, &about.others, false);
     let most = in_words(about.max_mm, &about.others, true);
     let mut text = shares(result);
-    // The extreme that is limited: the least, or the greatest where that alone is.
+    // The limited extreme: the least, or the greatest where only that is limited.
     let greatest = least.is_none() && most.is_some();
     if let Some(most) = largest(&result.contributions[usize::from(greatest)]) {
         text += &format!("; {most}");
@@ -41,7 +41,7 @@ pub fn sentence(result: &ToleranceResult) -> String {
     text
 }
 
-/// Which assemblies mean, standard deviation and capability leave out; `None` where all have a least and a greatest backlash.
+/// The assemblies that mean, standard deviation and capability omit; `None` where all have a least and a greatest backlash.
 pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
     let statistics = &result.statistics;
     let without = [
@@ -61,7 +61,7 @@ pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
     })
 }
 
-/// The shares of `result` that miss the requirement, to either side: the beginning of its sentence.
+/// The shares of `result` that miss the requirement on each side: the beginning of its sentence.
 pub fn shares(result: &ToleranceResult) -> String {
     let (about, statistics) = (&result.about, &result.statistics);
     let least = in_words(about.min_mm, &about.others, false);
@@ -75,13 +75,13 @@ pub fn shares(result: &ToleranceResult) -> String {
     text
 }
 
-/// Why there is no worst case; `None` where there is one.
+/// The reason for no worst case; `None` where there is one.
 pub fn without_worst_case(about: &About) -> Option<&'static str> {
     let none = about.limit_cases.is_none();
     none.then_some("No worst case: whole gears that were measured have no limits.")
 }
 
-/// The assembly phases that worst case and root sum of squares are of; `None` where the phase does not scatter.
+/// The assembly phases of worst case and root sum of squares; `None` where the phase does not scatter.
 pub fn phases_of_limits(about: &About) -> Option<&'static str> {
     let phase = Factor::Phase.name();
     let scatters = about.quantities.contains(&phase);
@@ -96,7 +96,7 @@ fn share(share: &Share, what: &str) -> String {
     format!("{} ppm {what} [{low}, {high}]", ppm(share.share))
 }
 
-/// Parts of a million, whole from ten on.
+/// Parts per million, whole from ten on.
 pub(crate) fn ppm(share: f64) -> String {
     let ppm = 1e6 * share;
     shortest(rounded(ppm, if ppm < 10.0 { 1 } else { 0 }))

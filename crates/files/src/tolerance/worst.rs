@@ -30,24 +30,24 @@ impl Worst {
     /// The pair file, as TOML.
     ///
     /// # Errors
-    /// The writer's; a pair file has none.
+    /// The TOML writer's; pair files cause none.
     pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
         toml::to_string(&self.pair)
     }
 }
 
-/// The name of the pair file of the worst assembly, of the one after it, ….
+/// The name of the pair file of the worst assembly, of the next worst, ….
 pub fn worst_name(index: usize) -> String {
     format!("worst_{:02}.toml", index + 1)
 }
 
-/// Name and text of the pair file of the worst assembly (`index` 0), of the one after it, ….
+/// Name and text of the pair file of the worst assembly (`index` 0), of the next worst, ….
 pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::ser::Error>) {
     let text = worst.to_toml();
     (worst_name(index), text.map(|text| signed(&text)))
 }
 
-/// Begins the first line of such a file; the hash of all other lines follows.
+/// Start of the first line of such a file; the hash of all other lines follows.
 const WRITTEN: &str = "# written by gearlash tolerance; sha256 of the lines below: ";
 
 /// The SHA-256 of `text` in hexadecimal digits.
@@ -60,7 +60,7 @@ fn signed(text: &str) -> String {
     format!("{WRITTEN}{}\n{text}", sha256(text))
 }
 
-/// Whether `text` is a file of [`worst_file`] as it was written: not one that somebody else wrote, or has changed since.
+/// Whether `text` is an unchanged file of [`worst_file`].
 pub fn is_worst_file(text: &str) -> bool {
     let signed = text.strip_prefix(WRITTEN);
     let parts = signed.and_then(|rest| rest.split_once('\n'));
@@ -84,12 +84,12 @@ impl ToleranceFile {
             number,
             least_mm: found.least,
             greatest_mm: found.greatest,
-            // Plain structs with text keys: nothing of it can fail.
+            // Cannot fail: plain structs with text keys.
             pair: serde_json::to_value(spec).unwrap_or_default(),
         })
     }
 
-    /// `assembly` as a pair file that says nothing of the population.
+    /// `assembly` as a pair file without the population.
     fn spec_of(&self, assembly: &Assembly, title: String) -> PairSpec {
         let own = &self.pair.spec;
         let pair = assembly.pair();
@@ -98,7 +98,7 @@ impl ToleranceFile {
         let mut spec = own.clone();
         spec.title = title;
         spec.wheel = self.gear_spec(pair.gear(Member::Wheel), Member::Wheel);
-        // Whose teeth are counted in the wheel's measuring plane.
+        // Its teeth are counted in the wheel's measuring plane.
         let pinion = pair.gear(Member::Pinion);
         let pinion = match own.assembly.face_offset_mm {
             Some(offset) if pair.is_helical() => &pinion.section_at(offset),
@@ -122,13 +122,13 @@ impl ToleranceFile {
         spec
     }
 
-    /// `gear` as it is: the mean thickness that the tool cut, what each flank deviates, its runout.
+    /// `gear` as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
     fn gear_spec(&self, gear: &AsBuilt, member: Member) -> GearSpec {
         let (own, measured) = match member {
             Member::Wheel => (&self.pair.spec.wheel, &self.measured[0]),
             Member::Pinion => (&self.pair.spec.pinion, &self.measured[1]),
         };
-        // The whole gear that was drawn, by what no draw changes.
+        // Finds the drawn whole gear by the properties that no draw changes.
         let same = |one: &&super::gears::MeasuredGear| {
             let one = one.gear.facing(gear.face());
             one.gear() == gear.gear()
@@ -139,14 +139,14 @@ impl ToleranceFile {
                 })
         };
         let own = measured.iter().find(same).map_or(own, |one| &one.spec);
-        // Lengths and deviations as stated: the factor stands beside them.
+        // Lengths and deviations as stated; the file states the factor.
         let unscaled = own.scale.map(|scale| gear.expanded(1.0 / scale));
         let gear = &unscaled
             .and_then(Result::ok)
             .unwrap_or_else(|| gear.clone());
         let teeth = gear.gear().basic_data().teeth();
         let radius = gear.gear().basic_data().reference_radius();
-        // Where teeth differ in thickness, each one's; what is left of its flanks is pitch. Elsewhere all of it is.
+        // Where teeth differ in thickness, each thickness is stated and the rest is pitch. Elsewhere all deviation is pitch.
         let scatters = self.population.scatters();
         let stated = own.thickness.per_tooth_um.as_ref();
         let differ =

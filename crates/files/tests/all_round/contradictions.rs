@@ -113,15 +113,15 @@ fn thickness_beside_pitch_is_reported_in_micrometres() {
     let study = pair(&format!(
         "{keys}thickness = {{ allowance_um = 0, per_tooth_um = [0.0, 3.0, 0.0, 1.0] }}"
     ));
-    let told = study
+    let warning = study
         .warnings
         .iter()
-        .find(|told| told.contains("per_tooth_um"));
-    let told = told.unwrap();
+        .find(|warning| warning.contains("per_tooth_um"));
+    let warning = warning.unwrap();
     assert!(
-        told.contains("vary by 3.000 µm by this list and by 8.000 µm by the pitch")
-            && told.contains("7.000 µm apart at tooth 1;"),
-        "{told}"
+        warning.contains("vary by 3.000 µm by this list and by 8.000 µm by the pitch")
+            && warning.contains("7.000 µm apart at tooth 1;"),
+        "{warning}"
     );
 }
 
@@ -133,18 +133,18 @@ fn own_axis_pitch_that_holds_the_runout_is_reported() {
     let noise = || [vec![0.0; 44], vec![0.0; 44]];
     let [right, left] = about_datum(noise(), 20.0, to);
     let keys = pitch("numbers", &right, &left);
-    let told = |runout: &str| {
+    let warning = |runout: &str| {
         let warnings = pair(&format!("{keys}runout = {{ {runout} }}")).warnings;
-        warnings.iter().any(|told| {
-            told.starts_with("wheel.pitch.axis: ") && told.contains("write axis = \"datum\"")
+        warnings.iter().any(|warning| {
+            warning.starts_with("wheel.pitch.axis: ") && warning.contains("write axis = \"datum\"")
         })
     };
-    assert!(told("total_um = 40, high_tooth = 33"));
-    assert!(told("total_um = 34, high_tooth = 34"));
+    assert!(warning("total_um = 40, high_tooth = 33"));
+    assert!(warning("total_um = 34, high_tooth = 34"));
     // A quarter off, 15° off, opposite.
-    assert!(!told("total_um = 60, high_tooth = 33"));
-    assert!(!told("total_um = 40, high_tooth = 35.2"));
-    assert!(!told("total_um = 40, high_tooth = 11"));
+    assert!(!warning("total_um = 60, high_tooth = 33"));
+    assert!(!warning("total_um = 40, high_tooth = 35.2"));
+    assert!(!warning("total_um = 40, high_tooth = 11"));
     // A wave that moves both flanks of a tooth alike, in any direction, is no eccentricity (a fixture once warned).
     for high in 0..44 {
         let wave = |i: i32| 20.0 * (TAU * f64::from(i - high) / 44.0).cos();
@@ -189,7 +189,9 @@ fn thickness_that_the_spans_do_not_show() {
 }
 
 fn about_axis(list: &[String], words: &str) -> usize {
-    list.iter().filter(|told| told.contains(words)).count()
+    list.iter()
+        .filter(|warning| warning.contains(words))
+        .count()
 }
 
 const NOT_ALONE: &str = "the first harmonic is not that of an eccentricity alone";
@@ -206,12 +208,12 @@ fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {
             };
             let flank: Vec<f64> = (0..z).map(wave).collect();
             let keys = pitch("numbers", &flank, &flank).replace("sense", "axis = \"datum\", sense");
-            let told = pair(&keys).warnings;
-            assert_eq!(about_axis(&told, "vary opposite"), 0, "{told:#?}");
+            let warning = pair(&keys).warnings;
+            assert_eq!(about_axis(&warning, "vary opposite"), 0, "{warning:#?}");
             // z 7: π/(2z) is 12.9°, and sin² 7.1° = 0.015 of it is as an eccentricity leaves it.
             let is_told = usize::from(z > 7);
-            assert_eq!(about_axis(&told, NOT_ALONE), is_told, "{z} {told:#?}");
-            assert_eq!(about_axis(&told, "both flanks vary alike"), is_told);
+            assert_eq!(about_axis(&warning, NOT_ALONE), is_told, "{z} {warning:#?}");
+            assert_eq!(about_axis(&warning, "both flanks vary alike"), is_told);
         }
     }
 }

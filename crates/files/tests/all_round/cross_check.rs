@@ -116,6 +116,7 @@ fn a_cross_check_by_spans_all_round_is_echoed_as_one() {
         "teeth = 44\nmodule_mm = 3\nthickness = {{ allowance_um = 0, cross_check = {{ span = {{ teeth = 6, mm = {:?} }} }} }}",
         vec![nominal; 44]
     ));
-    let agree = |told: &String| told.contains("cross_check: ") && told.contains("they agree");
+    let agree =
+        |warning: &String| warning.contains("cross_check: ") && warning.contains("they agree");
     assert!(study.remarks.iter().any(agree), "{:?}", study.remarks);
 }

@@ -174,12 +174,13 @@ fn a_first_harmonic_of_the_own_pitch_biases_by_its_closed_form() {
         let c = PI / (2.0 * f64::from(z)) - alpha;
         let bias = Complex::from_polar(-a * alpha.cos() / 2.0, c);
         let expected = Complex::from_polar(e, to) + bias;
-        let apart = Complex::from_polar(found.eccentricity, drawn.direction(&found)) - expected;
+        let difference =
+            Complex::from_polar(found.eccentricity, drawn.direction(&found)) - expected;
         let second_order = (e + a) * (e + a) / drawn.r();
         assert!(
-            apart.norm() < second_order,
+            difference.norm() < second_order,
             "{z}: {} mm, {second_order}",
-            apart.norm()
+            difference.norm()
         );
         assert!(bias.norm() > 20.0 * second_order, "the bias is seen");
     }

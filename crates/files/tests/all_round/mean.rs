@@ -12,29 +12,29 @@ fn a_mean_of_the_list_that_adds_to_the_stated_one_is_reported() {
         .iter()
         .map(|um| 14.69 + 1e-3 * f64::from(*um))
         .collect();
-    let told = |stated: &str, list: &[i32]| {
+    let warning = |stated: &str, list: &[i32]| {
         let keys = format!(
             "teeth = 10\nmodule_mm = 3\nprofile_shift = 0.5\nthickness = {{ per_tooth_um = {list:?}{stated} }}"
         );
-        let told = pair(&keys).warnings;
-        let about = |told: &&String| told.contains("its mean, ");
-        told.iter().find(about).cloned()
+        let warning = pair(&keys).warnings;
+        let about = |warning: &&String| warning.contains("its mean, ");
+        warning.iter().find(about).cloned()
     };
     for (stated, key) in [
         (", allowance_um = -50", "allowance_um"),
         (", allowance_um = { min = -60, max = -50 }", "allowance_um"),
         (", span = { teeth = 2, mm = 14.4 }", "span"),
     ] {
-        let told = told(stated, &list).unwrap();
+        let warning = warning(stated, &list).unwrap();
         let words =
             format!("wheel.thickness.per_tooth_um: its mean, -50.0 µm, adds to the stated {key} ");
-        assert!(told.starts_with(&words), "{told}");
+        assert!(warning.starts_with(&words), "{warning}");
         // Σ (um + 50)² = 30, over 9.
-        assert!(told.contains("by 1.8 µm"), "{told}");
+        assert!(warning.contains("by 1.8 µm"), "{warning}");
     }
-    assert_eq!(told(", allowance_um = -50", &about), None);
-    assert_eq!(told(", allowance_um = -50", &[-50; 10]), None);
-    assert_eq!(told("", &list), None);
+    assert_eq!(warning(", allowance_um = -50", &about), None);
+    assert_eq!(warning(", allowance_um = -50", &[-50; 10]), None);
+    assert_eq!(warning("", &list), None);
     let readings = format!(", span = {{ teeth = 2, mm = {spans:?}, per_tooth = false }}");
-    assert_eq!(told(&readings, &list), None);
+    assert_eq!(warning(&readings, &list), None);
 }

@@ -17,8 +17,8 @@ pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64
     let mut rolls = Vector2::new(0.4, 0.4);
     for _ in 0..60 {
         let gap = |u: f64, v: f64| {
-            let apart = beside(low, 1.0, u) - beside(high, -1.0, v);
-            Vector2::new(apart.re, apart.im)
+            let separation = beside(low, 1.0, u) - beside(high, -1.0, v);
+            Vector2::new(separation.re, separation.im)
         };
         let h = 1e-6;
         let (at, u, v) = (gap(rolls.x, rolls.y), rolls.x, rolls.y);

@@ -197,14 +197,14 @@ fn the_file_with_a_reversed_left_flank_about_the_datum_axis_is_reported() {
     let mut dice = Dice(TestRunner::deterministic());
     let own = [dice.list(44, 1.7), dice.list(44, 1.7)];
     let [right, left] = about_datum(own, 20.0, 32.0 * TAU / 44.0);
-    let told = |left: &[f64]| {
+    let warnings_of = |left: &[f64]| {
         let keys = pitch("numbers", &right, left).replace("sense", "axis = \"datum\", sense");
         let mut warnings = pair(&keys).warnings;
         warnings.retain(|warning| warning.starts_with("wheel.pitch.left_um: "));
         warnings
     };
-    assert_eq!(told(&left), [""; 0]);
-    let turned = told(&negative(&left));
+    assert_eq!(warnings_of(&left), [""; 0]);
+    let turned = warnings_of(&negative(&left));
     assert_eq!(turned.len(), 1, "{turned:?}");
     // 20 µm but for the noise.
     for words in [

@@ -156,11 +156,11 @@ impl Made {
     }
 }
 
-fn told<'a>(study: &'a PairFile, words: &str) -> Option<&'a String> {
+fn warning<'a>(study: &'a PairFile, words: &str) -> Option<&'a String> {
     study
         .warnings
         .iter()
-        .find(|told| told.starts_with("wheel.runout.file: ") && told.contains(words))
+        .find(|warning| warning.starts_with("wheel.runout.file: ") && warning.contains(words))
 }
 
 /// The reviewers' defect: e 3.25 → 6.51 µm. The ball is rolled in here; rounding of radii is some 1e-14 mm.
@@ -175,12 +175,16 @@ fn the_gears_own_thickness_harmonic_is_no_eccentricity() {
             true,
         );
         assert!(made.off(&study) < 1e-11, "{z}: {} mm", made.off(&study));
-        assert!(told(&study, "contradict").is_none(), "{:?}", study.warnings);
+        assert!(
+            warning(&study, "contradict").is_none(),
+            "{:?}",
+            study.warnings
+        );
         // Without the pitch they look like another eccentricity, and that is reported.
         let blind = made.study(&made.by_ball(ball), "at = \"space\"", false);
         assert!(made.off(&blind) > 0.002, "{z}: {} mm", made.off(&blind));
         assert!(
-            told(
+            warning(
                 &blind,
                 "without [pitch] a first harmonic of its own tooth thickness cannot be distinguished from it"
             )
@@ -195,11 +199,11 @@ fn a_ball_that_is_not_given_costs_what_is_reported() {
     let made = Made::random(44, &mut TestRunner::deterministic());
     for ball in [4.6, 5.25, 6.5] {
         let study = made.study(&made.by_ball(ball), "at = \"space\"", true);
-        let told = told(&study, "another that fits changes it by up to ").unwrap();
-        let most = told.split("changes it by up to ").nth(1).unwrap();
+        let warning = warning(&study, "another that fits changes it by up to ").unwrap();
+        let most = warning.split("changes it by up to ").nth(1).unwrap();
         let most: f64 = most.split(' ').next().unwrap().parse().unwrap();
         let off = 1000.0 * made.off(&study);
-        assert!(off <= most && off > 1e-3, "{ball}: {off} µm, {told}");
+        assert!(off <= most && off > 1e-3, "{ball}: {off} µm, {warning}");
     }
 }
 
@@ -211,7 +215,11 @@ fn a_fork_rides_on_the_tooth() {
         let study = made.study(&made.by_fork(), "at = \"tooth\"", true);
         // Ternary search leaves √ε of the roll and ε of the distance: 1e-13 mm, over sin α.
         assert!(made.off(&study) < 1e-10, "{z}: {} mm", made.off(&study));
-        assert!(told(&study, "contradict").is_none(), "{:?}", study.warnings);
+        assert!(
+            warning(&study, "contradict").is_none(),
+            "{:?}",
+            study.warnings
+        );
     }
 }
 
@@ -226,7 +234,7 @@ fn readings_that_do_not_show_the_flanks_are_reported() {
     };
     let study = made.study(&even.by_ball(5.25), "at = \"space\", ball_mm = 5.25", true);
     assert!(
-        told(&study, "the readings contradict the flanks").is_some(),
+        warning(&study, "the readings contradict the flanks").is_some(),
         "{:?}",
         study.warnings
     );
@@ -235,7 +243,7 @@ fn readings_that_do_not_show_the_flanks_are_reported() {
     other.own.iter_mut().flatten().for_each(|f| *f *= 10.0);
     let study = even.study(&other.by_ball(5.25), "at = \"space\", ball_mm = 5.25", true);
     assert!(
-        told(&study, "the readings contradict the flanks").is_some(),
+        warning(&study, "the readings contradict the flanks").is_some(),
         "{:?}",
         study.warnings
     );
@@ -246,7 +254,11 @@ fn readings_that_do_not_show_the_flanks_are_reported() {
         .enumerate()
         .for_each(|(i, um)| *um += [0.5, -0.5, 0.2][i % 3]);
     let study = made.study(&noisy, "at = \"space\", ball_mm = 5.25", true);
-    assert!(told(&study, "contradict").is_none(), "{:?}", study.warnings);
+    assert!(
+        warning(&study, "contradict").is_none(),
+        "{:?}",
+        study.warnings
+    );
 }
 
 #[test]
@@ -296,16 +308,16 @@ fn datum_pitch_stated_as_own_takes_the_eccentricity_of_readings() {
     let study = stated.study(&readings, "at = \"space\", ball_mm = 5.25", true);
     let left = wheel(&study).eccentricity();
     assert!(left < 0.001, "{left} mm");
-    let told = |words: &str| {
+    let warning = |words: &str| {
         let mut all = study.warnings.iter();
-        all.any(|told| told.starts_with("wheel.pitch.axis: ") && told.contains(words))
+        all.any(|warning| warning.starts_with("wheel.pitch.axis: ") && warning.contains(words))
     };
-    assert!(!told("count twice"), "{:#?}", study.warnings);
+    assert!(!warning("count twice"), "{:#?}", study.warnings);
     for words in [
         "write axis = \"datum\"",
         &format!("{:.3} µm", 1e3 * left),
         "explain the readings and leave",
     ] {
-        assert!(told(words), "{words}: {:#?}", study.warnings);
+        assert!(warning(words), "{words}: {:#?}", study.warnings);
     }
 }

@@ -12,16 +12,16 @@ use std::fmt::Write;
 fn spans(gear: &AsBuilt, k: u32) -> Vec<f64> {
     let basic_data = gear.gear().basic_data();
     let z = basic_data.teeth();
-    let apart = f64::from(k - 1) * basic_data.base_pitch();
+    let separation = f64::from(k - 1) * basic_data.base_pitch();
     (1..=z)
         .map(|first| {
             let last = (first + k - 2) % z + 1;
             match gear.face() {
                 Face::Front => {
-                    apart + place(gear, Side::Left, first) - place(gear, Side::Right, last)
+                    separation + place(gear, Side::Left, first) - place(gear, Side::Right, last)
                 }
                 Face::Back => {
-                    apart + place(gear, Side::Left, last) - place(gear, Side::Right, first)
+                    separation + place(gear, Side::Left, last) - place(gear, Side::Right, first)
                 }
             }
         })
@@ -49,8 +49,11 @@ fn drawing(recipe: &Recipe) -> String {
 fn check_same(found: &AsBuilt, expected: &AsBuilt, bound: f64) {
     for side in Side::BOTH {
         for tooth in 1..=expected.gear().basic_data().teeth() {
-            let apart = place(found, side, tooth) - place(expected, side, tooth);
-            assert!(apart.abs() < bound, "{side:?} {tooth}: {apart} mm");
+            let separation = place(found, side, tooth) - place(expected, side, tooth);
+            assert!(
+                separation.abs() < bound,
+                "{side:?} {tooth}: {separation} mm"
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Units, angles and missing values. `tests/sessions/curve_faults.txt` holds the messages of wrong files.
 
 use super::made::Made;
-use super::{pair, read_with, told};
+use super::{message, pair, read_with};
 
 const PITCH: &str = "pitch = { kind = \"single\", file = \"gear.mka\" }";
 const TRACE: &str = "profile = { trace = { file = \"gear.mka\" } }";
@@ -18,8 +18,8 @@ fn a_spur_gear_may_state_its_helix_angle() {
 
 /// The deviations of the left trace as read with another `UNDEFINED`.
 fn left_trace(text: &str) -> Vec<f64> {
-    let study =
-        read_with(text.as_bytes(), &pair(17, TRACE)).unwrap_or_else(|told| panic!("{told:#?}"));
+    let study = read_with(text.as_bytes(), &pair(17, TRACE))
+        .unwrap_or_else(|message| panic!("{message:#?}"));
     let profile = study.spec.wheel.profile.unwrap();
     let left = profile.left.unwrap_or(profile.both);
     left.traces()[0].deviation_um.clone().unwrap()
@@ -55,11 +55,11 @@ fn the_undefined_number_in_a_table_of_pitch() {
     let row = text.lines().find(|line| line.starts_with("  4  ")).unwrap();
     let fp = row.split_whitespace().nth(1).unwrap();
     let text = text.replacen(row, &row.replacen(fp, "-8888.0", 1), 1);
-    let told = told(&text, 17, PITCH);
-    assert_eq!(told.lines().count(), 1, "{told}");
+    let message = message(&text, 17, PITCH);
+    assert_eq!(message.lines().count(), 1, "{message}");
     assert!(
-        told.contains("-8888.0 stands for a value that was not measured, as UNDEFINED"),
-        "{told}"
+        message.contains("-8888.0 stands for a value that was not measured, as UNDEFINED"),
+        "{message}"
     );
 }
 
@@ -77,10 +77,10 @@ fn angles_are_in_degrees() {
         match read_with(text.as_bytes(), &pair(17, PITCH)) {
             Ok(_) => assert!(good, "{unit}"),
             Err(_) => {
-                let told = told(&text, 17, PITCH);
+                let message = message(&text, 17, PITCH);
                 assert!(
-                    !good && told.contains("allowed is degrees"),
-                    "{unit}: {told}"
+                    !good && message.contains("allowed is degrees"),
+                    "{unit}: {message}"
                 );
             }
         }

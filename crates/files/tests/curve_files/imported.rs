@@ -12,11 +12,11 @@ fn import(text: &str, only: Option<Kind>) -> Result<Imported, String> {
     };
     let found = tables(Path::new("gear.mka"), text.as_bytes().to_vec(), &options);
     found.map_err(|error| {
-        let told = error
+        let message = error
             .problems
             .iter()
             .map(|problem| format!("{}; {}\n", problem.reason, problem.help));
-        told.collect()
+        message.collect()
     })
 }
 
@@ -60,21 +60,21 @@ fn positions_alone() {
     let (head, rest) = text.split_once("Flankenlinie:").unwrap();
     let positions = rest.split_once("Teilung:").unwrap().1;
     let alone = format!("{head}Teilung:{positions}");
-    let told = import(&alone, None).unwrap_err();
-    assert!(told.contains("has no pitch"), "{told}");
-    let told = import(&alone, Some(Kind::Thickness)).unwrap_err();
+    let message = import(&alone, None).unwrap_err();
+    assert!(message.contains("has no pitch"), "{message}");
+    let message = import(&alone, Some(Kind::Thickness)).unwrap_err();
     assert!(
-        told.contains("is a curve file: thickness is not taken from the probe's positions"),
-        "{told}"
+        message.contains("is a curve file: thickness is not taken from the probe's positions"),
+        "{message}"
     );
 }
 
 #[test]
 fn a_value_file() {
     for only in [None, Some(Kind::Pitch), Some(Kind::Trace)] {
-        let told = import(MEW, only).unwrap_err();
-        assert!(told.contains("is a value file (.mew)"), "{told}");
-        assert!(!told.contains("--header-row"), "{told}");
+        let message = import(MEW, only).unwrap_err();
+        assert!(message.contains("is a value file (.mew)"), "{message}");
+        assert!(!message.contains("--header-row"), "{message}");
     }
 }
 
@@ -86,13 +86,16 @@ fn a_tooth_that_is_missing() {
         let begin = format!("  {tooth}  ");
         let is_row = |line: &&str| line.starts_with(&begin) && line.split_whitespace().count() == 4;
         let lines: Vec<&str> = text.lines().filter(|line| !is_row(line)).collect();
-        let told = import(&lines.join("\r\n"), None).unwrap_err();
-        assert!(told.contains(&format!("without tooth {tooth}")), "{told}");
-        assert!(told.contains("give all 17 teeth"), "{told}");
+        let message = import(&lines.join("\r\n"), None).unwrap_err();
+        assert!(
+            message.contains(&format!("without tooth {tooth}")),
+            "{message}"
+        );
+        assert!(message.contains("give all 17 teeth"), "{message}");
         // That the neighbours do not fit follows from it.
         assert!(
-            !told.contains("differ by more than their rounding"),
-            "{told}"
+            !message.contains("differ by more than their rounding"),
+            "{message}"
         );
     }
 }
@@ -100,15 +103,15 @@ fn a_tooth_that_is_missing() {
 #[test]
 fn gears_of_other_kinds() {
     let text = Made::new(17).text();
-    let told = import(&text.replace("Außenverzahnung", "Innenverzahnung"), None).unwrap_err();
-    assert!(told.contains("the gear is internal"), "{told}");
+    let message = import(&text.replace("Außenverzahnung", "Innenverzahnung"), None).unwrap_err();
+    assert!(message.contains("the gear is internal"), "{message}");
     let helix = " 26 :Schrägungswinkel.......: 15.0\r\n 24 :Eingriffswinkel";
     let helical = text.replace(" 24 :Eingriffswinkel", helix);
     assert!(import(&helical, Some(Kind::Pitch)).is_ok());
     // Its traces are of a spur gear's base circle, and the wound gear's is larger.
-    let told = import(&helical, None).unwrap_err();
+    let message = import(&helical, None).unwrap_err();
     assert!(
-        told.contains("from the base circle on, 49.4079 mm"),
-        "{told}"
+        message.contains("from the base circle on, 49.4079 mm"),
+        "{message}"
     );
 }

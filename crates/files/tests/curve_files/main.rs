@@ -30,12 +30,12 @@ fn good(made: &Made, keys: &str) -> PairFile {
     read.unwrap_or_else(|problems| panic!("{problems:#?}"))
 }
 
-fn told(table: &str, teeth: u32, keys: &str) -> String {
+fn message(table: &str, teeth: u32, keys: &str) -> String {
     let problems = read_with(table.as_bytes(), &pair(teeth, keys)).unwrap_err();
-    let told = problems
+    let message = problems
         .iter()
         .map(|p| p.reason.split("gear.mka: ").last().unwrap_or("").to_owned());
-    told.collect::<Vec<_>>().join("\n")
+    message.collect::<Vec<_>>().join("\n")
 }
 
 /// Lost motion at every mating, rad.

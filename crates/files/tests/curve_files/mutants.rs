@@ -8,7 +8,7 @@ use std::fs;
 use tempfile::TempDir;
 
 /// What the lines of a file say of pitch and of the profiles, read leniently.
-fn said(bytes: &[u8]) -> Option<Vec<Vec<f64>>> {
+fn values_of(bytes: &[u8]) -> Option<Vec<Vec<f64>>> {
     let text = String::from_utf8_lossy(bytes);
     let mut lists = vec![Vec::new(), Vec::new(), Vec::new(), Vec::new()];
     // What stands for nothing: by its digits, that of the preamble beside those that are known.
@@ -109,7 +109,7 @@ fn ten_thousand_mutants_of_each() {
                     ];
                     assert_eq!(
                         Some(found),
-                        said(&bytes),
+                        values_of(&bytes),
                         "{name} {number}: {}",
                         String::from_utf8_lossy(&bytes)
                     );
@@ -118,14 +118,14 @@ fn ten_thousand_mutants_of_each() {
                 Err(error) => {
                     assert!(number > 0 || name == "mew", "{:#?}", error.problems);
                     for problem in error.problems {
-                        let Some((_, told)) = problem.reason.split_once("gear.mka: ") else {
+                        let Some((_, message)) = problem.reason.split_once("gear.mka: ") else {
                             continue;
                         };
-                        let has_line = told
+                        let has_line = message
                             .strip_prefix("line ")
                             .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
                         assert!(
-                            has_line || of_the_file.iter().any(|words| told.starts_with(words)),
+                            has_line || of_the_file.iter().any(|words| message.starts_with(words)),
                             "{name} {number}: {problem}"
                         );
                     }

@@ -57,18 +57,18 @@ fn run(ending: &str, text: &str, geometry: &[Range<usize>], options: &Options) {
         match read {
             Ok(drawing) => {
                 check_sound(&drawing);
-                let alike = drawing.loops.len() == good.loops.len()
+                let agrees = drawing.loops.len() == good.loops.len()
                     && drawing
                         .loops
                         .iter()
                         .zip(&good.loops)
                         .all(|(a, b)| a.segments == b.segments && a.bound_mm == b.bound_mm);
                 assert!(
-                    alike || !beside,
+                    agrees || !beside,
                     "{number}: {}",
                     String::from_utf8_lossy(&bytes)
                 );
-                *(if alike { &mut same } else { &mut other }) += 1;
+                *(if agrees { &mut same } else { &mut other }) += 1;
                 untouched += usize::from(beside);
             }
             Err(error) => {

@@ -34,14 +34,19 @@ fn the_generated_shift_alone_states_the_thickness() {
         "{}",
         stage.summary
     );
-    let told = "cylindrical_gear 11 has no other thickness: generated_addendum_modification_coefficient −0.03 of \
+    let message = "cylindrical_gear 11 has no other thickness: generated_addendum_modification_coefficient −0.03 of \
                 cylindrical_gear_manufacturing_settings 18 makes −87.4 / −87.4 µm";
     assert!(
-        stage.remarks.iter().any(|one| one == told),
+        stage.remarks.iter().any(|one| one == message),
         "{:?}",
         stage.remarks
     );
-    assert!(!stage.remarks.iter().any(|told| told.contains("nominal")));
+    assert!(
+        !stage
+            .remarks
+            .iter()
+            .any(|message| message.contains("nominal"))
+    );
 
     let end = |end: &str, value: &str| {
         let name = format!("generated_addendum_modification_coefficient_{end}_deviation");
@@ -67,17 +72,17 @@ fn the_generated_shift_lies_within_the_series() {
         let found = pair(&file, 10)["wheel"]["thickness"].clone();
         assert_eq!(found.to_string(), "{ designation = \"25c\" }");
         let remarks = &file.stage(10).unwrap().pair.as_ref().unwrap().remarks;
-        let told = remarks
+        let message = remarks
             .iter()
-            .any(|told| told.contains("makes 0.0 / 0.0 µm, 25c counts"));
-        assert_eq!(told, shift == "0.0", "{remarks:?}");
+            .any(|message| message.contains("makes 0.0 / 0.0 µm, 25c counts"));
+        assert_eq!(message, shift == "0.0", "{remarks:?}");
     }
-    for (shift, told) in [("-0.05", "−145.6 / −145.6"), ("-0.02", "−58.2 / −58.2")] {
+    for (shift, message) in [("-0.05", "−145.6 / −145.6"), ("-0.02", "−58.2 / −58.2")] {
         let file = read(&good.replace(SHIFT, &SHIFT.replace("-0.03", shift))).unwrap();
         let found = why(&file, 10);
         assert!(
             found.contains("contradicts itself: 25c is −85.0 / −125.0 µm, generated_")
-                && found.contains(told),
+                && found.contains(message),
             "{found}"
         );
     }
@@ -104,7 +109,7 @@ fn settings_that_differ_state_no_thickness() {
     assert!(
         remarks
             .iter()
-            .any(|told| told.ends_with("differ and are not used")),
+            .any(|message| message.ends_with("differ and are not used")),
         "{remarks:?}"
     );
     let file = read(&text.replace(SERIES, "")).unwrap();

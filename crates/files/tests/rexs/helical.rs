@@ -38,10 +38,10 @@ fn angle_hand_and_face_width_become_those_of_the_pair() {
         let stage = file.stage(10).unwrap().pair.as_ref().unwrap();
         let words = format!("z 17/22, m 4, β 15° {}/{}, a 80.8 js7", hands[0], hands[1]);
         assert!(stage.summary.starts_with(&words), "{}", stage.summary);
-        let told = stage.remarks.join("; ");
+        let message = stage.remarks.join("; ");
         assert!(
-            told.contains("their faces are taken as centred on each other"),
-            "{told}"
+            message.contains("their faces are taken as centred on each other"),
+            "{message}"
         );
     }
 }
@@ -66,8 +66,8 @@ fn what_is_no_helical_pair_is_left_out_with_the_reason() {
         ),
     ] {
         let file = read(&text).unwrap();
-        let told = why(&file, 10);
-        assert!(told.contains(expected), "{told}");
+        let message = why(&file, 10);
+        assert!(message.contains(expected), "{message}");
     }
 }
 
@@ -89,9 +89,9 @@ fn a_size_is_over_balls_or_over_pins() {
         assert_eq!(over["kind"].as_str(), Some(kind));
         assert_eq!(over["mm"].as_float(), Some(81.5));
     }
-    let told = why(&stated("diametral_measurement"), 10);
+    let message = why(&stated("diametral_measurement"), 10);
     assert!(
-        told.contains("add size_over_balls or size_over_pins"),
-        "{told}"
+        message.contains("add size_over_balls or size_over_pins"),
+        "{message}"
     );
 }

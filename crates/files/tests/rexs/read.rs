@@ -119,18 +119,18 @@ fn version_1_0_names_and_places_tools_otherwise() {
     assert_eq!(found["wheel"]["rack"]["dedendum"].as_float(), Some(1.4));
     assert_eq!(found["wheel"]["rack"]["root_radius"].as_float(), Some(0.25));
     let remarks = &file.stage(1).unwrap().pair.as_ref().unwrap().remarks;
-    for told in [
+    for message in [
         "cylindrical_gear 3 states no tooth thickness: nominal",
         "cylindrical_gear 3 has no addendum_modification_coefficient: taken as 0",
         "cylindrical_gear 3 has no rack-shaped tool with addendum and tip radius: the root is that of ISO 53 A",
     ] {
         assert!(
-            remarks.iter().any(|remark| remark == told),
-            "{told}: {remarks:?}"
+            remarks.iter().any(|remark| remark == message),
+            "{message}: {remarks:?}"
         );
     }
-    let unlike = read(&model("25.0", tool)).unwrap();
-    assert!(why(&unlike, 1).contains("differs from the other flank in normal_pressure_angle"));
+    let different = read(&model("25.0", tool)).unwrap();
+    assert!(why(&different, 1).contains("differs from the other flank in normal_pressure_angle"));
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn allowances_of_the_centre_distance_must_agree_with_its_field() {
     };
     let distance = pair(&ends("7", 15.0), 10)["assembly"]["center_distance_mm"].clone();
     assert_eq!(distance["upper_um"].as_float(), Some(15.0));
-    for (grade, um, told) in [
+    for (grade, um, message) in [
         (
             "7",
             200.0,
@@ -196,7 +196,7 @@ fn allowances_of_the_centre_distance_must_agree_with_its_field() {
         let found = why(&ends(grade, um), 10);
         assert_eq!(
             found,
-            format!("cylindrical_stage 10 contradicts itself: {told}")
+            format!("cylindrical_stage 10 contradicts itself: {message}")
         );
     }
     let beyond = ends("11", 95.0);
@@ -204,7 +204,7 @@ fn allowances_of_the_centre_distance_must_agree_with_its_field() {
     assert!(
         remarks
             .iter()
-            .any(|told| told.contains("js11 is not compared")),
+            .any(|message| message.contains("js11 is not compared")),
         "{remarks:?}"
     );
 }
@@ -219,10 +219,10 @@ fn the_sign_of_a_micrometre_is_a_unit_and_no_unit_has_a_name() {
     }
     let text = good.replacen("unit=\"none\">17<", "unit=\"-\">17<", 1);
     assert_ne!(text, good);
-    let told = why(&read(&text).unwrap(), 10);
+    let message = why(&read(&text).unwrap(), 10);
     assert!(
-        told.contains("in the unit -, the format has none;"),
-        "{told}"
+        message.contains("in the unit -, the format has none;"),
+        "{message}"
     );
 }
 
@@ -236,12 +236,12 @@ fn a_model_is_no_pair_file() {
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, fixture(of)).unwrap();
-        let told = gearlash_files::read_any(&path).unwrap_err().to_string();
+        let message = gearlash_files::read_any(&path).unwrap_err().to_string();
         assert!(
-            told.contains("is a gearbox model; gearlash import "),
-            "{told}"
+            message.contains("is a gearbox model; gearlash import "),
+            "{message}"
         );
-        assert!(told.contains("--stage ID -o pair.toml"), "{told}");
+        assert!(message.contains("--stage ID -o pair.toml"), "{message}");
     }
     let none = gearlash_files::read_any(&folder.path().join("none.rexs")).unwrap_err();
     assert!(none.to_string().contains("there is no such file"), "{none}");

@@ -86,7 +86,7 @@ fn every_kind_of_footer() {
         "Zahnweite W3 [mm];19,235;19,235",
         "Prüfer 7;;",
     ] {
-        let found = with(footer).unwrap_or_else(|told| panic!("{footer}: {told:#?}"));
+        let found = with(footer).unwrap_or_else(|message| panic!("{footer}: {message:#?}"));
         assert!(found.study == expected.study, "{footer}");
         let label = footer.split(';').next().unwrap();
         assert!(
@@ -97,11 +97,11 @@ fn every_kind_of_footer() {
     }
     // These may be a tooth that was mistyped.
     for footer in ["x;6,6;7,0", "Zahn 18;6,6;7,0", "18;6,6;7,0"] {
-        let told = with(footer).unwrap_err();
+        let message = with(footer).unwrap_err();
         assert!(
-            told[0].reason.contains("line 19: tooth is "),
+            message[0].reason.contains("line 19: tooth is "),
             "{footer}: {}",
-            told[0]
+            message[0]
         );
     }
 }
@@ -120,9 +120,9 @@ fn formats_that_are_not_read_say_how_to_save_them() {
     ];
     for (name, bytes, expected) in cases {
         let keys = format!("pitch = {{ kind = \"single\", file = \"{name}\" }}");
-        let told = read_with(name, bytes, &pair(44, &keys)).unwrap_err();
-        assert_eq!(told.len(), 1, "{told:#?}");
-        assert!(told[0].reason.ends_with(expected), "{}", told[0]);
-        assert_eq!(told[0].help, "save it as .xlsx or CSV");
+        let message = read_with(name, bytes, &pair(44, &keys)).unwrap_err();
+        assert_eq!(message.len(), 1, "{message:#?}");
+        assert!(message[0].reason.ends_with(expected), "{}", message[0]);
+        assert_eq!(message[0].help, "save it as .xlsx or CSV");
     }
 }

@@ -15,13 +15,14 @@ pub struct Format {
     /// What gearlash understood, in the same order.
     pub understood: fn(&PairFile) -> Vec<Vec<f64>>,
     /// How far the two may lie apart of a value and of so many teeth: nothing where values are taken over as they stand.
-    pub apart: fn(f64, u32) -> f64,
+    pub tolerance: fn(f64, u32) -> f64,
 }
 
 impl Format {
-    pub fn alike(&self, study: &PairFile, expected: &[Vec<f64>], teeth: u32) -> bool {
+    pub fn agrees(&self, study: &PairFile, expected: &[Vec<f64>], teeth: u32) -> bool {
         let understood = (self.understood)(study);
-        let near = |(one, other): (&f64, &f64)| (one - other).abs() <= (self.apart)(*other, teeth);
+        let near =
+            |(one, other): (&f64, &f64)| (one - other).abs() <= (self.tolerance)(*other, teeth);
         understood.len() == expected.len()
             && understood
                 .iter()
@@ -66,7 +67,7 @@ pub const FORMATS: [Format; 6] = [
             delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
         },
         understood: pitch_lists,
-        apart: |_, _| 0.0,
+        tolerance: |_, _| 0.0,
     },
     Format {
         name: "german.csv",
@@ -83,7 +84,7 @@ pub const FORMATS: [Format; 6] = [
             delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
         },
         understood: pitch_lists,
-        apart: |_, _| 0.0,
+        tolerance: |_, _| 0.0,
     },
     Format {
         name: "shop.csv",
@@ -101,7 +102,7 @@ pub const FORMATS: [Format; 6] = [
         },
         oracle: |bytes, teeth| shop(bytes, teeth).map(flanks),
         understood: pitch_lists,
-        apart: |_, _| 0.0,
+        tolerance: |_, _| 0.0,
     },
     Format {
         name: "thickness.csv",
@@ -114,7 +115,7 @@ pub const FORMATS: [Format; 6] = [
             delimited(bytes, teeth, &[["thickness", "dicke"]]).map(|rows| vec![column(&rows, 0)])
         },
         understood: |study| vec![echoed(study, "thickness", "per_tooth_um")],
-        apart: |_, _| 0.0,
+        tolerance: |_, _| 0.0,
     },
     Format {
         name: "runout.csv",
@@ -140,7 +141,7 @@ pub const FORMATS: [Format; 6] = [
         understood: |study| vec![vec![study.spec.wheel.runout.total_um]],
         // What a sum of 10 000 floats leaves, µm; and the harmonic is that of a small e: readings go as √(r² − e² sin²), of
         // third order in e; of module 3 mm, r is 3 z/2.
-        apart: |total, teeth| {
+        tolerance: |total, teeth| {
             let e_to_r = total / 1000.0 / (3.0 * f64::from(teeth));
             1e-6 + total * e_to_r * e_to_r
         },
@@ -177,6 +178,6 @@ pub const FORMATS: [Format; 6] = [
             Some(vec![column(&right, 0), column(&left, 0)])
         },
         understood: pitch_lists,
-        apart: |_, _| 0.0,
+        tolerance: |_, _| 0.0,
     },
 ];

@@ -30,10 +30,10 @@ fn run(format: &Format, teeth: u32, count: usize) -> (usize, usize) {
         match read_pair(&path) {
             Ok(study) => {
                 let expected = (format.oracle)(&bytes, teeth);
-                let alike = expected
+                let agrees = expected
                     .as_ref()
-                    .is_some_and(|expected| format.alike(&study, expected, teeth));
-                assert!(alike, "{number}: not {expected:?} of {}", shown());
+                    .is_some_and(|expected| format.agrees(&study, expected, teeth));
+                assert!(agrees, "{number}: not {expected:?} of {}", shown());
                 right += 1;
             }
             Err(problems) => {
@@ -69,18 +69,18 @@ pub const OF_THE_WORKBOOK: &[&str] = &[
 /// A table that is read right may still be of a gear that cannot be: `right` says whether it was.
 pub fn check(name: &str, of_the_file: &[&str], problem: &Problem, right: bool) {
     assert!(!problem.help.is_empty(), "{problem}");
-    let Some((_, told)) = problem.reason.split_once(&format!("{name}: ")) else {
+    let Some((_, message)) = problem.reason.split_once(&format!("{name}: ")) else {
         let rest = problem.reason.ends_with(" more problems like the last one");
         assert!(rest || right, "{problem}");
         return;
     };
-    let line = told.strip_prefix("line ").and_then(|rest| {
+    let line = message.strip_prefix("line ").and_then(|rest| {
         let (line, reason) = rest.split_once(": ")?;
         (!reason.is_empty()).then(|| line.parse::<u64>().ok())?
     });
     assert!(
         line.is_some_and(|line| line > 0)
-            || of_the_file.iter().any(|words| told.starts_with(words)),
+            || of_the_file.iter().any(|words| message.starts_with(words)),
         "{problem}"
     );
 }

@@ -102,14 +102,17 @@ fn teeth_and_flanks_have_their_own() {
             );
         }
     }
-    let told = study.remarks.concat() + &study.warnings.concat();
+    let message = study.remarks.concat() + &study.warnings.concat();
     assert!(
-        told.contains(
+        message.contains(
             "wheel.profile.trace: traces of 2 of 44 right flanks; the other teeth take their mean"
         ),
-        "{told}"
+        "{message}"
     );
-    assert!(told.contains("traces of 1 of 44 left flanks"), "{told}");
+    assert!(
+        message.contains("traces of 1 of 44 left flanks"),
+        "{message}"
+    );
     // As understood it is a pair file of the same gear.
     let mut spec = serde_json::to_value(&study.spec).unwrap();
     spec["sweep"] = serde_json::json!({ "mating": [[1, 1]] });
@@ -122,7 +125,7 @@ fn teeth_and_flanks_have_their_own() {
 fn garbled_traces_are_reported_or_understood() {
     let good = csv(",");
     let keys = "profile = { trace = { file = \"t.csv\" } }";
-    let (mut told, mut read) = (0, 0);
+    let (mut message, mut read) = (0, 0);
     for (at, old) in good.char_indices() {
         for new in ["", "x", "-", ",", "9", "\n", "\"", "\u{0}"] {
             let mut table = good.clone();
@@ -131,7 +134,7 @@ fn garbled_traces_are_reported_or_understood() {
                 Err(problems) => {
                     let own = |problem: &Problem| problem.key.starts_with("wheel.profile");
                     assert!(problems.iter().all(own), "{table}: {problems:#?}");
-                    told += 1;
+                    message += 1;
                 }
                 Ok(study) => {
                     let trace = study.spec.wheel.profile.unwrap().both.traces()[0].clone();
@@ -153,5 +156,5 @@ fn garbled_traces_are_reported_or_understood() {
             }
         }
     }
-    assert!(told > 200 && read > 20, "{told} {read}");
+    assert!(message > 200 && read > 20, "{message} {read}");
 }

@@ -8,12 +8,12 @@ fn good() -> String {
 
 /// The study of a wheel with `keys`, or all problems below the file's name, one a line.
 fn read_as(table: &[u8], keys: &str) -> Result<PairFile, String> {
-    let told = |problem: &Problem| {
-        let told = problem.reason.split("/p.txt: ").last().unwrap();
-        format!("{told}; {}", problem.help)
+    let message = |problem: &Problem| {
+        let message = problem.reason.split("/p.txt: ").last().unwrap();
+        format!("{message}; {}", problem.help)
     };
     read_with("p.txt", table, &pair(44, keys))
-        .map_err(|problems| problems.iter().map(told).collect::<Vec<_>>().join("\n"))
+        .map_err(|problems| problems.iter().map(message).collect::<Vec<_>>().join("\n"))
 }
 
 const PITCH: &str = "pitch = { kind = \"single\", file = \"p.txt\" }";
@@ -48,15 +48,18 @@ fn a_row_beyond_the_last_tooth_has_its_line() {
             .filter(|(_, line)| line.starts_with("45 "))
             .map(|(index, _)| index + 1)
             .collect();
-        let told = read_as(text.as_bytes(), PITCH).unwrap_err();
-        assert_eq!(told.lines().count(), lines.len(), "{told}");
+        let message = read_as(text.as_bytes(), PITCH).unwrap_err();
+        assert_eq!(message.lines().count(), lines.len(), "{message}");
         for line in lines {
             let expected = format!("line {line}: tooth 45, allowed is 1 … 44; ");
-            assert!(told.contains(&expected), "{told}");
+            assert!(message.contains(&expected), "{message}");
         }
     }
-    let told = read_as(with_a_row_more(true, true).as_bytes(), RUNOUT).unwrap_err();
-    assert!(told.contains(": tooth 45, allowed is 1 … 44"), "{told}");
+    let message = read_as(with_a_row_more(true, true).as_bytes(), RUNOUT).unwrap_err();
+    assert!(
+        message.contains(": tooth 45, allowed is 1 … 44"),
+        "{message}"
+    );
 }
 
 /// A missing row is named as such, and not as a contradiction of its neighbours.
@@ -72,12 +75,12 @@ fn a_missing_row_is_named() {
             })
             .unwrap();
         let table = text.replacen(&format!("{row}\n"), "", 1);
-        let told = read_as(table.as_bytes(), PITCH).unwrap_err();
+        let message = read_as(table.as_bytes(), PITCH).unwrap_err();
         assert!(
-            told.contains(&format!("the table ends here without tooth {tooth};")),
-            "{told}"
+            message.contains(&format!("the table ends here without tooth {tooth};")),
+            "{message}"
         );
-        assert_eq!(told.lines().count(), 1, "{told}");
+        assert_eq!(message.lines().count(), 1, "{message}");
     }
     // A head of the next page ends the block.
     let text = good();
@@ -86,8 +89,8 @@ fn a_missing_row_is_named() {
         .find(|line| line.trim().starts_with("7 "))
         .unwrap();
     let table = text.replacen(row, &format!("\nSeite 2\n{row}"), 1);
-    let told = read_as(table.as_bytes(), PITCH).unwrap_err();
-    assert!(told.contains("without teeth 7, 8, 9, "), "{told}");
+    let message = read_as(table.as_bytes(), PITCH).unwrap_err();
+    assert!(message.contains("without teeth 7, 8, 9, "), "{message}");
 }
 
 /// Header lines with and without colon, dots and unit, in the code pages of old machines.
@@ -106,8 +109,11 @@ fn a_header_that_contradicts_the_pair_file() {
         "24 Eingriffswinkel....: 17.5 Grad",
         "27 Kopfkreisdurchmesser 137.0 mm",
     ] {
-        let told = read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap_err();
-        assert!(told.contains(", the pair file has "), "{line}: {told}");
+        let message = read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap_err();
+        assert!(
+            message.contains(", the pair file has "),
+            "{line}: {message}"
+        );
     }
     for (line, expected) in [
         (
@@ -124,8 +130,8 @@ fn a_header_that_contradicts_the_pair_file() {
             "the gear is internal",
         ),
     ] {
-        let told = read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap_err();
-        assert!(told.contains(expected), "{line}: {told}");
+        let message = read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap_err();
+        assert!(message.contains(expected), "{line}: {message}");
     }
     // ä is 0x84 in code page 850 and 0x8A in Mac Roman.
     for strange in [0x84, 0x8a] {
@@ -149,8 +155,8 @@ fn a_header_that_contradicts_the_pair_file() {
                     }
                 })
                 .collect();
-            let told = read_as(&bytes, PITCH).unwrap_err();
-            assert!(told.contains(expected), "{label}: {told}");
+            let message = read_as(&bytes, PITCH).unwrap_err();
+            assert!(message.contains(expected), "{label}: {message}");
         }
     }
     for line in [

@@ -45,14 +45,14 @@ fn same(statement: &str, place_key: &str, headings: [&str; 2], mm: f64) {
         .collect();
     let keys = |rest: &str| pair(44, &format!("thickness.{statement}, {rest} }}"));
     let list = keys(&format!("mm = {values:?}, {place_key} = {places:?}"));
-    let expected = read_with("unused", b"", &list).unwrap_or_else(|told| panic!("{told:#?}"));
+    let expected = read_with("unused", b"", &list).unwrap_or_else(|message| panic!("{message:#?}"));
     for (name, table) in [
         ("w.csv", german(headings[0], &rounded)),
         ("w.xlsx", workbook(headings[1], &rounded)),
     ] {
         let found = read_with(name, &table, &keys(&format!("file = \"{name}\"")));
         assert!(
-            found.unwrap_or_else(|told| panic!("{told:#?}")) == expected,
+            found.unwrap_or_else(|message| panic!("{message:#?}")) == expected,
             "{name}"
         );
     }

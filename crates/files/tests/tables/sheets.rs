@@ -86,7 +86,7 @@ fn the_pair_of_the_sheets_is_their_gear() {
         !study
             .warnings
             .iter()
-            .any(|told| told.contains("contradict")),
+            .any(|message| message.contains("contradict")),
         "{:#?}",
         study.warnings
     );

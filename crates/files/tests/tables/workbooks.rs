@@ -18,7 +18,7 @@ fn sheet(workbook: &mut Workbook, name: &str, third: impl Fn(&mut rust_xlsxwrite
     third(sheet);
 }
 
-fn told(workbook: &mut Workbook, keys: &str) -> String {
+fn error_text(workbook: &mut Workbook, keys: &str) -> String {
     let table = workbook.save_to_buffer().unwrap();
     let keys = format!("pitch = {{ kind = \"cumulative\", file = \"p.xlsx\"{keys} }}");
     match read_with("p.xlsx", &table, &pair(44, &keys)) {
@@ -26,7 +26,7 @@ fn told(workbook: &mut Workbook, keys: &str) -> String {
             "left of tooth 3 is {}",
             echoed(&study, "pitch", "left_um")[2]
         ),
-        Err(told) => {
+        Err(error_text) => {
             let message = |problem: &Problem| {
                 problem
                     .to_string()
@@ -35,7 +35,11 @@ fn told(workbook: &mut Workbook, keys: &str) -> String {
                     .unwrap()
                     .to_owned()
             };
-            told.iter().map(message).collect::<Vec<_>>().join("\n")
+            error_text
+                .iter()
+                .map(message)
+                .collect::<Vec<_>>()
+                .join("\n")
         }
     }
 }
@@ -68,12 +72,12 @@ fn cells() {
             sheet.write(50, 1, 7).unwrap();
         },
     ];
-    let told = cases.map(|third| {
+    let error_text = cases.map(|third| {
         let mut workbook = Workbook::new();
         sheet(&mut workbook, "Pitch", third);
-        told(&mut workbook, "")
+        error_text(&mut workbook, "")
     });
-    insta::assert_snapshot!(told.join("\n"));
+    insta::assert_snapshot!(error_text.join("\n"));
 }
 
 #[test]
@@ -81,7 +85,7 @@ fn sheets() {
     let mut workbook = Workbook::new();
     sheet(&mut workbook, "Rad 1", |_| {});
     workbook.add_worksheet().set_name("leer").unwrap();
-    let one = told(&mut workbook, "");
+    let one = error_text(&mut workbook, "");
     sheet(&mut workbook, "Rad 2", |sheet| {
         sheet.write(3, 1, 2).unwrap();
     });
@@ -92,7 +96,7 @@ fn sheets() {
         ", sheet = \"leer\"",
         ", sheet = 2",
     ];
-    let several = cases.map(|keys| told(&mut workbook, keys));
+    let several = cases.map(|keys| error_text(&mut workbook, keys));
     insta::assert_snapshot!(format!("{one}\n{}", several.join("\n")));
 }
 
@@ -105,7 +109,7 @@ fn a_chart_sheet_beside_the_table() {
     chart.add_series().set_values("Pitch!$B$2:$B$45");
     let page = workbook.add_chartsheet();
     page.insert_chart(0, 0, &chart).unwrap();
-    assert_eq!(told(&mut workbook, ""), "left of tooth 3 is 0.5");
+    assert_eq!(error_text(&mut workbook, ""), "left of tooth 3 is 0.5");
 }
 
 /// A reference that comes round to another cell in 32 bits: row 2^32 + 3 is no row 3.
@@ -130,9 +134,9 @@ fn a_reference_beyond_the_last_cell() {
         }
         let table = changed.finish().unwrap().into_inner();
         let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
-        let told = read_with("p.xlsx", &table, &pair(44, keys)).unwrap_err();
+        let error_text = read_with("p.xlsx", &table, &pair(44, keys)).unwrap_err();
         let expected = format!("no spreadsheet has a cell \"{beyond}\"");
-        assert!(told[0].reason.ends_with(&expected), "{told:#?}");
+        assert!(error_text[0].reason.ends_with(&expected), "{error_text:#?}");
     }
 }
 
@@ -141,10 +145,14 @@ fn an_old_workbook_says_how_to_save_it() {
     let keys = "pitch = { kind = \"cumulative\", file = \"p.xls\" }";
     // The signature of the compound file format, then anything.
     let old = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0\0\0";
-    let told = read_with("p.xls", old, &pair(44, keys)).unwrap_err();
-    assert_eq!(told.len(), 1);
-    assert!(told[0].reason.ends_with("is an old Excel workbook, .xls"));
-    assert_eq!(told[0].help, "save it as .xlsx or CSV");
+    let error_text = read_with("p.xls", old, &pair(44, keys)).unwrap_err();
+    assert_eq!(error_text.len(), 1);
+    assert!(
+        error_text[0]
+            .reason
+            .ends_with("is an old Excel workbook, .xls")
+    );
+    assert_eq!(error_text[0].help, "save it as .xlsx or CSV");
 }
 
 #[test]
@@ -158,14 +166,14 @@ fn broken_containers() {
         &good[..good.len() - 1],
         b"tooth,left,right\n1,2,3",
     ] {
-        let told = read_with("p.xlsx", broken, &pair(44, keys)).unwrap_err();
-        assert_eq!(told.len(), 1, "{told:#?}");
+        let error_text = read_with("p.xlsx", broken, &pair(44, keys)).unwrap_err();
+        assert_eq!(error_text.len(), 1, "{error_text:#?}");
         assert!(
-            told[0]
+            error_text[0]
                 .reason
                 .contains("cannot be read as an .xlsx workbook"),
             "{}",
-            told[0]
+            error_text[0]
         );
     }
 }

@@ -121,13 +121,13 @@ pub(super) fn unproven_of<'a>(lines: impl Iterator<Item = &'a CourseLine>) -> us
 
 /// Why there is no backlash, of poses that ended so.
 pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> &'static str {
-    let (mut jammed, mut apart, mut unproven) = (false, false, false);
+    let (mut jammed, mut out_of_mesh, mut unproven) = (false, false, false);
     for status in statuses {
         jammed |= status == Status::Jammed;
-        apart |= status == Status::NoContact;
+        out_of_mesh |= status == Status::NoContact;
         unproven |= status == Status::Unproven;
     }
-    match (jammed, apart, unproven) {
+    match (jammed, out_of_mesh, unproven) {
         (true, false, false) => "jammed",
         (false, true, false) => "out of mesh",
         (_, _, false) => "jammed or out of mesh",

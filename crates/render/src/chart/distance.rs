@@ -39,13 +39,13 @@ pub fn distance_in(
     distances: &[AtDistance],
 ) -> Result<Chart, PictureError> {
     let place = |a: f64, um: Option<f64>| -> Point { (a, um.map(|um| unit.of_um(um, a))) };
-    // The least and the greatest end of a band, which are of the gears `apart` nearer and farther.
-    let ends = |band: fn(&DistancePoint) -> Option<Band>, apart: f64| {
+    // The least and the greatest end of a band, which are of the gears `play` nearer and farther.
+    let ends = |band: fn(&DistancePoint) -> Option<Band>, play: f64| {
         [-1.0, 1.0].map(|end| -> Vec<Point> {
             let point = |point: &DistancePoint| {
                 let a = point.center_distance;
                 let um = band(point).map(|band| if end < 0.0 { band.min_um } else { band.max_um });
-                (a, um.map(|um| unit.of_um(um, a + end * apart)))
+                (a, um.map(|um| unit.of_um(um, a + end * play)))
             };
             curve.points.iter().map(point).collect()
         })

@@ -10,8 +10,8 @@ use maud::{Markup, html};
 pub(super) fn section(page: &Page) -> Markup {
     let diagnosis = &page.report.analysis.diagnosis;
     let several = diagnosis.groups.len() > 1;
-    let asked = page.report.analysis.runs.iter();
-    let poses: usize = asked.map(|run| run.poses.len()).sum();
+    let listed_runs = page.report.analysis.runs.iter();
+    let poses: usize = listed_runs.map(|run| run.poses.len()).sum();
     let outcome = match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.",
         Verdict::Warn => "No check fails; some values are outside the recommended range.",

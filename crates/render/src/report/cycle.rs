@@ -21,7 +21,7 @@ fn simulated(page: &Page) -> String {
     let poses = |runs: &[gearlash::analysis::compare::ComparedRun]| -> usize {
         runs.iter().map(|run| run.poses.len()).sum()
     };
-    let (turned, asked) = (
+    let (turned, requested) = (
         poses(&report.analysis.revolution),
         poses(&report.analysis.runs),
     );
@@ -29,14 +29,14 @@ fn simulated(page: &Page) -> String {
     let mut parts = Vec::new();
     match report.pair.study.sweeps() {
         true => {
-            parts.push(format!("the {asked} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
-            if turned > asked {
-                parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - asked));
+            parts.push(format!("the {requested} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
+            if turned > requested {
+                parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - requested));
             }
         }
         false => {
             parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the right flank and with the left flank at the pitch point"));
-            parts.push(format!("the {asked} that the pair file asks for, which “gearlash simulate” and “gearlash compare” report"));
+            parts.push(format!("the {requested} that the pair file asks for, which “gearlash simulate” and “gearlash compare” report"));
         }
     }
     if picked > 0 {
@@ -111,11 +111,11 @@ fn phases(page: &Page) -> Markup {
     // Where one gear is perfect, it does not matter which of its teeth are met.
     let matters = ways > 1 && run.run.assembly.data().is_some_and(both_deviate);
     let way = phase(&run.run.assembly, mating);
-    let asked = page.report.analysis.runs.iter().flat_map(|run| {
+    let requested = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();
         poses.map(|pose| phase(&run.run.assembly, pose.simulated.pose.mating()))
     });
-    let elsewhere: Vec<u32> = asked.filter(|other| *other != way).collect();
+    let elsewhere: Vec<u32> = requested.filter(|other| *other != way).collect();
     let other_ways: Vec<u32> = BTreeSet::from_iter(elsewhere.iter().copied())
         .into_iter()
         .collect();

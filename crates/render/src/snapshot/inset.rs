@@ -34,9 +34,9 @@ const SIZE: f64 = 14.0;
 
 /// The view of one contact in `frame`, for a main view at `main` units a millimetre.
 pub fn view(contact: &DrawnContact, frame: Frame, main: f64) -> View {
-    let apart = (contact.on_free - contact.on_locked).norm();
+    let separation = (contact.on_free - contact.on_locked).norm();
     let wanted = if contact.turn != 0.0 {
-        (GAP_WIDTH / apart).clamp(LEAST * main, GREATEST.max(LEAST * main))
+        (GAP_WIDTH / separation).clamp(LEAST * main, GREATEST.max(LEAST * main))
     } else {
         ENLARGEMENT * main
     };

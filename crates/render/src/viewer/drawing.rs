@@ -194,13 +194,13 @@ fn path(gear: &Placed, precision: Precision) -> String {
             Some([left, low]) => {
                 let [dx, dy] = [x - left, y - low];
                 // A minus sign parts two numbers as well as a space.
-                let apart = if data.ends_with('l') || dx < 0 {
+                let separator = if data.ends_with('l') || dx < 0 {
                     ""
                 } else {
                     " "
                 };
                 let between = if dy < 0 { "" } else { " " };
-                write!(data, "{apart}{dx}{between}{dy}")
+                write!(data, "{separator}{dx}{between}{dy}")
             }
         };
         last = Some([x, y]);

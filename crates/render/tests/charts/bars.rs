@@ -1,6 +1,6 @@
 //! The general charts: lines and bars.
 
-use super::drawn::{HALF, LEFT, RIGHT, apart, place, polylines};
+use super::drawn::{HALF, LEFT, RIGHT, distance, place, polylines};
 use gearlash_render::chart::{
     BarPanel, BarSeries, Chart, Heading, LineAxes, LineSeries, Look, PictureError, bar_panels,
     lines,
@@ -66,7 +66,7 @@ fn bars_stand_at_their_teeth() {
             let left = f64::from(tooth) + from;
             let low = place(&chart.plot, (left, value.min(0.0)));
             let high = place(&chart.plot, (left + 0.4, value.max(0.0)));
-            assert!(apart(corners[0], low) < HALF && apart(corners[2], high) < HALF);
+            assert!(distance(corners[0], low) < HALF && distance(corners[2], high) < HALF);
         }
         assert!(drawn.next().is_none());
     }
@@ -103,7 +103,7 @@ fn lines_of_several_looks_stand_where_their_points_are() {
     for (drawn, expected) in drawn.iter().zip(&expected) {
         assert_eq!(drawn.len(), 2);
         for (spot, point) in drawn.iter().zip(expected) {
-            assert!(apart(*spot, place(&chart.plot, *point)) < HALF);
+            assert!(distance(*spot, place(&chart.plot, *point)) < HALF);
         }
     }
     assert!(chart.svg.contains("a &amp; b"));

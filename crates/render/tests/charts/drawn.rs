@@ -63,6 +63,6 @@ pub fn place(plot: &Plot, (x, y): (f64, f64)) -> (f64, f64) {
 }
 
 /// How far two places lie apart, the larger of both directions.
-pub fn apart(a: (f64, f64), b: (f64, f64)) -> f64 {
+pub fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
     f64::max((a.0 - b.0).abs(), (a.1 - b.1).abs())
 }

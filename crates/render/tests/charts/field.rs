@@ -1,6 +1,6 @@
 //! The field of action: lines, gaps and shades stand where the library has them.
 
-use super::drawn::{HALF, LEFT, RIGHT, apart, place, polylines};
+use super::drawn::{HALF, LEFT, RIGHT, distance, place, polylines};
 use super::{METHOD, heading};
 use gearlash::analysis::curves::Field;
 use gearlash::contact::{ContactKind, CutPair, sweep};
@@ -43,9 +43,9 @@ fn lines_and_gaps_are_where_the_data_are() {
         let [lines, gaps] = [&chart.panels[2 * number], &chart.panels[2 * number + 1]];
         let drawn = polylines(&document, colour);
         let ends = |from: (f64, f64), to: (f64, f64)| {
-            drawn
-                .iter()
-                .any(|line| apart(line[0], from) < HALF && apart(line[line.len() - 1], to) < HALF)
+            drawn.iter().any(|line| {
+                distance(line[0], from) < HALF && distance(line[line.len() - 1], to) < HALF
+            })
         };
         assert!(side.lines.len() > 1);
         for line in &side.lines {

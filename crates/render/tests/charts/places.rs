@@ -1,6 +1,6 @@
 //! What is drawn, parsed and set beside the data.
 
-use super::drawn::{HALF, INK, LEFT, RIGHT, apart, circles, place, polylines};
+use super::drawn::{HALF, INK, LEFT, RIGHT, circles, distance, place, polylines};
 use super::{all_kinds, course, heading, over, simulated};
 use gearlash::gear::Side;
 use gearlash_render::chart::{self, Chart, Plot};
@@ -99,7 +99,7 @@ fn a_revolution_stands_where_its_poses_are() {
         for (drawn, data) in drawn.iter().zip(&data) {
             assert_eq!((drawn.len(), data.len()), (704, 704));
             for (spot, pose) in drawn.iter().zip(data) {
-                assert!(apart(*spot, place(&chart.plot, *pose)) < HALF);
+                assert!(distance(*spot, place(&chart.plot, *pose)) < HALF);
             }
         }
         // A dash begins or bends on the line of the left-flank poses.
@@ -193,7 +193,7 @@ fn extremes_are_labelled_with_the_teeth_that_bind() {
     let spot = place(&chart.plot, (least.x, least.backlash_um));
     let cross = polylines(&document, INK).into_iter().any(|line| {
         let middle = (0.5 * (line[0].0 + line[1].0), 0.5 * (line[0].1 + line[1].1));
-        line.len() == 2 && apart(middle, spot) < HALF
+        line.len() == 2 && distance(middle, spot) < HALF
     });
     assert!(cross);
 }
@@ -217,7 +217,7 @@ fn measured_values_stand_where_they_were_measured() {
     ];
     assert_eq!(drawn.len(), printed.len());
     for (spot, value) in drawn.iter().zip(printed) {
-        assert!(apart(*spot, place(&plot, value)) < HALF);
+        assert!(distance(*spot, place(&plot, value)) < HALF);
     }
     assert!(!svg.contains(">interference"));
 }
@@ -246,7 +246,7 @@ fn the_difference_to_model_3_has_its_own_axis() {
         assert_eq!(drawn.len(), line.points.len());
         for (spot, point) in drawn.iter().zip(&line.points) {
             let value = point.off_line_of_action_um.unwrap() / 1e-9;
-            assert!(apart(*spot, place(&lower, (point.x, value))) < HALF);
+            assert!(distance(*spot, place(&lower, (point.x, value))) < HALF);
         }
     }
     assert_eq!(drawn.len(), 2);

@@ -42,8 +42,8 @@ fn check(name: &str, chart: &Chart) {
     assert!(texts.len() > 3, "{name}");
     for (number, (content, a)) in texts.iter().enumerate() {
         for (other, b) in &texts[..number] {
-            let apart = a[0] >= b[2] || b[0] >= a[2] || a[1] >= b[3] || b[1] >= a[3];
-            assert!(apart, "{name}: {content:?} on {other:?}");
+            let distance = a[0] >= b[2] || b[0] >= a[2] || a[1] >= b[3] || b[1] >= a[3];
+            assert!(distance, "{name}: {content:?} on {other:?}");
         }
     }
 }

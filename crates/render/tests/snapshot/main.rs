@@ -190,7 +190,7 @@ fn a_gap_is_true_to_scale_and_wide_enough_to_see() {
             .filter(|dot| dot.1 == 5.0 && !dot.2)
             .collect();
         assert_eq!(open.len(), 2);
-        let apart = (open[0].0[0] - open[1].0[0]).hypot(open[0].0[1] - open[1].0[1]);
+        let separation = (open[0].0[0] - open[1].0[0]).hypot(open[0].0[1] - open[1].0[1]);
         let frame = picture
             .frames
             .iter()
@@ -216,11 +216,11 @@ fn a_gap_is_true_to_scale_and_wide_enough_to_see() {
         let expected = 2.0 * radius * (0.5 * phi_j).sin().abs() * 4.0 * scale;
         // Two coordinates, each to 0.005.
         assert!(
-            (apart - expected).abs() < 0.02,
-            "{distance}: {apart} {expected}"
+            (separation - expected).abs() < 0.02,
+            "{distance}: {separation} {expected}"
         );
         // At least 9 mm of paper, for j_bn from 7 µm on.
-        assert!(apart >= 35.0, "{distance}: {apart}");
+        assert!(separation >= 35.0, "{distance}: {separation}");
     }
 }
 

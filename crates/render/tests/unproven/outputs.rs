@@ -98,14 +98,14 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
             assert_eq!(written["status"], "unproven");
             assert_eq!(written["class"], "unproven");
             assert!(FOUND.iter().all(|key| written[key].is_null()));
-            let told = &written["unproven"];
-            assert_eq!(told["reason"], doubt.reason.as_str());
+            let record = &written["unproven"];
+            assert_eq!(record["reason"], doubt.reason.as_str());
             assert_eq!(
-                told["exact_j_wt_um"].as_f64(),
+                record["exact_j_wt_um"].as_f64(),
                 doubt.exact.map(|mm| mm * 1e3)
             );
             assert_eq!(
-                told["polygon_j_wt_um"].as_f64(),
+                record["polygon_j_wt_um"].as_f64(),
                 doubt.polygon.map(|mm| mm * 1e3)
             );
         }

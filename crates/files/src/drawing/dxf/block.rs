@@ -23,7 +23,7 @@ pub struct Block<'a> {
 pub struct Placed {
     /// Within the plane; `None`: as drawn.
     map: Option<Affine>,
-    /// Its z is the first number and the second times its own.
+    /// Its z is the first number plus the second times the own z of the entity.
     height: [f64; 2],
 }
 
@@ -38,10 +38,10 @@ impl Default for Placed {
 }
 
 impl Placed {
-    /// The places of a block of the base point `base`, one for each column and row of an INSERT.
+    /// The places of a block with the base point `base`, one for each column and row of an INSERT.
     ///
     /// # Errors
-    /// What of it is not supported.
+    /// Extrusion directions and scales that are not supported.
     pub fn copies(
         insert: &Entity,
         base: Point3<f64>,
@@ -74,7 +74,7 @@ impl Placed {
         }))
     }
 
-    /// This place of what is placed at `inner`.
+    /// The place of an entity that is placed at `inner` in this one.
     pub fn after(&self, inner: &Placed) -> Placed {
         let map = match (&self.map, &inner.map) {
             (Some(outer), Some(inner)) => Some(outer.after(inner)),
@@ -92,7 +92,7 @@ impl Placed {
         self.height[0] + self.height[1] * z
     }
 
-    /// Segments in mm, drawn with the unit `scale` mm and within `bound` of what they stand for, where they are placed.
+    /// The placed segments, mm. They are drawn in units of `scale` mm and deviate by at most `bound` from the drawn curve.
     pub fn segments(
         &self,
         segments: Vec<PathSegment>,

@@ -9,8 +9,8 @@ use nalgebra::Point3;
 /// Group codes that an entity must have once, and codes that it may have several times.
 struct Rule {
     kind: &'static str,
-    once: &'static [u16],
-    often: &'static [u16],
+    single: &'static [u16],
+    repeated: &'static [u16],
 }
 
 /// The entities that are read. A point is listed by its x alone: y must follow.
@@ -28,12 +28,16 @@ const RULES: [Rule; 10] = [
     rule("SPLINE", &[71, 72, 73], &[10, 20, 30, 11, 21, 31, 40, 41]),
 ];
 
-const fn rule(kind: &'static str, once: &'static [u16], often: &'static [u16]) -> Rule {
-    Rule { kind, once, often }
+const fn rule(kind: &'static str, single: &'static [u16], repeated: &'static [u16]) -> Rule {
+    Rule {
+        kind,
+        single,
+        repeated,
+    }
 }
 
-/// Kinds that belong to no outline: left out with a remark.
-const BESIDE: [&str; 21] = [
+/// Kinds that belong to no outline; they are ignored with a remark.
+const IGNORED: [&str; 21] = [
     "ACAD_TABLE",
     "ARC_DIMENSION",
     "ATTDEF",
@@ -57,17 +61,17 @@ const BESIDE: [&str; 21] = [
     "XLINE",
 ];
 
-/// The treatment of an entity.
+/// The handling of an entity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Fate {
+pub enum Handling {
     /// Read it.
     Read,
     /// Place the block that it names.
     Insert,
-    /// Leave it out with a remark.
-    Beside,
-    /// Refuse it.
-    Refuse,
+    /// Ignore it with a remark.
+    Ignore,
+    /// Reject it.
+    Reject,
 }
 
 /// An entity as written.
@@ -88,7 +92,7 @@ pub struct Entity<'a> {
 }
 
 impl<'a> Entity<'a> {
-    /// Adds a pair, if it says anything of the geometry.
+    /// Adds a pair if it concerns the geometry.
     pub fn push(&mut self, pair: Pair<'a>) {
         let named = pair.code == 2 && matches!(self.kind, "INSERT" | "BLOCK");
         if named || matches!(pair.code, 8 | 10..=59 | 60 | 66..=79 | 90..=99 | 210..=239) {
@@ -122,13 +126,13 @@ impl<'a> Entity<'a> {
         )
     }
 
-    /// Its treatment.
-    pub fn fate(&self) -> Fate {
+    /// Its handling.
+    pub fn handling(&self) -> Handling {
         match self.kind {
-            "INSERT" => Fate::Insert,
-            kind if RULES.iter().any(|rule| rule.kind == kind) => Fate::Read,
-            kind if BESIDE.contains(&kind) => Fate::Beside,
-            _ => Fate::Refuse,
+            "INSERT" => Handling::Insert,
+            kind if RULES.iter().any(|rule| rule.kind == kind) => Handling::Read,
+            kind if IGNORED.contains(&kind) => Handling::Ignore,
+            _ => Handling::Reject,
         }
     }
 
@@ -137,7 +141,7 @@ impl<'a> Entity<'a> {
         self.pairs.iter().filter(|pair| pair.code == code).count()
     }
 
-    /// Checks that it says what its kind needs, and says it once.
+    /// Checks that it has every value that its kind needs, once.
     pub fn check(&self) -> Result<(), DrawingError> {
         let wrong = |place: String, reason: String| {
             Err(DrawingError::at(
@@ -157,7 +161,7 @@ impl<'a> Entity<'a> {
                 let reason = format!("group {code} of {} is not a number: \"{value}\"", self.kind);
                 return wrong(pair.place(), reason);
             }
-            if seen[code] && !rule.often.contains(&pair.code) {
+            if seen[code] && !rule.repeated.contains(&pair.code) {
                 let reason = format!("group {code} of {} appears twice", self.kind);
                 return wrong(pair.place(), reason);
             }
@@ -175,7 +179,7 @@ impl<'a> Entity<'a> {
                 return wrong(pair.place(), reason);
             }
         }
-        let missing = rule.once.iter().find(|code| !seen[usize::from(**code)]);
+        let missing = rule.single.iter().find(|code| !seen[usize::from(**code)]);
         if let Some(code) = missing {
             let reason = format!("group {code} of {} is missing", self.kind);
             return wrong(self.place(), reason);
@@ -185,11 +189,12 @@ impl<'a> Entity<'a> {
             "SPLINE" => &[(72, 40), (73, 10)],
             _ => &[],
         };
-        for &(said, of) in counts {
-            let (words, count) = (self.value(said).unwrap_or_default(), self.count(of));
+        for &(stated, of) in counts {
+            let (words, count) = (self.value(stated).unwrap_or_default(), self.count(of));
             if words.parse() != Ok(count) {
-                let reason =
-                    format!("group {said} is {words}, but there are {count} values of group {of}");
+                let reason = format!(
+                    "group {stated} is {words}, but there are {count} values of group {of}"
+                );
                 return wrong(self.place(), reason);
             }
         }

@@ -1,7 +1,7 @@
 //! DXF in ASCII: lines, arcs, circles, ellipses, polylines and splines of the section ENTITIES, and of the blocks that it inserts.
 //!
-//! Each entity is checked whole ([`entity`]), placed ([`block`]) and then becomes segments ([`shape`]). Other entities are left out with a remark or refused.
-//! Binary DXF is refused.
+//! Each entity is checked whole ([`entity`]), placed ([`block`]) and then becomes segments ([`shape`]). Other entities are
+//! ignored with a remark or rejected. Binary DXF is rejected.
 
 mod block;
 mod entity;
@@ -15,12 +15,12 @@ use super::text::decode;
 use super::{DrawingError, Options, Unit};
 use crate::characters::cut;
 use block::{Block, Placed};
-use entity::{Entity, Fate};
+use entity::{Entity, Handling};
 use pairs::{EXPORT, Pairs, check_format};
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// `$INSUNITS` by the reference of DXF, those that are read.
+/// The values of `$INSUNITS` (DXF reference) that are read.
 const UNITS: [(i32, Unit); 5] = [
     (1, Unit::Inch),
     (4, Unit::Mm),
@@ -80,7 +80,7 @@ pub struct Kept<'a> {
 struct Sheet<'a> {
     /// The layer asked for.
     select: Option<&'a str>,
-    /// The value of `$INSUNITS`, and where it stands.
+    /// The value of `$INSUNITS`, and its place.
     insunits: Option<(String, String)>,
     /// The value of `$MEASUREMENT`.
     measurement: Option<&'a str>,
@@ -199,7 +199,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Takes a whole entity: part of a block, or of the drawing.
+    /// Takes a whole entity as part of a block or of the drawing.
     fn found(&mut self, entity: Entity<'a>, pieces: &mut Pieces) -> Result<(), DrawingError> {
         match (entity.kind, self.block) {
             ("BLOCK", _) => {
@@ -253,9 +253,9 @@ impl<'a> Sheet<'a> {
             (own, _) => own,
         };
         let select = self.select;
-        let asked = select.is_none_or(|name| name.eq_ignore_ascii_case(layer));
-        let fate = entity.fate();
-        if matches!(fate, Fate::Read | Fate::Insert) {
+        let selected = select.is_none_or(|name| name.eq_ignore_ascii_case(layer));
+        let handling = entity.handling();
+        if matches!(handling, Handling::Read | Handling::Insert) {
             entity.check()?;
             let hidden = match (entity.value(67), entity.value(60)) {
                 (Some("1"), _) => Some("entity in paper space"),
@@ -263,29 +263,29 @@ impl<'a> Sheet<'a> {
                 _ => None,
             };
             if let Some(words) = hidden {
-                if asked {
+                if selected {
                     pieces.leave_out(words, &entity.place());
                 }
                 return Ok(());
             }
         }
-        match fate {
-            Fate::Refuse if asked => Err(DrawingError::refused(
+        match handling {
+            Handling::Reject if selected => Err(DrawingError::refused(
                 entity.place(),
                 entity.kind,
                 "explode it into lines, arcs and splines, delete it, or name the `layer` of the outline alone",
             )),
-            Fate::Beside if asked => {
+            Handling::Ignore if selected => {
                 pieces.leave_out(entity.kind, &entity.place());
                 Ok(())
             }
-            Fate::Insert => self.insert(entity, placed, layer, depth, pieces),
-            Fate::Read => {
+            Handling::Insert => self.insert(entity, placed, layer, depth, pieces),
+            Handling::Read => {
                 let known = self.layers.iter().any(|known| known == layer);
                 if select.is_some() && !known && self.layers.len() < MOST_LAYERS {
                     self.layers.push(layer.to_owned());
                 }
-                if asked {
+                if selected {
                     self.kept.push(Kept {
                         entity: entity.clone(),
                         placed,

@@ -1,12 +1,12 @@
-//! A DXF as it is written: pairs of a group code and a value, a line each.
+//! The pairs of a DXF file: a group code and a value, one per line.
 
 use crate::drawing::DrawingError;
 
-/// How a DXF in bytes, not in lines, begins.
+/// First bytes of a binary DXF.
 const BINARY: &[u8] = b"AutoCAD Binary DXF";
-/// How a DWG begins.
+/// First bytes of a DWG.
 const DWG: &[u8] = b"AC10";
-/// What helps against a file that is not whole.
+/// The remedy for a file that is not whole.
 pub const EXPORT: &str = "export it again as DXF";
 
 /// A group code and its value.
@@ -21,7 +21,7 @@ pub struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// "line 12", where its value stands.
+    /// "line 12", the place of its value.
     pub fn place(&self) -> String {
         format!("line {}", self.line + 1)
     }
@@ -33,7 +33,7 @@ pub struct Pairs<'a> {
     line: usize,
 }
 
-/// Refuses what is no DXF in lines.
+/// Rejects files that are not ASCII DXF.
 pub fn check_format(bytes: &[u8]) -> Result<(), DrawingError> {
     let kind = match bytes {
         _ if bytes.starts_with(BINARY) => "a binary DXF",

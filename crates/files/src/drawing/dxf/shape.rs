@@ -22,7 +22,7 @@ const IN_SPACE: i32 = 8 | 16 | 64;
 const NOISE: f64 = 1e-6;
 const FLAT: &str = "export a flat drawing of lines, arcs, polylines and splines";
 
-/// Segments, and how far they may lie from what is drawn.
+/// Segments, and how far they may lie from the drawn curve.
 type BoundedSegments = (Vec<PathSegment>, f64);
 
 /// Adds the `kept` entities; their unit is `scale` mm.
@@ -113,7 +113,7 @@ impl Space {
             }
             "ELLIPSE" => {
                 let left = if self.mirrored { -1.0 } else { 1.0 };
-                // So are centre and axes of an ellipse.
+                // Centre and axes of an ellipse are in the space of the drawing, too.
                 self.mirrored = false;
                 let centre = self.point(entity.point(10));
                 let axis = entity.point(11);
@@ -143,11 +143,11 @@ impl Space {
         }
     }
 
-    /// Sets which way x points by the direction an entity is seen from.
+    /// Sets the direction of x from the extrusion direction of the entity.
     fn seen_from(&mut self, entity: &Entity) -> Result<(), DrawingError> {
         let [x, y, z] = [(210, 0.0), (220, 0.0), (230, 1.0)]
             .map(|(code, default)| entity.number(code, default));
-        // As printed: 1 up to its last digits.
+        // Printed values: 1 up to their last digits.
         if x.abs().max(y.abs()) > 1e-12 || z == 0.0 {
             return Err(self.refused("an extrusion direction other than 0, 0, ±1"));
         }
@@ -186,7 +186,7 @@ impl Space {
         ))
     }
 
-    /// The lines and arcs through vertices, each with the bulge of what follows it.
+    /// The lines and arcs through vertices. Each vertex has the bulge of the segment after it.
     fn through(
         &mut self,
         vertices: Vec<(Point3<f64>, f64)>,
@@ -231,7 +231,7 @@ impl Space {
     }
 }
 
-/// The angle from `start` on to `end`, counter-clockwise, rad: a whole turn where they are one.
+/// The angle from `start` on to `end`, counter-clockwise, rad: a whole turn where they are equal.
 fn turn(start: f64, end: f64) -> f64 {
     // A whole turn may be written as one.
     if (end - start - TAU).abs() < 1e-12 {

@@ -1,7 +1,7 @@
 //! SVG: shapes of the page with their transforms, read with `roxmltree` and the numbers and path data of `svgtypes` in f64.
 //!
-//! The outline is the path itself, not the edge of its stroke. What a style sheet does is not seen, and no entity and no other file
-//! is read. Lines, curves and circles stay exact.
+//! The outline is the path itself, not the edge of its stroke. Style sheets are not applied. No entity and no other file is read.
+//! Lines, curves and circles stay exact.
 
 mod path;
 mod shape;
@@ -29,8 +29,8 @@ const DEEPEST: usize = 200;
 const MOST_NODES: u32 = 4_000_000;
 const PLAIN: &str = "save it as plain SVG with absolute paths";
 
-/// What draws nothing by itself.
-const SILENT: [&str; 19] = [
+/// Elements that draw nothing themselves.
+const NOT_DRAWN: [&str; 19] = [
     "clipPath",
     "cursor",
     "defs",
@@ -51,10 +51,10 @@ const SILENT: [&str; 19] = [
     "animate",
     "set",
 ];
-/// What is beside the outline: left out with a remark.
-const BESIDE: [&str; 3] = ["text", "image", "foreignObject"];
-/// What moves or cuts the shapes of an element in a way that is not followed.
-const UNFOLLOWED: [&str; 3] = ["clip-path", "mask", "transform-origin"];
+/// Elements that belong to no outline; they are ignored with a remark.
+const IGNORED: [&str; 3] = ["text", "image", "foreignObject"];
+/// Attributes that move or cut the shapes of an element and are not supported.
+const UNSUPPORTED: [&str; 3] = ["clip-path", "mask", "transform-origin"];
 
 /// Adds what the file draws to `pieces`.
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
@@ -93,7 +93,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
             PLAIN,
         ));
     }
-    page.check_followed(root)?;
+    page.check_supported(root)?;
     if root.has_attribute("transform") {
         return Err(DrawingError::refused(
             page.place(root),
@@ -105,7 +105,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     page.pieces.unit_mm = scale;
     let within = Within {
         map: Affine::upright(scale),
-        asked: page.select.is_none(),
+        selected: page.select.is_none(),
         shown: true,
         depth: 0,
     };
@@ -116,13 +116,13 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     }
 }
 
-/// What an element inherits.
+/// State that an element inherits.
 #[derive(Clone, Copy)]
 struct Within {
     /// From user space to mm.
     map: Affine,
-    /// Whether it is in what was asked for.
-    asked: bool,
+    /// Whether it is inside the selected element.
+    selected: bool,
     /// Whether it is visible.
     shown: bool,
     /// Groups around it.
@@ -136,7 +136,7 @@ struct Page<'a> {
     /// How many elements were visited, those that `use` repeats included.
     visited: usize,
     select: Option<&'a str>,
-    /// Whether the id asked for is there.
+    /// Whether the selected id exists.
     found: bool,
     /// Ids of elements that are read.
     ids: Vec<String>,
@@ -212,7 +212,7 @@ impl Page<'_> {
     }
 
     fn element(&mut self, node: Node, name: &str, mut within: Within) -> Result<(), DrawingError> {
-        if SILENT.contains(&name) || property(node, "display") == Some("none") {
+        if NOT_DRAWN.contains(&name) || property(node, "display") == Some("none") {
             return Ok(());
         }
         let id = node.attribute("id");
@@ -221,7 +221,7 @@ impl Page<'_> {
                 self.ids.push(id.to_owned());
             }
             if self.select == Some(id) {
-                (within.asked, self.found) = (true, true);
+                (within.selected, self.found) = (true, true);
             }
         }
         match property(node, "visibility") {
@@ -234,7 +234,7 @@ impl Page<'_> {
             return Err(DrawingError::too_large("elements", MOST_SEGMENTS));
         }
         let group = matches!(name, "g" | "a" | "svg" | "use");
-        if within.asked || group {
+        if within.selected || group {
             self.follow(node, &mut within)?;
         }
         if group {
@@ -246,7 +246,7 @@ impl Page<'_> {
         if group {
             return self.children(node, within);
         }
-        if !within.asked {
+        if !within.selected {
             return Ok(());
         }
         let place = self.place(node);
@@ -254,7 +254,7 @@ impl Page<'_> {
             self.pieces.leave_out("hidden element", &place);
             return Ok(());
         }
-        if BESIDE.contains(&name) {
+        if IGNORED.contains(&name) {
             self.pieces.leave_out(name, &place);
             return Ok(());
         }
@@ -315,24 +315,24 @@ impl Page<'_> {
         }
     }
 
-    /// Refuses what moves or cuts shapes in another way than a `transform`.
-    fn check_followed(&self, node: Node) -> Result<(), DrawingError> {
-        let unfollowed = UNFOLLOWED
+    /// Rejects attributes that move or cut shapes in another way than a `transform`.
+    fn check_supported(&self, node: Node) -> Result<(), DrawingError> {
+        let unsupported = UNSUPPORTED
             .into_iter()
             .find(|name| property(node, name).is_some_and(|value| value != "none"));
         let style = node
             .attribute("style")
             .and_then(|style| declared(style, "transform"));
-        if let Some(name) = unfollowed.or(style.map(|_| "transform in a style")) {
+        if let Some(name) = unsupported.or(style.map(|_| "transform in a style")) {
             let help = "apply it in the drawing program, or name the `id` of the outline alone";
             return Err(DrawingError::refused(self.place(node), name, help));
         }
         Ok(())
     }
 
-    /// Goes into the user space of an element.
+    /// Enters the user space of an element.
     fn follow(&self, node: Node, within: &mut Within) -> Result<(), DrawingError> {
-        self.check_followed(node)?;
+        self.check_supported(node)?;
         if let Some(transform) = self.parsed::<svgtypes::Transform>(node, "transform")? {
             within.map = within.map.after(&Affine::of(&transform));
         }
@@ -363,7 +363,7 @@ fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     style.or(node.attribute(name)).map(str::trim)
 }
 
-/// What a style declares of a property.
+/// The value that a style declares for a property.
 fn declared<'a>(style: &'a str, name: &str) -> Option<&'a str> {
     let declarations = style.split(';').filter_map(|one| one.split_once(':'));
     let mut values = declarations.filter(|(property, _)| property.trim() == name);

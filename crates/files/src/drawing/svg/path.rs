@@ -8,7 +8,7 @@ use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 use svgtypes::{PathParser, PathSegment as Command};
 
-/// Segments without a gap, mm, and how far they may lie from what is drawn.
+/// Segments without a gap, mm, and how far they may lie from the drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     /// In order.
@@ -21,9 +21,9 @@ pub struct Path {
 struct Pen<'a> {
     /// From user space to mm.
     map: &'a Affine,
-    /// Where it is.
+    /// Its position.
     at: Point2<f64>,
-    /// Where its path began.
+    /// The start of its path.
     start: Point2<f64>,
     /// The last control point of the curve before, if that was cubic or quadratic.
     cubic: Option<Point2<f64>>,
@@ -31,7 +31,7 @@ struct Pen<'a> {
     paths: Vec<Path>,
 }
 
-/// The paths of `data`, through `map` to mm; `Err`: what is wrong, in words.
+/// The paths of `data`, mapped to mm by `map`; `Err`: the fault, in words.
 pub fn read(data: &str, map: &Affine) -> Result<Vec<Path>, String> {
     let mut pen = Pen {
         map,
@@ -117,7 +117,7 @@ impl Pen<'_> {
         }
     }
 
-    /// A path of its own.
+    /// Starts a new path.
     fn begin(&mut self) {
         self.paths.push(Path {
             segments: Vec::new(),
@@ -158,7 +158,7 @@ impl Pen<'_> {
         (self.at, self.quadratic) = (c, Some(b));
     }
 
-    /// An arc by its ends: SVG 2, appendix B.2.4, the flags those of the large arc and of growing angles.
+    /// An arc by its ends: SVG 2, appendix B.2.4, with the flags for the large arc and for growing angles.
     fn arc(&mut self, radii: [f64; 2], turned: f64, [large, growing]: [bool; 2], end: Point2<f64>) {
         let [mut rx, mut ry] = radii.map(f64::abs);
         let half = (end - self.at) * 0.5;

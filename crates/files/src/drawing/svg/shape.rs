@@ -3,21 +3,21 @@
 use roxmltree::Node;
 use svgtypes::{Length, LengthUnit};
 
-/// What an element draws.
+/// The shape of an element.
 pub enum Data {
     /// Path data.
     Path(String),
     /// An ellipse by its centre and radii.
     Round([f64; 2], [f64; 2]),
-    /// Nothing, by the rules of SVG.
+    /// No shape, by the rules of SVG.
     Nothing,
-    /// What is wrong, in words.
+    /// The fault, in words.
     Wrong(String),
     /// An element that is not read, by its name.
     Refused(String),
 }
 
-/// What the element `name` draws.
+/// The shape that the element `name` draws.
 pub fn data(node: Node, name: &str) -> Data {
     let drawn = match name {
         "path" => path(node),
@@ -35,7 +35,7 @@ pub fn data(node: Node, name: &str) -> Data {
     drawn.unwrap_or_else(Data::Wrong)
 }
 
-/// A number of user units; `None` where the attribute is not there.
+/// A number of user units; `None` where the attribute is absent.
 pub fn number(node: Node, name: &str) -> Result<Option<f64>, String> {
     let Some(text) = node.attribute(name) else {
         return Ok(None);
@@ -54,12 +54,12 @@ pub fn number(node: Node, name: &str) -> Result<Option<f64>, String> {
     }
 }
 
-/// A number that must be there.
+/// A number that must be present.
 fn needed(node: Node, name: &str) -> Result<f64, String> {
     number(node, name)?.ok_or_else(|| format!("{name} is missing"))
 }
 
-/// A number that is 0 where it is not there.
+/// A number; 0 where it is absent.
 fn or_zero(node: Node, name: &str) -> Result<f64, String> {
     Ok(number(node, name)?.unwrap_or(0.0))
 }
@@ -69,7 +69,7 @@ fn path(node: Node) -> Result<Data, String> {
     Ok(Data::Path(data.to_owned()))
 }
 
-/// A list of points is path data but for its commands.
+/// A list of points, written as path data.
 fn points(node: Node, end: &str) -> Result<Data, String> {
     let points = node.attribute("points").ok_or("points is missing")?;
     let strange = |c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E');

@@ -1,4 +1,4 @@
-//! Where user space of an SVG lies: transforms, view boxes, the length of its unit.
+//! User space of an SVG: transforms, view boxes, the length of its unit.
 
 use crate::drawing::affine::Affine;
 use nalgebra::{Matrix2, Vector2};
@@ -22,7 +22,7 @@ pub fn page_unit(
     if !(scale[0] > 0.0 && scale[0].is_finite()) {
         return Err("a page without size".to_owned());
     }
-    // Stretched by the last printed digit is not stretched.
+    // A stretch by the last printed digit is rounding.
     if (scale[1] / scale[0] - 1.0).abs() > 1e-6 {
         return Err("preserveAspectRatio=\"none\" with a page of other proportions".to_owned());
     }
@@ -30,7 +30,7 @@ pub fn page_unit(
     Ok(Some((words, scale[0])))
 }
 
-/// A length in mm, if its unit is one of paper: CSS Values 3, 6.2. A px is that of a screen in practice.
+/// A length in mm, where its unit is one of paper: CSS Values 3, 6.2. A px belongs to a screen in practice.
 fn on_paper(length: &Length) -> Option<f64> {
     let mm = match length.unit {
         LengthUnit::Mm => 1.0,
@@ -43,7 +43,7 @@ fn on_paper(length: &Length) -> Option<f64> {
     Some(length.number * mm)
 }
 
-/// Both scales as `preserveAspectRatio` makes them.
+/// Both scales by `preserveAspectRatio`.
 fn fitted([x, y]: [f64; 2], aspect: AspectRatio) -> [f64; 2] {
     match (aspect.align, aspect.slice) {
         (Align::None, _) => [x, y],
@@ -52,7 +52,7 @@ fn fitted([x, y]: [f64; 2], aspect: AspectRatio) -> [f64; 2] {
     }
 }
 
-/// From the user space within a nested `svg` at `corner` with `size` to that around it: SVG 2, 8.2.
+/// The map from the user space of a nested `svg` at `corner` with `size` to the one around it: SVG 2, 8.2.
 pub fn viewport(corner: [f64; 2], size: [f64; 2], view: ViewBox, aspect: AspectRatio) -> Affine {
     let scale = fitted([size[0] / view.w, size[1] / view.h], aspect);
     let share = match aspect.align {

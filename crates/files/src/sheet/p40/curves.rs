@@ -1,6 +1,6 @@
 //! The data of a curve file: traces, the tables of pitch, and parts that are only counted: diameters and positions of the probe.
 //!
-//! A head closes the part before it. Lines below a wrong head are passed over: one mistake is one problem.
+//! A head closes the part before it. Lines below a wrong head are skipped: one mistake is one problem.
 
 use super::{CORRECT, FlankTrace, P40, PROFILES};
 use crate::data_file::DataFile;
@@ -16,7 +16,7 @@ const DIAMETERS: [(&str, &str); 2] = [
 const TEILUNG: &str = "Teilung:";
 const COLUMNS: [&str; 6] = ["Z-Nr.", "Seite", "PHI", "X", "Y", "Z"];
 const POSITION: &str = "a tooth, R or L, and PHI in degrees, X, Y and Z in mm";
-/// The head of one trace begins so.
+/// Start of the head of a trace.
 const ZAHN: &str = "Zahn-Nr.:";
 
 /// Kind of the traces below a title.
@@ -45,14 +45,14 @@ impl Title {
 #[derive(Debug)]
 enum Open {
     Nothing,
-    /// Passed over, up to the next head.
+    /// Skipped up to the next head.
     Wrong,
     /// Values of a trace.
     Values(Trace),
     /// Diameters, by name.
     Diameters(&'static str),
     Block,
-    /// Positions: whether their columns have been named.
+    /// Positions; `true` after the line of their columns.
     Positions(bool),
 }
 
@@ -64,7 +64,7 @@ struct Trace {
     count: usize,
 }
 
-/// Where in the data of a file the reader is.
+/// The reader's position in the data of a file.
 #[derive(Debug)]
 pub struct Data<'f> {
     file: &'f DataFile,
@@ -83,7 +83,7 @@ impl<'f> Data<'f> {
         }
     }
 
-    /// Describes the values that are missing if the file ends now.
+    /// Describes the values that are missing if the file ends here.
     pub fn cut_short(&self) -> Option<String> {
         let Open::Values(Trace { curve, count, .. }) = &self.open else {
             return None;
@@ -212,7 +212,7 @@ fn take_values(
 ) -> Option<Result<(), String>> {
     for word in text.split_whitespace() {
         let number = without_zero(word).filter(|found| found.value.abs() <= 1e7);
-        // A word that is no number is reported and leaves a hole: the values behind it keep their places.
+        // A word that is no number is reported and leaves a gap: the values behind it keep their places.
         if number.is_none() {
             wrong(format!(
                 "{}, allowed is a number of µm: value {} of {count} of the trace of line {}",
@@ -266,7 +266,7 @@ fn head_of_trace(file: &DataFile, line: u64, text: &str, title: Title) -> Result
     let behind = text.strip_prefix(ZAHN).ok_or_else(wrong)?;
     let behind = behind.replace('/', " ").replace('=', "= ");
     let mut words: Vec<&str> = behind.split_whitespace().collect();
-    // A twist trace names the trace it belongs to.
+    // A twist trace names its main trace.
     if words.get(1).is_some_and(|word| word.contains(':')) {
         words.remove(1);
     }

@@ -1,8 +1,9 @@
-//! Curve files `.mka` of Klingelnberg's P40 (GINA). Value files `.mew` are refused: no number in them is known for certain to be of use.
+//! Curve files `.mka` of Klingelnberg's P40 (GINA). Value files `.mew` are rejected: no number in them is known reliably to be of
+//! use.
 //!
-//! Line 1 names the kind. A preamble `KEY value ! comment`, numbered header lines ` 22 :Zähnezahl z…: 52` and the data ([`curves`])
-//! follow. The owner has not published the grammar; this is the one of files seen by public readers. Every line must be understood;
-//! what is understood and not used is named in a remark.
+//! Line 1 names the kind. A preamble `KEY value ! comment`, numbered header lines ` 22 :Zähnezahl z…: 52` and the data
+//! ([`curves`]) follow. The owner has not published the grammar; this one comes from files seen by public readers. Every line
+//! must be understood; a remark lists the parts that are understood but not used.
 
 mod curves;
 mod profiles;
@@ -18,7 +19,7 @@ use curves::Data;
 use gearlash::gear::Flank;
 use std::collections::{BTreeMap, HashSet};
 
-/// The way out of a line that is wrong.
+/// The remedy for a wrong line.
 const CORRECT: &str = "correct the line, or name a file as the machine wrote it";
 /// Names of parts of a file in [`P40::unused`].
 const PITCH: &str = "blocks of pitch";
@@ -57,7 +58,7 @@ pub struct P40<'a> {
     unmeasured: Option<f64>,
     blocks: Blocks<'a>,
     profiles: Vec<FlankTrace>,
-    /// How many there are of each part that is never used.
+    /// The number of each part that is never used.
     never_used: BTreeMap<&'static str, usize>,
     /// The numbers of header lines so far.
     codes: HashSet<u32>,
@@ -150,12 +151,12 @@ fn lines<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
 }
 
 impl<'a> P40<'a> {
-    /// Counts what is never used.
+    /// Counts a part that is never used.
     fn count_unused(&mut self, name: &'static str, count: usize) {
         *self.never_used.entry(name).or_default() += count;
     }
 
-    /// The parts of the file that are not used where `used` is, for a remark.
+    /// The parts of the file that are not used beside `used`, for a remark.
     fn unused(&self, used: &str) -> String {
         let mut there = self.never_used.clone();
         there.insert(PROFILES, self.profiles.len());
@@ -170,7 +171,7 @@ impl<'a> P40<'a> {
         }
     }
 
-    /// Reads a line of the preamble or of the header; `Some(false)` where it is neither, `None` where it ends the reading.
+    /// Reads a line of the preamble or the header; `Some(false)` where it is neither, `None` where it ends the reading.
     fn take_header(&mut self, file: &DataFile, line: u64, text: &'a str) -> Option<bool> {
         let digits = text.bytes().take_while(u8::is_ascii_digit).count();
         let (code, behind) = text.split_at(digits);
@@ -218,7 +219,7 @@ impl<'a> P40<'a> {
         let words = fields
             .split([' ', '\t', ':'])
             .filter(|word| !word.is_empty());
-        // The label is of the first number in several fields.
+        // The label belongs to the first number in several fields.
         let first = words.clone().next().unwrap_or_default();
         let first = match first.strip_prefix('-') {
             Some(rest) if rest.starts_with('.') => format!("-0{rest}"),

@@ -1,25 +1,25 @@
-//! What is said of many files alike, said once.
+//! Groups equal warnings of many files, one line per distinct warning.
 
 use std::path::{Path, PathBuf};
 
-/// Texts, each of the files that it is said of.
+/// Texts, each with its files.
 #[derive(Debug, Default)]
-pub(crate) struct SaidOnce {
+pub(crate) struct GroupedWarnings {
     each: Vec<(String, PathBuf, usize)>,
 }
 
-impl SaidOnce {
-    /// `texts` are said of `file`.
+impl GroupedWarnings {
+    /// Adds the `texts` of `file`.
     pub fn add(&mut self, file: &Path, texts: &[String]) {
         for text in texts {
-            match self.each.iter_mut().find(|(said, ..)| said == text) {
+            match self.each.iter_mut().find(|(known, ..)| known == text) {
                 Some((.., more)) => *more += 1,
                 None => self.each.push((text.clone(), file.to_path_buf(), 0)),
             }
         }
     }
 
-    /// A line a text, in the order in which they were added: the first file that it is said of, and how many others.
+    /// A line per text, in the order in which they were added: the first file with it, and the number of others.
     pub fn lines(&self) -> Vec<String> {
         let each = self.each.iter().map(|(text, file, more)| {
             let others = match more {

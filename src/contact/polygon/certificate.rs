@@ -1,10 +1,9 @@
-//! The certificate: polygons bear out a rotation that another method found.
+//! The certificate: polygons confirm a rotation that another method found.
 //!
-//! A little more open than the rotation in question every pair of half teeth in reach
-//! must be clear, proven by chords that are cut again only where they are
-//! within both chordal errors of each other; a little more closed one of them
-//! must touch. "A little" is the result's own error bound and what the
-//! finest polygons resolve. Nothing of the method under test is used but its answer.
+//! At a slightly greater opening every pair of half teeth in reach must be clear. Chords prove that; they are cut finer
+//! only where they are within both chordal errors of each other. At a slightly smaller opening one pair must touch. The
+//! step on either side is the error bound of the result plus the resolution of the finest polygons. The certificate
+//! uses nothing of the method under test but its answer.
 
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::kernel::{PolygonKernel, finest_chord, steps_in_reach};
@@ -17,15 +16,15 @@ use crate::gear::Side;
 use crate::pair::Pose;
 use std::f64::consts::TAU;
 
-/// Pairs of chords looked at before a side is given up. Of 9000 random poses no side took more than 202, 86 on average; each takes
-/// some 0.1 µs.
+/// Limit of chord pairs examined on one side. In 9000 random poses the most was 202 and the mean 86, at about 0.1 µs
+/// each.
 const EFFORT: u32 = 50_000;
 
-/// So many of them take the time of a unit of effort; putting two half teeth where a pose has them takes another.
-const LOOKS_A_UNIT: u32 = 3;
+/// Chord pairs per unit of effort. Placing two half teeth at a pose takes another unit.
+const PAIRS_PER_UNIT: u32 = 3;
 
-/// A bound wider than this part of a pitch is no place to look at two openings: other teeth, or nothing, may stand there.
-const NARROW: f64 = 1e-2;
+/// Widest bound, as a part of a pitch, that is checked at two openings. With a wider one, other teeth or none may be there.
+const WIDEST_CHECKED: f64 = 1e-2;
 
 /// Checks rotations on the polygons of a kernel.
 pub struct Certifier<'a> {
@@ -33,14 +32,14 @@ pub struct Certifier<'a> {
 }
 
 impl<'a> Certifier<'a> {
-    /// A certifier on the polygons of `kernel`; coarse ones do.
+    /// A certifier on the polygons of `kernel`, which may be coarse.
     pub fn new(kernel: PolygonKernel<'a>) -> Certifier<'a> {
         Certifier { kernel }
     }
 
-    /// Bears out both contacts of `found` at `pose`, or fails. Of a jammed pose the rotations mean nothing: where they are not
-    /// borne out (a tooth that goes through the body of a gear of few teeth meets it several times) it is enough that
-    /// the polygons by themselves find the pose jammed.
+    /// Confirms both contacts of `found` at `pose`, or fails. The rotations of a jammed pose have no meaning, because a
+    /// tooth can meet the body of a gear of few teeth several times. The pose also passes if the polygons find it
+    /// jammed.
     ///
     /// # Errors
     /// [`Error::CertificateFailed`] with the pose that reproduces it; [`Error::ContactLost`] from a search.
@@ -48,14 +47,14 @@ impl<'a> Certifier<'a> {
         self.check_within(pose, found, &Effort::of_pose())
     }
 
-    /// The same with what `effort` allows, that of this pose.
+    /// [`Certifier::check`] within the budget `effort` of this pose.
     pub(in crate::contact) fn check_within(
         &self,
         pose: &Pose,
         found: &LostMotion,
         effort: &Effort,
     ) -> Result<(), Error> {
-        // Teeth in the mate's body prove it by themselves, whatever touches.
+        // Teeth inside the mate's body prove the jam by themselves.
         if found.solid {
             return Ok(());
         }
@@ -89,7 +88,7 @@ impl<'a> Certifier<'a> {
         Ok(())
     }
 
-    /// Bears out the contact on one side.
+    /// Confirms the contact of one side.
     pub(crate) fn check_side(
         &self,
         pose: &Pose,
@@ -101,7 +100,7 @@ impl<'a> Certifier<'a> {
         let pitch = self.kernel.teeth.assembly.gear(free);
         let pitch = pitch.gear().basic_data().angular_pitch();
         let seen = match contact {
-            Some(contact) if contact.error > NARROW * pitch => {
+            Some(contact) if contact.error > WIDEST_CHECKED * pitch => {
                 self.touches_within(pose, side, contact, effort)?
             }
             Some(contact) => self.touches(pose, side, contact, effort),
@@ -110,8 +109,8 @@ impl<'a> Certifier<'a> {
         seen.map_err(|reason| self.failed(pose, side, reason))
     }
 
-    /// Whether all pairs on `side` are clear of each other a little more open than `contact`, or why not: what a section of helical gears is in which
-    /// another one touches first.
+    /// Whether all pairs on `side` are clear at an opening slightly greater than that of `contact`, or why not. This is
+    /// the check of a section of a helical pair whose first contact is in another section.
     pub(crate) fn clears(
         &self,
         pose: &Pose,
@@ -122,7 +121,7 @@ impl<'a> Certifier<'a> {
         self.touching(pose, side, contact, effort).map(|_| ())
     }
 
-    /// Clear when a little more open, touching when a little more closed.
+    /// Confirms that all pairs are clear at the greater opening and that one touches at the smaller.
     fn touches(
         &self,
         pose: &Pose,
@@ -140,7 +139,7 @@ impl<'a> Certifier<'a> {
         }
     }
 
-    /// Whether any pair touches when a little more closed; all are clear when a little more open.
+    /// Whether any pair touches at the smaller opening. Fails unless all are clear at the greater.
     fn touching(
         &self,
         pose: &Pose,
@@ -154,17 +153,17 @@ impl<'a> Certifier<'a> {
         let lever = arm.perp(&contact.normal).abs();
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
         let mut touching = false;
-        let allowed = effort.left().saturating_mul(LOOKS_A_UNIT.into());
+        let allowed = effort.left().saturating_mul(PAIRS_PER_UNIT.into());
         let mut left = allowed.min(EFFORT.into()) as u32;
         let steps = steps_in_reach(assembly, pose);
         for problem in FlankProblem::all(&self.kernel.teeth, pose, side, steps) {
-            // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
-            // another δ and the rounding leave no doubt.
-            let little = contact.error + (4.0 * finest + problem.rounding()) / lever;
-            let openings = [opening + little, opening - little];
+            // Clear polygons are 2δ apart, and a fillet's chords lie up to δ in front of it. Another δ and the rounding
+            // complete the margin.
+            let margin = contact.error + (4.0 * finest + problem.rounding()) / lever;
+            let openings = [opening + margin, opening - margin];
             let before = left;
             let seen = seen(&problem, openings, finest, touching, &mut left);
-            effort.spend(u64::from((before - left) / LOOKS_A_UNIT) + 1);
+            effort.spend(u64::from((before - left) / PAIRS_PER_UNIT) + 1);
             match seen {
                 Seen::Clear => {}
                 Seen::Touch => touching = true,
@@ -185,8 +184,8 @@ impl<'a> Certifier<'a> {
         Ok(touching)
     }
 
-    /// The polygons' own contact lies within a bound that says little: lands that stand on each other have next to no lever,
-    /// and the bound on their rotation may be half a turn.
+    /// Confirms a contact with a wide bound: the polygons' own contact must lie within it. Lands that press on each
+    /// other have almost no lever, and the bound on their rotation can be half a turn.
     fn touches_within(
         &self,
         pose: &Pose,
@@ -206,7 +205,7 @@ impl<'a> Certifier<'a> {
         })
     }
 
-    /// No pair in reach ever touches, or only by what rounding may bring the axes together.
+    /// Confirms that no pair in reach ever touches, or only by a distance below the rounding of the axes.
     fn touches_nothing(
         &self,
         pose: &Pose,
@@ -216,12 +215,12 @@ impl<'a> Certifier<'a> {
         if !first_touching(&self.kernel.teeth, pose, side, effort)? {
             return Ok(Ok(()));
         };
-        let here = self.kernel.teeth.assembly;
-        let doubt = 4.0 * finest_chord(here)
+        let assembly = self.kernel.teeth.assembly;
+        let doubt = 4.0 * finest_chord(assembly)
             + FlankProblem::new(&self.kernel.teeth, pose, side, 0).rounding();
-        let apart = here.at(here.center_distance() + doubt)?;
+        let wider = assembly.at(assembly.center_distance() + doubt)?;
         Ok(
-            if first_touching(&self.kernel.teeth.at(&apart), pose, side, effort)? {
+            if first_touching(&self.kernel.teeth.at(&wider), pose, side, effort)? {
                 Err("a pair does touch".to_owned())
             } else {
                 Ok(())

@@ -1,20 +1,21 @@
-//! A half tooth as chords that are cut again where, and only where, a question needs them finer.
+//! A half tooth as chords. Chords are cut finer only where a search needs them finer.
 //!
-//! Every chord knows how far its curve may leave it. It is cut in two in the middle of its parameters, which
-//! divides that by four (by eight where an involute begins), or on either side of the place where it is nearest to
-//! another. The chords down to a coarse error are cut once and shared by all teeth of a gear and all poses; what is
-//! finer is made when asked for and kept nowhere.
+//! Each chord stores an error bound: its curve lies within that distance of it. A cut in the middle of the parameter
+//! range divides the bound by four (by eight where an involute begins). A chord can also be cut on either side of the
+//! place where it is nearest to another chord. All teeth of a gear and all poses share the chords down to a coarse
+//! error, which are cut once. Finer chords are made on demand and not stored.
 //!
-//! Of the lands only what all teeth share is cut beforehand: the near half of the tip land, or the land of a tooth thinner than
-//! that; the root land of the narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
+//! Tip and root lands are cut in advance only as far as all teeth share them. That is the near half of the tip land (or
+//! the land of a thinner tooth) and the root land of the narrowest space. The rest depends on the deviations of each
+//! tooth ([`Half`]).
 
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use nalgebra::{Isometry2, Point2};
 
-/// Chordal error of what [`Half::outline`] gives, in radii of the half tooth (tuned for the certificate).
+/// Greatest chordal error in [`Half::outline`], as a part of the radius of the half tooth (tuned for the certificate).
 const OUTLINE: f64 = 0.03;
 
-/// The least part of a chord that is cut off: far above rounding, so that what is cut off has a direction.
+/// Shortest part of a chord that is cut off. It is far above rounding, so every piece has a direction.
 const SHORTEST: f64 = 1e-6;
 
 /// A stretch of one curve of a half tooth, and the chord through its ends.
@@ -28,7 +29,7 @@ pub(super) struct Chord {
     pub error: f64,
     /// Half its length, mm.
     pub half_length: f64,
-    /// Where its two halves stand among those cut beforehand.
+    /// Index of its two halves among the chords cut in advance.
     halves: Option<u32>,
 }
 
@@ -65,8 +66,8 @@ impl Chord {
         ]
     }
 
-    /// The pieces into which it is cut at two parts of its parameters, what lies between them first. Of the cuts those not inside it
-    /// are left out.
+    /// The pieces between cuts at two parts of the parameter range, the middle piece first. Cuts outside the range are
+    /// ignored.
     fn cut_at(&self, profile: &Profile, side: Side, parts: [f64; 2]) -> Pieces {
         let [from, to] = self.parameters;
         let mut pieces = Pieces {
@@ -92,12 +93,12 @@ impl Chord {
         pieces
     }
 
-    /// Whether its halves are there already.
+    /// Whether its halves exist already.
     pub fn is_cut(&self) -> bool {
         self.halves.is_some()
     }
 
-    /// The same chord seen in another frame.
+    /// This chord in another frame.
     pub fn seen_in(&self, frame: &Isometry2<f64>) -> Chord {
         Chord {
             ends: self.ends.map(|end| frame * end),
@@ -105,11 +106,11 @@ impl Chord {
         }
     }
 
-    /// Its parameter at a point of the chord; off by less than the chord's own range.
+    /// Parameter at a point of the chord. Its error is less than the chord's own range.
     pub fn parameter_at(&self, point: &Point2<f64>) -> f64 {
         let along = self.ends[1] - self.ends[0];
         let part = (point - self.ends[0]).dot(&along) / along.norm_squared();
-        // A chord without length has no part: its start will do.
+        // A chord without length has no direction: use its start.
         let part = if part.is_finite() {
             part.clamp(0.0, 1.0)
         } else {
@@ -131,35 +132,35 @@ impl Pieces {
     }
 }
 
-/// A gear's half teeth, cut beforehand. Shared by all its teeth that are alike.
+/// The half teeth of a gear, cut into chords in advance. Equal teeth share them.
 pub struct CutGear {
     sides: [CutSide; 2],
     chordal_error: f64,
 }
 
-/// One side.
+/// The half teeth of one side.
 struct CutSide {
     /// By shape ([`AsBuilt::shape_of`]).
     halves: Vec<CutHalf>,
-    /// What each tooth has of its own, tooth 1 first.
+    /// The lands that belong to each tooth alone, tooth 1 first.
     own: Vec<OwnLands>,
 }
 
-/// What all half teeth of one shape share.
+/// The chords that all half teeth of one shape share.
 struct CutHalf {
     chords: Vec<Chord>,
-    /// How many of `chords` come first: one a curve without edges.
+    /// How many chords at the start of `chords` are uncut: one for each curve without edges.
     curves: usize,
-    /// Those that follow the outline closely enough to tell half teeth apart that are nowhere near contact.
+    /// A coarse outline. It is close enough to show that half teeth far from contact are clear.
     outline: Vec<Chord>,
-    /// A disc that holds them, and what each tooth has of its own up to the far corner and the middle of its space.
+    /// A disc that holds the chords, up to the far corner of the tip land and the middle of the space.
     centre: Point2<f64>,
     radius: f64,
 }
 
-/// What the half tooth of one tooth has beyond what all share.
+/// The parts of one half tooth that it does not share with the others.
 struct OwnLands {
-    /// Which half tooth it has.
+    /// Index of its shape.
     shape: usize,
     /// The tip land's parameter at its far corner.
     land_start: f64,
@@ -167,7 +168,7 @@ struct OwnLands {
     root_end: f64,
     /// The rest of the tip land, and of the root land.
     chords: [Option<Chord>; 2],
-    /// No longer than this, mm.
+    /// Greatest length of these parts, mm.
     length: f64,
 }
 
@@ -180,7 +181,7 @@ impl CutGear {
         }
     }
 
-    /// Chordal error, mm, of what was cut beforehand.
+    /// Chordal error of the chords cut in advance, mm.
     pub fn chordal_error(&self) -> f64 {
         self.chordal_error
     }
@@ -188,8 +189,8 @@ impl CutGear {
 
 impl CutSide {
     fn new(gear: &AsBuilt, side: Side, chordal_error: f64) -> CutSide {
-        // Of the teeth of each shape the tip land shared starts, and the root land shared ends here. Where every space is wider
-        // than its nominal width, the rest of each land begins beyond the nominal middle.
+        // For each shape: where the shared tip land starts and where the shared root land ends. If every space is wider
+        // than nominal, the rest of each land begins beyond the nominal middle.
         let mut shared = vec![(0.0f64, f64::INFINITY); gear.shapes(side)];
         let teeth = 1..=gear.gear().basic_data().teeth();
         for tooth in teeth.clone() {
@@ -269,8 +270,8 @@ impl CutHalf {
 }
 
 impl OwnLands {
-    /// Of the half tooth on `side` of `tooth`; of each shape all share the tip land from the one value of `shared` on and the root land up
-    /// to the other.
+    /// The lands of the half tooth on `side` of `tooth`. `shared` gives for each shape where the shared tip land starts
+    /// and where the shared root land ends.
     fn new(gear: &AsBuilt, side: Side, tooth: u32, shared: &[(f64, f64)]) -> OwnLands {
         let shape = gear.shape_of(side, tooth);
         let (shared_start, shared_end) = shared[shape];
@@ -278,7 +279,7 @@ impl OwnLands {
         let (land_start, root_end) = (gear.land_start(side, tooth), gear.root_end(side, tooth));
         let far =
             (land_start < shared_start).then_some((ProfilePart::Tip, [land_start, shared_start]));
-        // Where a space is closed at its root there is none in any tooth's half.
+        // A space without a root land has none in either half tooth.
         let from = shared_end.max(profile.range(ProfilePart::Root).0);
         let rest = (root_end > from).then_some((ProfilePart::Root, [from, root_end]));
         let chord = |(curve, range)| Chord::new(profile, side, curve, range);
@@ -293,11 +294,11 @@ impl OwnLands {
     }
 }
 
-/// The half tooth of one tooth: what all share, the rest of its tip land up to the far corner, and of its root land.
+/// One half tooth: the shared chords, the rest of its tip land up to the far corner, and the rest of its root land.
 ///
-/// The tip land reaches to its far corner: where tips hardly reach each other, or stand on a root, the mate may
-/// meet the far half alone. It is the tooth's own metal, and what turns in meets its near half first wherever
-/// it can.
+/// The tip land reaches its far corner, because the mate may touch only the far half where tips barely reach each other
+/// or press on a root. The far half is metal of the same tooth, and a mate that turns in meets the near half first
+/// wherever it can.
 #[derive(Clone, Copy)]
 pub(super) struct Half<'a> {
     profile: Profile<'a>,
@@ -307,12 +308,12 @@ pub(super) struct Half<'a> {
 }
 
 impl<'a> Half<'a> {
-    /// Which side of its tooth it is.
+    /// The side of the tooth on which it lies.
     pub fn side(&self) -> Side {
         self.side
     }
 
-    /// The half tooth on `side` of `tooth`; `profile` is its own.
+    /// The half tooth on `side` of `tooth`, with the profile of that tooth.
     pub fn new(profile: Profile<'a>, cut: &'a CutGear, side: Side, tooth: u32) -> Half<'a> {
         let cut = &cut.sides[usize::from(side == Side::Left)];
         let own = &cut.own[tooth as usize - 1];
@@ -339,22 +340,22 @@ impl<'a> Half<'a> {
         self.own.root_end
     }
 
-    /// Its longest chords that all teeth share: one a curve without edges.
+    /// The uncut chords that all teeth share: one for each curve without edges.
     pub fn shared(&self) -> &'a [Chord] {
         &self.cut.chords[..self.cut.curves]
     }
 
-    /// Chords that all teeth share and that follow the outline closely: a dozen.
+    /// About a dozen chords that all teeth share and that follow the outline closely.
     pub fn outline(&self) -> &'a [Chord] {
         &self.cut.outline
     }
 
-    /// Its longest chords that are its own: the rest of the tip land, and of the root land.
+    /// The uncut chords of this tooth alone: the rest of the tip land and of the root land.
     pub fn own(&self) -> impl Iterator<Item = &'a Chord> + use<'a> {
         self.own.chords.iter().flatten()
     }
 
-    /// The two halves of one of its chords; `made` holds them unless they were cut beforehand.
+    /// The two halves of a chord. `made` stores them unless they were cut in advance.
     pub fn halves<'b>(&'b self, chord: &Chord, made: &'b mut Option<[Chord; 2]>) -> &'b [Chord] {
         match chord.halves {
             Some(first) => &self.cut.chords[first as usize..first as usize + 2],
@@ -362,12 +363,12 @@ impl<'a> Half<'a> {
         }
     }
 
-    /// One of its chords, cut at two parts of its parameters; less than two where they are not inside it.
+    /// A chord cut at two parts of its parameter range; cuts outside the range are ignored.
     pub fn cut_at(&self, chord: &Chord, parts: [f64; 2]) -> Pieces {
         chord.cut_at(&self.profile, self.side, parts)
     }
 
-    /// Greatest curvature, 1/mm, of the curve a chord stands for, where it is known.
+    /// Greatest curvature of the chord's curve, 1/mm, where it is known.
     pub fn curvature(&self, chord: &Chord) -> Option<f64> {
         let [from, to] = chord.parameters;
         self.profile.curvature(chord.curve, from, to)
@@ -375,7 +376,7 @@ impl<'a> Half<'a> {
 
     /// Centre and radius, mm, of a disc that holds the half tooth.
     pub fn disc(&self) -> (Point2<f64>, f64) {
-        // What is its own is no longer than its arcs.
+        // Its own lands are no longer than their arcs.
         (self.cut.centre, self.cut.radius + self.own.length)
     }
 }

@@ -1,8 +1,8 @@
-//! One half tooth of the free gear against one of the locked gear, and how their chords stand.
+//! One half tooth of the free gear against one of the locked gear, and the relative position of their chords.
 //!
-//! All is seen in the frame of the locked half tooth. The *opening* `u`, rad, is how far the free gear is turned
-//! from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is
-//! tighter.
+//! All coordinates are in the frame of the locked half tooth. The *opening* `u`, rad, is the turn of the free gear from
+//! its nominal rotation in the sense away from contact. The pair that touches at the greater opening is the tighter
+//! one.
 
 use super::chord::{Chord, CutGear, Half};
 use crate::contact::body::may_meet_far_flanks;
@@ -14,16 +14,17 @@ use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-/// A curve that may be farther to either side than this part of its distance (the sine of an angle) is looked at in two halves.
+/// Greatest error of a chord, as a part of its distance from the axis (the sine of an angle). Beyond it the chord is
+/// halved.
 const WIDE: f64 = 0.05;
 
-/// How often at most; each time it is four times less. Only a curve through the axis itself is left wide.
+/// Limit of these halvings; each divides the error by four. Only a curve through the axis itself stays wide.
 const SPLITS: u32 = 12;
 
-/// A direction off by less than this, rad, costs a safe turn nothing.
-const WELL_KNOWN: f64 = 1e-6;
+/// Uncertainty of a direction, rad, that does not shorten a safe turn noticeably.
+const NEGLIGIBLE_DOUBT: f64 = 1e-6;
 
-/// A pair of gears, each cut beforehand.
+/// A pair of gears, each cut in advance.
 #[derive(Clone, Copy)]
 pub(super) struct CutTeeth<'a> {
     pub assembly: &'a GearPair,
@@ -44,7 +45,7 @@ impl<'a> CutTeeth<'a> {
         }
     }
 
-    /// The same gears at another distance, as `assembly` has them.
+    /// These gears at the centre distance of `assembly`.
     pub fn at<'b>(&self, assembly: &'b GearPair) -> CutTeeth<'b>
     where
         'a: 'b,
@@ -53,7 +54,7 @@ impl<'a> CutTeeth<'a> {
     }
 }
 
-/// A pair of half teeth of one side.
+/// A pair of half teeth that can touch on one side.
 #[derive(Clone, Copy)]
 pub(super) struct FlankProblem<'a> {
     pub assembly: &'a GearPair,
@@ -63,25 +64,25 @@ pub(super) struct FlankProblem<'a> {
     pub free_tooth: u32,
     pub locked: Half<'a>,
     pub free: Half<'a>,
-    /// From the locked half tooth's frame to the picture.
+    /// Transforms the frame of the locked half tooth to the picture.
     pub locked_frame: Isometry2<f64>,
     /// The free axis, in the locked half tooth's frame.
     pub axis: Point2<f64>,
-    /// Where the free half tooth stands from the axis at the opening 0, turned to the locked frame's directions.
+    /// Position of the free half tooth from the axis at the opening 0, in the directions of the locked frame.
     from_axis: Vector2<f64>,
     turn: UnitComplex<f64>,
-    /// Direction of the free tooth at the opening 0, seen from its axis and counted from the one to the mate, rad; within
-    /// a pitch. With few teeth one that faces a tooth in reach may stand more than half a turn away.
+    /// Direction of the free tooth at the opening 0 from its axis, counted from the direction to the mate, rad, to
+    /// within a pitch. In a gear of few teeth, one that faces a tooth in reach can be more than half a turn away.
     nominal: f64,
 }
 
 impl<'a> FlankProblem<'a> {
-    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
+    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces it on `side`.
     pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FlankProblem<'a> {
         FlankProblem::on(teeth, pose, [side; 2], steps)
     }
 
-    /// The pairs of half teeth of `steps` that face each other: where none of them touches, nothing does.
+    /// The facing pairs of half teeth of `steps`. If none of them touches, nothing does.
     pub fn facing(
         teeth: &CutTeeth<'a>,
         pose: &'a Pose,
@@ -91,7 +92,8 @@ impl<'a> FlankProblem<'a> {
         steps.map(move |steps| FlankProblem::new(teeth, pose, side, steps))
     }
 
-    /// All pairs of half teeth of `steps` that may touch: where the far flank of a locked tooth may be met, it with the same free half tooth.
+    /// All pairs of half teeth of `steps` that can touch. They include far flanks of locked teeth where those can be
+    /// met.
     pub fn all(
         teeth: &CutTeeth<'a>,
         pose: &'a Pose,
@@ -106,7 +108,7 @@ impl<'a> FlankProblem<'a> {
         })
     }
 
-    /// A half tooth on the first side of the locked tooth, and one on the second of the free tooth that faces it there.
+    /// A half tooth on the first side of the locked tooth, and one on the second side of the free tooth that faces it.
     fn on(
         teeth: &CutTeeth<'a>,
         pose: &'a Pose,
@@ -141,12 +143,12 @@ impl<'a> FlankProblem<'a> {
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,
             locked_frame,
-            // What is counter-clockwise on one gear is clockwise on the other.
+            // Counter-clockwise on one gear is clockwise on the other.
             nominal: -pitches * pitch(free),
         }
     }
 
-    /// Frame of the free half tooth, seen in the locked one's, at `opening`.
+    /// Frame of the free half tooth in that of the locked one, at `opening`.
     pub fn at(&self, opening: f64) -> Isometry2<f64> {
         // A smaller opening turns the free gear in the sense of its side.
         let turned = UnitComplex::new(-self.side.sense() * opening);
@@ -159,18 +161,18 @@ impl<'a> FlankProblem<'a> {
         self.assembly.gear(self.assembly.free()).reach()
     }
 
-    /// Rounding of a distance, mm: coordinates up to the centre distance, and radii turned by angles
-    /// of the size of both rotations, some dozens of operations on each.
+    /// Rounding of a distance, mm: a few dozen operations on coordinates up to the centre distance and on radii turned
+    /// by both rotations.
     pub fn rounding(&self) -> f64 {
         let turned = self.pose.locked_rotation().abs() + self.pose.free_rotation().abs();
         64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
     }
 
-    /// How far the free gear can be turned in while two chords, as they stand `closest`, stay farther apart than `margin`.
+    /// How far the free gear can be turned in while two chords that are `closest` now stay more than `margin` apart.
     ///
-    /// Across the direction from the one's nearest point to the other's there is a strip between them as wide as they are
-    /// apart. Where they are hardly farther apart than rounding that direction means nothing; then the lines of both chords
-    /// border narrower strips, whose directions are known.
+    /// Between the chords there is a strip as wide as their distance, across the direction between their nearest
+    /// points. If their distance is hardly above rounding, that direction has no meaning. Then the lines of both chords
+    /// border narrower strips whose directions are known.
     pub fn safe_turn(
         &self,
         locked_chord: &Chord,
@@ -179,18 +181,18 @@ impl<'a> FlankProblem<'a> {
         margin: f64,
     ) -> f64 {
         let room = closest.distance - margin;
-        // No point moves farther than the reach times the angle; a lever says more, but for rounding.
+        // No point moves further than the reach times the angle; a lever gives a longer turn, except for rounding.
         let plain = room / self.reach();
         let rounding = self.rounding();
         let n = (closest.points[0] - closest.points[1]) / closest.distance;
         let safe = self.turn_across(n, free_chord, room, rounding / closest.distance);
-        if rounding <= WELL_KNOWN * closest.distance {
+        if rounding <= NEGLIGIBLE_DOUBT * closest.distance {
             return safe.max(plain);
         }
         let across_line = |line: &Chord, other: &Chord, sense: f64| {
             let along = (line.ends[1] - line.ends[0]) / (2.0 * line.half_length);
             let [one, two] = other.ends.map(|end| along.perp(&(end - line.ends[0])));
-            // Of the two sides of the line the one that the other chord is on, or is less beyond.
+            // The side of the line on which the other chord lies, or lies for the most part.
             let (side, width) = if one + two > 0.0 {
                 (1.0, one.min(two))
             } else {
@@ -210,12 +212,13 @@ impl<'a> FlankProblem<'a> {
         safe.max(plain).max(from_ours).max(from_theirs)
     }
 
-    /// How far the free gear can be turned in before `free_chord` is moved by `room` along `n`, which is off by up to `doubt`, rad.
+    /// How far the free gear can be turned before `free_chord` moves by `room` along `n`, whose direction is off by up
+    /// to `doubt`, rad.
     ///
-    /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
-    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`, `l` and `m` the greatest such parts (not below 0) of the two ends:
-    /// of all between, too. A curve lies within its error of its chord, and so do its parts. The lesser root of
-    /// `φ l + φ² m/2 = room` is a safe turn.
+    /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l
+    /// + φ² m/2`. `l` and `m` are the greatest such parts (not below 0) at the two ends, and so for all points between
+    /// them. A curve lies within its error of its chord, and so do its parts. The lesser root of `φ l + φ² m/2 = room`
+    /// is a safe turn.
     fn turn_across(&self, n: Vector2<f64>, free_chord: &Chord, room: f64, doubt: f64) -> f64 {
         let (mut lever, mut bulge) = (0.0f64, 0.0f64);
         for end in free_chord.ends {
@@ -228,24 +231,25 @@ impl<'a> FlankProblem<'a> {
         2.0 * room / (lever + (lever * lever + 2.0 * room * bulge).sqrt())
     }
 
-    /// Whether no turn brings the two together, seen from the free axis: one is always the farther of them.
+    /// Whether no turn can bring the two together, because one is always further from the free axis.
     pub fn passes(&self, locked_chord: &Chord, radii: [f64; 2]) -> bool {
         let [near, far] = distances(locked_chord, &self.axis);
         near > radii[1] || far < radii[0]
     }
 
-    /// Least and greatest distance of a chord of the free half tooth from the axis; it may stand at any opening.
+    /// Least and greatest distance of a chord of the free half tooth from the axis, at any opening.
     pub fn radii(&self, free_chord: &Chord) -> [f64; 2] {
-        // In its own frame, where the axis does not move.
+        // Its own frame, in which the axis does not move.
         distances(
             free_chord,
             &self.at(0.0).inverse_transform_point(&self.axis),
         )
     }
 
-    /// The opening above which, and the one below which, the two chords share no direction seen from the free axis.
+    /// The openings above and below which the two chords share no direction from the free axis.
     pub fn shared_directions(&self, locked_chord: &Chord, free_chord: &Chord) -> (f64, f64) {
-        // Directions are counted from the one to the mate, and in a half tooth from its disc's: none jumps by a turn.
+        // Directions count from the direction to the mate, and within a half tooth from that of its disc: none jumps by
+        // a turn.
         let to_mate = self.locked_frame.rotation.inverse()
             * Vector2::new(
                 self.assembly.mate_direction(self.assembly.free()).cos(),
@@ -257,7 +261,7 @@ impl<'a> FlankProblem<'a> {
             (disc, from + TAU * ((nominal - from) / TAU).round())
         };
         let at = self.at(0.0);
-        // The locked gear stands within half a turn of the line of centres.
+        // The locked gear is within half a turn of the line of centres.
         let ours_from = from(self.locked.disc().0, 0.0);
         let locked = self.spread(
             &self.locked,
@@ -271,10 +275,11 @@ impl<'a> FlankProblem<'a> {
         (locked.1 - free.0, locked.0 - free.1)
     }
 
-    /// The directions a chord's curve takes up, against the sense of closing. `frame` is where its half stands, `disc` that half's
-    /// middle from the axis and the direction of it.
+    /// The range of directions of a chord's curve, against the sense of closing. `frame` places its half tooth; `disc`
+    /// is the middle of that half tooth from the axis and its direction.
     ///
-    /// A curve may lie so far off a long chord that it might be anywhere about the axis; its halves' halves do not.
+    /// The curve of a long chord can be so far off that its direction is unknown; those of its halves are known after a
+    /// few cuts.
     fn spread(
         &self,
         half: &Half,
@@ -300,7 +305,7 @@ impl<'a> FlankProblem<'a> {
         (ends[0].min(ends[1]) - arc, ends[0].max(ends[1]) + arc)
     }
 
-    /// Names the pair in an error.
+    /// An error that names the pair.
     pub fn lost(&self, reason: &'static str) -> Error {
         let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
             Member::Wheel => (self.locked_tooth, self.free_tooth),
@@ -316,12 +321,12 @@ impl<'a> FlankProblem<'a> {
     }
 }
 
-/// From one direction to another, in (−π, π].
+/// The angle from one direction to another, in (−π, π].
 fn angle(from: &Vector2<f64>, to: &Vector2<f64>) -> f64 {
     from.perp(to).atan2(from.dot(to))
 }
 
-/// Least and greatest distance of what a chord stands for from a point, mm.
+/// Least and greatest distance of a chord's curve from a point, mm.
 fn distances(chord: &Chord, point: &Point2<f64>) -> [f64; 2] {
     let [a, b] = chord.ends.map(|end| end - point);
     let along = b - a;
@@ -333,7 +338,7 @@ fn distances(chord: &Chord, point: &Point2<f64>) -> [f64; 2] {
     ]
 }
 
-/// Frame in the picture of the half tooth of `member` on `side` of `tooth`, the gear turned to `rotation`.
+/// Frame in the picture of the half tooth on `side` of `tooth` of `member`, with the gear turned to `rotation`.
 fn frame(
     assembly: &GearPair,
     member: Member,
@@ -354,8 +359,8 @@ mod tests {
     use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::Mating;
 
-    /// The turn by which a chord is moved as far as there is room: `φ l + φ² m/2` of the greatest speed and acceleration of its ends along the
-    /// direction, which are differences of where the turned ends stand. Source: that sum, of the turn that is said.
+    /// A safe turn uses the whole room: `φ l + φ² m/2` with the greatest speed and acceleration of the chord's ends
+    /// along the direction equals it. Source: differences of the turned ends.
     #[test]
     fn a_safe_turn_uses_up_the_room_across() {
         let gear = |teeth, face| {

@@ -1,23 +1,24 @@
-//! Two stretches of curves held apart by how far they can bend: each as a graph over one line.
+//! A lower bound of the distance of two curve stretches: each is a graph over one line.
 //!
-//! Over a line that both chords nearly follow a stretch is a graph `y(x)` between its ends, which are on the curve. Its tangent
-//! stands within `θ ≤ β + κ s` of the line (`β` the chord's angle to it, `κ` its greatest curvature, `s` its length), so
-//! `|y''| = κ/cos³θ ≤ κ (1 + 2 θ²)` for `θ ≤ 1/2`, and by the remainder of linear interpolation
+//! A stretch is a graph `y(x)` over a line that both chords nearly follow. Its ends are on the curve. Its tangent is
+//! within `θ ≤ β + κ s` of the line, where `β` is the chord's angle to the line, `κ` its greatest curvature and `s` its
+//! length. Thus `|y''| = κ/cos³θ ≤ κ (1 + 2 θ²)` for `θ ≤ 1/2`, and by the remainder of linear interpolation
 //!
 //! ```text
 //! |y(x) − chord(x)| ≤ K (x − x_0)(x_1 − x)/2,   K = κ (1 + 2 θ²)
 //! ```
 //!
-//! Two graphs do not meet where the gap of the chords less both remainders, a parabola, stays above 0 on the `x` they share.
-//! Unlike the distance of two chords less their errors it knows that curves stand off their chords in the middle and not
-//! at the ends: what is left uncertain goes with the third power of the length, not with the second.
+//! The gap of the chords less both remainders is a parabola. Two graphs do not meet if it stays above 0 on the `x` they
+//! share. The distance of two chords less their errors is a weaker bound: it ignores that curves meet their chords at
+//! the ends. The uncertainty of this bound falls with the third power of the length, that of the weaker one with the
+//! second.
 
 use nalgebra::{Point2, Vector2};
 
-/// Greatest angle `θ`, rad, that the bound above holds for.
+/// Greatest angle `θ`, rad, for which the bound above holds.
 const STEEPEST: f64 = 0.5;
 
-/// The greatest part of a stretch that is cut out to either side: it becomes shorter by as much, whatever is missing.
+/// Greatest part of a stretch that a cut leaves on either side. It guarantees that the pieces become shorter.
 const WIDEST: f64 = 0.25;
 
 /// A stretch of a curve: its ends, mm, and its greatest curvature, 1/mm.
@@ -28,7 +29,7 @@ pub(super) struct Stretch<'a> {
     pub curvature: f64,
 }
 
-/// A stretch over the line: its chord from `start` to `end` along it, the chord's height at `start` and slope, and `K`.
+/// A stretch over the line: its chord from `start` to `end`, the chord's height at `start`, its slope, and `K`.
 struct Graph {
     start: f64,
     end: f64,
@@ -51,25 +52,27 @@ impl Graph {
     }
 }
 
-/// How far two stretches are surely apart, and where the bound is least.
+/// A lower bound of the distance of two stretches, and the place where the bound is least.
 #[derive(Clone, Copy)]
 pub(super) struct Gap {
-    /// Measured across the mean of the chords, mm; 0 or less says nothing. The distance of the curves is at least 0.75 of it.
+    /// Measured across the mean of the chords, mm; 0 or less proves nothing. The distance of the curves is at least
+    /// 0.75 of it.
     pub width: f64,
-    /// Where over the line.
+    /// Place along the line.
     lowest: f64,
     /// `K_1 + K_2`, 1/mm.
     bend: f64,
-    /// Where each stretch's first end stands over the line, and how far it runs from there.
+    /// Place of each stretch's first end along the line, and its signed length from there.
     runs: [(f64, f64); 2],
 }
 
 impl Gap {
-    /// Parts of each stretch at which both are best cut where `width` falls short by `missing`: on either side of where it is least.
+    /// Parts of each stretch at which both are best cut where `width` falls short by `missing`, on either side of the
+    /// place where it is least.
     ///
-    /// Beside a place where curves touch their gap is `(K_1 + K_2) t²/2`: beyond `δ = √(2 d/(K_1 + K_2))` it is more than the `d` that
-    /// is missing, and the outer pieces are seen to be clear. What is missing goes with the third power of the length, so that of a
-    /// stretch of the length `L` the middle piece is but `L √L` long. Where curves cross by as little as `d` they do so within `δ`.
+    /// Near a touch the gap of two curves is `(K_1 + K_2) t²/2`. Beyond `δ = √(2 d/(K_1 + K_2))` it exceeds the missing
+    /// `d`, so the outer pieces are clear. `d` falls with the third power of the length `L`, so the middle piece is
+    /// only about `L √L` long. Curves that cross by no more than `d` do so within `δ`.
     pub fn cuts(&self, missing: f64) -> [[f64; 2]; 2] {
         let longest = self.runs[0].1.abs().max(self.runs[1].1.abs());
         let half = (2.0 * missing / self.bend).sqrt().min(WIDEST * longest);
@@ -80,11 +83,11 @@ impl Gap {
     }
 }
 
-/// How far two stretches are surely apart; `None` that the chords are too steep, or the curves bend too much, to be graphs over
-/// the mean of their chords.
+/// A lower bound of the distance of two stretches. `None` if the chords are too steep, or the curves too curved, to be
+/// graphs over the mean of the chords.
 pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     let turn = |stretch: &Stretch| 2.04 * stretch.half_length * stretch.curvature;
-    // An arc that turns by no more than half a radian is within 2 % of its chord.
+    // An arc that turns by at most half a radian is within 2 % of its chord in length.
     let turn = turn(first).max(turn(second));
     if turn > STEEPEST {
         return None;
@@ -98,13 +101,13 @@ pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     } else {
         second_along
     };
-    // Both chords stand at half the angle between them to their mean, and `sin 2β ≤ 0.8` means `β ≤ 0.6 sin 2β`.
+    // Each chord is at half the angle between them from their mean, and `sin 2β ≤ 0.8` implies `β ≤ 0.6 sin 2β`.
     let sine = first_along.perp(&second_along).abs();
     let steep = 0.6 * sine + turn;
     if sine > 0.8 || steep > STEEPEST {
         return None;
     }
-    // As long as cos β, and so is all that is measured by it, a curvature the more: `1/cos β ≤ 1 + 0.6 β²`.
+    // Its length is `cos β`, which scales all measures along it; a curvature grows by `1/cos β ≤ 1 + 0.6 β²`.
     let along = 0.5 * (first_along + second_along);
     let bending = 1.0 + 3.2 * steep * steep;
     let origin = first.ends[0];
@@ -148,7 +151,7 @@ pub(super) fn gap(first: &Stretch, second: &Stretch) -> Option<Gap> {
     // The parabola opens upward, with the curvature K_1 + K_2.
     let slope = side * (other.slope - one.slope);
     let level = one.bend * one.middle() + other.bend * other.middle() - slope;
-    // Of parallel lines 0/0: any place will do.
+    // Parallel lines give 0/0: any place will do.
     let lowest = (level / bend).max(from).min(to);
     let width = side * apart(lowest) - one.remainder(lowest) - other.remainder(lowest);
     Some(at(width, lowest))
@@ -177,9 +180,9 @@ mod tests {
         }
     }
 
-    /// Two circles bulge towards each other, `d` apart where they are nearest. Source: the closed form of their distance.
+    /// Two circles bulge towards each other with the least distance `d`. Source: the closed form of their distance.
     #[test]
-    fn arcs_are_told_apart_to_the_third_order() {
+    fn the_gap_of_arcs_is_exact_to_the_third_order() {
         let up = std::f64::consts::FRAC_PI_2;
         for (half, distance, loss) in [(0.1, 3e-2, 2e-2), (0.01, 1e-5, 2e-6), (0.001, 1e-8, 2e-10)]
         {
@@ -201,7 +204,7 @@ mod tests {
         }
     }
 
-    /// Circles that overlap are never apart, however little.
+    /// Circles that overlap are never found to be apart.
     #[test]
     fn overlapping_arcs_are_not_apart() {
         let up = std::f64::consts::FRAC_PI_2;
@@ -215,17 +218,17 @@ mod tests {
         }
     }
 
-    /// Neighbours on either side of the contact of two touching circles share one `x`, and their ends stand apart there.
+    /// Neighbours on either side of the contact of two touching circles share one `x`, where their ends are apart.
     #[test]
-    fn neighbours_are_told_apart_by_their_ends() {
+    fn neighbours_are_apart_by_their_ends() {
         let up = std::f64::consts::FRAC_PI_2;
         let first = arc([0.0, -10.0], 10.0, [up + 0.01, up + 0.03]);
         let second = arc([0.0, 20.0], 20.0, [-up - 0.005, -up + 0.005]);
         assert!(gap(&stretch(&first), &stretch(&second)).unwrap().width > 0.0);
     }
 
-    /// An arc whose curvature is known as no more than 1.02 times of what it is, as that of an involute, touches another. Cut where the
-    /// bound says, the outer pieces are told apart, and the middle ones are shorter than halves.
+    /// An arc touches another; its curvature is known only to a factor of 1.02, as for an involute. After a cut where
+    /// the bound says, the outer pieces are clear, and the middle ones are shorter than halves.
     #[test]
     fn a_cut_leaves_clear_pieces_outside() {
         let up = std::f64::consts::FRAC_PI_2;
@@ -265,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_graph_is_not_judged() {
+    fn curves_that_are_no_graph_have_no_bound() {
         let first = arc([0.0, 0.0], 1.0, [0.0, 0.3]);
         let bent = arc([3.0, 0.0], 0.2, [3.0, 3.3]);
         let level = arc([0.0, 3.0], 10.0, [-1.6, -1.55]);

@@ -21,7 +21,7 @@ pub struct PolygonKernel<'a> {
 }
 
 impl<'a> PolygonKernel<'a> {
-    /// The kernel for `assembly`, whose wheel and pinion were cut beforehand, with the same chord.
+    /// The kernel for `assembly`, with its wheel and pinion cut in advance to one chordal error.
     pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
         PolygonKernel {
             teeth: CutTeeth::new(assembly, wheel, pinion),
@@ -29,7 +29,7 @@ impl<'a> PolygonKernel<'a> {
         }
     }
 
-    /// The same, with the polygons cut again ever finer round each contact, down to what f64 resolves.
+    /// A kernel that cuts the polygons finer around each contact, down to the resolution of f64.
     pub fn refined(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
         PolygonKernel {
             finest: finest_chord(assembly),
@@ -45,7 +45,7 @@ impl<'a> PolygonKernel<'a> {
         self.lost_motion_within(pose, &Effort::of_pose())
     }
 
-    /// The same with what `effort` allows, that of this pose.
+    /// [`PolygonKernel::lost_motion`] within the budget `effort` of this pose.
     pub(in crate::contact) fn lost_motion_within(
         &self,
         pose: &Pose,
@@ -65,8 +65,8 @@ impl<'a> PolygonKernel<'a> {
 
     /// The tightest contact of one side.
     ///
-    /// Pairs that their brackets cannot tell apart tie (perfect gears always do); the one
-    /// that touches nearest the operating pitch point gives the contact its name.
+    /// Pairs whose brackets overlap tie; pairs of perfect gears always do. The contact nearest the operating pitch
+    /// point is reported.
     pub(super) fn side(
         &self,
         pose: &Pose,
@@ -108,18 +108,17 @@ impl<'a> PolygonKernel<'a> {
     }
 }
 
-/// Chordal error, mm, below which finer polygons tell no more: 64 ulps of the centre distance
-/// (1.9e-12 mm at 132 mm); a point of a gear is known to some dozens.
+/// Finest useful chordal error, mm: 64 ulps of the centre distance (1.9e-12 mm at 132 mm). A point of a gear is known
+/// to a few dozen ulps.
 pub(super) fn finest_chord(assembly: &GearPair) -> f64 {
     64.0 * f64::EPSILON * assembly.center_distance()
 }
 
-/// Places of the locked teeth, counted counter-clockwise from the mating's, that the free gear can reach.
+/// Positions of the locked teeth that the free gear can reach, counted counter-clockwise from the mating's.
 ///
-/// A ray at the angle `ζ` from the line of centres, `R_l` long, comes as near to the free axis as its
-/// end, or as the foot of the perpendicular, `a sin ζ`, where that lies on it. The
-/// greatest `ζ` at which that is still `R_f` bounds the window; a tooth spreads half a pitch to
-/// either side of its centre, and deviations of up to another half.
+/// A ray at the angle `ζ` from the line of centres, of length `R_l`, comes nearest to the free axis at its end, or at
+/// the foot of the perpendicular, `a sin ζ`, if the ray reaches it. The greatest `ζ` whose distance is still `R_f`
+/// bounds the window. A tooth extends half a pitch to either side of its centre, and deviations add up to another half.
 pub(super) fn steps_in_reach(assembly: &GearPair, pose: &Pose) -> Range<i64> {
     let locked = assembly.gear(assembly.locked());
     let a = assembly.center_distance();

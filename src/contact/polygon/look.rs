@@ -1,4 +1,4 @@
-//! A look at a pair of half teeth at one opening: are they clear of each other, by chords that are cut again only where they are near.
+//! Whether a pair of half teeth is clear at one opening. Chords are cut finer only where they are near each other.
 
 use super::chord::Chord;
 use super::flank_problem::FlankProblem;
@@ -6,26 +6,26 @@ use super::graphs;
 use crate::contact::parry::closest;
 use nalgebra::{Isometry2, Point2};
 
-/// Pairs of chords cut round a place, a look; beyond these, halves, which surely become shorter. (Three to ten are usual.)
+/// Limit of pairs that are cut round their nearest place; further pairs are halved, which always shortens them. (Three
+/// to ten are usual.)
 const ROUNDS: u32 = 64;
 
-/// What polygons see of a pair between two openings.
+/// The result for one pair at two openings.
 pub(super) enum Seen {
-    /// Clear of each other at both.
+    /// Clear at both.
     Clear,
-    /// Clear at the first, not proven clear at the second.
+    /// Clear at the greater, not proven clear at the smaller.
     Touch,
-    /// Not proven clear at the first.
+    /// Not proven clear at the greater.
     Overlap,
-    /// Not known: the effort is spent.
+    /// Unknown: the budget is spent.
     TooMuch,
 }
 
-/// Looks at `problem` at two openings, the wider first, by polygons down to `finest`.
+/// Examines `problem` at two openings, the greater first, with polygons down to `finest`.
 ///
-/// Where nothing at the wider one is within both chordal errors and what a point moves to the narrower, both are clear.
-///
-/// Where a touch is known already the narrower one is of no interest.
+/// If at the greater opening nothing is within both chordal errors plus the movement of a point to the smaller, both
+/// are clear. If a touch is `known` already, the smaller opening is not examined.
 pub(super) fn seen(
     problem: &FlankProblem,
     [open, closed]: [f64; 2],
@@ -68,16 +68,16 @@ pub(super) fn seen(
     }
 }
 
-/// A look at a pair of half teeth at one opening.
+/// The examination of one pair of half teeth at one opening.
 struct Looking<'a> {
     problem: &'a FlankProblem<'a>,
     finest: f64,
-    /// What is clear by no more than this is close.
+    /// A clearance up to this much counts as close.
     slack: f64,
     close: bool,
-    /// Pairs of chords that may still be looked at.
+    /// Chord pairs that may still be examined.
     left: &'a mut u32,
-    /// Pairs that may still be cut round a place.
+    /// Pairs that may still be cut round their nearest place.
     rounds: u32,
 }
 
@@ -110,7 +110,7 @@ impl Looking<'_> {
         true
     }
 
-    /// Whether two chords' curves are proven clear; `seen` are the ends of the free one in the locked frame.
+    /// Whether the curves of two chords are proven clear; `seen` are the ends of the free chord in the locked frame.
     fn clear(
         &mut self,
         frame: &Isometry2<f64>,
@@ -131,14 +131,14 @@ impl Looking<'_> {
         let finest = locked_chord.error <= self.finest && free_chord.error <= self.finest;
         if finest {
             let distance = closest(&locked_chord.ends, seen).distance;
-            // The finest chords' own errors may be smaller than what rounding leaves of a distance.
+            // The errors of the finest chords can be smaller than the rounding of a distance.
             self.close |= distance <= 2.0 * self.finest + self.slack;
             return distance > 2.0 * self.finest;
         }
         let gap = self.gap(locked_chord, free_chord, seen);
         let apart = match gap {
             Some(gap) => 0.75 * gap.width - 2.0 * self.finest,
-            // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
+            // It suffices that one chord lies beyond the line of the other; otherwise shorter chords decide.
             None => {
                 let [line, other] = [
                     off_line(&locked_chord.ends, seen, locked_chord.half_length),
@@ -174,7 +174,7 @@ impl Looking<'_> {
         }
     }
 
-    /// Whether two chords' curves are proven clear, both cut on either side of where they are nearest.
+    /// Whether the curves of two chords are proven clear, with both cut on either side of their nearest place.
     fn clear_round(
         &mut self,
         frame: &Isometry2<f64>,
@@ -191,7 +191,7 @@ impl Looking<'_> {
         })
     }
 
-    /// How far two chords' curves are apart by the way they bend ([`graphs::gap`]).
+    /// A lower bound of the distance between the curves of two chords from their curvature ([`graphs::gap`]).
     fn gap(
         &self,
         locked_chord: &Chord,
@@ -214,14 +214,14 @@ impl Looking<'_> {
     }
 }
 
-/// How far a chord lies to one side of another's line; 0 or less where it crosses it.
+/// How far a chord lies to one side of another chord's line; 0 or less if it crosses the line.
 fn off_line(line: &[Point2<f64>; 2], ends: &[Point2<f64>; 2], half_length: f64) -> f64 {
     let along = line[1] - line[0];
     let [one, other] = ends.map(|end| along.perp(&(end - line[0])));
     one.min(other).max(-one.max(other)) / (2.0 * half_length)
 }
 
-/// Which of two chords has its middle nearer to that of another: where there is a touch it is found sooner.
+/// Which of two chords has its middle nearer to that of another. Starting with it finds a touch sooner.
 fn nearer_first(halves: [[Point2<f64>; 2]; 2], other: &[Point2<f64>; 2]) -> [usize; 2] {
     let middle = other[0].coords + other[1].coords;
     let [one, two] = halves.map(|[a, b]| (a.coords + b.coords - middle).norm_squared());

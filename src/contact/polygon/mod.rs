@@ -1,9 +1,8 @@
 //! Lost motion on polygons: the free gear is turned in safe steps until it touches.
 //!
-//! Each side is a matter of the half teeth of that side alone, so an interfering
-//! pair gives its negative value by the same path as a clear one. Every pair of
-//! facing half teeth within reach takes part in one search (`search`), which
-//! turns in and cuts finer whatever is tightest.
+//! Only the half teeth of one side decide the contact of that side, so the same path gives the negative value of an
+//! interfering pair. One search (`search`) takes every pair of facing half teeth within reach, and turns in and cuts
+//! finer the tightest.
 
 mod certificate;
 mod chord;

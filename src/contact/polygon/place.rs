@@ -1,4 +1,4 @@
-//! What touches where two half teeth are closest: curves, radii, point and normal.
+//! The contact where two half teeth are closest: curves, radii, point and normal.
 
 use super::chord::{Chord, Half};
 use super::flank_problem::FlankProblem;
@@ -8,35 +8,35 @@ use crate::gear::ProfilePart;
 use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
 
-/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule), one this near the root circle
-/// the root: below it the gear is solid all round.
+/// A point this near the tip circle, mm, is the tip corner (the rule of the reference data). A point this near the root
+/// circle is the root, below which the gear is solid all round.
 const CORNER: f64 = 1e-7;
 
-/// What touches, and where in the picture.
+/// The touching curves and the place in the picture.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub locked: Touch,
     pub free: Touch,
     pub point: Point2<f64>,
-    /// Out of the locked gear's metal.
+    /// Points out of the metal of the locked gear.
     pub normal: Vector2<f64>,
-    /// How fast the curves' gap may bulge along them, 1/mm: the lesser curvature, of an edge the other's.
+    /// Greatest curvature of the gap along the curves, 1/mm: the lesser of the two; at an edge that of the other curve.
     pub curvature: f64,
-    /// On how many fillets it lies, or at their ends.
+    /// How many of the two curves are a fillet there, or end at one.
     pub hollow: u32,
 }
 
-/// What one half tooth brings to a place.
+/// One half tooth's side of a contact.
 struct Part {
     touch: Touch,
-    /// An edge has none.
+    /// `None` at an edge.
     normal: Option<Vector2<f64>>,
     curvature: f64,
     hollow: bool,
 }
 
 impl Place {
-    /// What touches at the opening `touching`, where `chords` are `closest`.
+    /// The contact at the opening `touching`, where `chords` are `closest`.
     pub fn new(
         problem: &FlankProblem,
         touching: f64,
@@ -55,8 +55,7 @@ impl Place {
         let free = part(&problem.free, problem.free_tooth, &chords[1], &on_free);
         let frame = &problem.locked_frame;
         let point = frame * nalgebra::center(&points[0], &points[1]);
-        // The other gear's curve gives an edge its normal, and of
-        // two edges the direction in which they meet.
+        // At an edge the other curve gives the normal; between two edges it is their direction of approach.
         let normal: Vector2<f64> = match (locked.normal, free.normal) {
             (Some(normal), _) => frame * normal,
             (None, Some(normal)) => -(frame * (free_frame * normal)),
@@ -82,7 +81,7 @@ impl Place {
         }
     }
 
-    /// The contact by name: teeth, curves, radii, point and normal, with the side's `rotation` and `error`.
+    /// The contact with teeth, curves, radii, point and normal, and with the side's `rotation` and `error`.
     pub fn contact(&self, locked: Member, rotation: f64, error: f64) -> Contact {
         let (wheel, pinion, normal) = match locked {
             Member::Wheel => (self.locked, self.free, self.normal),
@@ -100,7 +99,7 @@ impl Place {
     }
 }
 
-/// What `half` brings at the point `at` of its chord, in its own frame.
+/// The contact's side on `half`, at the point `at` of its chord in its own frame.
 fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
     let profile = half.profile();
     let gear = profile.gear();
@@ -123,7 +122,7 @@ fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
             radius,
         },
         normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),
-        // A fillet is hollow, or flat enough beside the arm.
+        // A fillet is hollow. Elsewhere an unknown curvature is small beside the arm.
         curvature: half.curvature(chord).unwrap_or(0.0),
         hollow: match curve {
             ProfilePart::Fillet | ProfilePart::Root => true,
@@ -133,12 +132,12 @@ fn part(half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
     }
 }
 
-/// Whether a half tooth has an edge or ends at the place: a corner of its tip, or the middle of the space.
+/// Whether a half tooth has an edge or ends at this place: a corner of its tip, or the middle of the space.
 fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool {
     let profile = half.profile();
     let gear = profile.gear();
     let inside = CORNER / radius;
-    // At an edge of the curve itself a chord ends.
+    // Chords end at the edges of a curve.
     let edges = profile.part(curve).curve.edges();
     if edges.contains(&parameter) {
         return true;
@@ -163,8 +162,9 @@ mod tests {
     use super::*;
     use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side};
 
-    /// Edges: within `CORNER` of both ends of the tip land, of the tip circle on the flank, of the middle of the space, and of the root circle on a
-    /// fillet that no root land follows. Spaces in turn wider and narrower, these without a root land.
+    /// Edges lie within `CORNER` of both ends of the tip land, of the tip circle on the flank and of the middle of the
+    /// space, and of the root circle on a fillet without a root land. Spaces are alternately wider and narrower; the
+    /// narrower ones have no root land.
     #[test]
     fn edges_are_the_corners_of_the_tip_and_the_middle_of_the_space() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();

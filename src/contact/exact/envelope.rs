@@ -1,21 +1,20 @@
-//! A cheap test whether a point lies clear of a half tooth.
+//! A cheap test whether a point is clear of a half tooth.
 //!
-//! The half thickness `f(x)` of the tooth over its centre line, from the tip corner outwards that of the
-//! corner, is bounded from above by one straight line in each of a few cells of `x`. A point below all of that
-//! still has a way to go until it touches, so its gap is less than the rotation at which it was tested:
-//! it did not come through the metal. A point that turns in crosses the flank only inwards (its polar radius is
-//! monotone there: [`super::search_free_proof`]), and beyond the corner it comes nearer to the centre line as
-//! long as the axis lies farther out along the tooth than itself (or, for the gear that turns, farther in). The
-//! land itself would not do for a border: a point that went in through the flank may come out of the land, and
-//! stand beside `f(x)` again.
+//! `f(x)` is the half thickness of the tooth over its centre line; beyond the tip corner it stays at the corner's
+//! value. One straight line in each of a few cells of `x` bounds it from above. A point below all these lines has not
+//! touched yet, so its gap is less than the rotation of the test. It cannot have come through the metal. A point that
+//! turns in crosses the flank only inwards, because its polar radius is monotone there ([`super::search_free_proof`]).
+//! Past the corner it approaches the centre line while the axis is further out along the tooth than the point (for the
+//! gear that turns, further in). The land itself is no useful border: a point that entered through the flank may leave
+//! through the land and be beside `f(x)` again.
 
 use super::shape::C;
 use crate::gear::{Gear, HalfTooth, Profile, ProfilePart, Segment, Side};
 
-/// Cells over the tooth depth. Tuned: 24 leave 1 point in 60 to the exact test on ordinary gears, 12 leave twice as many.
+/// Cells over the tooth depth (tuned: 24 leave 1 point in 60 to the exact test on ordinary gears, 12 twice as many).
 const CELLS: usize = 32;
 
-/// Chordal error of the polygon the lines are laid over, in tooth depths: a tenth of what 24 cells lose by themselves.
+/// Chordal error, in tooth depths, of the polygon that the lines bound: a tenth of the loss of 24 cells.
 const CHORDAL_ERROR: f64 = 4e-5;
 
 /// Upper bounds `f(x) ≤ intercept + slope x`, cell by cell.
@@ -24,13 +23,13 @@ pub(super) struct Envelope {
     start: f64,
     cells_per_mm: f64,
     end: f64,
-    /// The cells, between one of all that lies below and one of all that lies above.
+    /// The cells, between one for all lower `x` and one for all higher `x`.
     lines: [(f64, f64); CELLS + 2],
 }
 
 impl Envelope {
-    /// The envelope of `gear`'s half tooth; a point counts as clear only when it is so by more than `margin` mm,
-    /// and farther out along the tooth than `least` mm from its centre.
+    /// The envelope of the half tooth of `gear`. A point is clear only by more than `margin` mm, and only if it is more
+    /// than `least` mm from the gear's centre along the tooth.
     pub fn new(gear: &Gear, margin: f64, least: f64) -> Envelope {
         let depth = gear.tip_radius() - gear.root_radius();
         let chordal_error = CHORDAL_ERROR * depth;
@@ -51,7 +50,7 @@ impl Envelope {
         let half_tip = gear.tip_half_angle();
         let corner = gear.tip_radius() * half_tip.sin();
         envelope.lines[CELLS + 1] = (corner + margin, 0.0);
-        // A cell reaches as far as the curve may lie beside the polygon's border.
+        // A cell includes the distance by which the curve may leave the polygon.
         let border = |cell: usize| start + cell as f64 * width;
         let mut pieces: [Vec<(f64, f64)>; CELLS] = std::array::from_fn(|_| Vec::with_capacity(16));
         let on_land = |segment: &Segment| segment.curve == ProfilePart::Tip;
@@ -90,7 +89,7 @@ impl Envelope {
         envelope
     }
 
-    /// Whether `point`, in the frame of the tooth, is outside the metal, on the flank's side.
+    /// Whether `point`, in the frame of the tooth, is outside the metal on the side of the flank.
     #[inline]
     pub fn clears(&self, point: C) -> bool {
         let cell = (point.re - self.start) * self.cells_per_mm + 1.0;
@@ -98,13 +97,13 @@ impl Envelope {
         -point.im > intercept + slope * point.re
     }
 
-    /// Whether `point` lies beyond the tip circle, over the tip or past it.
+    /// Whether `point` is outside the tip circle, over the tip or past it.
     pub fn is_beyond_tip(&self, point: C) -> bool {
         point.re > self.end
     }
 }
 
-/// A line above `points` `(x, f)` by at least `room`, measured square to it; `None` without points.
+/// A line above `points` `(x, f)` by at least `room`, measured perpendicular to it; `None` without points.
 fn above(points: &[(f64, f64)], room: f64) -> Option<(f64, f64)> {
     let low = points
         .iter()

@@ -1,24 +1,28 @@
-//! Helical gears: the contact over a whole common face from that of some of its transverse sections.
+//! Helical gears: the contact over the common face from that of a few transverse sections.
 //!
-//! Rotation keeps points in their section, so the free gear stops where the first section does: `φ_R = max_b φ_R(b)`, `φ_L = min_b φ_L(b)`.
-//! A section is a spur pair ([`Section`]) with its teeth rolled on by their twist `τ(b)`. Between involutes
+//! Rotation keeps points in their section, so the first section to touch stops the free gear: `φ_R = max_b φ_R(b)`,
+//! `φ_L = min_b φ_L(b)`. A section is a spur pair ([`Section`]) with its teeth turned by their twist `τ(b)`. The
+//! contact of two involutes
 //!
 //! ```text
 //! r_bF φ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF        (see `line`)
 //! ```
 //!
-//! does not depend on `b`: `B` runs between the centres of the sections, which do not wind, and `r_bL τ_L + r_bF τ_F = 0`, since `r_b τ = ∓b tan β_b`
-//! whatever the base radius. So it is of gears whose base pitches differ, as those of unlike temperature do: each is wound by its own lead, but both by one `β_b`
-//! (a gear that expands alike in all directions keeps its angles). Then each pair has a rotation of its own, and wider faces have more pairs. Only
-//! the rolls do: a pair touches so over one stretch of the face, as long as its path of contact over `tan β_b`. Beyond it an end of an
-//! involute touches, and the gap falls: a normal of the mate's involute passes through the pitch point on the line of action alone,
-//! so away from it the gap has a slope of one sign, down to the face's end. Therefore sections no farther apart than the shortest such
-//! stretch, both ends of the face among them, hold the tightest of all pairs of involutes exactly, however many or few they are.
+//! does not depend on `b`. `B` joins the centres of the sections, which are constant along the face, and `r_bL τ_L +
+//! r_bF τ_F = 0`, because `r_b τ = ∓b tan β_b` for any base radius. This also holds for gears with different base
+//! pitches, such as gears at different temperatures. Each follows its own lead, but both have one `β_b`, because
+//! uniform expansion keeps angles. Then each pair of teeth has its own rotation, and wider faces have more pairs.
 //!
-//! A section alone is [`GearPair::section`](crate::pair::GearPair::section) and [`Pose::in_section`](crate::pair::Pose::in_section); `over_face` takes
-//! the tightest of those that nothing can slip between. Polygons and certificate see one section at a time (`by_sections`).
+//! Only the rolls depend on `b`. A pair has line contact over one stretch of the face, as long as its path of contact
+//! over `tan β_b`. Outside it an end of an involute touches and the gap falls. A normal of the mate's involute passes
+//! through the pitch point only on the line of action. So off that line the slope of the gap keeps its sign to the end
+//! of the face. Therefore sections spaced by at most the shortest such stretch, with both ends of the face, hold the
+//! tightest of all pairs of involutes exactly.
 //!
-//! Where an edge comes to a fillet, or paths of contact are next to none, more is to be seen between ([`edges`]).
+//! One section is [`GearPair::section`](crate::pair::GearPair::section) and
+//! [`Pose::in_section`](crate::pair::Pose::in_section); `over_face` takes the tightest of them. Polygons and
+//! certificate treat one section at a time (`by_sections`). If an edge can reach a fillet, or paths of contact are very
+//! short, further sections are needed ([`edges`]).
 
 mod edges;
 mod facing;
@@ -40,17 +44,18 @@ use edges::Edges;
 use facing::{Facing, Floors};
 use turning::FreeGear;
 
-/// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
-/// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
+/// Shortest stretch of line contact, in base pitches, that sets the spacing of sections (tuned: smaller values give
+/// more sections). A pair with a shorter path of contact can have its stretch between two sections; [`edges`] finds it.
 const SHORTEST: f64 = 0.125;
 
-/// Nodes of a pose after which a section is asked for no more than what is tighter than those before (tuned: ordinary pairs take a tenth).
-const UNHURRIED: u64 = 20_000;
+/// Nodes of a pose after which a section looks only for tighter contacts than known (tuned: ordinary pairs use a
+/// tenth).
+const NODES_BEFORE_FLOOR: u64 = 20_000;
 
-/// Times the places of [`edges`] are looked for: each leaves the square of what the last one left.
+/// Greatest number of rounds over the places of [`edges`]. Each round squares the remaining error.
 const MOST_ROUNDS: usize = 4;
 
-/// A change, rad, of the free gear's rotation after which no other round is needed: the square is below rounding.
+/// Change of the free gear's rotation, rad, that ends the rounds: its square is below rounding.
 const SETTLED: f64 = 1e-7;
 
 /// A pair of helical gears.
@@ -59,9 +64,9 @@ pub(super) struct Helical {
     assembly: GearPair,
     /// The measuring plane.
     plane: Section,
-    /// Places along the face, mm, and the sections there, that nearest to the measuring plane first.
+    /// Places along the face, mm, and their sections, the one nearest to the measuring plane first.
     sections: Vec<(f64, Section)>,
-    /// Where between them more is to be seen.
+    /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
 }
 
@@ -128,13 +133,13 @@ impl Helical {
         })
     }
 
-    /// Whether every pair of teeth touches on the line of action over some length, wherever the eccentricities have the centres.
+    /// Whether every pair of teeth has line contact over some length, for any direction of the eccentricities.
     pub fn has_line_contact(&self) -> bool {
         shortest_path(&self.assembly) > 0.0
     }
 
-    /// Both contacts of `pose`, as `method` finds them in each section, with what `effort` allows for all of them; of a section that jams the gears
-    /// by itself those in it, for nothing turns then, whatever touches elsewhere.
+    /// Both contacts of `pose`, as `method` finds them in each section, within the common budget `effort`. If one
+    /// section jams the gears, its contacts are the result, because nothing can turn then.
     pub fn over(
         &self,
         pose: &Pose,
@@ -142,7 +147,7 @@ impl Helical {
         method: impl Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>,
     ) -> Result<FoundOverFace, Error> {
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
-        let mut looking = Looking {
+        let mut examined = ExaminedSections {
             helical: self,
             pose,
             effort,
@@ -151,32 +156,33 @@ impl Helical {
             over: OverFace::default(),
         };
         for (b, section) in &self.sections {
-            looking.look(*b, section, 0.0)?;
+            examined.section(*b, section, 0.0)?;
         }
         if let Some(edges) = &self.edges {
-            looking.between(edges, &self.plane.right)?;
-            looking.between(edges, &self.plane.left)?;
+            examined.between(edges, &self.plane.right)?;
+            examined.between(edges, &self.plane.left)?;
         }
-        let over = looking.over;
+        let over = examined.over;
         Ok(over.found(pose.free_rotation(), self.plane.free_pitch()))
     }
 }
 
-/// The sections of a pose that were looked at so far.
-struct Looking<'a, M> {
+/// The sections of a pose that were examined so far.
+struct ExaminedSections<'a, M> {
     helical: &'a Helical,
     pose: &'a Pose,
     effort: &'a Effort,
     /// Finds both contacts in a section.
     method: M,
-    /// Whether a section may jam by itself.
+    /// Whether a single section can jam.
     may_jam: bool,
     over: OverFace,
 }
 
-impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M> {
-    /// Looks at the section at `b`, mm, unless the gears are jammed; `doubt`, rad, is beside the errors of what touches there.
-    fn look(&mut self, b: f64, section: &Section, doubt: f64) -> Result<(), Error> {
+impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
+    /// Examines the section at `b`, mm, unless the gears are jammed. `doubt`, rad, is added to the contact errors
+    /// there.
+    fn section(&mut self, b: f64, section: &Section, doubt: f64) -> Result<(), Error> {
         if self.over.is_solid() {
             return Ok(());
         }
@@ -184,7 +190,7 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
         let here = self.pose.in_section(&self.helical.assembly, b);
         let known = self.over.known(self.may_jam);
         let mut found = None;
-        if effort.used() > UNHURRIED && known[0].is_finite() {
+        if effort.used() > NODES_BEFORE_FLOOR && known[0].is_finite() {
             let tighter = (self.method)(section, &here, Wanted { effort, known })?;
             let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
             found = Some(tighter).filter(|found| !self.may_jam || clear(found));
@@ -200,14 +206,14 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
         Ok(())
     }
 
-    /// Looks where an edge may touch tightest between the sections: on the side of `problem`.
+    /// Examines the places between the sections where an edge may touch tightest, on the side of `problem`.
     fn between(&mut self, edges: &Edges, problem: &FlankProblem) -> Result<(), Error> {
         let (helical, pose, side) = (self.helical, self.pose, problem.side);
         let assembly = &helical.assembly;
         let posed = helical.plane.posed(problem, pose);
         let facing = Facing::new(assembly, &posed, edges.short);
         let solid = solid_radius(assembly.gear(assembly.free()));
-        // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
+        // The centre of an eccentric free gear depends on its rotation: repeat until both are settled.
         let is_eccentric = problem.free_off.norm() > 0.0;
         let rounds = if is_eccentric { MOST_ROUNDS } else { 1 };
         let mut last = None;
@@ -220,7 +226,8 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
             if last.is_some_and(is_settled) {
                 break;
             }
-            // Where nothing touches in any section so far, it may between them, wherever the free gear comes to stand.
+            // If nothing touches in any section so far, a touch between them is possible at any rotation of the free
+            // gear.
             let stands = FreeGear {
                 rotation: -side.sense() * (pose.free_rotation() + beyond.unwrap_or(0.0)),
                 is_held: beyond.is_some(),
@@ -229,7 +236,7 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
                 if self.over.is_solid() {
                     return Ok(());
                 }
-                // What jams may let the free gear farther than what is known.
+                // A jam can let the free gear turn further than the known limit.
                 let [tighter, jams] = [false, self.may_jam]
                     .map(|may_jam| floor(&posed, self.over.known(may_jam), pose));
                 let floors = Floors {
@@ -239,7 +246,7 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
                 };
                 if facing.may_hold(&place, floors, self.effort) {
                     let section = helical.plane.turned(&assembly.section(place.b));
-                    self.look(place.b, &section, place.doubt)?;
+                    self.section(place.b, &section, place.doubt)?;
                 }
             }
             last = Some(beyond);
@@ -248,8 +255,9 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> Looking<'_, M>
     }
 }
 
-/// How much the places of all flanks differ, rad of the free gear, where at any pose some pair touches on the line of action, whose path is no
-/// shorter than `path`, mm, in any section: flanks follow each other within a pitch and what they are off.
+/// Greatest difference between the places of all flanks, rad of the free gear. `path` is the least path of contact in
+/// any section, mm. `None` unless some pair is always on the line of action: flanks follow each other within a pitch
+/// plus their offset.
 fn spread_on_line(plane: &Section, path: f64, base_pitch: f64) -> Option<f64> {
     let sides = [&plane.right, &plane.left];
     let range = |teeth: &Teeth| teeth.extremes.1 - teeth.extremes.0;
@@ -265,8 +273,8 @@ fn spread_on_line(plane: &Section, path: f64, base_pitch: f64) -> Option<f64> {
     all.then(|| spread(sides[0]).max(spread(sides[1])))
 }
 
-/// Least length along the axis, mm, over which a pair of teeth touches on the line of action at any rotation: the path of contact winds
-/// by `tan β_b` a mm.
+/// Least length along the axis, mm, over which a pair of teeth has line contact at any rotation. Along the axis the
+/// path of contact advances by `tan β_b` per mm.
 fn shortest_stretch(assembly: &GearPair) -> f64 {
     let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
     let path = shortest_path(assembly).max(SHORTEST * basic_data.base_pitch());
@@ -275,8 +283,9 @@ fn shortest_stretch(assembly: &GearPair) -> f64 {
 
 /// Least length of the path of contact at any rotation, mm.
 ///
-/// The path between both tips, or from an involute's beginning where that comes first, is a least of functions linear in
-/// the base tangent `T`: concave, so least at the least or at the greatest distance of the displaced centres.
+/// The path runs between both tips, or from the start of an involute if that is nearer. It is a minimum of functions
+/// linear in the base tangent `T`, so it is concave. Its least value is at the least or greatest distance of the
+/// displaced centres.
 fn shortest_path(assembly: &GearPair) -> f64 {
     let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let [one, other] = gears.map(|gear| {

@@ -1,23 +1,20 @@
 //! Lost motion on the smooth curves: the default method.
 //!
-//! Turning the free gear shifts all its points by one angle. In polar
-//! coordinates `(ρ, θ)` about its axis two facing half teeth therefore touch at
-//! the extremum over `ρ` of `θ_locked(ρ) − θ_free(ρ)`, and a side's contact is
-//! that of its tightest pair. Nothing is approximated: what a result leaves open
-//! is rounding, and the bracket of a branch and bound where one was needed; both
-//! stand in [`Contact::error`].
+//! Turning the free gear shifts the angle of all its points equally. Two facing half teeth therefore touch at the
+//! maximum over `ρ` of `θ_locked(ρ) − θ_free(ρ)`, in polar coordinates `(ρ, θ)` about the free axis. The contact of a
+//! side is that of its tightest pair. Nothing is approximated. The remaining uncertainty is rounding, and the bracket
+//! of a branch and bound where one is needed; [`Contact::error`] contains both.
 //!
-//! A half tooth runs from the far corner of the tip land, where the tooth's other flank
-//! begins, over the land and down to the middle of the space, turned flank by flank as measured;
-//! right halves face right halves, left halves left. Tips that hardly reach each other meet on the far
-//! half of a land: where the tip circles cross is then all that is left of the mesh. Gears of three or four teeth may stand beside a tip land,
-//! on the locked tooth's far flank (`far_flanks`).
+//! A half tooth starts at the far corner of the tip land, where the other flank begins. It follows the land and the
+//! flank down to the middle of the space, each flank turned as measured. Right halves face right halves, left halves
+//! left. Tips that barely reach each other meet on the far half of a land: only the crossing of the tip circles is left
+//! of the mesh. Gears of three or four teeth can touch beside a tip land, on the locked tooth's far flank
+//! (`far_flanks`).
 //!
-//! Where several pairs touch together (within 1e-9 mm at the free gear's base
-//! circle, as all do between perfect gears) the contact named is the one
-//! nearest to the operating pitch point; of two equally near ones (within
-//! 1e-6 mm) in right-flank contact the one clockwise on the locked gear, in
-//! left-flank contact its mirror image. The rotation is that of the tightest.
+//! Several pairs can touch together: within 1e-9 mm at the free gear's base circle, as all pairs of perfect gears do.
+//! The reported contact is the one nearest the operating pitch point. If two are equally near (within 1e-6 mm), it is
+//! in right-flank contact the one clockwise on the locked gear, and in left-flank contact its mirror image. The
+//! rotation is that of the tightest pair.
 //!
 //! `right.rotation` lies in (−π, π], `left.rotation` continues from it.
 
@@ -68,10 +65,10 @@ use section::Wanted;
 
 /// Lost motion of one assembly on its exact curves.
 ///
-/// Holds what does not depend on the pose, 48 bytes a tooth and side; poses may be asked for from any thread.
+/// Holds the data that do not depend on the pose, 48 bytes per tooth and side. Any thread may use it.
 #[derive(Debug, Clone)]
 pub struct ExactKernel {
-    /// The measuring plane: all of a spur pair.
+    /// The measuring plane: the whole of a spur pair.
     section: Section,
     helical: Option<Box<Helical>>,
 }
@@ -82,10 +79,10 @@ impl ExactKernel {
         ExactKernel::of(assembly, Section::new(assembly))
     }
 
-    /// The kernel of the same gears at another centre distance, in a time that does not depend on the number of teeth.
+    /// The kernel of these gears at another centre distance, in a time independent of the number of teeth.
     ///
-    /// It is that of [`ExactKernel::new`] to the last bit of any result. `assembly` is one that
-    /// [`GearPair::at`] made of this kernel's.
+    /// Every result equals that of [`ExactKernel::new`] to the last bit. [`GearPair::at`] must have made `assembly`
+    /// from this kernel's pair.
     pub fn at(&self, assembly: &GearPair) -> ExactKernel {
         ExactKernel::of(assembly, self.section.at(assembly))
     }
@@ -97,26 +94,27 @@ impl ExactKernel {
         ExactKernel { section, helical }
     }
 
-    /// Right- and left-flank contact at `pose`, a pose of the same assembly; of helical gears over their common face.
+    /// Right- and left-flank contact at `pose` of this assembly. For helical gears it is found over the common face.
     ///
     /// The result depends on the pose alone, to the last bit.
     ///
     /// # Errors
-    /// [`Error::ContactLost`] when a pair of flanks cannot be resolved within the effort of a pose; never a pair left out.
+    /// [`Error::ContactLost`] if a pair of flanks cannot be resolved within the effort of a pose. No pair is ever
+    /// omitted.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
         Ok(self.found_within(pose, &Effort::of_pose())?.lost_motion)
     }
 
-    /// Units of effort, counted and not timed, that `pose` takes, and how many it may take before it is given up.
+    /// Effort of `pose` in counted nodes, and the limit for one pose. Time is not measured.
     pub fn effort(&self, pose: &Pose) -> [u64; 2] {
         let effort = Effort::of_pose();
         let most = effort.left();
-        // What it came to is not asked for.
+        // Only the effort matters here, not the contacts.
         let _ = self.found_within(pose, &effort);
         [effort.used(), most]
     }
 
-    /// The same with what `effort` allows, which is of this pose alone, and which section of helical gears jams.
+    /// The contacts within the budget `effort` of this pose, and the section in which a helical pair jams.
     pub(super) fn found_within(
         &self,
         pose: &Pose,
@@ -132,10 +130,10 @@ impl ExactKernel {
         }
     }
 
-    /// The same at `mating` of `assembly`, which is this kernel's; `None` where a contact is lost.
+    /// The lost motion at `mating` of this kernel's `assembly`; `None` if a contact is lost.
     ///
     /// # Errors
-    /// None but what is not of this one pose.
+    /// Only errors that do not concern a single pose.
     pub(crate) fn lost_motion_at(
         &self,
         assembly: &GearPair,
@@ -144,7 +142,7 @@ impl ExactKernel {
         self.lost_motion_counted(assembly, mating).0
     }
 
-    /// The same, and what it took.
+    /// Also returns the effort used.
     fn lost_motion_counted(
         &self,
         assembly: &GearPair,
@@ -159,8 +157,9 @@ impl ExactKernel {
         (found, effort.used())
     }
 
-    /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
-    /// slower, to check [`ExactKernel::lost_motion`] by. Lands that touch between their corners may be more than it can settle.
+    /// The lost motion by branch and bound over all pairs and curves, without special cases. It checks
+    /// [`ExactKernel::lost_motion`] and is a thousand times slower. It may fail on lands that touch between their
+    /// corners.
     ///
     /// # Errors
     /// As [`ExactKernel::lost_motion`].
@@ -178,24 +177,26 @@ impl ExactKernel {
         }
     }
 
-    /// The measuring plane: all there is of a spur pair.
+    /// The measuring plane: the whole of a spur pair.
     pub(super) fn plane(&self) -> &Section {
         &self.section
     }
 
-    /// The sections of helical gears that hold the tightest of all pairs of involutes, and their places along the face, mm; `None` of spur gears.
+    /// The sections of helical gears that hold the tightest of all pairs of involutes, with their places along the
+    /// face, mm. `None` for spur gears.
     pub(super) fn sections_over_face(&self) -> Option<&[(f64, Section)]> {
         self.helical.as_ref().map(|helical| helical.sections())
     }
 
-    /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; that of the measuring plane of spur gears.
+    /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; for spur gears the
+    /// measuring plane.
     pub fn sections(&self) -> Vec<f64> {
         let helical = self.helical.as_ref();
         helical.map_or(vec![0.0], |helical| helical.places().collect())
     }
 
-    /// Whether this pair needs no search: its contacts are on the line of action, at corners,
-    /// or where a tip land touches an involute.
+    /// Whether the contacts need no search: all are on the line of action, at corners, or where a tip land touches an
+    /// involute.
     pub fn is_direct(&self) -> bool {
         self.section.is_direct()
     }

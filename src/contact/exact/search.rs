@@ -1,4 +1,4 @@
-//! The plain path: branch and bound over every facing pair, nothing left out.
+//! The general method: branch and bound over every facing pair.
 
 use super::branch::search;
 use super::curves::{Curves, SearchExhausted};
@@ -10,19 +10,19 @@ use crate::contact::Effort;
 use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 
-/// What a caller wants of a side.
+/// The request for one side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asked<'a> {
-    /// What is done is taken from here.
+    /// Budget to charge.
     pub effort: &'a Effort,
-    /// A gap no greater than this need not be found.
+    /// Gaps up to this need not be found.
     pub floor: f64,
 }
 
-/// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
+/// The first contact, from the greatest gap of every pair in reach. Lands use the closed form.
 ///
 /// # Errors
-/// The step whose pair could not be settled.
+/// The step of the pair that stays undecided.
 #[cold]
 pub(super) fn touching(
     posed: &PosedFlanks,
@@ -33,7 +33,7 @@ pub(super) fn touching(
     let mut curves = without_lands(Curves::ALL);
     let (locked, free) = (&posed.problem.locked, &posed.problem.free);
     if locked.is_modified() || free.is_modified() {
-        // Of a measured flank the search of the whole has no bound that is near.
+        // A search over a whole measured flank has no tight bound.
         let part = ProfilePart::Involute;
         for step in posed.steps() {
             let found = posed.flanks_anyhow(step, tightest_contacts.level(), 0.0, asked.effort);
@@ -46,7 +46,7 @@ pub(super) fn touching(
     over(posed, tightest_contacts, |_| curves, asked, MOST_NODES)
 }
 
-/// The same by nothing but the search, with more patience.
+/// Branch and bound alone, with a larger budget.
 ///
 /// # Errors
 /// As [`touching`].
@@ -64,7 +64,7 @@ pub(super) fn by_search(
     )
 }
 
-/// The pair that touches first, of what is known and what a search finds over the `curves` of each step's locked half tooth.
+/// The first contact, from the known candidates and a search over the `curves` of each step's locked half tooth.
 ///
 /// # Errors
 /// As [`touching`].

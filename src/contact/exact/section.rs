@@ -18,24 +18,24 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use std::f64::consts::FRAC_PI_2;
 
-/// What a side of a section takes, in nodes, and each of its steps beside (tuned: 1.1 µs a pose of ordinary spur gears).
+/// Effort of one side of a section, and of each of its steps, in nodes (tuned: 1.1 µs per pose of ordinary spur gears).
 const SIDE: u64 = 2;
 const STEP: u64 = 1;
 
-/// Of what other sections have shown, a floor is so many ties less: what ties with a contact above it is found all the same.
+/// Margin, in tie widths, below a gap that another section has shown. Contacts that tie with it are still found.
 const TIES_BELOW: f64 = 4.0;
 
-/// What is wanted of a section.
+/// The request to a section.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wanted<'a> {
     pub effort: &'a Effort,
-    /// How far beyond its nominal rotation the free gear is known to stop, rad, the right and the left side; contacts that let it farther need
-    /// not be found. −∞ and ∞: all are wanted.
+    /// Rotation beyond nominal, rad, at which other sections are known to stop the free gear, on the right and on the
+    /// left. Looser contacts need not be found. −∞ and ∞ request every contact.
     pub known: [f64; 2],
 }
 
 impl<'a> Wanted<'a> {
-    /// Both contacts, whatever they are.
+    /// Requests both contacts without a limit.
     pub fn all(effort: &'a Effort) -> Wanted<'a> {
         Wanted {
             effort,
@@ -44,28 +44,28 @@ impl<'a> Wanted<'a> {
     }
 }
 
-/// One transverse section of an assembly: all there is of a spur pair.
+/// One transverse section of an assembly: the whole of a spur pair.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Section {
     pub right: FlankProblem,
     pub left: FlankProblem,
-    /// What is the same at every centre distance, beside the teeth.
+    /// The parts, beside the teeth, that are the same at every centre distance.
     envelopes: Envelopes,
-    /// What spares searching, the same for both sides; `None` where all must be searched.
+    /// The solver without search, for both sides; `None` if all must be searched.
     pub(super) solver: Option<DirectSolver>,
-    /// The same where profiles deviate.
+    /// The solver for profiles that deviate.
     outer: Option<Box<OuterGears>>,
     free: Member,
-    /// The pair, where teeth may stand in the mate's body.
+    /// The pair, if its teeth can enter the mate's body.
     pub bodies: Option<Box<GearPair>>,
     /// Whether no pose can be assembled.
     pub blocked: bool,
-    /// Whether a free tooth may meet a locked tooth's far flank first.
+    /// Whether a free tooth can meet a locked tooth's far flank first.
     meets_far_flanks: bool,
 }
 
 impl Section {
-    /// That of `assembly`.
+    /// The section of a spur pair.
     pub fn new(assembly: &GearPair) -> Section {
         let problems = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
         let envelopes = Envelopes::new(&problems[0], assembly);
@@ -73,7 +73,7 @@ impl Section {
         Section::of(assembly, problems, envelopes, outer)
     }
 
-    /// The same gears at another centre distance, to the last bit; `assembly` is one that [`GearPair::at`] made of this one's.
+    /// The section of these gears at another centre distance, exact to the last bit; [`GearPair::at`] made `assembly`.
     pub fn at(&self, assembly: &GearPair) -> Section {
         let problems = [&self.right, &self.left].map(|problem| problem.at(assembly));
         let outer = self.outer.as_ref();
@@ -81,7 +81,7 @@ impl Section {
         Section::of(assembly, problems, self.envelopes.clone(), outer)
     }
 
-    /// The section of a helical pair of which this is the measuring plane: `pair`, which [`GearPair::section`] made.
+    /// Another section of the helical pair whose measuring plane this is; [`GearPair::section`] made `pair`.
     pub fn turned(&self, pair: &GearPair) -> Section {
         Section {
             right: self.right.turned(pair),
@@ -124,7 +124,7 @@ impl Section {
         outer: Option<OuterGears>,
     ) -> Section {
         let [right, left] = problems;
-        // Of both gears the left half teeth mirror the right ones.
+        // The left half teeth of both gears mirror the right ones.
         let solver = DirectSolver::new(&right, assembly, envelopes.clone());
         Section {
             meets_far_flanks: may_meet_far_flanks(assembly),
@@ -232,10 +232,10 @@ impl Section {
     }
 }
 
-/// Why a contact is lost when the effort of a pose is.
+/// The reason of a contact lost because its pose has no effort left.
 const SPENT: &str = "the effort that a pose allows is spent";
 
-/// The gap at which the free gear stands where it is `known` to stop, and some ties less; −∞ where it is far from there, or nothing is known.
+/// A few tie widths less than the gap at which the free gear is `known` to stop; −∞ if that is unknown or far away.
 pub(super) fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -> f64 {
     let problem = posed.problem;
     let beyond = match problem.side {
@@ -250,7 +250,7 @@ pub(super) fn floor(posed: &PosedFlanks, [right, left]: [f64; 2], pose: &Pose) -
         Side::Left => -pose.free_rotation(),
     };
     let gap = reduced(reduced(nominal) + beyond - posed.rotation(0.0));
-    // Farther off, a turn more or less might be meant.
+    // Further away, the gap is ambiguous by a turn.
     if gap.abs() < FRAC_PI_2 {
         gap - TIES_BELOW * problem.tie
     } else {

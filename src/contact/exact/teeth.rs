@@ -1,8 +1,7 @@
-//! Where every tooth's half on one side stands in the gear's own frame.
+//! The position of every tooth's half on one side, in the gear's own frame.
 //!
-//! The left side is stored mirrored, so that all that follows knows right-hand
-//! halves only. *Places* count counter-clockwise from tooth 1, in the mirrored
-//! frame too. A place takes 48 bytes.
+//! The left side is stored mirrored, so all later code knows only right-hand halves. *Places* count counter-clockwise
+//! from tooth 1, also in the mirrored frame. A place takes 48 bytes.
 
 use super::shape::{C, HalfToothShape, turn};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
@@ -11,21 +10,21 @@ use std::f64::consts::TAU;
 /// One side of all teeth of a gear.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Teeth {
-    /// That of the gear without profile deviations.
+    /// The half tooth without profile deviations.
     pub shape: HalfToothShape,
-    /// The half teeth where profiles deviate, and which each place has.
+    /// The half teeth with profile deviations, and the index of each place into them.
     modified: Option<Box<(Vec<HalfToothShape>, Vec<u32>)>>,
     /// `τ`.
     pub pitch: f64,
-    /// Sense in which tooth numbers ascend in this frame.
+    /// Sign with which tooth numbers increase in this frame.
     ascending: i64,
     /// Rotation of each half from its undisturbed place, rad.
     offsets: Vec<f64>,
     /// Direction of each half tooth's centre line, offset included.
     directions: Vec<C>,
-    /// The far corner of each tip land, where the tooth's other flank begins, in the frame of this half tooth.
+    /// Far corner of each tip land, where the tooth's other flank begins, in the frame of this half tooth.
     far: Vec<C>,
-    /// Where each root land ends: the middle of the space as built.
+    /// End of each root land: the middle of the space as built.
     root_ends: Vec<f64>,
     /// Least and greatest offset.
     pub extremes: (f64, f64),
@@ -72,7 +71,7 @@ impl Teeth {
         for place in 0..i64::from(count) {
             let tooth = number(place);
             let offset = mirror * gear.flank_offset(side, tooth);
-            // Of a tooth thinner by more than half its land it lies on the near half.
+            // On a tooth thinner by more than half its land, the corner is on the near half.
             let (_, half_tip) = gear.profile(side.other(), tooth).range(ProfilePart::Tip);
             let far = half_tip + mirror * gear.flank_offset(side.other(), tooth);
             teeth.farthest = teeth.farthest.max(far);
@@ -114,7 +113,7 @@ impl Teeth {
         shapes.fold(0.0, |most, shape| most.max(shape.tilt))
     }
 
-    /// Least radius of curvature of a flank from a roll outwards, mm: 0 where it has an edge there, or bulges no more.
+    /// Least radius of curvature of a flank from a roll outwards, mm; 0 at an edge or where the flank is not convex.
     pub fn least_bend_radius(&self, roll: f64) -> f64 {
         let shapes = self.modified.iter().flat_map(|modified| &modified.0);
         let least = shapes.map(|shape| shape.least_bend_radius(roll));
@@ -126,10 +125,10 @@ impl Teeth {
         self.offsets.len() as i64
     }
 
-    /// The place `steps` counter-clockwise of that of tooth number `tooth`.
+    /// The place `steps` counter-clockwise of tooth number `tooth`.
     pub fn place(&self, tooth: u32, steps: i64) -> usize {
         let place = self.ascending * (i64::from(tooth) - 1) + steps;
-        // Nearly always within a turn or two: a division is slower.
+        // Usually within a turn or two: a division is slower.
         let (mut place, count) = (place, self.count());
         if place.abs() > 4 * count {
             place %= count;
@@ -143,12 +142,12 @@ impl Teeth {
         place as usize
     }
 
-    /// Pitches from tooth 1 to `tooth`, counter-clockwise positive, whole turns kept.
+    /// Pitches from tooth 1 to `tooth`, counter-clockwise positive, including whole turns.
     pub fn pitches_to(&self, tooth: u32) -> f64 {
         (self.ascending * (i64::from(tooth) - 1)) as f64
     }
 
-    /// The place `steps` counter-clockwise of `place`, for a few steps: no division.
+    /// The place `steps` counter-clockwise of `place`, for a few steps, without a division.
     #[inline]
     pub fn beside(&self, place: usize, steps: i64) -> usize {
         let count = self.count();
@@ -198,7 +197,7 @@ impl Teeth {
     }
 }
 
-/// The same place counted to either side of tooth 1: half the rounding of its angle.
+/// The place counted to either side of tooth 1, which halves the rounding of its angle.
 fn centred(place: i64, count: u32) -> f64 {
     let count = i64::from(count);
     let signed = if 2 * place > count {
@@ -211,8 +210,8 @@ fn centred(place: i64, count: u32) -> f64 {
 
 /// `angle` within ±π, to 4e-16 rad, for up to a million turns.
 ///
-/// Cody and Waite's reduction: 2π in three parts of which the first two have few
-/// enough digits for their product with a count of turns to be exact.
+/// Cody and Waite's reduction: 2π is the sum of three parts. The first two have so few digits that their product with a
+/// count of turns is exact.
 pub(in crate::contact) fn reduced(angle: f64) -> f64 {
     const PARTS: [f64; 3] = [
         6.283_185_303_211_212,
@@ -226,8 +225,8 @@ pub(in crate::contact) fn reduced(angle: f64) -> f64 {
     ((angle - turns * PARTS[0]) - turns * PARTS[1]) - turns * PARTS[2]
 }
 
-/// The whole number nearest to `value`, which is far from 2^63. (`f64::round` is a call into the
-/// C library on the baseline processor.)
+/// The whole number nearest to `value`, which is far from 2^63. `f64::round` would call the C library on the baseline
+/// processor.
 pub(super) fn nearest(value: f64) -> i64 {
     (value + 0.5f64.copysign(value)) as i64
 }
@@ -245,7 +244,7 @@ mod tests {
         (gear, teeth)
     }
 
-    /// Places against `AsBuilt::counter_clockwise`, seen in the mirror on the left.
+    /// Places agree with `AsBuilt::counter_clockwise`, mirrored on the left.
     #[test]
     fn places_count_counter_clockwise() {
         for face in [Face::Front, Face::Back] {
@@ -274,7 +273,7 @@ mod tests {
         assert_eq!(bytes, 17 * 48);
     }
 
-    /// sin and cos of the C library reduce exactly: an outside source.
+    /// Source: sin and cos of the C library, which reduce exactly.
     #[test]
     fn angles_are_reduced_without_loss() {
         for k in 1..2000 {

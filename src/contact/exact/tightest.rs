@@ -4,8 +4,8 @@ use super::candidate::CandidateContact;
 use super::flank_problem::FlankProblem;
 use super::shape::C;
 
-/// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
-/// equally near: far above rounding, far below a base pitch.
+/// Difference in distance from the pitch point, mm, below which tied contacts count as equally near. It is far above
+/// rounding and far below a base pitch.
 const EQUALLY_NEAR_MM: f64 = 1e-6;
 
 /// Candidates kept without an allocation: a contact ratio of four.
@@ -43,17 +43,17 @@ impl TightestContacts {
         self.greatest
     }
 
-    /// The least gap that still matters.
+    /// The least gap that can still count.
     pub fn level(&self) -> f64 {
         self.greatest - self.width
     }
 
-    /// Whether a candidate of this gap matters.
+    /// Whether a candidate with this gap counts.
     pub fn admits(&self, gap: f64) -> bool {
         gap >= self.level()
     }
 
-    /// Takes the candidate of a step.
+    /// Adds the candidate of a step.
     pub fn offer(&mut self, step: i64, candidate: CandidateContact) {
         if candidate.gap > self.greatest + self.width {
             self.count = 0;
@@ -75,8 +75,9 @@ impl TightestContacts {
             .filter(move |(_, candidate)| candidate.gap >= level)
     }
 
-    /// Of the candidates that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
-    /// near ones the first counter-clockwise of the locked gear as [`super::flank_problem`] sees it. Of one pair's candidates its greatest.
+    /// The reported contact of those that tie with the greatest gap. It is nearest to the operating pitch point; of
+    /// equally near ones, first counter-clockwise on the locked gear as in [`super::flank_problem`]. A pair counts with
+    /// its greatest candidate.
     pub fn choose(&self) -> Option<Touching> {
         let away =
             |candidate: &CandidateContact| (candidate.point - self.pitch_point).norm_sqr().sqrt();

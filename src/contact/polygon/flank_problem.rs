@@ -14,7 +14,7 @@ use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-/// Greatest error of a chord, as a part of its distance from the axis (the sine of an angle). Beyond it the chord is
+/// Greatest error of a chord, as a part of its distance from the axis (the sine of an angle). A chord with more is
 /// halved.
 const WIDE: f64 = 0.05;
 

@@ -70,9 +70,9 @@ impl Gap {
     /// Parts of each stretch at which both are best cut where `width` falls short by `missing`, on either side of the
     /// place where it is least.
     ///
-    /// Near a touch the gap of two curves is `(K_1 + K_2) t²/2`. Beyond `δ = √(2 d/(K_1 + K_2))` it exceeds the missing
-    /// `d`, so the outer pieces are clear. `d` falls with the third power of the length `L`, so the middle piece is
-    /// only about `L √L` long. Curves that cross by no more than `d` do so within `δ`.
+    /// Near a touch the gap of two curves is `(K_1 + K_2) t²/2`. Further away than `δ = √(2 d/(K_1 + K_2))` it exceeds
+    /// the missing `d`, so the outer pieces are clear. `d` falls with the third power of the length `L`, so the middle
+    /// piece is only about `L √L` long. Curves that cross by no more than `d` do so within `δ`.
     pub fn cuts(&self, missing: f64) -> [[f64; 2]; 2] {
         let longest = self.runs[0].1.abs().max(self.runs[1].1.abs());
         let half = (2.0 * missing / self.bend).sqrt().min(WIDEST * longest);

@@ -162,9 +162,9 @@ mod tests {
     use super::*;
     use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side};
 
-    /// Edges lie within `CORNER` of both ends of the tip land, of the tip circle on the flank and of the middle of the
-    /// space, and of the root circle on a fillet without a root land. Spaces are alternately wider and narrower; the
-    /// narrower ones have no root land.
+    /// Edges lie within `CORNER` of the ends of the tip land, of the tip circle on the flank and of the middle of the
+    /// space. A fillet without a root land also has one within `CORNER` of the root circle. Spaces are alternately
+    /// wider and narrower; the narrower ones have no root land.
     #[test]
     fn edges_are_the_corners_of_the_tip_and_the_middle_of_the_space() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();

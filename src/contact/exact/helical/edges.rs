@@ -1,15 +1,16 @@
-//! Where along the face an edge may touch tightest.
+//! Places along the face where an edge may touch tightest.
 //!
-//! Where an edge touches a fillet tightest ([`super::super::deepest`]) is common to all teeth; the turn of the locked tooth, and
-//! with it `b`, follows. Where two edges cross, the tightest may stand as well: both circles' intersection says where.
+//! An edge touches a fillet tightest at one position that is the same for all teeth ([`super::super::deepest`]). It
+//! fixes the turn of the locked tooth, and with it `b`. Edges can also be tightest where two of them cross, at an
+//! intersection of their circles.
 //!
-//! **Of pairs with next to no path of contact** a pair of involutes may touch on the line of action over a stretch of the face that falls
-//! between two sections, or over none. A stretch is held by its middle. Without one an edge of either involute touches the other,
-//! at normals on one side of the pitch point before the edges cross and on the other side after: where they cross the pair is tightest, and
-//! nothing else may touch anywhere. An eccentric free gear may come to its mate only as it turns: where both tip circles touch then, the tightest stands
-//! where a land ends on the line of centres.
+//! **Very short paths of contact.** A pair of involutes may have line contact over a stretch between two sections, or
+//! over none. The middle of a stretch represents it. Without a stretch, an edge of either involute touches the other:
+//! on one side of the pitch point before the edges cross, on the other side after. The pair is tightest where they
+//! cross, and perhaps nothing else touches anywhere. An eccentric free gear may reach its mate only by turning. If both
+//! tip circles touch then, the tightest place is where a land ends on the line of centres.
 //!
-//! These are places to look at, each of one pair of teeth: a section's own method finds what touches there.
+//! Each place belongs to one pair of teeth. The method of a section finds what touches there.
 
 use super::roots::{tangent_rotations, tip_ends, tips_on_roots};
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
@@ -22,23 +23,24 @@ use crate::contact::exact::teeth::reduced;
 use crate::pair::GearPair;
 use std::f64::consts::PI;
 
-/// Distances of the outlines' centres at which the room of a fillet is looked at (tuned: runout of a hundredth of a module changes it little).
+/// Number of centre distances at which the room of a fillet is evaluated (tuned: runout of a hundredth of a module
+/// changes it little).
 const STEPS_OF_DISTANCE: u32 = 8;
 
-/// Of which gear a fillet may be touched.
+/// The gears whose fillet an edge can touch, and the other reasons to examine places.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edges {
     on_locked: bool,
     on_free: bool,
-    /// Whether tips may come to the mate's root, which may jam the pair ([`super::roots`]).
+    /// Whether tips can reach the mate's root, which can jam the pair ([`super::roots`]).
     pub jams: bool,
-    /// Whether a pair of involutes may touch on the line of action between two sections only, or nowhere on it.
+    /// Whether a pair of involutes may have line contact only between two sections, or nowhere.
     pub short: bool,
 }
 
 impl Edges {
-    /// `None` where no tip of `assembly`, whose right-hand half teeth are those of `problem`, comes to a fillet, and paths of contact are not
-    /// `short`.
+    /// The edges of `assembly`, whose right-hand half teeth are those of `problem`. `None` if no tip reaches a fillet
+    /// and paths of contact are not `short`.
     pub fn new(assembly: &GearPair, problem: &FlankProblem, short: bool) -> Option<Edges> {
         let off = problem.locked_off.norm() + problem.free_off.norm();
         let nearest = assembly.center_distance() - off;
@@ -58,8 +60,9 @@ impl Edges {
         (edges.on_locked || edges.on_free || short).then_some(edges)
     }
 
-    /// The same without fillets where no tip touches one as tight as a pair touches that is on the line of action, flanks of all teeth
-    /// differing by `spread`, rad of the free gear, and `deepest`, the least `γ` of the locked and of the free fillet that a tip reaches.
+    /// These edges without the fillets, if no tip touches a fillet as tightly as a pair on the line of action. The
+    /// flanks of all teeth differ by `spread`, rad of the free gear. `deepest` is the least `γ` of each fillet that a
+    /// tip reaches.
     pub fn without_fillets(
         self,
         problem: &FlankProblem,
@@ -89,7 +92,7 @@ impl Edges {
         }
     }
 
-    /// Places on the face at a pose of the measuring plane, with the free gear as it stands in the frame of `posed`.
+    /// Places on the face at a pose of the measuring plane, for the free gear's rotation in the frame of `posed`.
     pub fn places(
         &self,
         assembly: &GearPair,
@@ -138,7 +141,7 @@ impl Edges {
         }
         for (k, &(_, one)) in locked.corners().iter().enumerate() {
             for (l, &(_, other)) in free.corners().iter().enumerate() {
-                // Both tips cross where a pair is tightest only without a path of contact.
+                // Crossing tips can be tightest only without a path of contact.
                 if k > 0 || l > 0 || self.short {
                     let edges = [&Edge::corner(one), &Edge::corner(other)];
                     let places = (&mut places, effort);
@@ -156,8 +159,8 @@ impl Edges {
     }
 }
 
-/// Adds the places on the face, mm, at which a locked and a free tooth have the directions `ahead` and `behind`, rad, if the free gear may come
-/// there: if it does not stop before.
+/// Adds the places on the face at which a locked and a free tooth have the directions `ahead` and `behind`, rad, unless
+/// the free gear stops before.
 fn tight_places(
     [locked, free]: &[Turning; 2],
     [ahead, behind]: [f64; 2],
@@ -172,29 +175,31 @@ fn tight_places(
     }
 }
 
-/// A tip and its mate's fillet, where they touch tightest along the face, beside the same teeth on the line of action: neither depends on where
-/// along the face a section stands.
+/// A tip and its mate's fillet where they touch tightest, compared with the same teeth on the line of action. Neither
+/// depends on the place along the face.
 struct FilletRoom<'a> {
     fillet: &'a HalfToothShape,
     tip: &'a HalfToothShape,
-    /// Rad of the free gear a rad of the gear whose tip it is.
+    /// Ratio of the free gear's turn to the turn of the tip's gear.
     per_free: f64,
 }
 
 impl FilletRoom<'_> {
-    /// Whether the tip has more room than `spread`, rad of the free gear, at any of `distances` of the outlines' centres; `deepest` is the least `γ`
-    /// that it reaches.
+    /// Whether the tip has more room than `spread`, rad of the free gear, at each centre distance between the two
+    /// given. `deepest_roll` is the least `γ` that it reaches.
     ///
-    /// A normal that passes the pitch point at the lean `ω` from the line of centres turns the tip's gear by `cot ω/r_w` a mm of distance, `r_w`
-    /// that gear's operating pitch radius; the line of action by `tan α_w/r_w`. So between the distances that are looked at the room changes by half
-    /// a step of them times the greater at most. A fillet has one such touch or none.
+    /// Let `ω` be the angle of a normal through the pitch point to the line of centres, and `r_w` the operating pitch
+    /// radius of the tip's gear. That normal turns the gear by `cot ω/r_w` per mm of distance, the line of action by
+    /// `tan α_w/r_w`. So between two evaluated distances the room changes by at most half a step times the greater of
+    /// these. A fillet has at most one such touch.
     fn exceeds(&self, spread: f64, [nearest, farthest]: [f64; 2], deepest_roll: f64) -> bool {
         let (fillet, tip) = (self.fillet, self.tip);
         let sum = fillet.base + tip.base;
         let Some(line) = Line::new(C::from(nearest), sum) else {
             return false;
         };
-        // On the line of action the tip must not come to the joint, nor the joint be an edge: a touch would begin there.
+        // On the line of action the tip must stay off the joint, and the joint must not be an edge: a touch would begin
+        // there.
         if fillet.corners().len() > 1
             || line.length - tip.base * tip.tip_roll <= fillet.base * fillet.form_roll
         {
@@ -214,7 +219,7 @@ impl FilletRoom<'_> {
         })
     }
 
-    /// How much farther than on the line of action the tip's gear turns to this touch, rad.
+    /// Angle by which the tip's gear turns further to this touch than to the line of action, rad.
     fn beside_line(&self, distance: f64, touch: DeepestTouch) -> f64 {
         let (fillet, tip) = (self.fillet, self.tip);
         let Some(line) = Line::new(C::from(distance), fillet.base + tip.base) else {
@@ -228,8 +233,8 @@ impl FilletRoom<'_> {
     }
 }
 
-/// Where the locked tooth stands, seen from the line of the centres, rad, when a pair touches in the middle of its path of contact; `None`
-/// without a path.
+/// Direction of the locked tooth from the line of centres, rad, when a pair touches in the middle of its path of
+/// contact; `None` without a path.
 fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64) -> Option<f64> {
     let line = Line::new(C::from(distance), locked.base + free.base)?;
     let mate = |roll: f64| (line.length - free.base * roll) / locked.base;
@@ -238,9 +243,9 @@ fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64)
     (from <= to).then_some(line.angle - 0.5 * (from + to) + locked.half_base)
 }
 
-/// Adds the places on the face, mm, where the tip lands of an eccentric free gear and its mate may touch as the free gear comes nearer in turning:
-/// where both circles touch they do so all over the face where both lands are on the line of centres, from an end of one to an end of one,
-/// and where no part of it has both, where such ends cross.
+/// Adds the places on the face where the tip lands of an eccentric free gear and its mate can touch as the gear turns.
+/// Where both circles touch, they do so over the whole face on which both lands are on the line of centres: from the
+/// end of one to the end of one. If no part of the face has both, they touch where such ends cross.
 fn tips_on_tips(
     (assembly, posed): (&GearPair, &PosedFlanks),
     turnings: &[Turning; 2],
@@ -253,7 +258,7 @@ fn tips_on_tips(
     };
     for (k, one) in locked.iter().enumerate() {
         for (l, other) in free.iter().enumerate() {
-            // Both near corners are among all others.
+            // The crossing of both near corners is found elsewhere.
             if k > 0 || l > 0 {
                 crossing_places(posed, turnings, [one, other], stands, (places, effort));
             }

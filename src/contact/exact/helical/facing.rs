@@ -1,8 +1,9 @@
-//! Whether a pair of teeth has to be looked at.
+//! Whether the pair of teeth at a place needs to be examined.
 //!
-//! All teeth that pass the line of centres along the face have places to look at, a dozen each, and next to none of them is the tightest. So the pair
-//! of teeth that a place belongs to is asked first: whether it is tighter there than what is known, whether a root land is near enough to jam, or
-//! whether its tip stands in the body of the mate. The centres of sections do not wind, so that both teeth are those of the measuring plane, wound.
+//! Every pair of teeth that passes the line of centres along the face has about a dozen places, and almost none of them
+//! is the tightest. So a cheap test comes first: is the pair tighter than the known contact, is a root land near enough
+//! to jam, or is its tip in the body of the mate? The centres of sections are constant along the face, so both teeth
+//! are those of the measuring plane, twisted.
 
 use super::turning::{Place, Turning};
 use crate::contact::Effort;
@@ -16,29 +17,29 @@ use crate::contact::gap::{MOST_NODES, Origin};
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 
-/// What is known of a pose: what a pair of teeth has to come to more.
+/// The limits that a pair of teeth has to exceed at a pose.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Floors {
-    /// The gap, rad, above which it touches first.
+    /// The gap, rad, above which the pair touches first.
     pub tighter: f64,
-    /// The gap, rad, above which it may jam in its section, if a root land touches.
+    /// The gap, rad, above which the pair can jam in its section if a root land touches.
     pub jams: f64,
-    /// The distance from the free axis, mm, within which a tip stands in the body of the free gear.
+    /// The distance from the free axis, mm, within which a tip is in the body of the free gear.
     pub solid: f64,
 }
 
-/// The teeth of a pose, which wind along the face.
+/// The teeth of a pose, twisted along the face.
 pub(super) struct Facing<'a> {
     posed: &'a PosedFlanks<'a>,
-    /// Of the locked and of the free gear, rad a mm, in the frame of `posed`.
+    /// Twist of the locked and the free gear in the frame of `posed`, rad/mm.
     twists: [f64; 2],
-    /// The pairs of curves that are asked about, but roots.
+    /// The pairs of curves to examine, except roots.
     curves: Curves,
 }
 
 impl<'a> Facing<'a> {
-    /// The teeth of `posed`; both involutes are asked about where pairs touch on the line of action between sections only, or nowhere (`short`):
-    /// else they are tightest in sections that are looked at anyway.
+    /// The teeth of `posed`. Pairs of involutes are included only if line contact may be confined to the space between
+    /// sections or absent (`short`); otherwise they are tightest in sections that are examined anyway.
     pub fn new(assembly: &GearPair, posed: &'a PosedFlanks<'a>, short: bool) -> Facing<'a> {
         let all = if short {
             Curves::ALL
@@ -53,7 +54,7 @@ impl<'a> Facing<'a> {
         }
     }
 
-    /// Whether the pair of teeth there may change what is known: tighten it, or jam.
+    /// Whether the pair of teeth at this place can be tighter than the known contact, or jam.
     pub fn may_hold(&self, at: &Place, floors: Floors, effort: &Effort) -> bool {
         let wound = |placed: Placed<'a>, twist: f64| Placed {
             direction: placed.direction * turn(twist * at.b),
@@ -66,7 +67,7 @@ impl<'a> Facing<'a> {
             return true;
         }
         let here = self.posed.origin_of(at.step);
-        // Wound on by so much, the free tooth faces the mate at a gap of so much less.
+        // Twist of the free tooth reduces the gap at which it faces the mate.
         let origin = Origin {
             about: here.about - self.twists[1] * at.b,
             ..here
@@ -96,6 +97,6 @@ fn is_tighter(
     let curves = without_lands(curves);
     let found = search(locked, free, origin, floor, curves, &mut left);
     effort.spend((most - left) as u64);
-    // What is not settled is looked at.
+    // An undecided pair is examined.
     found.map_or(true, |found| found.is_some())
 }

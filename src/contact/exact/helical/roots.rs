@@ -1,8 +1,9 @@
-//! Where along the face the tip of a tooth may come to its mate's root.
+//! Places along the face where the tip of a tooth can reach its mate's root.
 //!
-//! Tips are deepest on the line of centres. The root of an eccentric free gear comes to a tip land as it turns: where both circles touch
-//! it stands alike over all of the face where both lands are on the line of centres, from an end of one to an end of one. Beyond, an end of the tip
-//! land touches, the farther from that line the later, until the root land ends.
+//! Tips are deepest on the line of centres. The root of an eccentric free gear approaches a tip land as the gear turns.
+//! Where both circles touch, the contact is equally tight over the stretch on which both lands are on the line of
+//! centres. An end of a land bounds that stretch on either side. Outside it an end of the tip land touches, later with
+//! growing distance from that line, until the root land ends.
 
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;
@@ -11,8 +12,8 @@ use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 
-/// Adds the places on the face where the tip of a tooth may come to the mate's root: where both lands end together, if the free gear may come there,
-/// and where the tip or the root of a pair of teeth is on the line of centres.
+/// Adds the places on the face where the tip of a tooth can reach the mate's root. They are where both lands end
+/// together, if the free gear can turn there, and where the tip or root of a pair is on the line of centres.
 pub(super) fn tips_on_roots(
     (assembly, posed): (&GearPair, &PosedFlanks),
     turnings: &[Turning; 2],
@@ -26,7 +27,7 @@ pub(super) fn tips_on_roots(
         Edge::root_end(locked, |step| posed.locked(step)),
         Edge::root_end(free, |step| posed.free(step)),
     ];
-    // What touches the mate's flank farther out is tightest elsewhere; where nothing holds the free gear yet, anything may.
+    // Contacts on the mate's flank are tightest elsewhere. While nothing stops the free gear, any curve may touch here.
     let curves = if stands.is_held {
         Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet))
     } else {
@@ -58,14 +59,14 @@ pub(super) fn tips_on_roots(
             places.extend(root.map(deep));
         }
     }
-    // The free gear is solid about its axis at every rotation, which is where its outline's centre is not.
+    // The free gear is solid about its axis at every rotation; the centre of its outline is elsewhere.
     let off = posed.problem.free_off.norm();
     if off > 0.0 && posed.centre.norm() - locked.tip_radius < free.root_radius - off {
         tips_at(0, &turnings[0], (-posed.centre).arg(), places);
     }
 }
 
-/// Both ends of the tip lands of the locked and of the free gear.
+/// Both ends of the tip lands of the locked and the free gear.
 pub(super) fn tip_ends<'a>(posed: &'a PosedFlanks<'a>) -> [[Edge<'a>; 2]; 2] {
     let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
     [
@@ -80,7 +81,7 @@ pub(super) fn tip_ends<'a>(posed: &'a PosedFlanks<'a>) -> [[Edge<'a>; 2]; 2] {
     ]
 }
 
-/// Rotations of the free gear at which circles about both outlines' centres touch, `sum` the sum of their radii: see
+/// Rotations of the free gear at which circles about both outline centres touch; `sum` is the sum of their radii. See
 /// [`super::super::lands`].
 pub(super) fn tangent_rotations(posed: &PosedFlanks, sum: f64) -> Option<[f64; 2]> {
     let (locked, free) = (posed.centre, posed.problem.free_off);

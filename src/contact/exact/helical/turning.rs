@@ -1,4 +1,4 @@
-//! Where along the face edges of the teeth stand, and where two of them cross.
+//! Places along the face where edges of the teeth have a given direction, and where two edges cross.
 
 use crate::contact::Effort;
 use crate::contact::exact::curves::Curves;
@@ -10,28 +10,29 @@ use crate::pair::{GearPair, Member};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// How near to a crossing of edges, as an angle of the locked tooth, rad: some hundred times what rounding leaves of its direction.
+/// Distance from a crossing of edges, as an angle of the locked tooth, rad: about a hundred times its rounding.
 const BESIDE: f64 = 1e-13;
 
-/// Rounding of a centre or a radius, in ulps of all of them.
+/// Rounding of a centre or a radius, in ulps of their sum.
 const ROUNDING: f64 = 4.0;
 
-/// A touch this far before the one that holds the free gear is looked at all the same, rad: a millionth of what teeth differ by.
+/// Contacts that touch up to this much earlier, rad, are still examined: a millionth of the differences between teeth.
 const DOUBT: f64 = 1e-9;
 
-/// Steps in which the free gear's rotation at a crossing is settled, at most (four to six are usual, some dozens where tip circles hardly cross).
+/// Limit of steps to settle the free gear's rotation at a crossing. Four to six are usual; a few dozen where tip
+/// circles barely cross.
 const MOST_TURNS: usize = 100;
 
-/// How the teeth of one gear stand along the face, in the frame of a pose.
+/// The directions of one gear's teeth along the face, in the frame of a pose.
 pub(super) struct Turning<'a> {
     pub face: [f64; 2],
-    /// Rad a mm along the axis.
+    /// Twist along the axis, rad/mm.
     twist: f64,
-    /// Direction of the tooth of step 0 in the measuring plane, undisturbed, rad.
+    /// Direction of the tooth of step 0 in the measuring plane, without deviations, rad.
     ahead: f64,
-    /// From one step to the next, rad.
+    /// Angle from one step to the next, rad.
     step: f64,
-    /// What the flank of a step stands turned beyond its place, rad.
+    /// Angular offset of a step's flank from its place, rad.
     offset: Box<dyn Fn(i64) -> f64 + 'a>,
 }
 
@@ -46,7 +47,7 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// How the teeth of a gear wind in the frame of `posed`, rad a mm along the axis.
+    /// Twist of a gear's teeth in the frame of `posed`, rad per mm along the axis.
     pub fn twist(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> f64 {
         posed.mirror() * assembly.gear(member).gear().basic_data().twist()
     }
@@ -69,8 +70,8 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// The places on the face at which `edge` of a tooth has `direction`, rad: of an end those on either side, for on which of them what ends
-    /// there is met rounding would decide.
+    /// The places on the face at which `edge` of a tooth has `direction`, rad. Around an end of a curve it gives a
+    /// place on either side, because rounding would decide which side is met.
     pub fn places(&self, edge: &Edge, direction: f64) -> impl Iterator<Item = Place> {
         let sides: &[f64] = if edge.is_end {
             &[-BESIDE, BESIDE]
@@ -96,16 +97,16 @@ impl<'a> Turning<'a> {
         (self.face[0]..=self.face[1]).contains(&b).then_some(place)
     }
 
-    /// Steps whose centre lines may have `direction` on the face.
+    /// Steps whose centre lines can have `direction` on the face.
     pub fn steps(&self, direction: f64) -> RangeInclusive<i64> {
         let ahead = reduced(direction - self.ahead);
         let ends = self.face.map(|b| (ahead - self.twist * b) / self.step);
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        // A pitch more: flanks may stand off their places.
+        // One pitch more, for the offsets of flanks.
         (low - 1.0).floor() as i64..=(high + 1.0).ceil() as i64
     }
 
-    /// Where the centre line of a step has `direction`, mm.
+    /// Place at which the centre line of a step has `direction`, mm.
     pub fn place(&self, direction: f64, step: i64) -> f64 {
         let ahead = reduced(direction - self.ahead);
         (ahead - step as f64 * self.step - (self.offset)(step)) / self.twist
@@ -136,7 +137,7 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// The corner that stands at `point` of every half tooth.
+    /// The corner at `point` of every half tooth.
     pub fn corner(point: C) -> Edge<'a> {
         let angle = point.arg();
         Edge {
@@ -146,7 +147,7 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// Where the tip land ends that the half tooth of a step begins with.
+    /// The far end of the tip land of each half tooth.
     pub fn far(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.tip_radius,
@@ -155,7 +156,7 @@ impl<'a> Edge<'a> {
         }
     }
 
-    /// Where the root land ends: the next half tooth's begins there, which faces others.
+    /// The end of the root land, where the half tooth begins that faces other teeth.
     pub fn root_end(shape: &HalfToothShape, half: impl Fn(i64) -> Placed<'a> + 'a) -> Edge<'a> {
         Edge {
             radius: shape.root_radius,
@@ -165,40 +166,41 @@ impl<'a> Edge<'a> {
     }
 }
 
-/// A place on the face to look at.
+/// A place on the face to examine.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
-    /// The pair of teeth that may touch there.
+    /// The pair of teeth that can touch there.
     pub step: i64,
-    /// Mm.
+    /// Along the face, mm.
     pub b: f64,
-    /// How much farther a contact may hold the free gear at the place that is meant, rad: rounding left that unsure by so much more than is common.
+    /// Uncertainty, rad, of how far a contact at this place lets the free gear turn, beyond the usual rounding.
     pub doubt: f64,
-    /// The pairs of curves that may touch tightest there, beside roots, which are asked about everywhere.
+    /// The pairs of curves that can touch tightest there. Roots are always examined too.
     pub curves: Curves,
 }
 
-/// Where the free gear stands in the frame of a pose.
+/// The rotation of the free gear in the frame of a pose.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FreeGear {
     /// Rad.
     pub rotation: f64,
-    /// Whether something touches there: what touches before does not matter.
+    /// Whether a contact stops it there. Earlier contacts do not matter then.
     pub is_held: bool,
 }
 
 impl FreeGear {
-    /// Whether it may come to stand so much `farther`, rad.
+    /// Whether it can turn further by `farther`, rad.
     pub(super) fn may_come(self, farther: f64) -> bool {
         !self.is_held || farther > -DOUBT
     }
 }
 
-/// Adds the places at which `edges` of a locked and of the free tooth that faces it cross, and those just beside them: on one side of a crossing
-/// the edges pass each other, and on which rounding would decide.
+/// Adds the places at which `edges` of a locked tooth and of its facing free tooth cross, and those just beside them.
+/// On one side of a crossing the edges pass each other; rounding would decide which side.
 ///
-/// Where the free gear stands then is not where it `stands`, and its eccentric axis not where that puts it: for each locked tooth both are settled in turn,
-/// each step leaving a share `e_F/r_F` of the last, more where the circles hardly cross. A step to where they do not cross is halved.
+/// There the free gear has another rotation than in `stands`, and its eccentric axis another direction. For each locked
+/// tooth an iteration settles both. Each step leaves a share `e_F/r_F` of the last, or more where the circles barely
+/// cross. A step beyond the crossing is halved.
 pub(super) fn crossing_places(
     posed: &PosedFlanks,
     [locked, free]: &[Turning; 2],
@@ -212,10 +214,11 @@ pub(super) fn crossing_places(
         Crossing::new(centres, [edges[0].radius, edges[1].radius])
     };
     let beyond = [0, 1].map(|k| &edges[k].beyond);
-    // An edge on the mate's involute, whose normal passes the locked axis at no more than the edge does: both gears' turn and the rolling between them.
+    // An edge on the mate's involute: its normal passes the locked axis no further out than the edge. This counts the
+    // turn of both gears and the rolling between them.
     let bases = [&posed.problem.locked, &posed.problem.free].map(|teeth| teeth.shape.base);
     let per_turn = (edges[0].radius + bases[0]) / bases[1];
-    // Of an eccentric free gear whose circle does not reach the mate's there, where it reaches farthest.
+    // If the eccentric circle does not reach the mate's there, start where it reaches furthest.
     let nearest = reduced((posed.centre * posed.problem.free_off.conj()).arg() - rotation);
     let Some((start, first)) = [0.0, nearest]
         .into_iter()
@@ -224,7 +227,7 @@ pub(super) fn crossing_places(
         return;
     };
     for (index, [ahead, behind]) in first.directions.into_iter().enumerate() {
-        // That of the teeth themselves but for what flanks stand off their places.
+        // The step of the teeth themselves, except for the offsets of flanks.
         for step in locked.steps(ahead - beyond[0](0)) {
             let turned_to =
                 |behind: f64, b: f64| reduced(behind - beyond[1](step) - free.direction(b, step));
@@ -251,7 +254,7 @@ pub(super) fn crossing_places(
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;
-            // As far beyond what rounding leaves of it as that comes to.
+            // Twice the rounding of the crossing.
             let off = 2.0 * unsure;
             let beside = [-BESIDE, BESIDE, -off, off];
             for beside in &beside[..if unsure > BESIDE { 4 } else { 2 }] {
@@ -268,9 +271,9 @@ pub(super) fn crossing_places(
 
 /// Both intersections of two circles.
 struct Crossing {
-    /// Of each, seen from both centres, rad.
+    /// Direction of each from both centres, rad.
     directions: [[f64; 2]; 2],
-    /// How far along the circles rounding may put them, mm: the less they overlap the farther.
+    /// Uncertainty of their position along the circles, mm. It grows as the overlap shrinks.
     unsure: f64,
 }
 
@@ -279,7 +282,7 @@ impl Crossing {
         let between = centres[1] - centres[0];
         let distance = between.norm();
         let overlap = one + other - distance;
-        // No difference of large squares: circles that hardly overlap cross where that says.
+        // Without a difference of large squares, so that circles that barely overlap cross in the right place.
         let short = overlap * (other + distance - one) / (2.0 * distance);
         let along = one - short;
         let square = short * (one + along);
@@ -288,7 +291,7 @@ impl Crossing {
         }
         let unit = between / distance;
         let aside = square.sqrt();
-        // `aside² = 2 ρ overlap`, `ρ = r_1 r_2/a`, where that is small.
+        // `aside² = 2 ρ overlap` with `ρ = r_1 r_2/a`, where it is small.
         let rounding = ROUNDING * f64::EPSILON * (distance + one + other);
         let twice = 2.0 * one * other / distance * rounding;
         Some(Crossing {

@@ -1,4 +1,4 @@
-//! Where two half teeth meet.
+//! A common point of two half teeth.
 
 use super::placed::Placed;
 use super::shape::C;
@@ -11,9 +11,9 @@ use crate::gear::ProfilePart;
 pub(super) struct CandidateContact {
     /// Gap, rad: the free gear's rotation, counted from the caller's `origin`.
     pub gap: f64,
-    /// Bound on what a search left out, rad.
+    /// Bound on the error of a search, rad.
     pub slack: f64,
-    /// `σ = ρ dθ/dρ` of the curve that decides how rounding shifts the gap.
+    /// `σ = ρ dθ/dρ` of the curve that determines how rounding shifts the gap.
     pub slope: f64,
     /// Profile part and parameter on the locked gear.
     pub locked: (ProfilePart, f64),

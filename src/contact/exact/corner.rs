@@ -1,30 +1,29 @@
-//! A corner of one half tooth on the curves of the other, of a certified pair.
+//! A corner of one half tooth on the curves of the other, for pairs without search.
 //!
-//! The corner keeps its radius about the free axis. On the mate's half tooth that
-//! radius is met once on the flank, found by one monotone inversion, and, beyond
-//! the mate's tip, on its land.
+//! The corner keeps its radius about the free axis. The mate's half tooth has that radius once on its flank, which one
+//! monotone inversion finds, and past the mate's tip on its land.
 //!
 //! On the flank of a locked tooth `ρ` rises from tip to root wherever the free gear reaches
-//! ([`super::search_free_proof`]). So a flank that the free gear reaches at all it reaches from the tip down: one that leaves its
-//! reach does not come back, and where the tip corner is out of reach all of the flank is. What `ρ` does there is
-//! unknown (the flank of a tooth that points sideways turns back), and does not matter.
+//! ([`super::search_free_proof`]). So the free gear reaches a flank from the tip down, if at all. A flank that leaves
+//! its reach does not return, and if the tip corner is out of reach, the whole flank is. There `ρ` is unknown (the
+//! flank of a tooth that points sideways turns back) and does not matter.
 
 use super::placed::Placed;
 use super::shape::{C, turn};
 use crate::gear::{ProfilePart, involute};
 use std::f64::consts::TAU;
 
-/// Whose half tooth it is: from tip to root `ρ` rises on a locked one, falls on a free one.
+/// The gear of a half tooth. From tip to root `ρ` rises on a locked half tooth and falls on a free one.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Sense {
     Locked,
     Free,
 }
 
-/// Profile part and parameter where `half` has the radius `rho` about the free axis.
+/// Profile part and parameter where `half` has the radius `rho` about the free axis. `None` if there is no such point,
+/// or if the search covers it.
 ///
-/// `fillet` is the least `γ` that can be reached; `near` is a point of the half tooth's own frame near
-/// the one sought. `None`: the half tooth has no such point, or the search has it.
+/// `fillet` is the least `γ` that can be reached. `near` is a nearby point in the half tooth's own frame.
 pub(super) fn meet(
     half: &Placed,
     side: Sense,
@@ -61,9 +60,9 @@ pub(super) fn meet(
     })
 }
 
-/// The roll down from which the involute is monotone in `ρ`, and `ρ` there: its tip's, unless it turns back.
+/// The roll below which the involute is monotone in `ρ`, and `ρ` there: at its tip, unless it turns back.
 ///
-/// The normal `−iE` meets the axis where `E` stands `acos(r_b/D)` from the direction to it.
+/// The normal `−iE` meets the axis where `E` is `acos(r_b/D)` from the direction to it.
 fn outer_end(half: &Placed) -> (f64, f64) {
     let shape = half.shape;
     let tip = (shape.tip_roll, half.own_to_axis(shape.corners()[0].1));
@@ -81,26 +80,27 @@ fn outer_end(half: &Placed) -> (f64, f64) {
     (roll, point.norm_sqr().sqrt())
 }
 
-/// `X = Q × n` of the involute at the tip corner, `Q` from the free axis: not above 0 where a locked involute turns back.
+/// `X = Q × n` of the involute at the tip corner, with `Q` from the free axis. It is at most 0 where a locked involute
+/// turns back.
 pub(super) fn tip_arm(half: &Placed) -> f64 {
     let shape = half.shape;
     let corner = half.centre * half.direction.conj() + shape.corners()[0].1;
     corner.re * shape.tip_normal.im - corner.im * shape.tip_normal.re
 }
 
-/// What `ρ` is at least where a locked involute turns back: there the normal passes through the free axis, which is
-/// `√(D² − r_b²)` along it from the base circle, and the involute's point at most `r_b ξ_a`.
+/// Least `ρ` where a locked involute turns back. There the normal passes through the free axis, `√(D² − r_b²)` along it
+/// from the base circle, and the involute's point is at most `r_b ξ_a` along it.
 pub(super) fn nearest_turn(locked: &Placed) -> f64 {
     let shape = locked.shape;
     (locked.centre.norm_sqr() - shape.base * shape.base).sqrt() - shape.base * shape.tip_roll
 }
 
-/// Least radius about the free axis of a locked involute down to where `ρ` is monotone: at its tip, or where it turns back.
+/// Least radius about the free axis of a locked involute where `ρ` is monotone: at its tip, or where it turns back.
 pub(super) fn least_flank_radius(locked: &Placed) -> f64 {
     outer_end(locked).1
 }
 
-/// Ends of a parameter range, that of lesser `ρ` first, where `ρ` falls with the parameter if `inward` is positive.
+/// Ends of a parameter range, the one of lesser `ρ` first. `ρ` falls with the parameter if `inward` is positive.
 fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
     if inward > 0.0 {
         [high, low]
@@ -109,11 +109,11 @@ fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
     }
 }
 
-/// Parameter at which a land has the radius `rho`; of two, the one nearer to its clockwise end,
-/// behind which the other lies.
+/// Parameter at which a land has the radius `rho`. If there are two, it is the one nearer to the land's clockwise end,
+/// which hides the other.
 ///
-/// On the circle of radius `r` about `C` a point `δ` from the direction to the axis has
-/// `ρ² = (|C| − r)² + 4 |C| r sin² δ/2 = (|C| + r)² − 4 |C| r cos² δ/2`: no difference of large squares.
+/// On the circle of radius `r` about `C` a point `δ` from the direction to the axis has `ρ² = (|C| − r)² + 4 |C| r sin²
+/// δ/2 = (|C| + r)² − 4 |C| r cos² δ/2`, without a difference of large squares.
 pub(super) fn on_land(half: &Placed, land: ProfilePart, rho: f64) -> Option<f64> {
     let (centre, radius) = (half.centre, half.shape.radius(land, 0.0));
     let distance = centre.norm_sqr().sqrt();

@@ -1,4 +1,4 @@
-//! Pairs of curves, as sets and as what an error names.
+//! Sets of pairs of curves, and their names in errors.
 
 use crate::gear::ProfilePart;
 use std::array::from_fn;
@@ -11,26 +11,26 @@ impl Curves {
     /// Every pair.
     pub const ALL: Curves = Curves([[true; 4]; 4]);
 
-    /// All of these but one.
+    /// This set without one pair.
     pub fn without(mut self, locked: ProfilePart, free: ProfilePart) -> Curves {
         self.0[locked as usize][free as usize] = false;
         self
     }
 
-    /// Every pair in which a curve of either gear is.
+    /// Every pair that contains a curve of this kind, on either gear.
     pub fn of(part: ProfilePart) -> Curves {
         let part = part as usize;
         let one = |locked, free| locked == part || free == part;
         Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
-    /// All of these but `others`.
+    /// This set without `others`.
     pub fn but(self, others: Curves) -> Curves {
         let one = |locked: usize, free: usize| self.0[locked][free] && !others.0[locked][free];
         Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
-    /// Those of these that are also among `others`.
+    /// The pairs in both sets.
     pub fn among(self, others: Curves) -> Curves {
         let one = |locked: usize, free: usize| self.0[locked][free] && others.0[locked][free];
         Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
@@ -58,7 +58,7 @@ impl Curves {
 pub(super) struct SearchExhausted(pub ProfilePart, pub ProfilePart);
 
 impl SearchExhausted {
-    /// In words, for the error message.
+    /// The reason in words, for the error message.
     pub fn reason(&self) -> &'static str {
         const REASONS: [[&str; 4]; 4] = [
             [

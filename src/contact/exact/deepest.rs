@@ -1,17 +1,19 @@
-//! Where along the face an edge touches its mate's fillet tightest, in one section after the other of helical gears.
+//! The place along the face where an edge touches its mate's fillet tightest in a helical pair.
 //!
-//! Along the axis the teeth roll on circles about both centres of a section, whose common point `P`, the pitch point, stands still. A gap
-//! between an edge and a smooth curve is stationary there where the curve's normal passes through `P`. On a fillet the normal at `γ` passes
-//! through a point of the generating pitch circle, `r sin γ` from the gear's centre; through `P`, `r_w` from it, it runs at
-//! `ω = asin(r sin γ/r_w)` from the line of centres, and the fillet's point stands `r cos γ − L − r_w cos ω` from `P` along it. That
-//! the edge's radius about its own centre leads there is one equation for `γ`, common to all teeth.
+//! Along the axis the teeth roll on circles about both centres of a section. The common point `P` of the circles, the
+//! pitch point, is fixed. The gap between an edge and a smooth curve is stationary where the normal of the curve passes
+//! through `P`. On a fillet the normal at `γ` passes through a point of the generating pitch circle, `r sin γ` from the
+//! gear's centre. Through `P`, at `r_w` from the centre, it is at `ω = asin(r sin γ/r_w)` from the line of centres. The
+//! fillet's point is `r cos γ − L − r_w cos ω` from `P` along it. The edge must be at its radius about its own centre
+//! there. That is one equation for `γ`, common to all teeth.
 
 use super::shape::{C, HalfToothShape};
 
-/// Stretches of a fillet in which a change of sign is looked for: a fillet's equation has one root, or none, but for hanging-over ones.
+/// Stretches of a fillet in which a change of sign is searched. The equation has at most one root, except for
+/// overhanging fillets.
 const STRETCHES: u32 = 24;
 
-/// Bisections of a root: to the last bit.
+/// Bisections of a root, down to the last bit.
 const HALVINGS: u32 = 52;
 
 /// A touch, with the fillet's centre at 0 and the edge's centre on +x.
@@ -20,11 +22,12 @@ pub(super) struct DeepestTouch {
     /// Direction of the fillet's tooth, rad.
     pub tooth: f64,
     pub point: C,
-    /// `ω`: the normal's lean from the line of centres, rad.
+    /// `ω`: angle of the normal from the line of centres, rad.
     pub lean: f64,
 }
 
-/// Where an edge that stands `reach` from its own centre, `distance` away, touches the fillet of `shape`; `mate_base` is its base radius.
+/// The touch of an edge `reach` from its own centre with the fillet of `shape`, `distance` away. `mate_base` is the
+/// base radius of the edge's gear.
 pub(super) fn deepest(
     shape: &HalfToothShape,
     distance: f64,

@@ -1,7 +1,7 @@
-//! The quick path for a certified pair: the line of action first, then the corners it may have missed.
+//! The quick method for a pair that [`super::search_free_proof`] covers: the line of action, then the corners.
 //!
-//! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
-//! of lines shows ([`super::envelope`]); only the rest are put on the curves.
+//! At the greatest gap so far most corners are clear of the mate's metal. A table of lines shows that
+//! ([`super::envelope`]); only the other corners are compared with the curves.
 
 use super::candidate::CandidateContact;
 use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
@@ -20,7 +20,7 @@ use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 use std::sync::Arc;
 
-/// What a certified pair needs besides its teeth.
+/// The data of the quick method besides the teeth.
 #[derive(Debug, Clone)]
 pub(super) struct DirectSolver {
     pub proof: SearchFreeProof,
@@ -32,7 +32,7 @@ pub(super) struct DirectSolver {
     pub outmost: f64,
 }
 
-/// What lies clear of each gear's teeth, good at every centre distance at which they reach each other.
+/// The regions clear of each gear's teeth. They hold at every centre distance at which the teeth reach each other.
 #[derive(Debug, Clone)]
 pub(super) struct Envelopes {
     pub locked: Arc<Envelope>,
@@ -45,13 +45,13 @@ impl Envelopes {
         Envelopes::with_room(problem, assembly, 0.0)
     }
 
-    /// The same, `room` mm wider.
+    /// The envelopes, wider by `room` mm.
     pub fn with_room(problem: &FlankProblem, assembly: &GearPair, room: f64) -> Envelopes {
         let (locked, free) = (
             assembly.gear(assembly.locked()),
             assembly.gear(assembly.free()),
         );
-        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
+        // A tie below the greatest gap must not be ruled out: the points of both gears move by less than this.
         let farthest = problem.distance.max(locked.reach() + free.reach());
         let margin =
             room + 4.0 * problem.tie_at(farthest) * (farthest + problem.locked.shape.tip_radius);
@@ -62,7 +62,7 @@ impl Envelopes {
     }
 }
 
-/// The pair that touches first; without a solver by the search.
+/// The first contact; without a solver, by the search.
 ///
 /// # Errors
 /// The step whose pair could not be settled.
@@ -104,7 +104,7 @@ pub(super) fn touching(
 }
 
 impl DirectSolver {
-    /// The solver of a pair of gears; `None` for one that must be searched all through, as any whose flanks are not all involutes.
+    /// The solver of a pair; `None` if the pair must be searched throughout, as any with flanks other than involutes.
     pub fn new(
         problem: &FlankProblem,
         assembly: &GearPair,
@@ -113,7 +113,7 @@ impl DirectSolver {
         DirectSolver::of(problem, assembly, envelopes, problem)
     }
 
-    /// What is proven of the gears of `modified`, whose profiles deviate from those of `problem` and `assembly`.
+    /// The solver for `modified`, whose profiles deviate from those of `problem` and `assembly`.
     pub fn of(
         problem: &FlankProblem,
         assembly: &GearPair,
@@ -143,17 +143,17 @@ impl DirectSolver {
         })
     }
 
-    /// Whether the arm `X` of a locked involute within reach may be `arm` or less.
+    /// Whether the arm `X` of a locked involute within reach can be `arm` or less.
     ///
-    /// `X = D cos η − r_b`, `η` the angle of `E` from the line of centres, which falls from the tip inwards: it is least at
-    /// the tip, or where `η` is negative, which the proof has seen to.
+    /// `X = D cos η − r_b`, where `η` is the angle of `E` from the line of centres and falls from the tip inwards. `X`
+    /// is least at the tip, or where `η` is negative; the proof covers that case.
     fn is_steep(&self, locked: &Placed, arm: f64) -> bool {
         tip_arm(locked) <= arm && least_flank_radius(locked) <= self.outmost
     }
 }
 
 impl PosedFlanks<'_> {
-    /// Offers the greatest gap of those pairs of lands that `curves` has, step by step.
+    /// Offers the greatest gap of the pairs of lands in `curves`, step by step.
     pub(super) fn on_lands(&self, curves: Curves, tightest_contacts: &mut TightestContacts) {
         for step in self.steps() {
             let (locked, free) = (self.locked(step), self.free(step));
@@ -165,16 +165,16 @@ impl PosedFlanks<'_> {
         }
     }
 
-    /// Offers every corner whose gap may exceed what is held so far: tip corners, and undercut joints.
+    /// Offers every corner whose gap can exceed the greatest so far: tip corners and undercut joints.
     ///
-    /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
-    /// `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame, `C_F` and `D_F` at rotation 0, and a free point
-    /// at `(R (C_F + D_F p) − C_L) D_L*` in the locked one's.
+    /// `R` is the free gear's rotation at the greatest gap so far; `C_F` and `D_F` hold at rotation 0. A locked point
+    /// `C_L + D_L p` is at `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame. A free point is at `(R (C_F +
+    /// D_F p) − C_L) D_L*` in the locked tooth's.
     fn on_corners(&self, solver: &DirectSolver, tightest_contacts: &mut TightestContacts) {
         let mut level = Level::at(self, tightest_contacts.greatest());
         let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
         let steps = self.steps();
-        // The pair at the line of centres first: what it touches at leaves the others clear.
+        // The pair at the line of centres first: its contact leaves the others clear.
         let middle = steps.contains(&0).then_some(0);
         for step in middle.into_iter().chain(steps.filter(|&step| step != 0)) {
             let (locked_place, free_place) = self.places(step);
@@ -208,7 +208,7 @@ impl PosedFlanks<'_> {
                     );
                 }
             }
-            // A land that is not quite round may pass the near corner clear and end on the far one.
+            // A land that is not exactly round about its axis can pass the near corner and touch the far one.
             if solver.free_off > 0.0 {
                 self.far_corner(solver, step, locked_place, &mut level, tightest_contacts);
             }
@@ -229,7 +229,7 @@ impl PosedFlanks<'_> {
         }
     }
 
-    /// A corner of the locked gear that the envelope does not show clear.
+    /// Examines a corner of the locked gear that the envelope does not show clear.
     #[cold]
     fn locked_corner(
         &self,
@@ -251,9 +251,9 @@ impl PosedFlanks<'_> {
         }
     }
 
-    /// The far corner of a locked land, on the free tip land where that has its radius.
+    /// Examines the far corner of a locked land against the free tip land at its radius.
     ///
-    /// Everywhere else the near corners, or a search, have the greatest gap ([`super::search_free_proof`]).
+    /// In all other cases the near corners, or a search, have the greatest gap ([`super::search_free_proof`]).
     #[inline]
     fn far_corner(
         &self,
@@ -282,7 +282,7 @@ impl PosedFlanks<'_> {
         }
     }
 
-    /// Square of the radius of the far corner of the locked land at `place` where a free tip land may have it, mm².
+    /// Squared radius of the far corner of the locked land at `place` if a free tip land can have that radius, mm².
     #[inline]
     pub(super) fn far_corner_reaches(&self, solver: &DirectSolver, place: usize) -> Option<f64> {
         let (locked_teeth, free_tip) = (&self.problem.locked, self.problem.free.shape.tip_radius);
@@ -294,7 +294,7 @@ impl PosedFlanks<'_> {
         (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
     }
 
-    /// A corner of the free gear that the envelope does not show clear, or may wrongly.
+    /// Examines a corner of the free gear that the envelope does not reliably show clear.
     #[cold]
     fn free_corner(
         &self,
@@ -306,7 +306,7 @@ impl PosedFlanks<'_> {
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = free.own_to_axis(corner);
-        // Past a flank that turns back a clear point may still lie behind it, if it ever came as near.
+        // A flank that turns back can hide a clear point behind it, if the point came that near.
         let behind =
             solver.proof.turns_back && tip_arm(&locked) <= 0.0 && rho >= nearest_turn(&locked);
         let trusted = level.known && !behind;
@@ -329,21 +329,21 @@ impl PosedFlanks<'_> {
     }
 }
 
-/// Both gears as the free one sees them at the greatest gap so far.
+/// Both gears in the frame of the free one at the greatest gap so far.
 pub(super) struct Level {
     greatest: f64,
-    /// False before the first candidate: nothing can be ruled out.
+    /// False before the first candidate, when nothing can be ruled out.
     known: bool,
     /// `R* C_L − C_F`.
     pub centre: C,
     /// `−R*` times the locked gear's rotation.
     pub direction: C,
-    /// The free axis, seen from the locked outline's centre.
+    /// The free axis from the centre of the locked outline.
     axis: C,
 }
 
 impl Level {
-    /// At the gap `greatest`; −∞: before the first candidate.
+    /// The gears at the gap `greatest`; −∞ before the first candidate.
     pub fn at(posed: &PosedFlanks, greatest: f64) -> Level {
         let mut level = Level {
             greatest: 0.0,
@@ -366,8 +366,8 @@ impl Level {
         self.axis = -back * posed.centre;
     }
 
-    /// Whether a free point `near` a locked half tooth, `seen` in its direction, is ahead of the axis, seen along the tooth: there a point
-    /// that turns in comes nearer to its centre line.
+    /// Whether a free point is ahead of the axis along the locked tooth, where a point that turns in approaches the
+    /// tooth's centre line. `near` is the point in the tooth's frame, `seen` the tooth's direction.
     #[inline]
     pub fn is_ahead(&self, near: C, seen: C) -> bool {
         near.re < self.axis.re * seen.re + self.axis.im * seen.im

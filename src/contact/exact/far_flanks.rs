@@ -1,8 +1,8 @@
-//! The far flank of a locked tooth: what a half tooth does not have beyond the far corner of its tip land.
+//! The far flank of a locked tooth: the part past the far corner of its tip land, which a half tooth lacks.
 //!
-//! A free half tooth closes against the locked half tooth that it faces. Of gears of three or four teeth it may close against that tooth's far flank
-//! instead, and stand beside its tip land ([`crate::contact::body::may_meet_far_flanks`]). The far flank is the mirror image of the near one, turned
-//! so that its tip corner is the far corner.
+//! A free half tooth closes against the locked half tooth that it faces. In gears of three or four teeth it can close
+//! against that tooth's far flank instead, beside the tip land ([`crate::contact::body::may_meet_far_flanks`]). The far
+//! flank is the mirror image of the near one, turned so that its tip corner is the far corner.
 
 use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
@@ -14,13 +14,13 @@ use crate::contact::gap::{
 };
 use crate::gear::{ProfilePart, smooth};
 
-/// Parts of a far half tooth that may be met, and of the free half tooth that meets them.
+/// Parts of a far half tooth that can touch, and of the free half tooth that touches them.
 const PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
 
-/// What touches first: `found`, or the far flank of a locked tooth that `found` lets pass.
+/// The first contact: `found`, or a contact on the far flank of a locked tooth that comes before it.
 ///
 /// # Errors
-/// The step whose pair could not be settled.
+/// The step of the pair that stays undecided.
 #[cold]
 pub(super) fn with_far_flanks(
     posed: &PosedFlanks,

@@ -1,26 +1,27 @@
-//! How far a flank stands out between two rolls, at once.
+//! Bounds of a flank's deviation between two rolls, from a table.
 
 use crate::gear::{Part, PartCurve, RollCurve};
 
-/// Stretches of roll that a flank is divided into (tuned: about as many as a dense trace has points).
+/// Stretches of roll in the table of a flank (tuned: about as many as a dense trace has points).
 const STRETCHES: usize = 256;
 
-/// Of a curve of a few knots a flank is looked at in so many parts at least (tuned).
+/// Least number of parts of a flank with few knots (tuned).
 const FEWEST: f64 = 24.0;
 
-/// A flank's deviation from its involute, and bounds of it over any rolls.
+/// A flank's deviation from its involute, with bounds over any rolls.
 #[derive(Debug, Clone)]
 pub(super) struct FlankHeights {
     low: f64,
     per_stretch: f64,
-    /// A binary tree of greatest deviations, mm: entry `k` over what `2k` and `2k + 1` are over, the stretches from [`STRETCHES`] on.
+    /// A binary tree of greatest deviations, mm. Entry `k` covers the range of `2k` and `2k + 1`; the stretches start
+    /// at [`STRETCHES`].
     most: Vec<f64>,
     least: f64,
     fine: f64,
 }
 
 impl FlankHeights {
-    /// Those of an involute, with or without deviations; `None` of other curves, and of flanks with edges.
+    /// The table of an involute with or without deviations; `None` for other curves and for flanks with edges.
     pub fn new(flank: &Part) -> Option<FlankHeights> {
         let (low, high) = flank.range();
         let mut heights = FlankHeights {
@@ -35,7 +36,7 @@ impl FlankHeights {
             PartCurve::Modified(curve) if curve.deviation().edges().is_empty() => {
                 let deviation = curve.deviation();
                 let width = (high - low) / STRETCHES as f64;
-                // A roll may be rounded into the next stretch.
+                // A roll can be rounded into the next stretch.
                 let play = 1e-6 * width;
                 let mut most = vec![0.0; 2 * STRETCHES];
                 for k in 0..STRETCHES {
@@ -59,12 +60,12 @@ impl FlankHeights {
         Some(heights)
     }
 
-    /// Over how much of the roll it bends to one side on average, or less, rad.
+    /// Roll, rad, over which the deviation keeps the sign of its curvature on average, or less.
     pub fn fine(&self) -> f64 {
         self.fine
     }
 
-    /// A bound of the deviation between two rolls of the flank, mm: its greatest there and in a few stretches beside.
+    /// A bound of the deviation between two rolls, mm: the greatest value there and in the stretches beside them.
     #[inline]
     pub fn most(&self, from: f64, to: f64) -> f64 {
         if self.most.is_empty() {
@@ -72,7 +73,7 @@ impl FlankHeights {
         }
         let stretch = |xi: f64| {
             let k = (xi - self.low) * self.per_stretch;
-            // The cast takes what lies below for 0.
+            // The cast turns negative values into 0.
             STRETCHES + (k as usize).min(STRETCHES - 1)
         };
         let (mut first, mut last) = (stretch(from), stretch(to));
@@ -89,7 +90,7 @@ impl FlankHeights {
     }
 }
 
-/// The deviation of a flank; `None` of an involute without.
+/// The deviation of a flank; `None` for an involute without any.
 pub(super) fn deviation(flank: &Part) -> Option<&RollCurve> {
     match &flank.curve {
         PartCurve::Modified(flank) => Some(flank.deviation()),

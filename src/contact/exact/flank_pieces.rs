@@ -1,13 +1,14 @@
-//! Flanks that are not convex, as pieces between the knots of their deviation and its turns: such a piece bends to one side.
+//! Flanks that are not convex, in pieces between the knots and turning points of their deviation: each piece curves to
+//! one side.
 
 use crate::contact::gap::{Boxes, Rectangle};
 use crate::gear::{Part, PartCurve, smooth};
 use nalgebra::Complex;
 
-/// Pieces of a flank at least (tuned): of a few knots whole stretches are wide.
+/// Least number of pieces of a flank (tuned): with few knots whole stretches are wide.
 const LEAST_PIECES: f64 = 32.0;
 
-/// A flank in pieces, each between two knots or turns of its deviation, and rectangles round them.
+/// A flank in pieces, each between two knots or turning points of its deviation, with bounding rectangles.
 #[derive(Debug, Clone)]
 pub(super) struct FlankPieces {
     /// Rolls of their ends.

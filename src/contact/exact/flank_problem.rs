@@ -1,13 +1,12 @@
-//! One side of a pair: which half teeth face each other, and where a pose puts them.
+//! One side of a pair: which half teeth face each other, and their positions at a pose.
 //!
-//! The frame: origin on the free gear's axis, the locked gear's axis at
-//! `(a, 0)`; for a free pinion that is the picture turned by half a turn. The left
-//! side is mirrored in the line of centres. So there is one problem only: right-hand
-//! halves on both gears, contact where the free gear can turn no farther clockwise,
-//! that is, at the *greatest* gap.
+//! The origin of the frame is on the free gear's axis, and the locked gear's axis is at `(a, 0)`. If the pinion is
+//! free, the picture is turned by half a turn. The left side is mirrored in the line of centres. So there is only one
+//! problem: right-hand halves on both gears, with contact where the free gear can turn no further clockwise, at the
+//! *greatest* gap.
 //!
-//! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
-//! centres; the free tooth facing it lies as many steps clockwise of its own.
+//! *Steps* count places counter-clockwise from the locked tooth nearest to the line of centres. The free tooth that
+//! faces it is as many steps clockwise of its own.
 
 use super::placed::Placed;
 use super::shape::{C, turn};
@@ -19,12 +18,12 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Pairs whose gaps differ by less than this at the free gear's base circle touch together.
+/// Difference of gaps at the free gear's base circle, mm, below which pairs touch together.
 ///
-/// A thousand times the rounding of ordinary gears, and below what any result claims.
+/// It is a thousand times the rounding of ordinary gears, and below the accuracy of any result.
 const TIE_MM: f64 = 1e-9;
 
-/// Both gears' half teeth of one side.
+/// The half teeth of both gears on one side.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct FlankProblem {
     pub side: Side,
@@ -35,15 +34,15 @@ pub(in crate::contact) struct FlankProblem {
     pub free_off: C,
     /// `a`.
     pub distance: f64,
-    /// Half teeth whose undisturbed centre line lies within these angles of the line of centres can reach the mate.
+    /// Directions of the undisturbed centre line, about the line of centres, of half teeth that can reach the mate.
     window: Option<(f64, f64)>,
     /// `1/r_bF` and `1/r_bL`.
     pub per_free_base: f64,
     pub per_locked_base: f64,
-    /// Pitches of the locked gear a radian.
+    /// Pitches of the locked gear per radian.
     pub per_pitch: f64,
-    /// `κ = (r_bL/r_bF) τ_L − τ_F`: how much more room a pair has that stands a step on, on the line of action, rad; 0 where base pitches
-    /// are equal.
+    /// `κ = (r_bL/r_bF) τ_L − τ_F`: additional room on the line of action of a pair one step on, rad. It is 0 for equal
+    /// base pitches.
     pub per_step: f64,
     /// Tie tolerance, rad.
     pub tie: f64,
@@ -58,13 +57,13 @@ impl FlankProblem {
         FlankProblem::of(assembly, side, teeth)
     }
 
-    /// The same gears as `assembly` has them: its teeth are these.
+    /// The problem of these gears in another `assembly` with these teeth.
     pub fn at(&self, assembly: &GearPair) -> FlankProblem {
         let teeth = (Arc::clone(&self.locked), Arc::clone(&self.free));
         FlankProblem::of(assembly, self.side, teeth)
     }
 
-    /// The same teeth in another section of a helical pair: `pair`, whose eccentricities have turned.
+    /// The problem of these teeth in another section of a helical pair, `pair`, whose eccentricities have turned.
     pub fn turned(&self, pair: &GearPair) -> FlankProblem {
         FlankProblem {
             locked_off: displacement(pair.gear(pair.locked()), self.side),
@@ -107,8 +106,8 @@ impl FlankProblem {
         problem
     }
 
-    /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
-    /// both as the picture counts them.
+    /// Places the teeth at `pose`. `rotation` is the reduced rotation of the locked gear and `turned` is `e^{i
+    /// rotation}`, both counted as in the picture.
     #[inline]
     pub fn posed(
         &self,
@@ -121,12 +120,12 @@ impl FlankProblem {
             Side::Right => (1.0, turned),
             Side::Left => (-1.0, turned.conj()),
         };
-        // Whole turns matter: a free gear with another number of teeth faces it with another tooth
-        // each turn. The raw rotation counts them.
+        // Whole turns matter: each turn a free gear with another number of teeth faces it with another tooth. The raw
+        // rotation counts them.
         let pitches = mirror * pose.locked_rotation() * self.per_pitch;
         let steps = -nearest(pitches + self.locked.pitches_to(teeth.0));
         let locked_place = self.locked.place(teeth.0, steps);
-        // The facing place, in the mirrored frame: see `Pose::facing_tooth`.
+        // The facing place in the mirrored frame: see `Pose::facing_tooth`.
         let beyond = i64::from(pose.mating().flank != self.side);
         let free_place = self.free.place(teeth.1, beyond - steps);
         let origin = self.free.direction(free_place);
@@ -148,13 +147,13 @@ impl FlankProblem {
         self.locked.shape.base + self.free.shape.base
     }
 
-    /// Angles of the line of centres between which the undisturbed centre lines of locked half teeth stand that can reach the mate;
-    /// `None` when none can.
+    /// Range of directions about the line of centres in which the undisturbed centre lines of locked half teeth can
+    /// reach the mate; `None` if none can.
     pub fn window(&self) -> Option<(f64, f64)> {
         self.window
     }
 
-    /// How much unequal base pitches tell the gaps of step 0 and of any step in reach apart at most, rad.
+    /// Greatest difference that unequal base pitches make between the gaps of step 0 and of any step in reach, rad.
     pub fn all_steps(&self) -> f64 {
         match self.window {
             Some((low, high)) if self.per_step != 0.0 => {
@@ -164,7 +163,8 @@ impl FlankProblem {
         }
     }
 
-    /// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and whose curves have the slope `σ`.
+    /// Bound on the rounding of a gap, rad, with its contact at `radius` from the free axis and curves of the slope
+    /// `σ`.
     pub fn rounding(&self, radius: f64, slope: f64) -> f64 {
         self.rounding_at(self.distance, radius, slope)
     }
@@ -181,16 +181,16 @@ impl FlankProblem {
     }
 }
 
-/// Displacement of a gear's outline from its axis at rotation 0, as one side sees it: the left side is mirrored.
+/// Displacement of a gear's outline from its axis at rotation 0, mirrored on the left side.
 fn displacement(gear: &AsBuilt, side: Side) -> C {
     turn(-side.sense() * gear.tooth_angle(gear.high_tooth())) * gear.eccentricity()
 }
 
-/// Half the angle at the locked axis within which the locked gear's teeth can reach into the free
-/// gear's tip circle, both about their rotation axes; `None` when they cannot.
+/// Half the angle at the locked axis within which the locked gear's teeth can reach into the free gear's tip circle,
+/// both about their rotation axes; `None` if they cannot.
 fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
     let half = lens_half(locked.reach(), free.reach(), distance)?;
-    // The nearest point of the free gear's circle; the rest of the lens lies farther out.
+    // The nearest point of the free gear's circle; the rest of the lens is further out.
     let nearest = distance - free.reach();
     if nearest <= locked.eccentricity() {
         return Some(PI);
@@ -198,8 +198,8 @@ fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
     Some(half + (locked.eccentricity() / nearest).asin())
 }
 
-/// Half the angle at the centre of a circle of this radius under which its overlap with a circle of
-/// radius `other`, `distance` away, is seen; `None` without overlap, where circles touch in a point included.
+/// Half the angle, at the centre of a circle of this radius, of its overlap with a circle of radius `other` that is
+/// `distance` away. `None` without overlap, also for circles that touch in a point.
 pub(in crate::contact) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
     if radius + other <= distance {
         return None;
@@ -243,14 +243,15 @@ impl<'a> PosedFlanks<'a> {
             return 0..0;
         };
         let per_pitch = self.problem.per_pitch;
-        // Never more than once round: a pair met twice would touch a turn farther on. The cast cuts towards zero: at worst a tooth too many.
+        // At most one revolution: a pair met twice would touch a turn later. The cast rounds towards zero: at worst one
+        // tooth too many.
         let count = self.problem.locked.count();
         let first = ((low - self.ahead) * per_pitch) as i64;
         let last = ((high - self.ahead) * per_pitch) as i64;
         first.max(-((count - 1) / 2))..last.min(count / 2) + 1
     }
 
-    /// The same teeth at the same steps, the locked gear turned on by `angle`, rad, in this (mirrored) frame.
+    /// These teeth at the same steps, with the locked gear turned further by `angle`, rad, in this (mirrored) frame.
     pub fn turned_on(&self, angle: f64) -> PosedFlanks<'a> {
         let turned = self.turned * turn(angle);
         PosedFlanks {
@@ -261,7 +262,7 @@ impl<'a> PosedFlanks<'a> {
         }
     }
 
-    /// The same places of `problem`, whose teeth stand where these do but for their offsets.
+    /// These places for the teeth of `problem`, which differ only in their offsets.
     pub fn of<'b>(&self, problem: &'b FlankProblem) -> PosedFlanks<'b> {
         let origin = problem.free.direction(self.free_place);
         PosedFlanks {
@@ -322,7 +323,8 @@ impl<'a> PosedFlanks<'a> {
         [reduced(PI + ahead), reduced(free)]
     }
 
-    /// Where the gaps of a step are counted from: its free tooth faces the mate at a gap of so many pitches.
+    /// The origin of a step's gaps: the direction of its free tooth, and the gap in pitches at which that faces the
+    /// mate.
     #[inline]
     pub fn origin_of(&self, step: i64) -> Origin {
         Origin {
@@ -331,18 +333,18 @@ impl<'a> PosedFlanks<'a> {
         }
     }
 
-    /// The free outline's centre at a rotation of the free gear, in this (mirrored) frame.
+    /// The centre of the free outline at a rotation of the free gear, in this (mirrored) frame.
     pub fn free_centre_at(&self, rotation: f64) -> C {
         turn(rotation) * self.problem.free_off
     }
 
-    /// What the locked flank of a step stands turned beyond its place, rad.
+    /// Angular offset of the locked flank of a step from its place, rad.
     pub fn locked_offset_at(&self, step: i64) -> f64 {
         let (locked_place, _) = self.places(step);
         self.problem.locked.offset(locked_place)
     }
 
-    /// The same of the free flank, and the angle of the free tooth of step 0 from tooth 1, rad.
+    /// Angular offset of the free flank of a step, with the angle of the free tooth of step 0 from tooth 1, rad.
     pub fn free_offset_at(&self, step: i64) -> f64 {
         let (_, free_place) = self.places(step);
         self.problem.free.offset(free_place)
@@ -352,7 +354,7 @@ impl<'a> PosedFlanks<'a> {
         self.problem.free.angle(self.free_place)
     }
 
-    /// The sense of counter-clockwise in this frame: −1 of the mirrored left side.
+    /// Sign of counter-clockwise in this frame: −1 for the mirrored left side.
     pub fn mirror(&self) -> f64 {
         -self.problem.side.sense()
     }

@@ -1,15 +1,16 @@
-//! Land on land, in closed form: two arcs, one of which turns about an axis off its centre. A tip on a tip, or on a root.
+//! Land on land in closed form: two arcs, one of which turns about an axis off its centre. A tip on a tip, or on a
+//! root.
 //!
-//! Along both lands the gap has its greatest value where an arc ends (the end of one land on the other land), or
-//! where the circles touch. With `C` the centre of the locked arc, `E` that of the free one at rotation 0, and `S` the sum of
-//! their radii, the circles touch at the rotation `μ` for which `|C − E e^{iμ}| = S`:
+//! Along both lands the gap is greatest where an arc ends (the end of one land on the other), or where the circles
+//! touch. `C` is the centre of the locked arc, `E` that of the free one at rotation 0, and `S` the sum of their radii.
+//! The circles touch at the rotation `μ` with `|C − E e^{iμ}| = S`:
 //!
 //! ```text
 //! cos(arg C − arg E − μ) = (|C|² + |E|² − S²)/(2 |C| |E|).
 //! ```
 //!
-//! (Where an arc's radius about the axis turns, the gap goes on along the arc: no extremum.) A search would take the
-//! longest here: a free land runs so nearly round the axis that its polar slope bounds nothing.
+//! (Where an arc's radius about the axis turns, the gap continues along the arc: no extremum.) A search would be
+//! slowest here: a free land is so nearly round about the axis that its polar slope bounds nothing.
 
 use super::candidate::CandidateContact;
 use super::corner::on_land;
@@ -19,7 +20,7 @@ use super::shape::{C, turn};
 use crate::contact::gap::Origin;
 use crate::gear::ProfilePart::{self, Root, Tip};
 
-/// The pairs of lands that can touch, the locked gear's first. Two roots are always apart.
+/// The pairs of lands that can touch, the locked gear's first. Two roots never touch.
 pub(super) const LANDS: [(ProfilePart, ProfilePart); 3] = [(Tip, Tip), (Tip, Root), (Root, Tip)];
 
 /// `curves` without pairs of lands.
@@ -31,7 +32,7 @@ pub(super) fn without_lands(curves: Curves) -> Curves {
         })
 }
 
-/// The greatest gap of those pairs of lands that `curves` has.
+/// The greatest gap of the pairs of lands in `curves`.
 #[cold]
 pub(super) fn land_on_land(
     locked: &Placed,

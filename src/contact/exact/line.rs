@@ -1,27 +1,25 @@
 //! Involute on involute: contact on the line of action, in closed form.
 //!
-//! Let `B = C_L − C_F` run from the free outline's centre to the locked one's,
-//! `Σ = r_bL + r_bF`, `T = √(|B|² − Σ²)` the length of the common tangent of the base
-//! circles, `α = atan(T/Σ)`. The contact normal is that tangent, so with the
-//! tooth centres at the angles `λ` (locked) and `μ` (free) from the x axis the
-//! rolls are
+//! `B = C_L − C_F` joins the centre of the free outline to that of the locked one, and `Σ = r_bL + r_bF`. The common
+//! tangent of the base circles has the length `T = √(|B|² − Σ²)`; `α = atan(T/Σ)`. That tangent is the contact normal.
+//! With the tooth centres at the angles `λ` (locked) and `μ` (free) from the x axis the rolls are
 //!
 //! ```text
-//! ξ_L = arg B + α − (λ − ψ_bL),    ξ_F = arg B + α − (μ − ψ_bF),    r_bL ξ_L + r_bF ξ_F = T,
+//! ξ_L = arg B + α − (λ − ψ_bL),    ξ_F = arg B + α − (μ − ψ_bF);    r_bL ξ_L + r_bF ξ_F = T;
 //! r_bF μ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF.
 //! ```
 //!
-//! A step on moves `λ` by `τ_L` and `μ` by `−τ_F`. Where base pitches are equal, `r_bL τ_L = r_bF τ_F`: all
-//! pairs share this equation up to `w = r_bL δ_L + r_bF δ_F`, `δ` the offsets of their
-//! flanks, and the pair of least `w` is the tightest. With an eccentric free gear `B`
-//! depends on the gap `μ`: the right-hand side `G(μ)` has the slope
-//! `(−T B·B' + Σ B×B')/(|B|² r_bF)`, at most `e_F/r_bF < 1` by amount, so Newton's method
-//! converges from anywhere.
+//! One step changes `λ` by `τ_L` and `μ` by `−τ_F`. If base pitches are equal, `r_bL τ_L = r_bF τ_F`. Then all pairs
+//! share this equation up to `w = r_bL δ_L + r_bF δ_F`, where `δ` are the offsets of their flanks, and the pair of
+//! least `w` is the tightest.
+//!
+//! With an eccentric free gear `B` depends on the gap `μ`. The right-hand side `G(μ)` has the slope `(−T B·B' + Σ
+//! B×B')/(|B|² r_bF)`. Its amount is at most `e_F/r_bF < 1`, so Newton's method converges from anywhere.
 
 use super::flank_problem::FlankProblem;
 use super::shape::C;
 
-/// Rolls this far beyond an involute's end count as on it: contact moves off the line by the square of it.
+/// Rolls up to this far past an involute's end count as on it: contact leaves the line by the square of it.
 pub(super) const ROLL_PLAY: f64 = 1e-10;
 
 /// The common tangent of both base circles at one place of both centres.
@@ -69,7 +67,7 @@ impl Line {
     }
 }
 
-/// How the line of action may move, for one pair of gears.
+/// The variation of the line of action, for one pair of gears.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentVariation {
     /// The line itself, where both outlines are centred on their axes.
@@ -78,7 +76,7 @@ pub(super) struct TangentVariation {
     pub centred: Line,
     /// Whether the free outline is off its axis.
     pub moves: bool,
-    /// Bounds on the turn of the line and on the change of its length, by the error of the gap it was taken at.
+    /// Bounds on the turn of the line and on its change of length, per error of the gap at which it was evaluated.
     pub turning: f64,
     stretching: f64,
     /// Bound on half the second derivative of `G`.
@@ -88,9 +86,9 @@ pub(super) struct TangentVariation {
 impl TangentVariation {
     /// `None` where the base circles may overlap.
     ///
-    /// With `|B| ≥ b`: `d(arg B + α)/dμ` is at most `e (1 + Σ/T)/b` and `dT/dμ` at most `e |B|/T ≤ e b/T(b)`, while
-    /// a gap is off by at most the change `G` makes to it over `1 − e/r_b`. The slope of `G` is `(e/r_b)`
-    /// times a sine; its own derivative at most `(e/r_b)` times the turn of `B'` and of the line.
+    /// With `|B| ≥ b`, `d(arg B + α)/dμ` is at most `e (1 + Σ/T)/b` and `dT/dμ` at most `e |B|/T ≤ e b/T(b)`. A gap is
+    /// off by at most the change that `G` makes to it over `1 − e/r_b`. The slope of `G` is `(e/r_b)` times a sine. Its
+    /// derivative is at most `(e/r_b)` times the turn of `B'` and of the line.
     pub fn new(problem: &FlankProblem, locked_off: f64, off: f64) -> Option<TangentVariation> {
         let (base, sum) = (problem.free.shape.base, problem.sum());
         let least = problem.distance - locked_off - off;
@@ -113,9 +111,10 @@ impl TangentVariation {
 }
 
 impl TangentVariation {
-    /// Plays of both rolls on a line taken at a gap that is `error` off for the pair of step 0.
+    /// Tolerances of both rolls on a line evaluated at a gap that is off by `error` for the pair of step 0.
     ///
-    /// Another pair's gap differs from its by no more than all offsets do, and by what unequal base pitches come to over the steps in reach.
+    /// The gap of another pair differs by at most the offsets of all flanks plus the effect of unequal base pitches
+    /// over the steps in reach.
     pub fn plays(&self, problem: &FlankProblem, error: f64) -> (f64, f64) {
         if !self.moves {
             return (ROLL_PLAY, ROLL_PLAY);

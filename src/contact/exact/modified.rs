@@ -1,18 +1,20 @@
-//! The quick path of flanks whose profiles deviate.
+//! The quick method for flanks whose profiles deviate.
 //!
-//! [`super::search_free_proof`] holds for any convex flanks whose normals and curvatures it is given: of convex flanks the gap is greatest where
-//! they have a common normal, or at a tip corner. Every half tooth lies within that of an *outer* gear: the one without profile deviations,
-//! each flank turned out by its greatest deviation; at any radius the gap of two half teeth is at most that of the outer ones. So:
+//! [`super::search_free_proof`] holds for any convex flanks with given normals and curvatures: their gap is greatest at
+//! a common normal or at a tip corner. Every half tooth lies within that of an *outer* gear. An outer gear has no
+//! profile deviations, but each flank is turned out by its greatest deviation. At any radius the gap of two half teeth
+//! is at most that of the outer ones. So:
 //!
-//! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
-//! 2. Convex flanks touch where they have a common normal, or at a tip corner ([`flanks`]). Where that is not found, and of flanks that are not
-//!    convex, as measured ones are not, bounds of how far they stand out settle it ([`heights`]), and where those do not, a search over all pairs of
-//!    their pieces ([`pieces`]).
-//! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
-//!    but on the mate's flank, of a pair that 1. and 2. have settled.
+//! 1. The method takes pairs in the order of their outer gaps on the line of action, until the outer gap is below a gap
+//!    already found.
+//! 2. Convex flanks touch at a common normal or at a tip corner ([`flanks`]). If that fails, or flanks are not convex (as
+//!    measured ones), bounds of their deviation settle the contact ([`heights`]). If those fail, a search over all pairs of
+//!    their pieces does ([`pieces`]).
+//! 3. With the free gear at the gap found, no tip corner of the outer gears may be inside the outer mate, enlarged by the
+//!    variation of the deviations. The only exception is the mate's flank, in a pair settled by 1. and 2.
 //!
-//! A pose that one of these leaves open is searched, as are all of undercut gears. Where the outer gears touch and nothing deviates from them
-//! there, theirs is the answer: a relief beyond the path of contact changes nothing.
+//! A pose that stays open is searched, as are all poses of undercut gears. If the outer gears touch where nothing
+//! deviates from them, their contact is the result: a relief outside the path of contact changes nothing.
 
 mod flanks;
 mod heights;
@@ -34,28 +36,28 @@ use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
 use flanks::rises;
 
-/// Pairs on the line of action at once: a contact ratio of eight.
+/// Limit of pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;
 
-/// Whose tip corner.
+/// The gear that a tip corner belongs to.
 #[derive(Debug, Clone, Copy)]
 enum Tip {
     Locked,
     Free,
 }
 
-/// What the quick path needs beside the gears' own teeth.
+/// The data of the quick method besides the teeth of the gears.
 #[derive(Debug, Clone)]
 pub(super) struct OuterGears {
     pair: GearPair,
     right: FlankProblem,
     left: FlankProblem,
     solver: DirectSolver,
-    /// Whether every flank lies on one side of each of its tangents.
+    /// Whether every flank is on one side of each of its tangents.
     is_convex: bool,
-    /// How far the deviations of a flank vary, mm.
+    /// Variation of the deviations of a flank, mm.
     range: f64,
-    /// Whether deviations only take off: then the outer gears are those without any.
+    /// Whether deviations only remove metal. Then the outer gears are those without deviations.
     is_cut_back: bool,
 }
 
@@ -68,10 +70,11 @@ struct OnLine {
 }
 
 impl OuterGears {
-    /// Those of `assembly`; `None` where the outer gears need a search of their flanks themselves.
+    /// The outer gears of `assembly`; `None` if their flanks need a search themselves.
     pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
         let gears = Member::BOTH.map(|member| assembly.gear(member));
-        // Straight flanks have no outer gear, and without deviations none is needed. An undercut joint is a corner that is not looked at here.
+        // Straight flanks have no outer gear, and without deviations none is needed. The corner of an undercut joint is
+        // not covered here.
         let undercut = gears.iter().any(|gear| gear.gear().is_undercut());
         if undercut || gears.iter().all(|gear| !gear.is_modified()) {
             return None;
@@ -85,7 +88,7 @@ impl OuterGears {
         let pair = GearPair::with_locked(wheel, pinion, distance, assembly.locked()).ok()?;
         let [right, left] = Side::BOTH.map(|side| FlankProblem::new(&pair, side));
         let range = one.max(other);
-        // Both gears' points move by as much.
+        // The points of both gears move by this.
         let envelopes = Envelopes::with_room(&right, &pair, 4.0 * range);
         let solver = OuterGears::solver(&right, &pair, envelopes, problems)?;
         Some(OuterGears {
@@ -99,7 +102,7 @@ impl OuterGears {
         })
     }
 
-    /// The same at another centre distance, that of `modified`.
+    /// The outer gears at the centre distance of `modified`.
     pub fn at(&self, modified: &[FlankProblem; 2]) -> Option<OuterGears> {
         let center_distance = modified[0].distance;
         let pair = self.pair.at(center_distance).ok()?;
@@ -117,7 +120,7 @@ impl OuterGears {
         })
     }
 
-    /// What is proven of both sides of `modified`; `None` where a search may be needed.
+    /// The solver for both sides of `modified`; `None` if a search may be needed.
     fn solver(
         right: &FlankProblem,
         pair: &GearPair,
@@ -130,14 +133,14 @@ impl OuterGears {
             let is_plain = proof.steep_arm.is_none() && !proof.tangents && !proof.turns_back;
             is_plain.then_some(solver)
         };
-        // Where a step is not searched for its open curves the outer gears' own proof says why.
+        // The proof of the outer gears decides which open curves of a step are not searched.
         let outer = DirectSolver::new(right, pair, envelopes.clone())?;
-        // The outer half teeth of the left side mirror those of the right; the deviations need not.
+        // The outer half teeth of the left side mirror those of the right; the deviations can differ.
         let both = of(&modified[1]).and(of(&modified[0]));
         both.filter(|_| outer.proof.is_direct())
     }
 
-    /// The pair that touches first, by the quick path or the search.
+    /// The first contact, by the quick method or the search.
     ///
     /// # Errors
     /// As [`search::touching`].
@@ -198,11 +201,11 @@ impl OuterGears {
         tightest.choose()
     }
 
-    /// Outer pairs on the line of action; `None` where one does not settle, or there are too many.
+    /// Outer pairs on the line of action; `None` if one does not settle, or there are too many.
     fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OnLine>]) -> Option<usize> {
         let variation = &self.solver.variation;
         let (start, plays) = outer.start(variation)?;
-        // A flank's contact moves along it by far less than this, rad, for any deviation; what moves farther is left open below.
+        // Any deviation moves a flank's contact along it by far less than this, rad; a larger move stays open below.
         let plays = (plays.0 + 0.02, plays.1 + 0.02);
         let mut count = 0;
         for step in outer.steps_on(&start, plays) {
@@ -223,8 +226,8 @@ impl OuterGears {
         Some(count)
     }
 
-    /// Offers every tip corner that the outer gears do not show clear at the greatest gap so far, but on flanks of `settled` steps; `None`
-    /// where one is left open.
+    /// Offers every tip corner that the outer gears do not show clear at the greatest gap so far, except on flanks of
+    /// `settled` steps. `None` if one stays open.
     fn on_tips(
         &self,
         (posed, outer): (&PosedFlanks, &PosedFlanks),
@@ -260,7 +263,7 @@ impl OuterGears {
             }
             let mut settled = settled(step);
             if tips != [true; 2] && !(settled || self.is_convex) {
-                // Of flanks that are not convex nothing but their heights tells that their gap is greatest at an end.
+                // If flanks are not convex, only their heights prove that the gap is greatest at an end.
                 if let Some(found) = posed.flanks_by_heights(step, tightest.level(), 0.0)? {
                     tightest.offer(step, found);
                 }
@@ -275,7 +278,8 @@ impl OuterGears {
         Some(())
     }
 
-    /// The contact of a tip corner with the mate's flank or fillet; `Some(None)` on the flank of a step that is `settled`, and `None` where it is left open.
+    /// The contact of a tip corner with the mate's flank or fillet. `Some(None)` on the flank of a `settled` step;
+    /// `None` if it stays open.
     fn on_tip(
         &self,
         posed: &PosedFlanks,
@@ -285,7 +289,7 @@ impl OuterGears {
     ) -> Option<Option<CandidateContact>> {
         let (locked, free) = (posed.locked(step), posed.free(step));
         let proof = &self.solver.proof;
-        // From the root of a locked half tooth to its tip radii about the free axis fall, of a free one they rise.
+        // From root to tip, radii about the free axis fall on a locked half tooth and rise on a free one.
         let (half, mate, least, inward) = match tip {
             Tip::Locked => (&locked, &free, proof.free_fillet, false),
             Tip::Free => (&free, &locked, proof.locked_fillet, true),
@@ -296,7 +300,7 @@ impl OuterGears {
         let corner = half.range(flank).1;
         let rho = radius(half, corner);
         let (form, top) = mate.range(flank);
-        // Beyond the mate's tip this is below 0, on its flank above, below its form circle less than that of the form point.
+        // Negative past the mate's tip; positive on its flank; below its form circle less than at the form point.
         let sense = if inward { -1.0 } else { 1.0 };
         let above_form = sense * (rho - radius(mate, form));
         let below_tip = sense * (radius(mate, top) - rho);
@@ -333,7 +337,7 @@ impl OuterGears {
         )))
     }
 
-    /// Whether an end of the flanks of a step, of the locked and of the free half tooth, stands clear of the outer mate.
+    /// Whether an end of the flanks of a step is clear of the outer mate: the locked end and the free end.
     fn clear(
         &self,
         outer: &PosedFlanks,
@@ -358,14 +362,14 @@ impl OuterGears {
         [locked, free]
     }
 
-    /// The contact of the outer gears, where their flanks touch at places from which nothing deviates.
+    /// The contact of the outer gears, if both flanks touch where nothing deviates.
     fn undeviating(
         &self,
         posed: &PosedFlanks,
         outer: &PosedFlanks,
         effort: &Effort,
     ) -> Option<Touching> {
-        // Gaps of both count from one place.
+        // Both gaps count from one place.
         if outer.free_offset != posed.free_offset {
             return None;
         }

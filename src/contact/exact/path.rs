@@ -1,4 +1,4 @@
-//! Which pairs touch on the line of action at a pose; [`super::line`] has the equations.
+//! The pairs that touch on the line of action at a pose; [`super::line`] has the equations.
 
 use super::candidate::CandidateContact;
 use super::flank_problem::PosedFlanks;
@@ -8,7 +8,7 @@ use super::tightest::TightestContacts;
 use crate::gear::ProfilePart;
 use std::ops::Range;
 
-/// A pair that may touch on the line of action.
+/// A pair that can touch on the line of action.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
     /// `λ − ψ_bL`.
@@ -55,7 +55,7 @@ impl PosedFlanks<'_> {
         (locked, rest * self.problem.per_free_base)
     }
 
-    /// Whether both rolls lie on the involutes, give or take the plays.
+    /// Whether both rolls are on the involutes, within the tolerances.
     fn on_path(&self, rolls: (f64, f64), plays: (f64, f64)) -> bool {
         let (locked_shape, free_shape) = (&self.problem.locked.shape, &self.problem.free.shape);
         rolls.0 >= locked_shape.form_roll - plays.0
@@ -64,7 +64,7 @@ impl PosedFlanks<'_> {
             && rolls.1 <= free_shape.tip_roll + plays.1
     }
 
-    /// Steps whose rolls on `line` may lie on the involutes, give or take the plays.
+    /// Steps whose rolls on `line` can be on the involutes, within the tolerances.
     pub(super) fn steps_on(&self, line: &Line, plays: (f64, f64)) -> Range<i64> {
         let problem = self.problem;
         let (locked_shape, free_shape) = (&problem.locked.shape, &problem.free.shape);
@@ -80,7 +80,7 @@ impl PosedFlanks<'_> {
             (line.angle - self.ahead + locked_shape.half_base - most - high) * problem.per_pitch;
         let last =
             (line.angle - self.ahead + locked_shape.half_base - least - low) * problem.per_pitch;
-        // The cast cuts towards zero: never a step too few.
+        // The cast rounds towards zero: never a step too few.
         let all = self.steps();
         (first as i64).max(all.start)..(last as i64 + 1).min(all.end)
     }
@@ -94,14 +94,14 @@ impl PosedFlanks<'_> {
     ) -> Option<(f64, Line)> {
         let sum = self.problem.sum();
         let mut mu = first;
-        // Two or three steps; sixty would do by bisection's pace.
+        // Two or three steps suffice; bisection would need sixty.
         for _ in 0..60 {
             let (between, rate) = self.between(mu);
             let line = Line::new(between, sum)?;
             let slope = line.slope(rate, sum) * self.problem.per_free_base;
             let step = (self.gap(&line, pair) - mu) / (1.0 - slope);
             mu += step;
-            // What the step leaves is its square times the half_second_derivative; the line moves on by its linear part.
+            // The step leaves its square times the half_second_derivative; the line moves by its linear part.
             if variation.half_second_derivative.max(variation.turning) * step * step
                 < 0.125 * f64::EPSILON
             {
@@ -132,8 +132,8 @@ impl PosedFlanks<'_> {
         }
     }
 
-    /// A line of action near all, taken at the gap that the pair of step 0 has between centred outlines, and the plays of both rolls on it; `None`
-    /// where base circles overlap.
+    /// A line of action near those of all pairs, at the gap of the pair of step 0 between centred outlines, with the
+    /// tolerances of both rolls on it. `None` if base circles overlap.
     #[inline]
     pub(super) fn start(&self, variation: &TangentVariation) -> Option<(Line, (f64, f64))> {
         let (guess, start) = match variation.fixed {
@@ -147,9 +147,9 @@ impl PosedFlanks<'_> {
         Some((start, variation.plays(self.problem, error)))
     }
 
-    /// Offers every pair that touches on the line of action and may be the tightest within a tie.
+    /// Offers every pair that touches on the line of action and can be the tightest within a tie.
     ///
-    /// False when one did not settle: then nothing is known.
+    /// False if one did not settle: then nothing is known.
     pub(super) fn on_line(
         &self,
         variation: &TangentVariation,

@@ -1,10 +1,10 @@
-//! A half tooth where the pose puts it.
+//! A half tooth at its position in a pose.
 
 use super::shape::{C, CurvePoint, HalfToothShape};
 use crate::contact::gap::PlacedCurve;
 use crate::gear::{Osculating, ProfilePart};
 
-/// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
+/// A half tooth at its position in a pose: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct Placed<'a> {
     pub shape: &'a HalfToothShape,
@@ -12,7 +12,7 @@ pub(in crate::contact) struct Placed<'a> {
     pub direction: C,
     /// Far corner of the tip land, in the half tooth's own frame.
     pub far: C,
-    /// Where the root land ends, its parameter.
+    /// Parameter of the end of the root land.
     pub root_end: f64,
 }
 
@@ -33,7 +33,7 @@ impl<'a> Placed<'a> {
         (self.centre + self.direction * point).norm_sqr().sqrt()
     }
 
-    /// Least radius about the free axis of a locked tooth's tip land: at a corner, or where it crosses the line of centres.
+    /// Least radius about the free axis of a locked tip land: at a corner, or where it crosses the line of centres.
     pub fn least_land_radius(&self) -> f64 {
         let ends = [self.shape.tip_corner(), self.far].map(|end| self.direction * end);
         let side = ends.map(|end| end.re * self.centre.im - end.im * self.centre.re);
@@ -44,8 +44,8 @@ impl<'a> Placed<'a> {
         squares[0].min(squares[1]).sqrt()
     }
 
-    /// Parameters of a curve's two ends, the lesser first: the tip land is a whole one, down to its far corner, the
-    /// root land reaches to the middle of the space as built. Equal ends: the curve has no length.
+    /// Parameters of a curve's two ends, the lesser first. The tip land reaches to its far corner, the root land to the
+    /// middle of the space as built. Equal ends: the curve has no length.
     pub fn range(&self, curve: ProfilePart) -> (f64, f64) {
         let (low, high) = self.shape.range(curve);
         match curve {
@@ -68,13 +68,13 @@ impl<'a> Placed<'a> {
                 let (low, high) = self.range(curve);
                 t >= high || curve == ProfilePart::Tip && t <= low
             }
-            // Where no land follows, the half tooth ends at the bottom of the fillet.
+            // Without a root land the half tooth ends at the bottom of the fillet.
             ProfilePart::Fillet if t <= 0.0 => !self.has(ProfilePart::Root),
             _ => self.shape.is_corner((curve, t)),
         }
     }
 
-    /// The flank at a roll, as the pose puts it; `None` of one that is no involute.
+    /// The flank at a roll, at its position in the pose; `None` for a curve that is no involute.
     #[inline]
     pub fn flank(&self, xi: f64) -> Option<(CurvePoint, Osculating)> {
         let own = self.shape.curve(ProfilePart::Involute).osculating(xi)?;
@@ -101,7 +101,7 @@ mod tests {
     use crate::contact::gap::turn;
     use crate::gear::{Gear, GearDesign, Profile};
 
-    /// Against every thousandth of the land, of a gear that stands beside its axis, turned to either side of the line of centres.
+    /// Source: every thousandth of the land of an eccentric gear, turned to either side of the line of centres.
     #[test]
     fn a_tip_land_is_as_near_as_its_nearest_point() {
         let gear = Gear::nominal(GearDesign::plain(17, 2.0)).unwrap();
@@ -131,8 +131,8 @@ mod tests {
         }
     }
 
-    /// Corners are the ends of the tip land, the end of the root land, the bottom of the fillet where no root land follows, and the joint of an
-    /// undercut flank: by the outline, where the normals on either side of a place differ.
+    /// Corners are the ends of the tip land, the end of the root land, and the joint of an undercut flank. Without a
+    /// root land the bottom of the fillet is one too. Source: places where the outline's normals on either side differ.
     #[test]
     fn corners_are_where_the_outline_has_no_one_normal() {
         use ProfilePart::{Fillet, Involute, Root, Tip};

@@ -1,4 +1,4 @@
-//! From a pair that touches, in the frame of [`super::flank_problem`], to a [`Contact`] in the picture.
+//! Converts a touching pair in the frame of [`super::flank_problem`] to a [`Contact`] in the picture.
 
 use super::flank_problem::PosedFlanks;
 use super::shape::HalfToothShape;
@@ -7,8 +7,8 @@ use crate::contact::lost_motion::{Contact, Framed, Touch};
 use crate::gear::ProfilePart;
 use crate::pair::Member;
 
-/// A contact this near to the tip circle is the tip corner's (the rule of the reference data), one this near to the root
-/// circle the root's: below it the gear is solid all round.
+/// Distance, mm, within which a contact is on a circle: on the tip circle at the tip corner (the rule of the reference
+/// data), on the root circle at the root. Below the root circle the gear is solid all round.
 const CORNER_MM: f64 = 1e-7;
 
 /// The contact of `touching`; its rotation is not yet normalised.
@@ -41,8 +41,8 @@ pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) ->
     .contact()
 }
 
-/// Curves as results name them: an involute that ends at the tip circle is the tip corner, a fillet
-/// that ends in the involute the involute, one that ends at the root circle the root.
+/// The curve as results name it. The end of an involute at the tip circle is the tip corner. The end of a fillet
+/// belongs to the involute or to the root.
 fn touch(shape: &HalfToothShape, tooth: u32, (curve, t): (ProfilePart, f64)) -> Touch {
     let radius = shape.radius(curve, t);
     let curve = match curve {

@@ -1,27 +1,25 @@
-//! Which pairs of curves need no search.
+//! The pairs of curves that need no search.
 //!
-//! The polar gap of two half teeth is continuous along their common radii; its
-//! slope over `ln ρ` is `σ_locked − σ_free`, and where it vanishes its second
-//! derivative has the sign of `−(κ_1 + κ_2)` (κ + for convex): the curves touch
-//! there with opposite normals. So its greatest value stands
+//! The polar gap of two half teeth is continuous over their common radii. Its slope over `ln ρ` is `σ_locked − σ_free`.
+//! Where that vanishes, the second derivative has the sign of `−(κ_1 + κ_2)` (κ + for convex): the curves touch there
+//! with opposite normals. So the greatest value is
 //!
 //! - on the line of action, where both are involutes (κ_1 + κ_2 > 0, one stationary point at most), or
-//! - at a corner: the near tip corner of either gear, or the joint of an undercut fillet, an edge too; or
-//!   the far corner of a locked tip land, where a free land that is not quite round about its axis
-//!   ends on it,
+//! - at a corner: the near tip corner of either gear, the joint of an undercut fillet (also an edge), or the far corner
+//!   of a locked tip land if a free land that is not exactly round about its axis ends on it,
 //!
-//! on those pairs of curves for which, within reach of each other,
+//! for all pairs of curves that meet these conditions within reach of each other:
 //!
-//! 1. both are monotone in `ρ` (the normal never meets the axis). A locked involute may turn back
-//!    towards its tip: what lies behind the turn has the radii of what lies before it at lesser angles,
-//!    and the gap rises from the turn on;
-//! 2. a fillet is hollower than the involute opposite is convex, and no fillet is convex: then the
-//!    gap has minima only there. (At a smooth joint slopes agree: a gap that rises towards it rises on.)
-//! 3. a tip land runs so nearly round the axis, compared with the curve opposite, that the gap
-//!    rises along it towards its near corner, on either side of the line of centres;
-//! 4. a root land is out of reach.
+//! 1. Both are monotone in `ρ` (the normal never meets the axis). A locked involute may turn back towards its tip. Behind
+//!    the turn it has the same radii at lesser angles, and the gap rises from the turn on.
+//! 2. A fillet is more hollow than the opposite involute is convex, and no fillet is convex. Then the gap has only minima
+//!    there. (At a smooth joint the slopes agree, so a gap that rises towards it continues to rise.)
+//! 3. A tip land is much rounder about the axis than the opposite curve. So the gap rises along it towards
+//!    its near corner on either side of the line of centres.
+//! 4. A root land is out of reach.
 //!
-//! This is checked once for all poses, with the locked outline's centre anywhere within its
+//! The check holds for all poses, with the centre of the locked outline anywhere within its eccentricity `e_L` of its
+//! axis. Pairs of curves that fail are *open*: branch and bound searches them.
 //! eccentricity `e_L` of its axis. Pairs of curves that fail are *open*: left to branch and bound.
 
 use super::curves::Curves;
@@ -32,20 +30,19 @@ use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What is known of a pair of gears at every pose.
+/// The properties of a pair of gears that hold at every pose.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SearchFreeProof {
     /// Pairs of curves that must be searched.
     pub open: Curves,
-    /// Least `γ` of the locked and of the free fillet that can be reached; `None` where
-    /// none can or the search takes care of it.
+    /// Least `γ` of the locked and of the free fillet that can be reached; `None` if unreachable or searched.
     pub locked_fillet: Option<f64>,
     pub free_fillet: Option<f64>,
-    /// Whether a locked involute may turn back.
+    /// Whether a locked involute can turn back.
     pub turns_back: bool,
-    /// Whether a locked tip land may touch a free involute between its corners, or at the far one.
+    /// Whether a locked tip land can touch a free involute between its corners, or at the far one.
     pub tangents: bool,
-    /// Whether a free tip land may touch a locked involute between its corners: teeth whose tip's `X` is this or less.
+    /// Limit of the tip's `X`: teeth up to it can touch a free tip land between its corners with their locked involute.
     pub steep_arm: Option<f64>,
 }
 
@@ -56,12 +53,12 @@ impl SearchFreeProof {
     }
 }
 
-/// The two gears' half teeth, eccentricities, and the centre distance.
+/// The half teeth of both gears, their eccentricities, and the centre distance.
 pub(super) struct Setting<'a> {
     /// Without deviations.
     pub locked: &'a HalfToothShape,
     pub free: &'a HalfToothShape,
-    /// With them.
+    /// With deviations.
     pub locked_teeth: &'a Teeth,
     pub free_teeth: &'a Teeth,
     pub locked_off: f64,
@@ -70,12 +67,12 @@ pub(super) struct Setting<'a> {
 }
 
 impl Setting<'_> {
-    /// The locked outline's centre at its nearest: the widest lens, the least slopes.
+    /// The nearest position of the locked outline's centre: the widest lens and the least slopes.
     fn near(&self) -> f64 {
         self.distance - self.locked_off
     }
 
-    /// Greatest radius of the free gear, least radius of the locked one, about the free axis.
+    /// Greatest radius of the free gear and least radius of the locked one about the free axis.
     fn outmost(&self) -> f64 {
         self.free.tip_radius + self.free_off
     }
@@ -84,19 +81,19 @@ impl Setting<'_> {
         self.near() - self.locked.tip_radius
     }
 
-    /// The proof; `None` where not even involutes can do without a search.
+    /// The proof; `None` if even involutes need a search.
     pub fn prove(&self) -> Option<SearchFreeProof> {
         let (locked, free, near) = (self.locked, self.free, self.near());
         if !(self.inmost() > self.free_off && free.base > self.free_off) {
             return None;
         }
         let half = lens_half(locked.tip_radius, self.outmost(), near)?;
-        // The free involute's arm X = Q × n is r_b + C·E, |C| = e_F. The locked one's E stands at
-        // (polar angle) + atan ξ from the line of centres, X = D cos − r_b.
+        // The free involute's arm X = Q × n is r_b + C·E with |C| = e_F. For the locked one E is at (polar angle) +
+        // atan ξ from the line of centres, and X = D cos − r_b.
         if !(locked.base < near && half < (locked.base / near).acos()) {
             return None;
         }
-        // A tilted normal has an arm less by no more than the tilt times the distance from the axis.
+        // The tilt of a normal shortens the arm by at most the tilt times the distance from the axis.
         let tilted = near * self.tilt();
         let arm = near * (half + locked.tip_roll.atan()).cos() - locked.base - tilted;
         if !(free.base - self.outmost() * self.tilt() > self.free_off) {
@@ -118,7 +115,7 @@ impl Setting<'_> {
             Reach::Fillet(gamma) => self.fillet_arm(gamma).map(|arm| (gamma, arm)),
             _ => None,
         };
-        // 1. and 2.
+        // Conditions 1 and 2.
         let form_near = near - self.free_off;
         let free_good = free_reach == Reach::Involute
             || free_fillet.is_some_and(|gamma| {
@@ -133,7 +130,7 @@ impl Setting<'_> {
         open.add_unless(free_good, Involute, Fillet);
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
-        // 3.
+        // Condition 3.
         self.open_lands(&mut open, fillet_arm.map(|(_, arm)| arm), free_fillet);
         let level_arm = near * half.cos() - locked.base - tilted;
         open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
@@ -153,7 +150,7 @@ impl Setting<'_> {
         })
     }
 
-    /// Opens the pairs in which a tip land does not run round the axis nearly enough.
+    /// Opens the pairs of curves whose tip land is not round enough about the axis.
     fn open_lands(&self, open: &mut Curves, fillet_arm: Option<f64>, free_fillet: Option<f64>) {
         let (locked, free, near) = (self.locked, self.free, self.near());
         if let Some(gamma) = free_fillet {
@@ -161,7 +158,8 @@ impl Setting<'_> {
             let within = lens_half(locked.tip_radius, free.form_radius() + self.free_off, near);
             open.add_unless(within.is_none_or(|b| steepest < self.land(b)), Tip, Fillet);
         }
-        // The free land: X is D sin b on the locked land, b the angle at which it crosses the free tip circle at its nearest.
+        // The free land: X is D sin b on the locked land, where b is the angle at which it crosses the nearest free tip
+        // circle.
         if self.free_off == 0.0 {
             return;
         }
@@ -187,24 +185,25 @@ impl Setting<'_> {
         slope_at(self.free.tip_roll.atan() + self.shift()) < self.land(half)
     }
 
-    /// `σ` of the locked land at the angle `b` from the line of centres: `(D cos b − r_a)/(D sin b)`, falling in `b`.
+    /// `σ` of the locked land at the angle `b` from the line of centres: `(D cos b − r_a)/(D sin b)`, which falls with
+    /// `b`.
     fn land(&self, b: f64) -> f64 {
         let near = self.near();
         (near * b.cos() - self.locked.tip_radius) / (near * b.sin())
     }
 
-    /// Seen from an axis `e` off, `ψ` shifts by `asin(e/ρ)` at most, and by the tilt of a deviating flank.
+    /// Greatest change of `ψ`: `asin(e/ρ)` from an axis `e` away, plus the tilt of a deviating flank.
     fn shift(&self) -> f64 {
         (self.free_off / self.inmost()).asin() + self.tilt()
     }
 
-    /// Greatest tilt of a flank by its deviation, rad.
+    /// Greatest tilt of a flank's normal by its deviation, rad.
     fn tilt(&self) -> f64 {
         self.locked_teeth.tilt().max(self.free_teeth.tilt())
     }
 
-    /// Whether the free land, not quite round about its axis, is rounder than a locked curve of the arm `X`:
-    /// `|σ| ≥ (r_a − e)/e` of the land against `|σ| ≤ ρ/X`.
+    /// Whether the free land is rounder about its axis than a locked curve of the arm `X`: `|σ| ≥ (r_a − e)/e` on the
+    /// land against `|σ| ≤ ρ/X`.
     fn is_rounder_than(&self, arm: f64) -> bool {
         self.free_off == 0.0 || arm > self.least_round_arm()
     }
@@ -213,17 +212,17 @@ impl Setting<'_> {
         self.outmost() * self.free_off / (self.free.tip_radius - self.free_off)
     }
 
-    /// Least `X = D sin(γ − η) − r sin γ` of the locked fillet from `gamma` up, `η` the angle of its
-    /// pitch point `E` from the line of centres; `None` unless positive.
+    /// Least `X = D sin(γ − η) − r sin γ` of the locked fillet from `gamma` up; `None` unless positive. `η` is the
+    /// angle of its pitch point `E` from the line of centres.
     ///
-    /// `E` stands within `asin(L/r)` of the point. At fixed `η` X is a sine of `γ`, at fixed `γ` one of
-    /// `η`: where it is positive it is concave, so its least value stands at a corner of the box.
+    /// `E` is within `asin(L/r)` of the point. X is a sine of `γ` at fixed `η`, and a sine of `η` at fixed `γ`. Where X
+    /// is positive it is concave, so its least value is at a corner of the box.
     fn fillet_arm(&self, gamma: f64) -> Option<f64> {
         let (shape, near) = (self.locked, self.near());
         let half = lens_half(shape.form_radius(), self.outmost(), near)?;
         let reach = shape.depth / shape.fillet_end.cos() + shape.round;
         let behind = (reach.abs() / shape.pitch_radius).min(1.0).asin();
-        // On a fillet of h_0 ≥ 0 the point stands ahead of E, towards the tooth.
+        // On a fillet with h_0 ≥ 0 the point is ahead of E, towards the tooth.
         let ahead = if shape.depth >= 0.0 { 0.0 } else { behind };
         let mut least = f64::INFINITY;
         for gamma in [gamma, shape.fillet_end] {
@@ -247,11 +246,11 @@ fn slope_at(psi: f64) -> f64 {
     }
 }
 
-/// How far down a half tooth the mate can reach.
+/// The depth to which the mate can reach into a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Reach {
     Involute,
-    /// To this `γ` of the fillet.
+    /// Down to this `γ` of the fillet.
     Fillet(f64),
     Root,
 }
@@ -276,11 +275,11 @@ fn reached(shape: &HalfToothShape, radius: f64) -> Reach {
     Reach::Fillet(low)
 }
 
-/// Whether `fillet` is hollower everywhere than the mate's involute is convex from `radius` outwards.
+/// Whether `fillet` is more hollow everywhere than the mate's involute is convex from `radius` outwards.
 ///
-/// The fillet's radius of curvature `S/q = ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ` ([`crate::gear::Fillet`]),
-/// rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
-/// Of a helical gear's it is bounded by stretches, from `gamma` up.
+/// The fillet's radius of curvature is `S/q = ρ + h_0² c³/(r + h_0 c²)` with `c = 1/cos γ` ([`crate::gear::Fillet`]).
+/// It rises with `c` while `r + h_0 c² > 0`, which is also the condition for a hollow fillet. For a helical gear a
+/// bound per stretch applies, from `gamma` up.
 fn hollow((fillet, gamma): (&HalfToothShape, f64), mate: &Teeth, radius: f64) -> bool {
     let least = mate.least_bend_radius(involute::roll_at(radius, mate.shape.base));
     if fillet.fillet.is_elliptic() {
@@ -313,8 +312,9 @@ mod tests {
         Teeth::new(&gear, Side::Right)
     }
 
-    /// A fillet is hollower than the involute opposite is convex from the radius on at which that bends as the fillet does where it is flattest,
-    /// `√(r_b² + R²)`, of a helical gear a 16th beside it; one that bulges somewhere is so nowhere. Source: the fillet's curvature by differences of its normal.
+    /// A fillet is more hollow than the opposite involute is convex from the radius at which that is as curved as the
+    /// fillet where it is flattest. That radius is `√(r_b² + R²)`; for a helical gear it is within a 16th. A fillet
+    /// that bulges somewhere is hollow nowhere. Source: the fillet's curvature by differences of its normal.
     #[test]
     fn a_fillet_is_hollower_than_a_flank_that_bends_less() {
         let mate = teeth(60, 0.0, 0.0, 0.38);

@@ -1,16 +1,16 @@
-//! A locked tip land on a free involute: two convex curves that may touch between the land's corners.
+//! A locked tip land on a free involute: two convex curves that can touch between the land's corners.
 //!
-//! The land is an arc of the circle of radius `r_a` about `C_L`: an involute of no base circle, each of whose points
-//! has the same centre of curvature. So the contact normal is the tangent from `C_L` to the free base circle, and of the equations
-//! of [`super::line`] with `r_bL = 0`
+//! The land is an arc of radius `r_a` about `C_L`. It is like an involute without a base circle: every point has the
+//! same centre of curvature. So the contact normal is the tangent from `C_L` to the free base circle. With `r_bL = 0`
+//! the equations of [`super::line`] reduce to
 //!
 //! ```text
 //! T = √(|B|² − r_b²),    r_b ξ = T − r_a,    μ − ψ_b = arg B + acos(r_b/|B|) − ξ
 //! ```
 //!
-//! is left: where both outlines are centred one roll for all teeth. With an eccentric free gear `B` depends on the gap,
-//! and Newton's method solves it as there. The curves are both convex, so that along them
-//! the gap has this one maximum; where there is none, it is greatest at an end: a corner of either tip.
+//! If both outlines are centred, one roll holds for all teeth. With an eccentric free gear `B` depends on the gap, and
+//! Newton's method solves it as there. Both curves are convex, so the gap has only this one maximum along them. Without
+//! it, the gap is greatest at a corner of either tip.
 
 use super::candidate::CandidateContact;
 use super::flank_problem::PosedFlanks;
@@ -19,10 +19,10 @@ use super::shape::C;
 use super::tightest::TightestContacts;
 use crate::gear::ProfilePart;
 
-/// After a step this small, rad, one more ends in rounding.
+/// Step, rad, after which one more ends in rounding.
 const SETTLED: f64 = 1e-9;
 
-/// Where a locked land would touch a free involute, if both went on.
+/// The contact of a locked land with a free involute, both extended.
 struct Tangent {
     gap: f64,
     roll: f64,
@@ -84,7 +84,7 @@ impl PosedFlanks<'_> {
         roll >= free_shape.form_roll && roll <= free_shape.tip_roll
     }
 
-    /// `None` where the line does not settle: the base circle reaches the land's centre.
+    /// `None` if the line does not settle, because the base circle reaches the land's centre.
     fn tangent(&self, step: i64, start: &Line, eccentric: bool) -> Option<Tangent> {
         let problem = self.problem;
         let base = problem.free.shape.base;
@@ -94,7 +94,7 @@ impl PosedFlanks<'_> {
         let mut line = *start;
         if eccentric {
             let mut settled = false;
-            // Two or three steps: |dG/dμ| ≤ e/r_b < 1. What one leaves is of its square.
+            // Two or three steps: |dG/dμ| ≤ e/r_b < 1. Each leaves its square.
             for _ in 0..60 {
                 let (between, rate) = self.between(gap);
                 line = Line::new(between, base)?;

@@ -1,4 +1,4 @@
-//! What hard pairs may take: poses and extremes end by their effort, counted, and say so.
+//! Hard pairs: poses and extremes end within their counted effort, and say so.
 
 use super::{Doubt, ExactKernel};
 use crate::contact::effort::Effort;
@@ -7,7 +7,7 @@ use crate::gear::{
 };
 use crate::pair::{GearPair, Mating, Member};
 
-/// Draws of a multiplicative sequence: the same on any machine.
+/// A multiplicative pseudo-random sequence, equal on every machine.
 pub(super) struct Draws(pub u64);
 
 impl Draws {
@@ -18,15 +18,15 @@ impl Draws {
     }
 }
 
-/// What a helical pair of module 2 has.
+/// The data of a helical pair of module 2.
 struct Wild {
     teeth: [u32; 2],
     beta_deg: f64,
     face: f64,
     runout: f64,
     pitch: f64,
-    /// Beyond the sum of the reference radii.
-    farther: f64,
+    /// Centre distance beyond the sum of the reference radii.
+    extra_distance: f64,
 }
 
 impl Wild {
@@ -57,7 +57,7 @@ impl Wild {
         let wheel = gear(self.teeth[0], Hand::Right, Face::Front)?;
         let pinion = gear(self.teeth[1], Hand::Left, Face::Back)?;
         let gears = [&wheel, &pinion].map(|gear| gear.gear().basic_data().reference_radius());
-        let distance = gears[0] + gears[1] + self.farther;
+        let distance = gears[0] + gears[1] + self.extra_distance;
         let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).ok()?;
         pair.with_face([0.0, self.face]).ok()
     }
@@ -72,7 +72,8 @@ pub(super) fn mating(wheel_tooth: u32, pinion_tooth: u32, fraction: f64) -> Mati
     }
 }
 
-/// Pairs of 7/31 and 40/61 teeth, β 45°, whose poses and extremes had no end (killed after 40 s and 280 s): the bracket is what is known by then.
+/// Pairs of 7/31 and 40/61 teeth, β 45°, whose poses and extremes had no end (killed after 40 s and 280 s). The bracket
+/// states what is known when the effort ends.
 #[test]
 fn extremes_of_wild_helical_pairs_end_by_their_effort() {
     let cases = [
@@ -80,14 +81,14 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
         ([7, 31], 20.0, 1.5, 0.3, 0.2),
         ([40, 61], 200.0, 1.5, 0.3, 3.4),
     ];
-    for (teeth, face, runout, pitch, farther) in cases {
+    for (teeth, face, runout, pitch, extra_distance) in cases {
         let wild = Wild {
             teeth,
             beta_deg: 45.0,
             face,
             runout,
             pitch,
-            farther,
+            extra_distance,
         };
         let pair = wild.pair(&mut Draws(7)).unwrap();
         let kernel = ExactKernel::new(&pair);
@@ -104,13 +105,14 @@ fn extremes_of_wild_helical_pairs_end_by_their_effort() {
             assert!(extreme.doubt != Some(Doubt::Unbounded) || extreme.low <= extreme.high);
             assert!(extreme.low <= extreme.high, "{teeth:?}: {extreme:?}");
         }
-        // What is cut short is no less the same.
+        // An interrupted search is also reproducible.
         let again = kernel.extremes(&pair, over.0, matings, 1e-6).unwrap();
         assert_eq!(found, again);
     }
 }
 
-/// A pair far beyond any shop: 3 to 400 teeth, β to 50°, a face to 200 mm, runout of 0.75 modules, pitch off by 0.3 of one.
+/// A pair far outside any practice: 3 to 400 teeth, β to 50°, face width to 200 mm, runout of 0.75 modules, pitch
+/// deviations of 0.3 modules.
 pub(super) fn wild(draws: &mut Draws) -> Option<GearPair> {
     let few = draws.within(0.0, 1.0) < 0.5;
     let mut teeth = || {
@@ -126,13 +128,14 @@ pub(super) fn wild(draws: &mut Draws) -> Option<GearPair> {
         face: draws.within(5.0, 200.0),
         runout: draws.within(0.0, 1.5),
         pitch: draws.within(0.0, 0.6),
-        farther: draws.within(-0.5, 2.5),
+        extra_distance: draws.within(-0.5, 2.5),
     };
     wild.pair(draws)
 }
 
-/// None takes more than a pose may, none is lost before one side of a section has taken its own share, and few are given up: 5 of 438, whose flanks overlap before a tip jams. Of such poses 29 of 102 were, when
-/// the whole section of all teeth that pass the line of centres was looked at, and of jammed ones all the face.
+/// No pose exceeds its effort, and none is lost before one side of a section has used its share. Few are given up: 5 of
+/// 438, whose flanks overlap before a tip jams. It was 29 of 102 when the section of every tooth on the line of centres
+/// was examined, and the whole face of jammed poses.
 #[test]
 fn wild_helical_poses_are_found_within_their_effort() {
     let mut draws = Draws(11);

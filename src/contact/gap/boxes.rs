@@ -1,8 +1,10 @@
-//! Rectangles round pieces of a path and round runs of them: they rule out most pairs of pieces before a curve is looked at.
+//! Rectangles around pieces of a path and around runs of pieces. They rule out most pairs of pieces before any curve is
+//! evaluated.
 //!
-//! A rectangle lies along the chord of what is in it, so that its width is of second order in its length. A locked rectangle is *behind* a free one
-//! at a gap when a straight line divides them, the free one counter-clockwise of it, both on that side of the axis where a line's angle
-//! grows along any circle from its one side to its other: then at every radius the locked points lie clockwise of the free ones.
+//! A rectangle is parallel to the chord of its content, so its width is of second order in its length. A locked
+//! rectangle is *behind* a free one at a gap if a straight line divides them with the free one counter-clockwise. Both
+//! must be on the side of the axis where the angle of a line grows along any circle from one side of the line to the
+//! other. Then at every radius the locked points are clockwise of the free ones.
 
 use super::C;
 use crate::gear::PartCurve;
@@ -25,13 +27,14 @@ fn dot(a: C, b: C) -> f64 {
 }
 
 impl Rectangle {
-    /// Round a piece of a curve between two parameters, its points at `point`.
+    /// The rectangle of a piece of a curve between two parameters, with its points at `point`.
     pub fn new(curve: &PartCurve, (low, high): (f64, f64), point: impl Fn(f64) -> C) -> Rectangle {
         let ends = [low, high].map(&point);
         let chord = ends[1] - ends[0];
         let length = chord.norm();
         let (reach, turn) = curve.spread(low, high);
-        // The chord is parallel to a tangent, and tangents are within twice the turn of it: below a right angle the curve ends where its chord does.
+        // The chord is parallel to a tangent, and tangents are within twice the turn of it. Below a right angle the
+        // curve ends where its chord does.
         if !(turn < FRAC_PI_4 && length > 0.0) {
             return Rectangle {
                 along: C::ONE,
@@ -49,7 +52,7 @@ impl Rectangle {
         }
     }
 
-    /// Round two that follow each other.
+    /// The rectangle around two consecutive ones.
     fn round(one: &Rectangle, other: &Rectangle) -> Rectangle {
         let between = other.along * other.middle - one.along * one.middle;
         let distance = between.norm();
@@ -78,7 +81,7 @@ impl Rectangle {
         }
     }
 
-    /// Half of what it measures along two axes, in which its length has the direction `along`, mm.
+    /// Half of its extents along two axes, with its length in the direction `along`, mm.
     #[inline]
     fn extents(&self, along: C) -> [f64; 2] {
         let (cos, sin) = (along.re.abs(), along.im.abs());
@@ -92,7 +95,7 @@ impl Rectangle {
         2.0 * self.half[0]
     }
 
-    /// At `centre + direction · X`.
+    /// The rectangle moved to `centre + direction · X`.
     #[inline]
     pub fn placed(&self, centre: C, direction: C) -> Rectangle {
         let along = direction * self.along;
@@ -115,7 +118,7 @@ impl Rectangle {
         )
     }
 
-    /// Whether its points are seen from the origin within 15° of its centre.
+    /// Whether its points are within 15° of its centre, seen from the origin.
     #[inline]
     fn is_narrow(&self) -> bool {
         let square = self.half[0] * self.half[0] + self.half[1] * self.half[1];
@@ -123,18 +126,20 @@ impl Rectangle {
         16.0 * square <= self.middle.norm_sqr()
     }
 
-    /// Whether any two points of both, the free one turned by `turned`, are seen from the origin within 120° of each other.
+    /// Whether any two points of both, the free one turned by `turned`, are within 120° of each other, seen from the
+    /// origin.
     #[inline]
     pub fn is_near(&self, free: &Rectangle, turned: C) -> bool {
         let seen = self.along.conj() * turned * free.along * free.middle;
         self.is_narrow() && free.is_narrow() && dot(self.middle, seen) >= 0.0
     }
 
-    /// How far, mm, it stands into a free one turned by `turned` and `room` nearer, across the line along one of them that divides them better; not
-    /// above 0: the line proves that it is behind it.
+    /// Penetration, mm, into a free rectangle that is turned by `turned` and moved `room` nearer. It is measured across
+    /// the better dividing line along one of them. A value of at most 0 proves that this rectangle is behind.
     #[inline]
     pub fn beyond(&self, free: &Rectangle, turned: C, room: f64) -> f64 {
-        // Along the locked one's axes; the normal that points counter-clockwise is the second, or its opposite.
+        // Along the axes of the locked one; the normal that points counter-clockwise is the second axis or its
+        // opposite.
         let along = self.along.conj() * turned * free.along;
         let sign = 1f64.copysign(self.middle.re);
         let seen = along * free.middle;
@@ -143,7 +148,7 @@ impl Rectangle {
         if over <= 0.0 && self.half[0] < sign * self.middle.re && extents[0] < sign * seen.re {
             return over;
         }
-        // Along the free one's.
+        // Along the axes of the free one.
         let seen = along.conj() * self.middle;
         let sign = 1f64.copysign(seen.re);
         let extents = self.extents(along);
@@ -151,7 +156,7 @@ impl Rectangle {
         if other <= 0.0 && extents[0] < sign * seen.re && free.half[0] < sign * free.middle.re {
             return other;
         }
-        // What is not proven is not behind.
+        // Without proof it does not count as behind.
         match (over > 0.0, other > 0.0) {
             (true, true) => over.min(other),
             (true, false) => over,
@@ -161,7 +166,7 @@ impl Rectangle {
     }
 }
 
-/// Rectangles round the pieces of a path in order, and, as a tree, round runs of them.
+/// Rectangles around the pieces of a path in order, and around runs of pieces, as a tree.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Boxes(Vec<Run>);
 
@@ -169,12 +174,12 @@ pub(in crate::contact) struct Boxes(Vec<Run>);
 #[derive(Debug, Clone)]
 struct Run {
     rectangle: Rectangle,
-    /// The first of its pieces, and how many they are.
+    /// Its first piece, and its number of pieces.
     first: u32,
     count: u32,
 }
 
-/// What is in a run.
+/// The content of a run.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) enum Inside {
     /// One piece.
@@ -184,7 +189,7 @@ pub(in crate::contact) enum Inside {
 }
 
 impl Boxes {
-    /// Round pieces in these rectangles, in order.
+    /// The tree over pieces in these rectangles, in order.
     pub fn new(pieces: &[Rectangle]) -> Boxes {
         let mut runs = Vec::with_capacity(2 * pieces.len());
         if !pieces.is_empty() {
@@ -198,30 +203,30 @@ impl Boxes {
         (!self.0.is_empty()).then_some(0)
     }
 
-    /// That of a run.
+    /// The rectangle of a run.
     #[inline]
     pub fn rectangle(&self, run: usize) -> &Rectangle {
         &self.0[run].rectangle
     }
 
-    /// What is in a run.
+    /// The content of a run.
     #[inline]
     pub fn inside(&self, run: usize) -> Inside {
         let Run { first, count, .. } = self.0[run];
         match count {
             1 => Inside::Piece(first as usize),
-            // The first half follows its run, and it has one run less than twice its pieces.
+            // The first half follows its run, which has twice as many runs as pieces, less one.
             _ => Inside::Runs([run + 1, run + 2 * (count as usize / 2)]),
         }
     }
 
-    /// Those of all runs.
+    /// The rectangles of all runs.
     pub fn rectangles(&self) -> impl Iterator<Item = &Rectangle> {
         self.0.iter().map(|run| &run.rectangle)
     }
 }
 
-/// Adds the run of these pieces, and after it what is in it.
+/// Adds the run of these pieces, followed by its content.
 fn add(runs: &mut Vec<Run>, pieces: &[Rectangle], first: u32) -> Rectangle {
     let place = runs.len();
     runs.push(Run {

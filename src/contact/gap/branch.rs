@@ -1,52 +1,51 @@
-//! Branch and bound over any pair of curves: slow, and right for plain reasons.
+//! Branch and bound over any pair of curves: slow, but simple to verify.
 //!
-//! Two half teeth are put where the pose puts them, positions counted from the
-//! free gear's axis. Points `P` of the locked and `Q` of the free one meet when
-//! `|P| = |Q| = ρ`, at the free gear's rotation `arg(P · conj Q)`, the *gap*;
-//! the right side's contact is the greatest gap. A node is a pair of arcs. With
-//! `σ = ρ dθ/dρ = tan ψ`, `ψ` the angle between tangent and radius, the gap over
-//! `ln ρ` has the slope `σ_locked − σ_free`. So:
+//! Two half teeth are at their positions in a pose, counted from the free gear's axis. A locked point `P` and a free
+//! point `Q` meet if `|P| = |Q| = ρ`, at the free gear's rotation `arg(P · conj Q)`, the *gap*. The contact of the
+//! right side is the greatest gap. A node is a pair of arcs. Let `σ = ρ dθ/dρ = tan ψ`, with `ψ` the angle between
+//! tangent and radius. Over `ln ρ` the gap has the slope `σ_locked − σ_free`. So:
 //!
-//! - a node whose radii do not overlap, or whose greatest gap is below one already found, is empty;
-//! - where both arcs rise or fall in `ρ` and their `ψ` do not overlap, the gap is monotone: its
-//!   greatest value stands at an end of the common radii, and one evaluation settles the node;
-//! - where they do overlap the gap exceeds that at one radius by at most (slope) × (length in ln ρ):
-//!   second order in the arc's length, so a smooth maximum is closed after a few dozen nodes;
-//! - where both curvatures are known and say that the gap is concave over `ln ρ`, it has one greatest value, at the root of its slope, and
-//!   where they say that it is convex it is greatest at an end: `dσ/d ln ρ = (κρ − sin ψ)/cos³ ψ`, as `dψ/ds = κ − sin ψ/ρ` and
-//!   `dρ/ds = cos ψ`;
-//! - anything else is cut in two.
+//! - A node whose radii do not overlap, or whose greatest gap is below one already found, is empty.
+//! - If both arcs are monotone in `ρ` and their `ψ` do not overlap, the gap is monotone. It is greatest at an end of the
+//!   common radii, and one evaluation settles the node.
+//! - If their `ψ` overlap, the gap exceeds that at one radius by at most (slope) × (length in ln ρ). This is of second order
+//!   in the arc's length, so a few dozen nodes close a smooth maximum.
+//! - If both curvatures are known and make the gap concave over `ln ρ`, its one maximum is at the root of its slope. If they
+//!   make it convex, it is greatest at an end: `dσ/d ln ρ = (κρ − sin ψ)/cos³ ψ`, because `dψ/ds = κ − sin ψ/ρ` and
+//!   `dρ/ds = cos ψ`.
+//! - Any other node is cut in two.
 //!
-//! All bounds come from the distance and turn of the curve from its middle ([`crate::gear::PartCurve::spread`]);
-//! nothing is assumed of the curves' shape.
+//! All bounds use the distance and turn of the curve from its middle ([`crate::gear::PartCurve::spread`]). They assume
+//! nothing else about the curves' shape.
 
 use super::{C, Origin, PlacedCurve, slope};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Nodes of one side of a pose, over all its pairs, after which its contact counts as lost. A node takes some 0.3 µs; both sides together may take
-/// what the pose may ([`crate::contact::Effort`]).
+/// Nodes of one side of a pose, over all its pairs, after which its contact counts as lost. A node takes about 0.3 µs.
+/// Both sides share the budget of the pose ([`crate::contact::Effort`]).
 pub(in crate::contact) const MOST_NODES: usize = 150_000;
 
-/// Steps of Newton's method for a point at a radius that take a node's time. Half a dozen are usual, some dozens where a fillet ends level.
+/// Newton steps for a point at a radius that count as one node. Half a dozen are usual, a few dozen where a fillet ends
+/// level.
 const STEPS_A_NODE: usize = 5;
 
-/// Arcs seen under so small an angle, rad, are one point: a few units in the last place of a parameter of order 1. (A finer
-/// one is never reached where arcs cannot be cut any more.)
+/// Angle, rad, below which an arc counts as a point: a few units in the last place of a parameter of order 1. (Arcs
+/// that cannot be cut any more never reach a finer one.)
 const FINEST: f64 = 16.0 * f64::EPSILON;
 
-/// A piece of a curve and what is known of it.
+/// A piece of a curve with its bounds.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct Arc<'a> {
     placed: PlacedCurve<'a>,
-    /// What its owner calls the curve.
+    /// The caller's index of the curve.
     name: usize,
     low: f64,
     high: f64,
     middle: C,
-    /// Distance from the middle within which it lies.
+    /// Radius about its middle that contains it.
     reach: f64,
-    /// Angle within which it is seen from the axis, to either side of the middle.
+    /// Angle from the axis that contains it, to either side of its middle.
     swing: f64,
     radii: (f64, f64),
     /// Bounds of `ψ` where the arc is monotone in `ρ`, and whether `ρ` rises with the parameter.
@@ -55,7 +54,7 @@ pub(in crate::contact) struct Arc<'a> {
     bend: Option<(f64, f64)>,
 }
 
-/// Of a vector; what an overflow would need is longer than any gear.
+/// Length of a vector. Lengths that overflow are beyond any gear.
 #[inline]
 fn length(vector: C) -> f64 {
     vector.norm_sqr().sqrt()
@@ -72,7 +71,7 @@ impl<'a> Arc<'a> {
         } else {
             PI
         };
-        // z = tangent/radius direction; of its two senses the one of rising ρ.
+        // z = tangent/radius direction; of its two senses the one with rising ρ.
         let z = C::i() * sample.normal * sample.point.conj();
         let psi = (z.im * z.re.signum()).atan2(z.re.abs());
         let play = bend + swing;
@@ -96,7 +95,7 @@ impl<'a> Arc<'a> {
             arc.radii = (far[0].min(far[1]), far[0].max(far[1]));
             arc.slope = Some((psi - play, psi + play, far[0] <= far[1]));
             let bend = placed.curve.convexity(low, high);
-            // The metal lies on the left of `i n`, which may be the falling direction.
+            // The metal is on the left of `i n`, which may be the falling direction.
             arc.bend = bend.map(|(least, most)| {
                 if z.re > 0.0 {
                     (least, most)
@@ -105,7 +104,8 @@ impl<'a> Arc<'a> {
                 }
             });
         } else {
-            // It leaves its chord by `(A + B Δ) Δ²/8` at most: where it runs round the axis its radii vary no more than that.
+            // It leaves its chord by at most `(A + B Δ) Δ²/8`. Where it runs round the axis, its radii vary no more
+            // than that.
             let length = high - low;
             let (a, b) = placed.curve.bend(high);
             let off = (a + b * length) * length * length / 8.0;
@@ -123,7 +123,7 @@ impl<'a> Arc<'a> {
         let by = |bend: f64| [bend * inner, bend * outer];
         let least = f64::min(by(least)[0], by(least)[1]) - sines[1];
         let most = f64::max(by(most)[0], by(most)[1]) - sines[0];
-        // Where ψ may be 0 the cosine may be 1.
+        // Where ψ can be 0 the cosine can be 1.
         let nearest = if low <= 0.0 && high >= 0.0 {
             1.0
         } else {
@@ -135,17 +135,17 @@ impl<'a> Arc<'a> {
         Some((scaled(least, least < 0.0), scaled(most, most > 0.0)))
     }
 
-    /// Whether both may have points at one radius.
+    /// Whether both can have points at one radius.
     pub fn meets(&self, other: &Arc) -> bool {
         self.radii.0.max(other.radii.0) <= self.radii.1.min(other.radii.1)
     }
 
-    /// Bounds of the gap with a free arc, rad, from `origin`: a greatest gap is not above the second, and, −∞ where it is not known that they
-    /// meet, not below the first.
+    /// Bounds of the gap with a free arc from `origin`, rad. The greatest gap is at most the second and at least the
+    /// first, which is −∞ unless they are known to meet.
     pub fn gap_with(&self, free: &Arc, origin: Origin) -> (f64, f64) {
         let play = self.swing + free.swing;
         let middle = origin.gap(self.middle * free.middle.conj());
-        // Beyond half a turn it counts from the other side.
+        // More than half a turn counts from the other side.
         if (middle - origin.about).abs() + play >= PI {
             return (f64::NEG_INFINITY, origin.about + PI);
         }
@@ -174,7 +174,7 @@ impl<'a> Arc<'a> {
             .map(|(low, high)| Arc::new(self.placed, self.name, low, high))
     }
 
-    /// The parameter at radius `rho` of a monotone arc; at or beyond an end, that end. What it takes is added to `steps`.
+    /// The parameter at radius `rho` of a monotone arc, limited to its ends. The steps used are added to `steps`.
     fn at_radius(&self, rho: f64, rising: bool, steps: &Cell<usize>) -> f64 {
         let (inner, outer) = if rising {
             (self.low, self.high)
@@ -197,8 +197,9 @@ impl<'a> Arc<'a> {
 /// Steps of [`summit`]: halvings alone end at the last bit of a radius.
 const SUMMIT_STEPS: u32 = 64;
 
-/// The radius between two at which the gap, concave over `ln ρ`, is greatest, and how much it may be greater elsewhere, rad: below the
-/// tangent at a point of it no more than slope times distance to where the slope has changed its sign. `steps` counts as in [`Arc::at_radius`].
+/// The radius between two at which a gap concave over `ln ρ` is greatest, and how much it can be greater elsewhere,
+/// rad. The bound is the tangent: slope times distance to the place where the slope has changed its sign. `steps`
+/// counts as in [`Arc::at_radius`].
 fn summit(
     locked: &Arc,
     free: &Arc,
@@ -219,7 +220,7 @@ fn summit(
     }
     let mut best = (inner, f64::INFINITY);
     for step in 0..SUMMIT_STEPS {
-        // The chord's root, every third time the middle: whatever the slope does, the bracket shrinks.
+        // The chord's root, and every third time the middle, so that the bracket shrinks for any slope.
         let share = if step % 3 == 2 {
             0.5
         } else {
@@ -244,11 +245,11 @@ fn summit(
     best
 }
 
-/// Least and greatest distance of a chord from the origin; those of its ends are known.
+/// Least and greatest distance of a chord from the origin, given those of its ends.
 fn chord_radii([from, to]: [C; 2], far: [f64; 2]) -> (f64, f64) {
     let along = to - from;
     let length = along.norm_sqr();
-    // The foot of the perpendicular, as a share of the chord.
+    // The foot of the perpendicular, as a part of the chord.
     let foot = -(from.re * along.re + from.im * along.im) / length;
     let least = if foot > 0.0 && foot < 1.0 {
         self::length(from + along * foot)
@@ -258,12 +259,12 @@ fn chord_radii([from, to]: [C; 2], far: [f64; 2]) -> (f64, f64) {
     (least, far[0].max(far[1]))
 }
 
-/// Where a locked and a free curve meet.
+/// A common point of a locked and a free curve.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct CurveContact {
     /// Gap, rad, from the caller's origin.
     pub gap: f64,
-    /// Bound on what was left out, rad.
+    /// Bound on the error of the search, rad.
     pub slack: f64,
     /// Name and parameter of the locked curve.
     pub locked: (usize, f64),
@@ -273,7 +274,7 @@ pub(in crate::contact) struct CurveContact {
 
 /// The greatest gap over pairs of a locked and a free curve, if it exceeds `floor`.
 ///
-/// Gaps count from `origin`; of `nodes_left` it takes what it needs.
+/// Gaps count from `origin`. The nodes used are subtracted from `nodes_left`.
 ///
 /// # Errors
 /// The names of two curves whose search did not end.
@@ -290,12 +291,13 @@ pub(in crate::contact) fn greatest<'a>(
         if *nodes_left == 0 {
             return Err((locked.name, free.name));
         }
-        // The steps are those of the node before.
+        // The steps belong to the previous node.
         *nodes_left = nodes_left.saturating_sub(1 + steps.take() / STEPS_A_NODE);
         let inner = locked.radii.0.max(free.radii.0);
         let outer = locked.radii.1.min(free.radii.1);
         let play = locked.swing + free.swing;
-        // The longer is cut. Where its ends are neighbours, cutting the other would end nowhere: near a parameter of 0 there is always a finer one.
+        // The longer arc is cut. If its ends are adjacent numbers, cutting the other would not end: near a parameter of
+        // 0 there is always a finer one.
         let at_locked = locked.reach >= free.reach;
         let longer = if at_locked { &locked } else { &free };
         if inner > outer || locked.gap_with(&free, origin).1 <= level {
@@ -335,7 +337,8 @@ pub(in crate::contact) fn greatest<'a>(
             let both_straight =
                 |a: Option<(f64, f64)>| a.map(|(l, m)| (l.abs(), m.abs())) == straight;
             if both_straight(locked.bend) && both_straight(free.bend) {
-                // `sin ψ = d/ρ`, `d` the line's distance from the axis: which slope is greater is the same all along.
+                // `sin ψ = d/ρ` with the line's distance `d` from the axis: the sign of the difference of slopes is
+                // constant.
                 meet(inner, 0.0);
                 meet(outer, 0.0);
                 continue;
@@ -375,7 +378,8 @@ pub(in crate::contact) fn greatest<'a>(
             let meets = locked.meets(free);
             meets.then(|| locked.gap_with(free, origin).1)
         });
-        // The half that may have the greater gap last, where it is taken first: where a curve runs round the axis the gap grows along it.
+        // The half that can have the greater gap goes last, because the last is taken first. Along a curve that runs
+        // round the axis the gap grows.
         let order: [usize; 2] = if bounds[0] > bounds[1] {
             [1, 0]
         } else {

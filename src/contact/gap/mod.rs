@@ -1,4 +1,5 @@
-//! The gap of two curves about the free gear's axis, for curves of any kind: what both the exact method and outlines search by.
+//! The gap of two curves about the free gear's axis, for curves of any kind. The exact method and drawn outlines both
+//! search with it.
 
 mod boxes;
 mod branch;
@@ -22,18 +23,18 @@ pub(super) fn turn(angle: f64) -> C {
     C::new(cos, sin)
 }
 
-/// Where gaps are counted from.
+/// The origin of gaps.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Origin {
-    /// Direction at rotation 0 of what stands on +x at a gap of 0.
+    /// Direction at rotation 0 of the point that is on +x at a gap of 0.
     pub direction: C,
-    /// Gaps are given within half a turn of this, rad: where the free tooth faces the mate. Of gears of three teeth a neighbouring tooth may
-    /// touch more than half a turn from 0.
+    /// Gaps are within half a turn of this, rad, the gap at which the free tooth faces the mate. In gears of three
+    /// teeth a neighbouring tooth can touch more than half a turn from 0.
     pub about: f64,
 }
 
 impl Origin {
-    /// The gap of a locked point `P` and a free one `Q` of one radius, of which `turned` is `P Q*`.
+    /// The gap of a locked point `P` and a free point `Q` of one radius; `turned` is `P Q*`.
     #[inline]
     pub fn gap(self, turned: C) -> f64 {
         let gap = (turned * self.direction).arg();
@@ -60,9 +61,10 @@ pub(super) fn slope(sample: &CurvePoint) -> f64 {
     -z.re / z.im
 }
 
-/// The normal out of the locked metal where a locked and a free curve meet, and the slope that tells how a shift of a curve turns the gap: a corner has
-/// none, there the other curve's counts; where two corners meet, the direction in which they do. `opposite` is the free curve's normal, turned
-/// to the contact and out of the locked metal. Of two smooth curves the steeper slope counts.
+/// The normal out of the locked metal at a contact, and the slope that converts a shift of a curve to a change of the
+/// gap. At a corner the other curve gives both; between two corners the normal is their direction of approach.
+/// `opposite` is the free curve's normal, turned to the contact and out of the locked metal. Between two smooth curves
+/// the steeper slope counts.
 #[inline]
 pub(super) fn common_normal(
     p: &CurvePoint,
@@ -78,19 +80,19 @@ pub(super) fn common_normal(
     }
 }
 
-/// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and whose curves have the slope `σ`; `size` is the greatest
-/// length in it, mm.
+/// Bound on the rounding of a gap, rad. Its contact is at `radius` from the free axis, its curves have the slope `σ`,
+/// and `size` is its greatest length, mm.
 ///
-/// Positions come from a table direction (angle and sine and cosine: 6 ε), the locked
-/// rotation (reduction, sine and cosine: 4 ε), the curve itself (4 ε) and sums: within
-/// 16 ε of the largest length in them. Off by `δ` a point turns the gap by at most
-/// `(δ/ρ)(1 + |σ|)`. Angles up to π are added four times: 16 ε.
+/// Positions come from a table direction (angle, sine and cosine: 6 ε), the locked rotation (reduction, sine and
+/// cosine: 4 ε), the curve itself (4 ε) and sums. The total is within 16 ε of the largest length. A point off by `δ`
+/// changes the gap by at most `(δ/ρ)(1 + |σ|)`. Angles up to π are added four times: 16 ε.
 #[inline]
 pub(super) fn rounding(size: f64, radius: f64, slope: f64) -> f64 {
     f64::EPSILON * (16.0 * size / radius * (1.0 + slope.abs()) + 16.0)
 }
 
-/// A curve where the pose puts it: `centre + direction · P`, from the free gear's axis; `P` the mirror image in the x axis where mirrored.
+/// A curve at its position in a pose: `centre + direction · P`, from the free gear's axis. `P` is mirrored in the x
+/// axis where `mirrored`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PlacedCurve<'a> {
     pub curve: &'a PartCurve,
@@ -125,16 +127,17 @@ impl PlacedCurve<'_> {
         if self.mirrored { -speed } else { speed }
     }
 
-    /// The parameter between `inner` and `outer` at which the curve has the radius `rho`, `|P|` rising from one to the other.
+    /// The parameter between `inner` and `outer` at which the curve has the radius `rho`; `|P|` rises from one to the
+    /// other.
     ///
-    /// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
-    /// ends when the step or the rest is lost in rounding.
+    /// Newton's method on `|P|² − ρ²` from `start`, halved when it leaves its bracket. It ends when the step or the
+    /// residual is lost in rounding.
     #[inline]
     pub fn invert(&self, rho: f64, ends: [f64; 2], start: f64) -> f64 {
         self.invert_counted(rho, ends, start).0
     }
 
-    /// The same, and the steps it takes.
+    /// [`PlacedCurve::invert`] with its number of steps.
     #[inline]
     fn invert_counted(
         &self,

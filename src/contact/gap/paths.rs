@@ -1,36 +1,38 @@
-//! The greatest gap of two paths of many pieces: rectangles round runs of them rule out what cannot touch, curves settle the rest.
+//! The greatest gap of two paths of many pieces. Rectangles around runs rule out what cannot touch; the curves settle
+//! the rest.
 //!
-//! Pairs of runs are taken depth first, the one that stands farthest into its mate first, at the greatest gap so far: it is near the contact after
-//! the first descent. A pair is dropped where the runs have no radius in common, or the locked one is behind the free one.
+//! Pairs of runs are taken depth first at the greatest gap so far, starting with the deepest penetration. After the
+//! first descent that gap is near the contact. A pair is dropped if its runs share no radius, or if the locked one is
+//! behind the free one.
 
 use super::boxes::{Boxes, Inside, Rectangle};
 use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
 
-/// Farther below what gaps are about, rad, nothing is ruled out by rectangles: the gap of a pair seen within 120° of each other (see
-/// [`Rectangle::is_near`]) might be more than half a turn below that, and count as one a turn above.
+/// Distance below the origin of gaps, rad, from which rectangles rule nothing out. The gap of a pair within 120° (see
+/// [`Rectangle::is_near`]) could be more than half a turn below the origin there, and count as one a turn above.
 const LEAST_LEVEL: f64 = -1.0;
 
-/// Rounding of rectangles where a pose puts them, of the greatest length in them: positions are within 16 ε of it, as [`super::rounding`]
-/// says, and their projections and radii add as much.
+/// Rounding of placed rectangles, per greatest length. Positions are within 16 ε ([`super::rounding`]); their
+/// projections and radii add as much.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Pairs of runs that take the time of one node (tuned: some 0.1 µs each, with the up to four pairs that each is divided into).
+/// Pairs of runs that take the time of one node (tuned: about 0.1 µs each, with up to four pairs from its division).
 const PAIRS_A_NODE: usize = 4;
 
-/// A run shorter than this share of its mate is not divided (tuned).
+/// Ratio of lengths below which the shorter run of a pair is not divided (tuned).
 const SHORT: f64 = 0.5;
 
-/// Pieces in order where a pose puts them, from the free gear's axis.
+/// Pieces in order at their positions in a pose, from the free gear's axis.
 pub(in crate::contact) trait Path<'a> {
-    /// Round its pieces.
+    /// The rectangles around its pieces.
     fn boxes(&self) -> &Boxes;
-    /// Where a run is.
+    /// A run at its position.
     fn put(&self, run: usize) -> PlacedRun;
     /// One of its pieces.
     fn arc(&self, piece: usize) -> Arc<'a>;
 }
 
-/// A run of pieces where the pose has it.
+/// A run of pieces at its position in the pose.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct PlacedRun {
     run: usize,
@@ -50,23 +52,23 @@ impl PlacedRun {
     }
 }
 
-/// The nodes of a search are spent before it ended.
+/// The search used up its nodes.
 #[derive(Debug)]
 pub(in crate::contact) struct Spent;
 
-/// A locked and a free run, not ruled out at the gap of `level`.
+/// A locked and a free run that are not ruled out at the gap of `level`.
 #[derive(Debug, Clone, Copy)]
 struct Pair {
-    /// Places of both among the runs put.
+    /// Indices of both among the placed runs.
     runs: [u32; 2],
-    /// Whether both are seen within 120° of each other at a gap from [`LEAST_LEVEL`] on.
+    /// Whether both are within 120° of each other at all gaps from [`LEAST_LEVEL`] up.
     is_near: bool,
     level: f64,
-    /// How far the locked run stood into its mate.
+    /// Penetration of the locked run into its mate.
     over: f64,
 }
 
-/// A search over pairs of paths, whose greatest gap so far rules out the rest.
+/// A search over pairs of paths. The greatest gap so far rules out the rest.
 pub(in crate::contact) struct PathSearch<'a> {
     origin: Origin,
     /// Whether rectangles rule anything out.
@@ -74,20 +76,21 @@ pub(in crate::contact) struct PathSearch<'a> {
     /// Rounding of lengths, mm, and of their squares, mm².
     rounding: f64,
     squared_rounding: f64,
-    /// The free gear's turn at the greatest gap so far; while there is none, where one is looked for first.
+    /// The free gear's turn at the greatest gap so far, or at the first guess.
     turned: C,
     level: f64,
     nodes_left: usize,
-    /// Pairs of runs looked at since the last of them was counted.
+    /// Pairs of runs examined since the count was last charged.
     pairs: usize,
-    /// Runs put so far of both paths: pairs are moved about, and name them by their places.
+    /// Runs placed so far for both paths. Pairs refer to them by index.
     put: [Vec<PlacedRun>; 2],
     open: Vec<Pair>,
     nodes: Vec<(Arc<'a>, Arc<'a>)>,
 }
 
 impl<'a> PathSearch<'a> {
-    /// For gaps from `origin` above `floor`, first near `guess` where there is no floor; `size` is the greatest length in them, mm.
+    /// A search for gaps from `origin` above `floor`, starting near `guess` without a floor; `size` is the greatest
+    /// length, mm.
     pub fn new(origin: Origin, size: f64, floor: f64, guess: f64) -> PathSearch<'a> {
         PathSearch {
             origin,
@@ -104,7 +107,7 @@ impl<'a> PathSearch<'a> {
         }
     }
 
-    /// The same with no more nodes than `most`.
+    /// This search with at most `most` nodes.
     pub fn within(self, most: u64) -> PathSearch<'a> {
         PathSearch {
             nodes_left: most.min(MOST_NODES as u64) as usize,
@@ -112,12 +115,12 @@ impl<'a> PathSearch<'a> {
         }
     }
 
-    /// So many nodes are left of those it had.
+    /// Nodes left.
     pub fn nodes_left(&self) -> u64 {
         self.nodes_left as u64
     }
 
-    /// The same with nothing ruled out by rectangles.
+    /// This search without rectangles.
     pub fn of_all(self) -> PathSearch<'a> {
         PathSearch {
             prunes: false,
@@ -166,7 +169,7 @@ impl<'a> PathSearch<'a> {
                 best = self.pieces(locked.arc(piece), free.arc(mate))?.or(best);
                 continue;
             }
-            // Both are divided, but one far shorter than the other.
+            // Both are divided, except one far shorter than the other.
             let lengths = [one, other].map(|run| run.rectangle.length());
             let parts = |inside, mate, [own, other]: [f64; 2]| match inside {
                 Inside::Runs(runs)
@@ -193,13 +196,13 @@ impl<'a> PathSearch<'a> {
                     self.open.extend(found);
                 }
             }
-            // The one that stands farthest into its mate last, where it is taken first.
+            // The deepest penetration goes last, because the last is taken first.
             self.open[from..].sort_by(|a, b| a.over.total_cmp(&b.over));
         }
         Ok(best)
     }
 
-    /// Adds a run of a path; its place.
+    /// Adds a run of a path and returns its index.
     #[inline]
     fn add(&mut self, path: usize, run: PlacedRun) -> u32 {
         self.put[path].push(run);
@@ -211,7 +214,7 @@ impl<'a> PathSearch<'a> {
         [&self.put[0][locked as usize], &self.put[1][free as usize]]
     }
 
-    /// A pair as the greatest gap so far leaves it; `None` where it is ruled out.
+    /// A pair at the greatest gap so far; `None` if it is ruled out.
     #[inline]
     fn looked_at(&self, runs: [u32; 2], is_near: bool) -> Option<Pair> {
         let [locked, free] = self.runs(runs);
@@ -226,7 +229,7 @@ impl<'a> PathSearch<'a> {
         let over = locked
             .rectangle
             .beyond(&free.rectangle, self.turned, self.rounding);
-        // Not above 0 it is proof.
+        // A value of at most 0 is proof.
         let is_behind = is_near && over <= 0.0;
         (!(is_behind && self.prunes)).then_some(Pair {
             runs,
@@ -236,7 +239,7 @@ impl<'a> PathSearch<'a> {
         })
     }
 
-    /// Looks at two pieces.
+    /// Examines two pieces.
     fn pieces(&mut self, arc: Arc<'a>, mate: Arc<'a>) -> Result<Option<CurveContact>, Spent> {
         if !arc.meets(&mate) || arc.gap_with(&mate, self.origin).1 <= self.level {
             return Ok(None);

@@ -1,14 +1,14 @@
-//! What decides whether a corner is looked at, against the teeth where a pose puts them.
+//! The rules that select the corners to examine, compared with the placed teeth.
 
 use super::*;
 use crate::contact::exact::section::Section;
 use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Side};
 use crate::pair::{Mating, Member, Pose};
 
-/// The far corner of a locked land is asked for where its radius is one that the free tip circle, `e` off its axis, may have:
-/// `|ρ² − r²| ≤ e (2r + e)`. Source: the radius of the corner of the tooth as it is placed.
+/// The far corner of a locked land is examined if the free tip circle, `e` off its axis, can have its radius: `|ρ² −
+/// r²| ≤ e (2r + e)`. Source: the radius of the corner of the placed tooth.
 #[test]
-fn a_far_corner_is_asked_for_where_the_free_tip_circle_may_be() {
+fn a_far_corner_is_examined_where_the_free_tip_circle_can_be() {
     let gear = |teeth, face, eccentricity| {
         let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
         let deviations = Deviations {

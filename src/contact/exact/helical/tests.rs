@@ -1,4 +1,4 @@
-//! What is not looked at along the face.
+//! The places along the face that are not examined.
 
 use super::turning::{FreeGear, Place};
 use crate::contact::exact::section::Wanted;
@@ -7,9 +7,10 @@ use crate::contact::{Contact, Effort, ExactKernel, Status};
 use crate::pair::Pose;
 use std::f64::consts::TAU;
 
-/// Every place of wild pairs that are not jammed, its whole section looked at: what [`Facing::may_hold`] leaves out neither touches first nor jams.
+/// Every place of wild pairs that are not jammed, with its whole section examined: the places that [`Facing::may_hold`]
+/// rejects neither touch first nor jam.
 #[test]
-fn places_that_are_left_out_change_nothing() {
+fn rejected_places_change_nothing() {
     let mut draws = Draws(5);
     let effort = Effort::endless();
     let (mut poses, mut sections) = (0, 0);
@@ -71,7 +72,7 @@ fn places_that_are_left_out_change_nothing() {
     println!("{sections} sections");
 }
 
-/// Over a face no more is known of a contact than in its own section. Source: the section's own method, without what looks along the face.
+/// Over a face, a contact is known no better than in its own section. Source: the method of that section alone.
 #[test]
 fn a_face_knows_no_more_of_a_contact_than_its_section() {
     let mut draws = Draws(9);

@@ -1,8 +1,9 @@
-//! Where the flanks of one pair of teeth touch.
+//! The contact of the flanks of one pair of teeth.
 //!
-//! A convex flank lies on one side of each of its tangents, and of every line through its tip corner within the corner's cone: where two flanks
-//! touch from outside along a tangent of both it divides them, so that their gap is nowhere greater. One such place is enough, however it was
-//! found: Newton's method finds it. Flanks that are not convex are searched.
+//! A convex flank is on one side of each of its tangents, and of every line through its tip corner within the corner's
+//! cone. If two flanks touch from outside along a common tangent, that line divides them, so their gap is nowhere
+//! greater. One such place suffices, however it is found: Newton's method finds it. Flanks that are not convex are
+//! searched.
 
 use super::OnLine;
 use crate::contact::exact::candidate::{CandidateContact, slope};
@@ -11,15 +12,15 @@ use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::CurvePoint;
 use crate::gear::{Osculating, ProfilePart};
 
-/// A step this small, of a length, leaves its square: nothing.
+/// A step that ends Newton's method: its square is negligible.
 const SETTLED: f64 = 1e-9;
 
-/// Newton's method from an outer contact takes three or four.
+/// Limit of Newton steps. From an outer contact three or four suffice.
 const STEPS: u32 = 16;
 
 impl PosedFlanks<'_> {
-    /// Where the flanks of a pair touch, from where the outer ones would: at a common tangent, or at a tip corner beyond which it lies. `None`
-    /// where Newton's method finds none, or one below a flank's lower end.
+    /// The contact of the flanks of a pair, starting from that of the outer ones: at a common tangent, or at a tip
+    /// corner where the tangent lies past it. `None` if Newton's method finds none, or one below a flank's lower end.
     pub(super) fn flanks_touch(&self, pair: &OnLine) -> Option<CandidateContact> {
         let (locked, free) = (self.locked(pair.step), self.free(pair.step));
         let ranges = [&locked, &free].map(|half| half.range(ProfilePart::Involute));
@@ -28,7 +29,8 @@ impl PosedFlanks<'_> {
         for _ in 0..STEPS {
             let ((p, one), (q, other)) = (locked.flank(x)?, free.flank(y)?);
             let [at_x, at_y] = [Turning::new(&p, &one), Turning::new(&q, &other)];
-            // Both at one radius, with opposite normals: where they are not on opposite sides nothing touches from outside.
+            // Both points are at one radius with opposite normals. Unless the flanks are on opposite sides, nothing
+            // touches from outside.
             let rest = 0.5 * (p.point.norm_sqr() - q.point.norm_sqr());
             let w = p.point.conj() * p.normal * q.point * q.normal.conj();
             if !(w.re < 0.0) {
@@ -46,12 +48,12 @@ impl PosedFlanks<'_> {
             }
         }
         let [(low, high), (free_low, free_high)] = ranges;
-        // Not of NaN either.
+        // This form also rejects NaN.
         if !(settled && x >= low && y >= free_low) {
             return None;
         }
         let [over, free_over] = [x > high, y > free_high];
-        // The gap is stationary along the flanks, not across them: both are put at one radius.
+        // The gap is stationary along the flanks but not across them, so both points are put at one radius.
         let on = |half: &Placed, rho: f64, range: [f64; 2], start: f64| {
             half.curve(ProfilePart::Involute).invert(rho, range, start)
         };
@@ -59,7 +61,7 @@ impl PosedFlanks<'_> {
         let inward = [high, low];
         match (over, free_over) {
             (true, true) => return None,
-            // Newton's last step left no more than its square.
+            // The last Newton step leaves only its square.
             (false, false) => (),
             (true, false) => {
                 (x, y) = (
@@ -86,14 +88,14 @@ impl PosedFlanks<'_> {
     }
 }
 
-/// Whether the gap of two flanks rises still at these rolls, towards greater radii (`towards` 1) or lesser ones (−1): over ln ρ its slope is
-/// that of the locked flank less that of the free one.
+/// Whether the gap of two flanks still rises at these rolls, towards greater radii (`towards` 1) or lesser ones (−1).
+/// Over ln ρ its slope is that of the locked flank less that of the free one.
 pub(super) fn rises(locked: &Placed, x: f64, free: &Placed, y: f64, towards: f64) -> bool {
     let slope_at = |half: &Placed, t: f64| slope(&half.at(ProfilePart::Involute, t));
     towards * (slope_at(locked, x) - slope_at(free, y)) > 0.0
 }
 
-/// How a step of a length along a flank changes half the square of the radius and the angle between normal and radius.
+/// Derivatives along a flank of half the squared radius and of the angle between normal and radius.
 struct Turning {
     along: f64,
     turn: f64,

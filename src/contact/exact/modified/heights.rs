@@ -1,25 +1,26 @@
-//! The greatest gap of two flanks of any deviation, by bounds of how far they stand out.
+//! The greatest gap of two flanks with any deviation, by bounds of their height.
 //!
-//! With the free gear held at a gap, let a point of the plane have the roll `η_F` and the string length `s_F` of the free base circle: it lies
-//! `a = s_F − r_F η_F` out of the free involute, and in the free metal where its deviation `δ_F` is above `a`. Along the locked flank, of roll
-//! `x` and string length `s = r_L x + δ_L`, let
+//! Hold the free gear at a gap, and let a point of the plane have the roll `η_F` and the string length `s_F` of the
+//! free base circle. The point is `a = s_F − r_F η_F` outside the free involute, and in the free metal if the deviation
+//! `δ_F` is above `a`. Along the locked flank, with roll `x` and string length `s = r_L x + δ_L`, let
 //!
 //! ```text
 //! D(x) = δ_F(y) − a,    y = η_F at the locked point,
 //! ```
 //!
-//! the *height*: the flanks are clear of each other at that gap where it is nowhere above 0. With `η` the angle between both involutes' normals
+//! be the *height*. At that gap the flanks are clear of each other if it is nowhere above 0. With `η` the angle between
+//! the normals of both involutes
 //!
 //! ```text
-//! y' = −(s cos η + δ_L' sin η)/s_F,    η' = 1 − y',    s_F' = s sin η − δ_L' cos η + r_F y',
-//! D' = δ_L' cos η − s sin η + δ_F' y',
-//! D'' = δ_L'' cos η − δ_L' sin η η' + δ_F'' y'² + δ_F' y'' − (r_L + δ_L') sin η − s cos η η'.
+//! y' = −(s cos η + δ_L' sin η)/s_F;    η' = 1 − y'; s_F' = s sin η − δ_L' cos η + r_F y'; D' = δ_L' cos η − s sin η +
+//! δ_F' y', D'' = δ_L'' cos η − δ_L' sin η η' + δ_F'' y'² + δ_F' y'' − (r_L + δ_L') sin η − s cos η η'.
 //! ```
 //!
-//! Along a locked involute that stands out by a constant `q` the length `a` has the slope `s sin η`, and `η` rises: from where it is 0 on `a` rises to
-//! both sides. The string length is a convex function of the place, so that a locked point `δ_L − q` farther out has an `a` that is less by no
-//! more than `(δ_L − q) cos η`. These give a bound of `D` over any rolls ([`Heights::most`]), the second derivative one that closes
-//! the place of contact itself ([`Heights::most_near`]).
+//! Along a locked involute with a constant deviation `q`, the length `a` has the slope `s sin η`, and `η` rises. From
+//! the place where `η` is 0, `a` rises to both sides. The string length is a convex function of the place. So a locked
+//! point that is `δ_L − q` further out has an `a` that is less by at most `(δ_L − q) cos η`. This bounds `D` over any
+//! rolls ([`Heights::most`]); the second derivative gives a bound that closes the place of contact itself
+//! ([`Heights::most_near`]).
 
 mod climb;
 mod settle;
@@ -31,7 +32,7 @@ use crate::gear::{ProfilePart, RollCurve};
 
 /// Two flanks with the free gear held at a gap.
 struct Heights<'a> {
-    /// From the locked tooth's frame to the free one's.
+    /// From the frame of the locked tooth to that of the free one.
     centre: C,
     direction: C,
     locked: Flank<'a>,
@@ -94,7 +95,7 @@ struct Look {
 }
 
 impl Heights<'_> {
-    /// A place of the locked flank; `None` within the free base circle.
+    /// A place of the locked flank; `None` inside the free base circle.
     fn look(&self, x: f64) -> Option<Look> {
         let (locked, free) = (&self.locked, &self.free);
         let own = locked.jet(x);
@@ -108,7 +109,7 @@ impl Heights<'_> {
             return None;
         }
         let reach = reach.sqrt();
-        // The direction of the string's end on the base circle.
+        // Direction of the string's end on the base circle.
         let end = point * C::new(free.base, reach);
         let y = end.im.atan2(end.re) + free.half_base;
         let between = self.direction * along * end.conj() / square;
@@ -156,15 +157,15 @@ impl Heights<'_> {
             - arm * cos * turning
     }
 
-    /// Whether the free flank reaches to a place.
+    /// Whether the free flank extends to a place.
     fn reaches(&self, look: &Look) -> bool {
         let (low, high) = self.free.range;
         look.y >= low && look.y <= high
     }
 
-    /// Rolls of the free flank that face those of the locked one from `look` on by `width` in the sense `on`, of points that move by `travel` mm at most
-    /// in it and stand out by `off` more or less; and the least `s_F` there. The whole flank where that is not known; `None` where it has
-    /// none of them.
+    /// Rolls of the free flank that face those of the locked one from `look` on by `width` in the sense `on`, and the
+    /// least `s_F` there. The points move by at most `travel` mm in that sense and deviate by up to `off` more or less.
+    /// The whole flank if the rolls are unknown; `None` if it has none of them.
     fn facing(
         &self,
         look: &Look,
@@ -178,7 +179,7 @@ impl Heights<'_> {
             let reach = square.sqrt();
             let follows = arm / reach;
             let sin = (look.sin.abs() + width * (1.0 + follows)).min(1.0);
-            // Farther out along the string the roll changes by sin η/s_F a length; `s_F` is less by a tenth at most.
+            // Further out along the string the roll changes by sin η/s_F per length; `s_F` is less by at most a tenth.
             let play = 1.5 * off * (sin + off / reach) / reach;
             let by = width * follows;
             let faced = if on > 0.0 {
@@ -194,7 +195,8 @@ impl Heights<'_> {
         (faced[0] <= faced[1]).then_some((faced, reach))
     }
 
-    /// A bound of the height from `look` on by `width` in the sense `on`: from the involute that stands out as the flank does at `look`.
+    /// A bound of the height from `look` on by `width` in the sense `on`, from the involute with the deviation at
+    /// `look`.
     fn most(&self, look: &Look, on: f64, width: f64) -> f64 {
         let ends = [look.x, look.x + on * width];
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
@@ -209,7 +211,7 @@ impl Heights<'_> {
         mate + beyond.max(0.0) - look.room + self.falls(look, on, arm, width)
     }
 
-    /// How much `a` may fall from `look` on.
+    /// Greatest fall of `a` from `look` on.
     fn falls(&self, look: &Look, on: f64, arm: f64, width: f64) -> f64 {
         (-look.sin * on).max(0.0) * arm * width
     }
@@ -223,7 +225,7 @@ impl Heights<'_> {
         mate + beyond - look.room + self.falls(look, on, arm, width) <= level
     }
 
-    /// A bound of the height from `look` on by `width` in the sense `on`, by a bound of its second derivative.
+    /// A bound of the height from `look` on by `width` in the sense `on`, from a bound of its second derivative.
     fn most_near(&self, look: &Look, on: f64, width: f64) -> f64 {
         let ends = [look.x, look.x + on * width];
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
@@ -247,7 +249,7 @@ impl Heights<'_> {
         let sin = (look.sin.abs() + turned).min(1.0);
         let cos = (look.cos - turned).max(0.0);
         let follows_least = (short * cos - steepest * sin).max(0.0) / far;
-        // A term of either sign is greatest with its greatest factor where it is positive, with its least elsewhere.
+        // A term of either sign: a positive one is greatest with its greatest factor, a negative one with its least.
         let times = |term: f64, least: f64, most: f64| term * if term > 0.0 { most } else { least };
         let own = times(seconds[1], cos, 1.0);
         let squares = [follows_least, follows].map(|rate| rate * rate);
@@ -263,7 +265,7 @@ impl Heights<'_> {
             + steepest * sin * (2.0 + follows)
             + base * (turned - look.sin)
             - short * cos * (1.0 + follows_least);
-        // The greatest value of height + slope t + bend t²/2 from 0 to the width.
+        // Greatest value of height + slope t + curvature t²/2 for t from 0 to the width.
         let slope = look.slope * on;
         let best = if bend < 0.0 {
             (-slope / bend).clamp(0.0, width)
@@ -276,7 +278,7 @@ impl Heights<'_> {
     }
 }
 
-/// The greatest amount in an interval.
+/// Greatest absolute value in an interval.
 fn amount([least, most]: [f64; 2]) -> f64 {
     least.abs().max(most.abs())
 }

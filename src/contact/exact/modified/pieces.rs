@@ -8,10 +8,10 @@ use crate::contact::exact::placed::Placed;
 use crate::contact::gap::{Arc, Boxes, Path, PathSearch, PlacedRun};
 use crate::gear::ProfilePart;
 
-/// What bounds of heights cost, in nodes (tuned: some 10 µs, whatever they come to).
+/// Effort of the bounds of heights, in nodes (tuned: about 10 µs, with or without a result).
 const BY_HEIGHTS: u64 = 32;
 
-/// A flank where a pose has it.
+/// A flank at its position in a pose.
 struct FlankPath<'a> {
     half: Placed<'a>,
     pieces: &'a FlankPieces,
@@ -45,8 +45,8 @@ impl<'a> Path<'a> for FlankPath<'a> {
 }
 
 impl PosedFlanks<'_> {
-    /// The greatest gap above `floor` of the flanks of a step, looked for first at the gap `guess`: by bounds of how far they
-    /// stand out, where that settles nothing by their pieces; `None` where those do not either.
+    /// The greatest gap above `floor` of the flanks of a step, searched first near the gap `guess`. It comes from
+    /// bounds of their heights, and otherwise from their pieces; `None` if those do not settle it either.
     pub(in crate::contact::exact) fn flanks_anyhow(
         &self,
         step: i64,
@@ -59,8 +59,8 @@ impl PosedFlanks<'_> {
         by_heights.or_else(|| self.flanks_in_pieces(step, floor, guess, effort))
     }
 
-    /// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces, looked for first near `guess`;
-    /// `None` where it is not settled.
+    /// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces,
+    /// searched first near `guess`; `None` if it is not settled.
     fn flanks_in_pieces(
         &self,
         step: i64,

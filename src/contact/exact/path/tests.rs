@@ -1,11 +1,11 @@
-//! Pairs on the line of action against the placed teeth themselves.
+//! Pairs on the line of action, compared with the placed teeth.
 
 use super::*;
 use crate::contact::exact::section::Section;
 use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side};
 use crate::pair::{GearPair, Mating, Member, Pose};
 
-/// 25 and 18 teeth, both eccentric, pitches off by up to a hundredth of one.
+/// 25 and 18 teeth, both eccentric, with pitch deviations of up to a hundredth of a pitch.
 fn pair() -> GearPair {
     let gear = |teeth: u32, face, eccentricity| {
         let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
@@ -45,7 +45,8 @@ fn each(mut of: impl FnMut(&PosedFlanks, &TangentVariation)) {
     }
 }
 
-/// No step whose rolls lie on both involutes, give or take the plays, is left out, and few others are in. Source: the rolls of every step in reach.
+/// The steps include every one whose rolls are on both involutes within the tolerances, and few others. Source: the
+/// rolls of every step in reach.
 #[test]
 fn steps_on_the_line_are_those_whose_rolls_are() {
     let (mut on, mut none) = (0, 0);
@@ -67,8 +68,8 @@ fn steps_on_the_line_are_those_whose_rolls_are() {
     assert!(on > 2000 && none < 20, "{on} {none}");
 }
 
-/// `σ = ρ dθ/dρ` of a contact on the line is that of the locked flank about the free axis, and decides its bound. Source: the flank a little to either
-/// side.
+/// `σ = ρ dθ/dρ` of a contact on the line is that of the locked flank about the free axis, and determines its bound.
+/// Source: the flank slightly to either side.
 #[test]
 fn the_slope_of_a_contact_is_that_of_the_locked_flank() {
     const STEP: f64 = 1e-5;

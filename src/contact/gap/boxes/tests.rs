@@ -1,4 +1,4 @@
-//! Rectangles against the points in them.
+//! Rectangles compared with the points in them.
 
 use super::*;
 
@@ -24,7 +24,7 @@ fn holds(it: &Rectangle, point: C) -> bool {
     off.re.abs() <= it.half[0] + 1e-12 && off.im.abs() <= it.half[1] + 1e-12
 }
 
-/// Rectangles here and there, long and short, one after the other on a bent way.
+/// Rectangles, long and short, in sequence along a bent path.
 fn some() -> Vec<Rectangle> {
     (0..40)
         .map(|k| {
@@ -35,7 +35,8 @@ fn some() -> Vec<Rectangle> {
         .collect()
 }
 
-/// One round two has both in it and touches them on all sides: of two in a row it is the row, of two side by side what is round both.
+/// The rectangle around two contains both and touches them on all sides: for two in a row it is the row, for two side
+/// by side their envelope.
 #[test]
 fn one_round_two_is_as_small_as_its_direction_allows() {
     let row = [3.0, 7.0].map(|x| rectangle(0.0, C::new(x, 1.0), [2.0, 0.5]));
@@ -68,7 +69,7 @@ fn one_round_two_is_as_small_as_its_direction_allows() {
     }
 }
 
-/// Bounds of squares hold all points, and those of one whose length points at the origin are its ends'.
+/// Bounds of squares hold for all points. For a rectangle whose length points at the origin they are those of its ends.
 #[test]
 fn no_point_is_nearer_or_farther_than_the_bounds() {
     let radial = rectangle(0.4, C::from_polar(10.0, 0.4), [2.0, 0.0]);
@@ -83,7 +84,8 @@ fn no_point_is_nearer_or_farther_than_the_bounds() {
     }
 }
 
-/// How far one stands into the other, and whether neither of these reaches back over the axis, both across a line in the direction `line`.
+/// Penetration of one into the other across a line in the direction `line`, and whether neither extends back over the
+/// axis.
 fn across(line: C, locked: &[C], free: &[C], sign: f64, room: f64) -> (f64, bool) {
     let along = |points: &[C]| -> Vec<C> {
         let each = points.iter().map(|point| line.conj() * point * sign);
@@ -96,10 +98,10 @@ fn across(line: C, locked: &[C], free: &[C], sign: f64, room: f64) -> (f64, bool
     (most - least + room, outward)
 }
 
-/// The line along the locked one is taken where it divides, else that along the free one, else the lesser of what is not above 0.
+/// The line along the locked one counts where it divides, else that along the free one, else the lesser penetration.
 /// Source: the corners, one by one.
 #[test]
-fn how_far_one_stands_into_the_other_is_that_of_the_better_line() {
+fn penetration_is_measured_across_the_better_line() {
     let (mut by, mut not_above) = ([0; 5], 0);
     for one in some() {
         for other in some() {
@@ -133,9 +135,10 @@ fn how_far_one_stands_into_the_other_is_that_of_the_better_line() {
     assert_eq!(not_above, by[0] + by[1]);
 }
 
-/// What is said to be behind is so at every radius, and what a line along one of them divides with room to spare is said to be.
+/// A rectangle found to be behind is so at every radius. One divided with room to spare along one of them is found to
+/// be behind.
 #[test]
-fn what_is_behind_lies_clockwise_at_every_radius() {
+fn a_rectangle_behind_is_clockwise_at_every_radius() {
     let (mut behind, mut not) = (0, 0);
     for one in some() {
         for other in some() {
@@ -154,7 +157,7 @@ fn what_is_behind_lies_clockwise_at_every_radius() {
                     }
                 } else {
                     not += 1;
-                    // No line along the locked one has it on one side and the free one on the other.
+                    // No line along the locked one divides the two.
                     let (least, most) = (
                         free.iter()
                             .map(|q| (one.along.conj() * q).im)

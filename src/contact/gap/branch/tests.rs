@@ -1,4 +1,4 @@
-//! What a node is told of its arcs, each against the curves themselves.
+//! The bounds of the arcs of a node, each compared with the curves.
 
 use super::*;
 use crate::contact::gap::turn;
@@ -8,7 +8,7 @@ fn gear(teeth: u32) -> Gear {
     Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap()
 }
 
-/// A curve beside the axis from which its radii count: of a free gear that is off by `centre`, or of a locked one there.
+/// A curve away from the axis of its radii: of a free gear displaced by `centre`, or of a locked one there.
 fn placed(curve: &PartCurve, centre: C, direction: C) -> PlacedCurve<'_> {
     PlacedCurve {
         curve,
@@ -25,8 +25,9 @@ fn change_of_slope(placed: &PlacedCurve, t: f64) -> f64 {
     (slope(&other) - slope(&one)) / (length(other.point) / length(one.point)).ln()
 }
 
-/// Bounds of the change of slope hold it at every place of an arc, and come as near to it as the arc is short. Flanks and fillets of free and locked
-/// gears; the fillet of the undercut one hangs over, where `ψ` is 0. Source: differences of the slope of the curve itself.
+/// Bounds of the change of slope hold at every place of an arc, and approach it as the arc shrinks. Flanks and fillets
+/// of free and locked gears; the fillet of the undercut one overhangs, with `ψ` = 0. Source: differences of the curve's
+/// own slope.
 #[test]
 fn the_change_of_slope_lies_within_its_bounds() {
     let (mut seen, mut through_zero) = ([[0; 2]; 2], 0);
@@ -39,7 +40,7 @@ fn the_change_of_slope_lies_within_its_bounds() {
         {
             let (from, to) = profile.part(part).range();
             let curve = &profile.part(part).curve;
-            // A free gear 0.3 mm off its axis, and a locked one whose centre is beyond it.
+            // A free gear displaced by 0.3 mm, and a locked one whose centre is further away.
             for (free, centre, direction) in [
                 (1, C::new(0.2, 0.22), turn(0.3)),
                 (0, C::new(f64::from(teeth) + 30.0, 0.4), turn(3.1)),
@@ -62,7 +63,7 @@ fn the_change_of_slope_lies_within_its_bounds() {
                             assert!(least <= change + off && *change <= most + off, "{case}");
                         }
                         if parts == 400 {
-                            // By the first order of all that the bounds are made of: the arc's turn, and the length of its radii.
+                            // First order of all parts of the bounds: the turn of the arc, and the length of its radii.
                             let (low, high, _) = arc.slope.unwrap();
                             let wide = (high - low) * (1.0 + here[1].abs())
                                 / high.abs().max(low.abs()).cos().powi(4);
@@ -83,8 +84,8 @@ fn the_change_of_slope_lies_within_its_bounds() {
     );
 }
 
-/// Two flanks that touch between their ends: the gap at the summit is that of the best of 2000 radii, and no more is left open than rounding. Where
-/// the gap only rises or falls it is greatest at an end. Source: the gap radius by radius.
+/// Two flanks that touch between their ends: the gap at the summit is that of the best of 2000 radii, within rounding.
+/// A monotone gap is greatest at an end. Source: the gap radius by radius.
 #[test]
 fn the_summit_is_where_the_gap_is_greatest() {
     let gears = [gear(40), gear(23)];
@@ -99,7 +100,7 @@ fn the_summit_is_where_the_gap_is_greatest() {
             let (low, high) = part.range();
             Arc::new(placed, 0, low, high)
         });
-        // Where both are monotone: all of the free flank, of the locked one what the free gear reaches.
+        // Where both are monotone: the whole free flank, and the part of the locked one that the free gear reaches.
         let monotone =
             |arc: &Arc| arc.placed.at(arc.low).point.norm() > arc.placed.at(arc.high).point.norm();
         assert!(monotone(&one) && !monotone(&other));

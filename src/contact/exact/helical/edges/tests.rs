@@ -3,8 +3,8 @@ use super::*;
 use crate::gear::Side;
 use crate::pair::{Mating, Member};
 
-/// At either rotation the circles touch: the outlines' centres are as far apart as both radii are long. Source: the distance of the centres over
-/// 3600 rotations.
+/// At either rotation the circles touch: the centres of the outlines are as far apart as the sum of both radii. Source:
+/// the distance of the centres over 3600 rotations.
 #[test]
 fn circles_about_both_centres_touch_at_the_tangent_rotations() {
     let mut touching = 0;

@@ -40,7 +40,7 @@ pub(in crate::contact::exact::helical) fn pair(
     pair.with_face([-9.0, 7.0]).unwrap()
 }
 
-/// A pose and the sides' teeth at it.
+/// A pose and the teeth of its sides.
 pub(in crate::contact::exact::helical) fn posed<'a>(
     pair: &GearPair,
     problem: &'a FlankProblem,
@@ -64,9 +64,10 @@ fn near(one: f64, other: f64) -> bool {
     reduced(one - other).abs() < 1e-12
 }
 
-/// Where teeth stand along the face is where they stand in the section there. Source: the section's own pair and pose, its teeth one by one.
+/// The directions of teeth along the face agree with their section. Source: the section's own pair and pose, tooth by
+/// tooth.
 #[test]
-fn teeth_stand_where_they_do_in_a_section() {
+fn teeth_have_the_directions_of_their_section() {
     for pair in pairs() {
         for side in Side::BOTH {
             let problem = FlankProblem::new(&pair, side);
@@ -95,7 +96,7 @@ fn teeth_stand_where_they_do_in_a_section() {
                             near(found, stands.arg()),
                             "{side:?} {b} {step}: {found} {stands}"
                         );
-                        // And back: that direction comes at its place, but for whole turns.
+                        // And back: that direction has its place, except for whole turns.
                         let place = turning.place(found, step);
                         assert!(near(turning.direction(place, step), found));
                     }
@@ -105,7 +106,8 @@ fn teeth_stand_where_they_do_in_a_section() {
     }
 }
 
-/// Places at which an edge has a direction: all of them that any tooth has on the face, of an end on either side of it. Source: all teeth, turn for turn.
+/// The places of an edge with a given direction include those of every tooth on the face, on either side of an end.
+/// Source: all teeth, one by one.
 #[test]
 fn no_place_on_the_face_is_left_out() {
     let mut count = 0;
@@ -159,7 +161,7 @@ fn no_place_on_the_face_is_left_out() {
     assert!(count > 100, "{count}");
 }
 
-/// Both intersections of circles lie on both; circles apart, and one in the other, have none.
+/// Both intersections of circles are on both circles. Circles that are apart, or one inside the other, have none.
 #[test]
 fn crossings_lie_on_both_circles() {
     let at = |x, y| C::new(x, y);
@@ -199,8 +201,9 @@ fn crossings_lie_on_both_circles() {
     assert_eq!(found, 4);
 }
 
-/// Where edges of both gears cross they are at one point, the free gear turned on to it; and no crossing on the face is left out. Source: every locked
-/// tooth at 1000 places along the face, the free gear turned until its nearest edge has the direction of that point.
+/// Crossing edges of both gears meet in one point after the free gear turns there, and no crossing on the face is
+/// omitted. Source: every locked tooth at 1000 places along the face, with the free gear turned to the direction of
+/// that point.
 #[test]
 fn edges_that_cross_are_at_one_point() {
     let mut count = 0;
@@ -237,7 +240,8 @@ fn edges_that_cross_are_at_one_point() {
                 },
                 (&mut places, &effort),
             );
-            // How far the point of the locked edge at `b` is from the free edge's circle, the free gear turned to it, and by how much.
+            // Distance of the locked edge's point at `b` from the free edge's circle, and the turn of the free gear to
+            // it.
             let off = |b: f64, step: i64, mate: i64| {
                 let direction = turnings[0].direction(b, step) + corners[0].arg();
                 let point = here.centre + turn(direction) * edges[0].radius;
@@ -255,7 +259,7 @@ fn edges_that_cross_are_at_one_point() {
             let mut crossed = Vec::new();
             let at = |k: u32| from + (to - from) * f64::from(k) / 1e3;
             for step in -14..=14 {
-                // The free tooth that faces it, and how far off.
+                // The free tooth that faces it, and its distance.
                 let looked = |b: f64| (step, off(b, step, step).0);
                 let mut before = looked(at(0));
                 for k in 0..1000 {
@@ -274,7 +278,7 @@ fn edges_that_cross_are_at_one_point() {
             }
             for &(b, turned) in &crossed {
                 let found = places.iter().any(|place| (place.b - b).abs() < 1e-8);
-                // Farther than a pitch it is settled from where the source does not begin.
+                // A turn of more than a pitch starts from another place than the source.
                 let clear = turned.abs() < problem.free.pitch && turned.abs() > 1e-6;
                 assert!(
                     !clear || found == (turned > 0.0),

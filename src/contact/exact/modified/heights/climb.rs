@@ -1,21 +1,22 @@
-//! Places of the locked flank by Newton's method: opposite normals, the free flank's ends, summits of the height.
+//! Special places of the locked flank by Newton's method: opposite normals, ends of the free flank, summits of the
+//! height.
 
 use super::{Heights, Look};
 
-/// Rolls this near are one, rad: what lies between is lower or higher by less than rounding.
+/// Rolls nearer than this are equal, rad: heights between them differ by less than rounding.
 pub(super) const SAME_ROLL: f64 = 1e-13;
 
-/// A slope of the height below which it is level, mm/rad: its top is higher by the square of that.
+/// Slope below which the height counts as level, mm/rad: its top is higher by the square of that.
 const LEVEL_SLOPE: f64 = 1e-9;
 
-/// Steps on the way to a summit: the width doubles with each, and ends of a stretch close in on it superlinearly.
+/// Limit of steps to a summit. The width doubles each time, and the ends of a stretch converge superlinearly.
 const STEPS_UPHILL: u32 = 40;
 
-/// Involutes' normals stay within this angle of each other wherever flanks can meet, rad: less than a right angle.
+/// Greatest angle between the normals of involutes that can meet, rad: less than a right angle.
 const WIDEST: f64 = 1.55;
 
 impl Heights<'_> {
-    /// Where to start from: the place at which both involutes' normals are opposite, or the nearest to it that both flanks have.
+    /// The starting place: where the normals of both involutes are opposite, or the nearest such place on both flanks.
     pub(super) fn middle(&self, start: f64) -> Option<Look> {
         let (low, high) = self.locked.range;
         let (free_low, free_high) = self.free.range;
@@ -23,7 +24,7 @@ impl Heights<'_> {
         for _ in 0..8 {
             let rate = 1.0 - look.follows;
             let x = (look.x - look.sin.atan2(look.cos) / rate).clamp(low, high);
-            // The bounds take any place for it.
+            // The bounds hold from any place.
             if (x - look.x).abs() < 1e-3 {
                 break;
             }
@@ -32,12 +33,13 @@ impl Heights<'_> {
         if !self.reaches(&look) {
             look = self.at_free_roll(look, look.y.clamp(free_low, free_high))?;
         }
-        // The involutes' normals turn no farther than both rolls go.
+        // The normals of the involutes turn no further than both rolls.
         let rest = high - low + free_high - free_low;
         (look.sin.atan2(look.cos).abs() + rest < WIDEST).then_some(look)
     }
 
-    /// The place that faces a roll of the free flank, by Newton's method from `look`; `None` where the locked flank has none.
+    /// The place that faces a roll of the free flank, by Newton's method from `look`; `None` if the locked flank has
+    /// none.
     fn at_free_roll(&self, mut look: Look, roll: f64) -> Option<Look> {
         let (low, high) = self.locked.range;
         for _ in 0..16 {
@@ -54,7 +56,7 @@ impl Heights<'_> {
         None
     }
 
-    /// Whether nothing of the free flank faces what is beyond a place in the sense `on`.
+    /// Whether no part of the free flank faces the locked one past a place, in the sense `on`.
     pub(super) fn leaves(&self, look: &Look, on: f64) -> bool {
         let (low, high) = self.free.range;
         if on > 0.0 {
@@ -64,7 +66,8 @@ impl Heights<'_> {
         }
     }
 
-    /// A roll between `look` and `width` farther on at which to divide them: where the free flank ends between, else the middle.
+    /// A roll between `look` and `width` further on at which to divide: the end of the free flank if it lies between,
+    /// otherwise the middle.
     pub(super) fn division(&self, look: &Look, on: f64, width: f64) -> f64 {
         let (low, high) = self.free.range;
         let end = if on > 0.0 { low } else { high };
@@ -79,7 +82,8 @@ impl Heights<'_> {
         look.x + 0.5 * on * width
     }
 
-    /// The level place next to `look` by Newton's method, within the width of `step`; `None` where it leads farther, or to a dip.
+    /// The level place next to `look` by Newton's method, within the width of `step`; `None` if it leads further away,
+    /// or to a minimum.
     fn level_place(&self, look: Look, step: f64) -> Option<Look> {
         let (low, high) = self.locked.range;
         let mut there = look;
@@ -90,7 +94,7 @@ impl Heights<'_> {
             if !(bend < 0.0 && (x - look.x).abs() <= step && x >= low && x <= high) {
                 return None;
             }
-            // The square of this is nothing.
+            // The square of this is negligible.
             if by.abs() < 1e-9 {
                 return Some(there);
             }
@@ -102,7 +106,7 @@ impl Heights<'_> {
         None
     }
 
-    /// The next summit uphill of `look`, no farther than a few times `step`, at the end of a flank at most.
+    /// The next summit uphill of `look`, no further away than a few times `step` or the end of a flank.
     pub(super) fn summit(&self, look: Look, step: f64) -> Option<Look> {
         if let Some(there) = self.level_place(look, step)
             && there.height >= look.height
@@ -130,7 +134,7 @@ impl Heights<'_> {
                 break;
             }
             if there.height < near.height {
-                // Over a summit and down again into a dip.
+                // Over a summit and down again into a minimum.
                 width *= 0.25;
                 continue;
             }
@@ -139,7 +143,7 @@ impl Heights<'_> {
                 return Some(near);
             }
         }
-        // The chord's root, with the weight of an end that stays halved.
+        // The root of the chord, halving the weight of an end that stays.
         let mut far = far?;
         let (mut rise, mut fall) = (near.slope * on, far.slope * on);
         for _ in 0..STEPS_UPHILL {

@@ -1,4 +1,4 @@
-//! The greatest gap of two flanks: the highest place by samples, then a proof by bounds that none is higher, until one holds.
+//! The greatest gap of two flanks: samples give the highest place, then bounds prove that none is higher, repeatedly.
 
 use super::climb::SAME_ROLL;
 use super::{Flank, Heights, Look};
@@ -8,24 +8,25 @@ use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::turn;
 use crate::gear::ProfilePart;
 
-/// Rolls looked at of one pair of flanks before it is left to the search (tuned: measured traces take some forty).
-const MOST_LOOKS: u32 = 1000;
+/// Limit of rolls examined for one pair of flanks before the search takes over (tuned: measured traces need about
+/// forty).
+const MOST_PLACES: u32 = 1000;
 
-/// Times that a higher place may be found (tuned: two are usual).
+/// Limit of rounds that find a higher place (tuned: two are usual).
 const MOST_ROUNDS: u32 = 12;
 
-/// Gaps this near have their contact so near to each other that they are one, rad: its curvature is below 1e4 mm/rad².
+/// Gaps nearer than this have the same contact, rad: its curvature is below 1e4 mm/rad².
 const SAME_GAP: f64 = 1e-9;
 
-/// Heights below this share of the greatest length are nothing: some dozens of roundings.
+/// Share of the greatest length below which a height is zero: a few dozen roundings.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Radii of one point of contact on both flanks differ by no more, mm.
+/// Greatest difference of the radii of one point of contact on both flanks, mm.
 const SETTLED: f64 = 1e-9;
 
 impl Heights<'_> {
-    /// Looks from `from` on as far as the roll `end`, over ever shorter stretches, at what may be higher than the task's level; `false` where one is
-    /// found. `None` where that takes too many looks.
+    /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the task's
+    /// level. `false` if one is found; `None` after too many places.
     fn along(&self, from: Look, end: f64, task: &mut Task) -> Option<bool> {
         let on = if end >= from.x { 1.0 } else { -1.0 };
         let (mut look, mut width) = (from, task.near);
@@ -54,9 +55,9 @@ impl Heights<'_> {
                 if !(half > 0.0 && half < width) {
                     return None;
                 }
-                // Within the free base circle: beyond its flank.
+                // Inside the free base circle the free flank has ended.
                 if let Some(there) = self.look(middle) {
-                    if !task.takes(self, &there)? {
+                    if !task.offer(self, &there)? {
                         return Some(false);
                     }
                     open.push((there, width - half));
@@ -69,7 +70,7 @@ impl Heights<'_> {
             let Some(there) = self.look(look.x + on * width) else {
                 return (on > 0.0).then_some(true);
             };
-            if !task.takes(self, &there)? {
+            if !task.offer(self, &there)? {
                 return Some(false);
             }
             look = there;
@@ -77,7 +78,7 @@ impl Heights<'_> {
         }
     }
 
-    /// Looks over the whole flank, from `middle` and, where the highest place is known, from there; as [`Heights::along`].
+    /// Examines the whole flank, from `middle` and from the highest place if it is `known`, as [`Heights::along`].
     fn over(&self, middle: &Look, known: Option<&Look>, task: &mut Task) -> Option<bool> {
         let (low, high) = self.locked.range;
         let is_clear = match known {
@@ -97,21 +98,21 @@ impl Heights<'_> {
     }
 }
 
-/// What to look for.
+/// The purpose and limits of an examination.
 struct Task {
-    /// Whether the highest place is looked for, else whether any is above the level.
+    /// Whether to find the highest place; otherwise whether any place is above the level.
     is_search: bool,
-    /// Below it nothing matters, mm.
+    /// Lower heights do not matter, mm.
     level: f64,
     best: Option<Look>,
-    /// Bounds of second derivatives are asked for over stretches as short as this, and a search ends, rad.
+    /// Width, rad, at which a search ends, and below which bounds of second derivatives apply.
     near: f64,
     looks_left: u32,
 }
 
 impl Task {
-    /// Takes a place that was looked at: whether to go on; `None` when there were too many.
-    fn takes(&mut self, heights: &Heights, look: &Look) -> Option<bool> {
+    /// Counts an examined place. Returns whether to continue; `None` after too many.
+    fn offer(&mut self, heights: &Heights, look: &Look) -> Option<bool> {
         self.looks_left = self.looks_left.checked_sub(1)?;
         if !(look.height > self.level && heights.reaches(look)) {
             return Some(true);
@@ -125,8 +126,8 @@ impl Task {
 }
 
 impl PosedFlanks<'_> {
-    /// The greatest gap above `floor` of the flanks of a step, looked for first at the gap `guess`; `None` where that is
-    /// not settled.
+    /// The greatest gap above `floor` of the flanks of a step, searched first at the gap `guess`; `None` if it is not
+    /// settled.
     pub(in crate::contact::exact) fn flanks_by_heights(
         &self,
         step: i64,
@@ -146,7 +147,7 @@ impl PosedFlanks<'_> {
             level: f64::NEG_INFINITY,
             best: None,
             near,
-            looks_left: MOST_LOOKS,
+            looks_left: MOST_PLACES,
         };
         let mut found: Option<CandidateContact> = None;
         let mut gap = if task.is_search { guess } else { floor };
@@ -160,20 +161,20 @@ impl PosedFlanks<'_> {
                     Some(found) => Some(heights.look(found.locked.1)?),
                     None => None,
                 };
-                if task.takes(&heights, &middle)?
+                if task.offer(&heights, &middle)?
                     && heights.over(&middle, known.as_ref(), &mut task)?
                 {
                     return Some(found);
                 }
             }
-            // Which place is highest changes little with the gap.
+            // The highest place changes little with the gap.
             task.is_search = true;
-            task.takes(&heights, &middle)?;
+            task.offer(&heights, &middle)?;
             heights.over(&middle, None, &mut task)?;
             let higher = heights.summit(task.best.take()?, near)?;
             let mut best = self.touch(step, &halves, &higher)?;
             let mut moved = best.gap - gap;
-            // At its own gap it is elsewhere, by the square of which its gap is less.
+            // At its own gap the highest place differs; the gap is less by the square of that.
             for _ in 0..3 {
                 if moved.abs() < SAME_GAP {
                     break;
@@ -210,7 +211,7 @@ impl PosedFlanks<'_> {
         }
     }
 
-    /// The gap at a place of the locked flank, or at the free flank's end where it ends there.
+    /// The gap at a place of the locked flank, or at the free flank's end where that ends.
     fn touch(
         &self,
         step: i64,

@@ -1,4 +1,4 @@
-//! Heights, their derivatives and their bounds, each against the flanks themselves.
+//! Heights, their derivatives and their bounds, compared with the flanks themselves.
 
 use super::*;
 use crate::contact::exact::section::Section;
@@ -73,9 +73,9 @@ fn rolls(heights: &Heights, count: u32) -> Vec<f64> {
     (0..count).map(at).collect()
 }
 
-/// Against differences over 2e-6 rad within one piece.
+/// Source: differences over 2e-6 rad within one piece.
 #[test]
-fn heights_have_the_derivatives_that_are_said() {
+fn heights_have_the_stated_derivatives() {
     let mut seen = 0;
     at_gaps(60, |heights| {
         for x in rolls(heights, 40) {
@@ -89,7 +89,7 @@ fn heights_have_the_derivatives_that_are_said() {
                 (rate(|look| look.height) - look.slope).abs() < 1e-6 * (1.0 + look.slope.abs())
             );
             assert!((rate(|look| look.y) - look.follows).abs() < 1e-6);
-            // A knot between has another second derivative on either side.
+            // A knot in between has another second derivative on either side.
             let bend = heights.bend(&look);
             if [&before, &behind]
                 .map(|near| heights.bend(near))
@@ -104,9 +104,9 @@ fn heights_have_the_derivatives_that_are_said() {
     assert!(seen > 300, "{seen}");
 }
 
-/// At the greatest gap that was found the flanks touch: nothing is higher than nothing, one place is not lower.
+/// At the greatest gap found the flanks touch: no height is above zero, and at one place it is zero.
 #[test]
-fn flanks_touch_where_the_height_is_nothing() {
+fn flanks_touch_where_the_height_is_zero() {
     let (section, pair) = section(300);
     for k in 0..40 {
         let mating = Mating {
@@ -133,7 +133,7 @@ fn flanks_touch_where_the_height_is_nothing() {
     }
 }
 
-/// Bounds hold at every place that is looked at, over stretches of any length in either sense, and are near over short ones.
+/// Bounds hold at every sampled place, over stretches of any length in either sense, and are tight over short ones.
 #[test]
 fn no_place_is_higher_than_its_bounds() {
     let (mut seen, mut near) = (0, 0);
@@ -143,7 +143,7 @@ fn no_place_is_higher_than_its_bounds() {
             let Some(look) = heights.look(x) else {
                 continue;
             };
-            // Where `a` rises to both sides of opposite normals.
+            // `a` rises to both sides of opposite normals.
             if !(look.cos > 0.1 && heights.reaches(&look)) {
                 continue;
             }
@@ -179,9 +179,9 @@ fn no_place_is_higher_than_its_bounds() {
     assert!(seen > 2000 && near > 200, "{seen} {near}");
 }
 
-/// Against every thousandth of a trace.
+/// Source: every thousandth of a trace.
 #[test]
-fn no_deviation_is_beyond_what_a_table_says() {
+fn no_deviation_exceeds_the_bound_of_its_table() {
     at_gaps(120, |heights| {
         let Flank {
             range: (low, high),

@@ -22,7 +22,7 @@ use std::process::ExitCode;
 pub(super) struct Args {
     /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
-    /// What to draw
+    /// Kind of chart
     #[arg(long, value_enum)]
     kind: Kind,
     /// The gear, for --kind inspection [default: wheel]
@@ -56,9 +56,9 @@ enum Kind {
     Difference,
     /// Pitch, thickness and runout of one gear, tooth by tooth
     Inspection,
-    /// What touches (of outlines: how much backlash is left) over centre distance and mesh phase, as `check --map`
+    /// Contacts (backlash for outlines) over centre distance and mesh phase, as `check --map`
     Map,
-    /// Of helical gears: where over the common face and on the path of contact the teeth touch at the pose that binds
+    /// Helical gears: where over the common face and on the path of contact the teeth touch at the pose that binds
     Field,
 }
 
@@ -88,7 +88,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(exit_code(drawn.agrees))
 }
 
-/// Options that say nothing about the kind asked for are mistakes.
+/// Rejects options that do not apply to the kind of chart.
 fn check_options(args: &Args) -> Result<(), Error> {
     let belongs = |is_given: bool, option: &str, kinds: &[Kind]| {
         if !is_given || kinds.contains(&args.kind) {

@@ -1,4 +1,4 @@
-//! `gearlash check`: does the pair interfere, where, why, and what does it cost.
+//! `gearlash check`: whether the pair interferes, where, why, and how much backlash it loses.
 
 use super::console::{ScreenArgs, print_note};
 use super::judged::{self, JudgedFormat, print_outcome};
@@ -107,7 +107,7 @@ fn pair(
     ))
 }
 
-/// The pair of two drawings on the command line; `None` of pair files.
+/// The pair of two drawings on the command line; `None` for pair files.
 fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
     match (&args.pairs[..], args.center_distance) {
         ([wheel, pinion], Some(distance)) if is_drawing(wheel) && is_drawing(pinion) => {
@@ -136,7 +136,7 @@ fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
     }
 }
 
-/// The folder for maps, where they are asked for.
+/// The folder for maps, where they are requested.
 fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFolder>, Error> {
     let folder = || match &args.output {
         Some(folder) => folder.clone(),
@@ -147,7 +147,7 @@ fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFol
         .transpose()
 }
 
-/// Writes `maps`, and says so.
+/// Writes `maps`; returns a line that names the files.
 fn written(folder: OutputFolder, maps: Vec<DrawnMap>) -> Result<String, Error> {
     let files: Vec<_> = maps.into_iter().flat_map(DrawnMap::files).collect();
     folder.write(&files)

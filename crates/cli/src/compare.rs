@@ -1,4 +1,4 @@
-//! `gearlash compare`: the referee in a CI run.
+//! `gearlash compare`: judges pairs in a CI run.
 
 mod drawings;
 
@@ -72,7 +72,7 @@ enum Format {
 }
 
 impl Format {
-    /// The format of pair files; `None`: of drawings alone.
+    /// The format for pair files; `None` for a format of drawings alone.
     fn of_pairs(self) -> Option<JudgedFormat> {
         Some(match self {
             Format::Text => JudgedFormat::Text,
@@ -135,7 +135,7 @@ fn of_drawings() -> Error {
     ))
 }
 
-/// Compares one pair; keeps at most so many of its `unproven` poses.
+/// Compares one pair; keeps at most `unproven` of its unproven poses.
 fn compared(
     args: &Args,
     path: &Path,
@@ -164,7 +164,7 @@ fn compared(
     Ok(pair.judged(&args.screen.screen()))
 }
 
-/// The same error, naming the option that chose the place.
+/// `error`, with the option that chose the place in its message.
 fn of_option(error: Error, option: &str) -> Error {
     match error {
         Error::Output { path, source } => Error::Usage(format!(

@@ -1,4 +1,4 @@
-//! `gearlash completions`: what a shell needs to complete this command line.
+//! `gearlash completions`: the script with which a shell completes this command line.
 
 use super::Cli;
 use super::console::print;

@@ -1,7 +1,7 @@
-//! Standard output and standard error: the only file that writes to either, and what terminal they may be.
+//! Standard output and standard error: the only file that writes to either, and the terminals behind them.
 //!
-//! What does not reach standard output is an error, as a disk that is full would otherwise leave a result cut short; only a
-//! reader that has gone away (`| head`) is none. What does not reach standard error is lost: nobody is left to tell.
+//! A failed write to standard output is an error: a full disk would otherwise leave a result cut short. A reader that has gone
+//! away (`| head`) is no error. A failed write to standard error is ignored: nobody is left to read it.
 
 use crate::error::Error;
 use gearlash_files::Sources;
@@ -15,36 +15,33 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Bytes written to standard output at a time (tuned).
 const PIECE: usize = 1 << 16;
 
-/// Whether only results and errors are wanted.
+/// Whether only results and errors are printed.
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Whether notes are wanted.
+/// Whether notes are printed.
 static VERBOSE: AtomicBool = AtomicBool::new(false);
 
-/// From now on notes are printed, too.
+/// Prints notes, too, from now on.
 pub(super) fn be_verbose() {
     VERBOSE.store(true, Ordering::Relaxed);
 }
 
-/// From now on only results and errors are printed.
+/// Prints only results and errors from now on.
 pub(super) fn be_quiet() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// Whether only results and errors are wanted.
+/// Whether only results and errors are printed.
 pub(super) fn is_quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
 }
 
-/// Prints to standard output what is no result: where files are.
+/// Prints to standard output where files are, which is no result.
 ///
 /// # Errors
 /// As [`print`].
 pub(super) fn print_note(text: &str) -> Result<(), Error> {
-    match is_quiet() {
-        true => Ok(()),
-        false => print(text),
-    }
+    if is_quiet() { Ok(()) } else { print(text) }
 }
 
 /// Prints to standard output, down to the last byte.
@@ -60,13 +57,13 @@ pub(super) fn print(text: &str) -> Result<(), Error> {
     )
 }
 
-/// Standard output for what comes piece by piece, after which [`std::io::Write::flush`] is due.
+/// Standard output for a result that grows piece by piece; [`std::io::Write::flush`] ends it.
 ///
-/// Where a reader has gone away the rest goes nowhere: the work is done to its end, for the exit code.
+/// When the reader has gone away, the rest is dropped. The work still runs to its end, for the exit code.
 pub(super) struct Printer {
-    /// In large pieces: Rust's own standard output writes line by line.
+    /// Buffers large pieces: Rust's own standard output writes line by line.
     output: BufWriter<std::io::Stdout>,
-    /// Whether anybody reads.
+    /// Whether there is a reader.
     read: bool,
 }
 
@@ -106,7 +103,7 @@ impl Write for Printer {
     }
 }
 
-/// Whether something was printed: a closed pipe is as good.
+/// Whether the text was printed; a closed pipe counts as printed.
 pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
     match result {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Printing(error)),
@@ -114,7 +111,7 @@ pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
     }
 }
 
-/// Writes a warning or note to standard error, whatever the texts from files in it.
+/// Writes a warning or note to standard error. Texts from files in it are made harmless.
 pub(super) fn tell(line: &str) {
     if is_quiet() {
         return;
@@ -131,7 +128,7 @@ pub(super) fn tell_verdict(verdict: &VerdictLines) {
     verdict.lines().iter().for_each(|line| tell(line));
 }
 
-/// Writes lines to standard error that are fit to be shown.
+/// Writes lines to standard error that are already harmless.
 pub(super) fn tell_lines(lines: &str) {
     let _ = std::io::stderr().lock().write_all(lines.as_bytes());
 }
@@ -139,9 +136,10 @@ pub(super) fn tell_lines(lines: &str) {
 /// Prints warnings, and with `--verbose` notes.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     let file = gearlash_files::named(file).display();
-    let remarks = match VERBOSE.load(Ordering::Relaxed) {
-        true => remarks,
-        false => &[],
+    let remarks = if VERBOSE.load(Ordering::Relaxed) {
+        remarks
+    } else {
+        &[]
     };
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for message in list {
@@ -185,7 +183,7 @@ fn streams() -> [(&'static str, Option<std::fs::File>); 0] {
     []
 }
 
-/// `--wide`: what the commands that print tables share.
+/// Options of the commands that print tables.
 #[derive(clap::Args)]
 pub(super) struct ScreenArgs {
     /// Print tables in full on a terminal that is too narrow for them
@@ -194,9 +192,9 @@ pub(super) struct ScreenArgs {
 }
 
 impl ScreenArgs {
-    /// What standard output is.
+    /// The screen of standard output.
     pub(super) fn screen(&self) -> Screen {
-        // No size where it is no terminal, or one that does not know its own.
+        // There is no size without a terminal, or on one that does not know its own.
         let size = ::console::Term::stdout().size_checked();
         Screen {
             width: size

@@ -1,4 +1,4 @@
-//! The day a report is made: `SOURCE_DATE_EPOCH` where it is set, so that the same input gives the same bytes.
+//! The day of a report: `SOURCE_DATE_EPOCH` where it is set, so that the same input gives the same bytes.
 
 use crate::error::Error;
 use jiff::Timestamp;
@@ -9,19 +9,19 @@ const VARIABLE: &str = "SOURCE_DATE_EPOCH";
 /// The day, in UTC, as `2026-11-21`.
 ///
 /// # Errors
-/// [`Error::Usage`] where the variable is set and not empty, but to no number of seconds a calendar holds.
+/// [`Error::Usage`] where the variable is set and not empty, and is no number of seconds within the calendar.
 pub(super) fn today() -> Result<String, Error> {
     match std::env::var_os(VARIABLE) {
         None => Ok(day(Timestamp::now())),
-        // As good as unset, as a shell has it that clears a variable.
+        // Empty counts as unset: shells clear a variable so.
         Some(text) if text.is_empty() => Ok(day(Timestamp::now())),
         Some(text) => of_epoch(&text.to_string_lossy()),
     }
 }
 
-/// The day of so many seconds since 1970-01-01 UTC.
+/// The day, given in seconds since 1970-01-01 UTC.
 fn of_epoch(text: &str) -> Result<String, Error> {
-    // A sign is not what the variable's definition allows.
+    // The variable's definition allows no sign.
     let digits = text.bytes().all(|byte| byte.is_ascii_digit());
     let seconds = text.parse::<i64>().ok().filter(|_| digits);
     let timestamp = seconds.and_then(|seconds| Timestamp::from_second(seconds).ok());

@@ -1,10 +1,10 @@
 //! `--center-distance` of `simulate`: one centre distance, or a scan.
 
-/// Centre distances asked for on the command line, mm.
+/// Centre distances from the command line, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Distances(pub Vec<f64>);
 
-/// As many as a pair file may have.
+/// The limit of a pair file.
 const MOST: f64 = 10_000.0;
 
 /// `132.1`, or `132.0..132.4:0.01`: from, to (included), step.
@@ -30,7 +30,7 @@ pub(super) fn parse(text: &str) -> Result<Distances, String> {
             "the scan ends at {last}, before it starts at {first}; {FORM}"
         ));
     }
-    // A step that ends within a thousandth of TO reaches it.
+    // A step that ends within a thousandth of TO includes it.
     let steps = ((last - first) / width + 1e-3).floor();
     if steps >= MOST {
         return Err(format!(

@@ -1,4 +1,4 @@
-//! What a command ends with when it cannot do its work, and the exit code that says so.
+//! Errors that end a command, and exit codes.
 
 use gearlash::error::GearError;
 use gearlash_files::InputError;
@@ -8,13 +8,13 @@ use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// What a command ends with when it cannot do its work.
+/// An error that ends a command.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// All problems of one input file.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// What is wrong with several files.
+    /// The errors of several files.
     #[error("{}", self.lines().join("\n"))]
     Several(Vec<Error>),
     /// A command-line value that does not suit the file.
@@ -34,18 +34,18 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// A result that would take the place of a file that was read.
+    /// A result that would overwrite a file that was read.
     #[error(
         "{}: this is the file {}, which was read and would be lost; name another place for the result",
         output.display(), input.display()
     )]
     OverInput {
-        /// Where the result was to go.
+        /// The path of the result.
         output: PathBuf,
         /// The name under which the file was read.
         input: PathBuf,
     },
-    /// Standard output that takes no more.
+    /// A failed write to standard output.
     #[error("standard output: cannot be written: {0}")]
     Printing(std::io::Error),
 }
@@ -56,16 +56,17 @@ impl From<GearError> for Error {
     }
 }
 
-/// What a command ends with that did its work: 1 where a result did not hold.
+/// The exit code of a command that finished: 1 where a result did not hold.
 pub fn exit_code(holds: bool) -> ExitCode {
-    match holds {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
+    if holds {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
     }
 }
 
 impl Error {
-    /// The error of `what`, which the library cannot put into text for a reason of its own.
+    /// The error of `what`, which the library cannot convert to text.
     pub fn unwritable<E: Display>(what: &str) -> impl FnOnce(E) -> Error {
         move |reason| Error::Usage(format!("{what} cannot be written: {reason}"))
     }
@@ -73,7 +74,7 @@ impl Error {
     /// Ctrl-C.
     pub const INTERRUPTED: Error = Error::Run(gearlash::error::Error::Interrupted);
 
-    /// The message, a line for each problem: whatever stands in the files, it breaks no line and acts on no terminal or log.
+    /// The message, one line per problem. Content of files breaks no line and acts on no terminal or log.
     pub fn lines(&self) -> Vec<String> {
         match self {
             Error::Input(input) => input.lines(),
@@ -82,8 +83,8 @@ impl Error {
         }
     }
 
-    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had or it could not be
-    /// written, 130 (128 + SIGINT, as shells count) when the work was to stop. (A signal ends the program by itself.)
+    /// The exit code. 1: a result did not hold. 2: there is no result, or it could not be written. 130 (128 + SIGINT, as shells
+    /// count): the work was interrupted. (A signal itself ends the program.)
     pub fn exit_code(&self) -> u8 {
         use gearlash::error::Error as Run;
         match self {

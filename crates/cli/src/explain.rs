@@ -1,4 +1,4 @@
-//! Errors as they are reported: a line each, and below it the piece of the pair file in question, in colour on a terminal.
+//! Error reports: a line each, and below it the part of the pair file in question, in colour on a terminal.
 
 use super::console::has_colours;
 use crate::error::Error;
@@ -7,14 +7,15 @@ use gearlash_files::InputError;
 use gearlash_files::characters::{plain, quoted_source};
 use std::ops::Range;
 
-/// Bytes of a line of a pair file that is shown; of a longer one only the place is reported (tuned: a list of 200 values).
+/// Longest line of a pair file that is shown, bytes; for a longer one only the place is reported (tuned: a list of 200 values).
 const LONGEST_SHOWN: usize = 2000;
 
-/// `error` for standard error, each of its lines complete. Whatever stands in the files, it acts on no terminal or log.
+/// `error` for standard error, each of its lines complete. Content of files acts on no terminal or log.
 pub(super) fn explain(error: &Error) -> String {
-    let renderer = match has_colours(&std::io::stderr()) {
-        true => Renderer::styled(),
-        false => Renderer::plain(),
+    let renderer = if has_colours(&std::io::stderr()) {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
     };
     rendered(error, &renderer)
 }
@@ -38,7 +39,7 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
     }
 }
 
-/// One problem: its line, and what stands at `span` of the file.
+/// One problem: its line, and the text at `span` of the file.
 fn problem(
     input: &InputError,
     line: &str,

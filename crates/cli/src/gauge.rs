@@ -161,7 +161,7 @@ fn materials(gear: &GearEntry<EitherGearSpec>) -> Vec<(Material, GearSource<'_>)
         .collect()
 }
 
-/// Options that an outline has a use for.
+/// Rejects options that do not apply to an outline.
 fn check_drawn(args: &Args) -> Result<(), Error> {
     if args.ball_mm.is_some()
         || args.master_teeth.is_some()
@@ -182,7 +182,7 @@ fn check_drawn(args: &Args) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints what was read and writes the files.
+/// Prints the readings and writes the files.
 fn finish(
     args: &Args,
     title: &str,
@@ -200,7 +200,7 @@ fn finish(
         Format::Csv => teeth_csv(gears).map_err(unwritable)?,
     })?;
     if let Format::Csv = args.results.format {
-        // Blank columns say nothing; the other formats tell.
+        // Blank columns do not explain themselves; the other formats state the reasons.
         for gauged in gears {
             let lines = gauged.unmeasured().into_iter();
             let lines: Vec<String> = lines
@@ -238,7 +238,7 @@ fn unwritable(error: impl std::error::Error) -> Error {
     Error::Usage(format!("the readings cannot be written as text: {error}"))
 }
 
-/// Whether a gear could be measured over the pins that were asked for.
+/// Checks that a gear could be measured over the requested pins.
 fn check_pin(pin: Option<f64>, gears: &[GaugedGear]) -> Result<(), Error> {
     let reason = |gauged: &GaugedGear| Some(gauged.gauged.pins.as_ref().err()?.to_string());
     let reasons: Option<Vec<String>> = gears.iter().map(reason).collect();
@@ -261,7 +261,7 @@ fn check_pin(pin: Option<f64>, gears: &[GaugedGear]) -> Result<(), Error> {
     Err(Error::Usage(format!("--pin-mm {pin}: {}", each.join("; "))))
 }
 
-/// Whether the gear has the teeth to span.
+/// Checks that the gear has enough teeth for the span.
 fn check_span(args: &Args, name: &str, gear: &AsBuilt) -> Result<(), Error> {
     let z = gear.gear().basic_data().teeth();
     match args.span_teeth {

@@ -45,13 +45,13 @@ impl MaterialName {
     }
 }
 
-/// A gear of a file, one of its materials, and the gear in that.
+/// A gear of a file, one of its materials, and the gear in that material.
 pub(super) type Chosen<'a, G, T> = (&'a GearEntry<G>, Material, T);
 
-/// The gears and materials asked for, in the order of the file; `materials` are those of a gear.
+/// The requested gears and materials, in the order of the file; `materials` are those of a gear.
 ///
 /// # Errors
-/// [`Error::Usage`] where the file has one gear only and one of a pair is asked for.
+/// [`Error::Usage`] where the file has one gear only and one of a pair is requested.
 pub(super) fn choose<'a, G, T>(
     path: &Path,
     gear: Option<GearName>,

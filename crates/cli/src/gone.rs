@@ -1,9 +1,9 @@
-//! Commands and options that are gone, and what takes their place.
+//! Removed commands and options, and their successors.
 
 use crate::error::Error;
 use std::ffi::OsString;
 
-/// A command or an option that is gone.
+/// A removed command or option.
 struct Gone {
     command: &'static str,
     /// The option, with a space and its value where only that value is gone. Empty: the whole command.
@@ -35,7 +35,7 @@ const GONE: [Gone; 4] = [
     },
 ];
 
-/// The error of a command line that uses something gone; `words` begin with the program's name.
+/// The error of a command line that uses a removed command or option; `words` begin with the program's name.
 pub(super) fn error(words: &[OsString]) -> Option<Error> {
     let words = words.iter().skip(1).map(|word| word.to_string_lossy());
     let words: Vec<String> = words.map(|word| word.replacen('=', " ", 1)).collect();

@@ -1,4 +1,4 @@
-//! `gearlash import`: what a file of measurements holds, as a table and as lines for a pair file.
+//! `gearlash import`: the content of a file of measurements, as a table and as lines for a pair file.
 
 use super::console::{ScreenArgs, guard, print};
 use super::rexs::{self, RexsArgs};
@@ -13,18 +13,20 @@ use std::process::ExitCode;
 
 /// Show what is understood of an inspection table, workbook or protocol, and the lines of a pair file that name it
 ///
-/// Every table that the file holds is read as a pair file has it read: pitch, runout, thickness, spans and pins by tooth, profile traces. Prints their
-/// numbers, what of the file was left out, and the TOML to paste into a pair file or gear file; writes nothing else.
+/// Reads every table of the file as a pair file does: pitch, runout, thickness, spans and pins by tooth, profile traces. Prints
+/// their numbers, the parts of the file that were left out, and the TOML to paste into a pair file or gear file; writes nothing
+/// else.
 /// The options are the keys that a pair file may have beside `file`; errors name them so.
 ///
-/// Of a drawing (.dxf, .svg) the outlines are listed by number, layer, place and size.
+/// Lists the outlines of a drawing (.dxf, .svg) by number, layer, place and size.
 ///
-/// Of a gearbox model (REXS 1.0 to 2.0, XML, JSON, or zipped) stages of external spur gears become pair files; everything else is named and left out.
+/// Turns stages of external gears of a gearbox model (REXS 1.0 to 2.0, XML, JSON, or zipped) into pair files; lists everything
+/// else.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// CSV, workbook (.xlsx), text protocol or curve file (.mka) of a measuring machine, drawing (.dxf, .svg), or gearbox model (.rexs, .rexsj, .rexsz; - for one on standard input)
     file: PathBuf,
-    /// What the file is read for [default: all that it has]
+    /// The data to read [default: all that it has]
     #[arg(long, value_enum)]
     only: Option<Only>,
     /// Sheet of a workbook that has several with such a table
@@ -54,7 +56,7 @@ pub(super) struct Args {
     /// The gear of the TOML
     #[arg(long, value_enum, default_value_t = GearTable::Wheel)]
     gear: GearTable,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
@@ -75,11 +77,11 @@ enum Only {
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum GearTable {
-    /// Of a pair file
+    /// A wheel of a pair file
     Wheel,
-    /// Of a pair file
+    /// A pinion of a pair file
     Pinion,
-    /// Of a gear file
+    /// The gear of a gear file
     Gear,
 }
 
@@ -87,12 +89,12 @@ enum GearTable {
 enum Format {
     /// Tables and TOML
     Text,
-    /// The same, for a program
+    /// One JSON object, for a program
     Json,
 }
 
 impl Args {
-    /// Whether it says something that only tables have.
+    /// Whether an option for tables alone is given.
     fn of_tables(&self) -> bool {
         let texts = [
             &self.sheet,
@@ -119,10 +121,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--units belongs to a drawing; leave it out".to_owned(),
         ));
     }
-    // By what the file holds, not by its name.
-    let bytes = match args.file.as_path() == Path::new("-") {
-        true => Vec::new(),
-        false => import::bytes(&args.file)?,
+    // Decides by the content of the file, not by its name.
+    let bytes = if args.file.as_path() == Path::new("-") {
+        Vec::new()
+    } else {
+        import::bytes(&args.file)?
     };
     let of_other = |what: &str, options: &str| {
         let file = args.file.display();
@@ -160,7 +163,7 @@ fn outlines(args: &Args) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A table in cells, or a protocol's.
+/// A table in cells, or of a protocol.
 fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
     let row = args.header_row.map(|row| row.to_string());
     let stated = [

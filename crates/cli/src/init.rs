@@ -19,7 +19,7 @@ pub(super) struct Args {
     from: From,
 }
 
-/// What there is to start from.
+/// The kind of template.
 #[derive(clap::Args)]
 #[group(multiple = false)]
 struct From {

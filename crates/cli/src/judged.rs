@@ -1,4 +1,5 @@
-//! The common part of `check` and `compare`: several files of which some cannot be read, output formats, and the step summary of a workflow.
+//! The common part of `check` and `compare`: several files, some of which cannot be read; output formats; the step summary of a
+//! workflow.
 
 use super::console::{ScreenArgs, print, tell_lines};
 use super::studies;
@@ -44,7 +45,7 @@ pub(super) fn read<T>(
         .collect())
 }
 
-/// The outcome of `command` for `files`, each judged by `judge`, and the step summary that it goes to.
+/// The outcome of `command` for `files`, each judged by `judge`, and the step summary for it.
 ///
 /// # Errors
 /// [`Error::OverInput`]; an error that ends the whole run, or any of a single file as text.
@@ -74,7 +75,7 @@ pub(super) fn outcome<G>(
     Ok((Outcome { command, files }, summary))
 }
 
-/// The outcome of a file: judged, or the problems for which it cannot be read or judged. Standard error lists these, too, unless `is_shown`.
+/// The outcome of a file: judged, or the problems that prevent it. Standard error lists these, too, unless `is_shown`.
 ///
 /// # Errors
 /// An error that ends the whole run.
@@ -106,7 +107,7 @@ fn judged_file(
 pub(super) struct StepSummary(Option<PathBuf>);
 
 impl StepSummary {
-    /// Where it is, if `format` writes one; never one of `sources`.
+    /// The step summary, if `format` writes one; never one of `sources`.
     ///
     /// # Errors
     /// [`Error::OverInput`].
@@ -124,7 +125,7 @@ impl StepSummary {
         }
     }
 
-    /// Adds `text`; what earlier steps wrote stays.
+    /// Adds `text`; text of earlier steps stays.
     fn append(&self, text: &str) -> Result<(), Error> {
         let Some(summary) = &self.0 else {
             return Ok(());
@@ -159,8 +160,9 @@ pub(super) fn print_outcome(
         JudgedFormat::Markdown => outcome.markdown(),
     })?;
     summary.append(&outcome.markdown())?;
-    Ok(match outcome.has_unreadable() {
-        true => ExitCode::from(2),
-        false => exit_code(outcome.passes()),
+    Ok(if outcome.has_unreadable() {
+        ExitCode::from(2)
+    } else {
+        exit_code(outcome.passes())
     })
 }

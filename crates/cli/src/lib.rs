@@ -1,4 +1,4 @@
-//! The command line: one file a command. The binary and the Python package run the same program.
+//! The command line: one file per command. The binary and the Python package run the same program.
 
 mod chart;
 mod check;
@@ -77,7 +77,7 @@ Example:
   gearlash snapshot fixtures/karba_44x44.toml --worst
   gearlash chart fixtures/karba_44x44.toml --kind distance --mating 44,44";
 
-/// What each does stands at its arguments.
+/// The commands. Their arguments have the descriptions.
 #[derive(Subcommand)]
 enum Command {
     Simulate(simulate::Args),
@@ -97,9 +97,9 @@ enum Command {
     Man(man::Args),
 }
 
-/// Runs the program with its command line `words`, its name first; what it prints goes to this process's standard output and error.
+/// Runs the program with its command line `words`, its name first. It prints to this process's standard output and error.
 ///
-/// For good it takes over the signals that end a process, so this belongs at a program's beginning. A signal ends the process.
+/// It permanently takes over the signals that end a process, so call it at the beginning of a program. A signal ends the process.
 pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     signals::handle();
     let words: Vec<OsString> = words.into_iter().collect();
@@ -125,7 +125,7 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// The definition of the command line; commands have their full names and what they share.
+/// The definition of the command line; commands have their full names and the common options.
 pub fn command_line() -> clap::Command {
     let mut program = Cli::command();
     program.build();
@@ -152,18 +152,18 @@ fn command(command: Command) -> Result<ExitCode, Error> {
     }
 }
 
-/// Threads that more than the cores of the machine may be asked for. Each takes 2 MiB of address space and time to start; none
-/// beyond the cores brings anything but tests of the same bytes.
+/// Threads that are allowed beyond the cores of the machine. Each takes 2 MiB of address space and time to start. Threads beyond
+/// the cores are only useful to test that results stay equal.
 const MOST_THREADS: usize = 64;
 
-/// Keeps `RAYON_NUM_THREADS` to what a machine can start.
+/// Limits `RAYON_NUM_THREADS` to what a machine can start.
 fn cap_threads() {
     let variable = std::env::var("RAYON_NUM_THREADS").ok();
     let wanted: Option<usize> = variable.and_then(|threads| threads.parse().ok());
     let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
     let most = MOST_THREADS.max(cores);
     if let Some(wanted) = wanted.filter(|wanted| *wanted > most) {
-        // Fails where a pool is there already, in which case it is not too large.
+        // Fails where a pool exists already; that one is not too large.
         let _ = rayon::ThreadPoolBuilder::new()
             .num_threads(most)
             .build_global();
@@ -173,8 +173,8 @@ fn cap_threads() {
     }
 }
 
-/// The command line as parsed. A usage error quotes arguments, which file names that a shell filled in may be: only
-/// those characters of them that do not act.
+/// The parsed command line. A usage error quotes arguments, which can be file names that a shell filled in. Characters that act
+/// are removed from them.
 fn parse(words: &[OsString]) -> Result<Cli, clap::Error> {
     Cli::try_parse_from(words).map_err(|error| {
         let words = words.iter().map(|word| plain(&word.to_string_lossy()));
@@ -182,7 +182,7 @@ fn parse(words: &[OsString]) -> Result<Cli, clap::Error> {
     })
 }
 
-/// Prints what was asked for with --help and --version, or what is wrong with the command line.
+/// Prints the text for --help or --version, or the usage error.
 fn help(usage: &clap::Error) -> Result<ExitCode, Error> {
     let shown = usage.print();
     if usage.use_stderr() {

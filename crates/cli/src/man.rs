@@ -1,4 +1,4 @@
-//! `gearlash man`: manual pages, made from the definition of the command line.
+//! `gearlash man`: manual pages, generated from the definition of the command line.
 
 use super::console::print;
 use crate::error::Error;

@@ -37,11 +37,12 @@ pub(super) fn is_own(name: &str) -> bool {
     map.is_some_and(|map| materials.iter().any(|material| material.name() == map))
 }
 
-/// A map of each material, at the study's first centre distance: of what touches, or, of a drawn pair, of the backlash.
+/// A map for each material, at the study's first centre distance: of the contacts, or of the backlash for a drawn pair.
 pub(super) fn of(analysis: &Analysis) -> Result<Vec<DrawnMap>, Error> {
-    match analysis.study.is_drawn() {
-        true => of_drawn(analysis.study, &analysis.extremes.each),
-        false => of_data(analysis.study, &analysis.diagnosis),
+    if analysis.study.is_drawn() {
+        of_drawn(analysis.study, &analysis.extremes.each)
+    } else {
+        of_data(analysis.study, &analysis.diagnosis)
     }
 }
 
@@ -85,7 +86,7 @@ fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error>
     maps.collect()
 }
 
-/// The same of a drawn pair with these extremes.
+/// The backlash maps of a drawn pair with these extremes.
 fn of_drawn(study: &Study, each: &[RunExtremes]) -> Result<Vec<DrawnMap>, Error> {
     let rows = study.material_count() as u64 * u64::from(BACKLASH_MAP_ROWS);
     let progress = Progress::of(rows, "rows of the map");

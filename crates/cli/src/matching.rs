@@ -1,4 +1,4 @@
-//! `gearlash match`: which measured wheel goes with which pinion, and which teeth meet.
+//! `gearlash match`: pairs measured wheels with pinions, and finds the teeth to mark.
 
 use super::console::{ScreenArgs, guard, print, tell, warn};
 use super::progress::Progress;
@@ -88,7 +88,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(exit_code(result.is_complete()))
 }
 
-/// An error where both kinds of gears are those of one folder, or results in `output` would be read as gears by the next run.
+/// An error where both kinds of gears come from one folder, or the next run would read results in `output` as gears.
 fn guard_folders(args: &Args, output: Option<&Path>) -> Result<(), Error> {
     let real = |path: &Path| path.canonicalize().ok();
     let [wheels, pinions] = [&args.wheels, &args.pinions].map(|path| real(path));

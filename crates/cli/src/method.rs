@@ -1,4 +1,4 @@
-//! `--method` and `--no-certify`: what several commands share.
+//! `--method` and `--no-certify`, options of several commands.
 
 use super::console::tell;
 use crate::error::Error;
@@ -30,26 +30,27 @@ enum Name {
 }
 
 impl MethodArgs {
-    /// Whether any of it was asked for.
+    /// Whether one of the options is given.
     pub fn given(&self) -> bool {
         self.method.is_some() || self.no_certify
     }
 
-    /// The method asked for, on the pair of `study`.
+    /// The requested method, for the pair of `study`.
     ///
     /// # Errors
-    /// [`Error::Usage`]: drawn curves have one method.
+    /// [`Error::Usage`]: drawn curves have only one method.
     pub fn of(&self, study: &Study) -> Result<Method, Error> {
-        match study.is_drawn() && self.method.is_some() {
-            false => Ok(self.method()),
-            true => Err(Error::Usage(
+        if study.is_drawn() && self.method.is_some() {
+            Err(Error::Usage(
                 "--method is for gears by their data: drawn curves are searched as drawn, and polygons check every pose; leave it out"
                     .to_owned(),
-            )),
+            ))
+        } else {
+            Ok(self.method())
         }
     }
 
-    /// The method asked for.
+    /// The requested method.
     pub fn method(&self) -> Method {
         match self.method.unwrap_or(Name::Exact) {
             Name::Exact => Method::Exact {
@@ -61,7 +62,7 @@ impl MethodArgs {
     }
 }
 
-/// Says on standard error how far both methods lie apart, where both were asked for, and how many poses are not proven;
+/// Prints on standard error the difference of both methods, where both were requested, and the number of unproven poses. Returns
 /// whether both pass.
 pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a RunTally> + Clone) -> bool {
     let each = runs.clone().into_iter().map(|run| run.agreement);
@@ -69,12 +70,12 @@ pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a RunTally> + Clone
     agree & all_proven(runs.into_iter().map(|run| run.unproven).sum())
 }
 
-/// The same of all that was analysed.
+/// [`agreement`] over everything that was analysed.
 pub(super) fn agreed(analysis: &Analysis) -> bool {
     agreement_of(analysis.agreement()) & all_proven(analysis.unproven())
 }
 
-/// Says on standard error how many poses are not proven, if any; whether all are.
+/// Prints on standard error the number of unproven poses, if any. Returns whether all are proven.
 pub(super) fn all_proven(unproven: usize) -> bool {
     match unproven {
         0 => return true,
@@ -86,7 +87,7 @@ pub(super) fn all_proven(unproven: usize) -> bool {
     false
 }
 
-/// Says on standard error how far both methods lie apart; whether that passes. Nothing where one method alone was asked for.
+/// Prints on standard error the difference of both methods. Returns whether it passes. Prints nothing for a single method.
 pub(super) fn agreement_of(found: MethodAgreement) -> bool {
     if !found.is_empty() {
         tell(&in_words(found));
@@ -133,7 +134,7 @@ mod tests {
     use std::ops::ControlFlow;
     use std::path::Path;
 
-    /// The rig pair, its polygons cut from gears of another pair file: no certificate can hold.
+    /// The rig pair with polygons cut from gears of another pair file: no certificate holds.
     #[test]
     fn an_unproven_pose_does_not_pass() {
         let read = |file: &str| {

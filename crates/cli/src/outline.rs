@@ -13,9 +13,10 @@ use std::process::ExitCode;
 
 /// Write the outline of a gear as measured as DXF, SVG or CSV
 ///
-/// The closed outline in mm, every tooth where it was measured to be, as the reference face shows it: the rotation axis at
-/// 0,0 (a gear with runout stands beside it), tooth 1 up, numbers clockwise. Flanks are chords within the tolerance of
-/// their curves; tip and root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound. Of a
+/// The closed outline in mm, with every tooth where it was measured, as the reference face shows it: the rotation axis at 0,0 (a
+/// gear with runout is beside it), tooth 1 up, numbers clockwise. Flanks are chords within the tolerance of their curves; tip and
+/// root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound. A helical gear gives a
+/// transverse section, turned with the helix.
 /// helical gear it is a transverse section, turned with the helix.
 #[derive(clap::Args)]
 pub(super) struct Args {
@@ -27,7 +28,7 @@ pub(super) struct Args {
     /// Which end of the thickness tolerance, where there is one
     #[arg(long, value_enum, default_value = "most")]
     material: MaterialName,
-    /// What to write
+    /// File format
     #[arg(long, value_enum)]
     format: Format,
     /// Greatest distance of a chord from its curve, µm, 0.001 to 1000
@@ -49,7 +50,7 @@ enum Format {
 }
 
 impl Format {
-    /// It, and how its files end.
+    /// The format, and its file extension.
     fn format(self) -> (OutlineFormat, &'static str) {
         match self {
             Format::Dxf => (OutlineFormat::Dxf, "dxf"),
@@ -67,10 +68,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Points of the largest outline: some 100 MB as text.
+/// Most points of an outline: some 100 MB as text.
 const MOST_POINTS: usize = 2_000_000;
 
-/// Whether the outline fits into memory several times over.
+/// Checks that the outline fits into memory several times over.
 fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
     let half = HalfTooth::new(
         &gear.profile(Side::Right, 1),
@@ -78,15 +79,16 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
         tolerance_um * 1e-3,
     );
     let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
-    match points > MOST_POINTS {
-        true => Err(Error::Usage(format!(
+    if points > MOST_POINTS {
+        Err(Error::Usage(format!(
             "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MOST_POINTS}; give a greater tolerance"
-        ))),
-        false => Ok(()),
+        )))
+    } else {
+        Ok(())
     }
 }
 
-/// The section that is asked for, mm, which the gear must have.
+/// The requested section, mm; the gear must have it.
 fn section(requested: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
     let face = entry.spec.face().filter(|_| entry.spec.is_helical());
     let Some(mm) = requested else {
@@ -122,7 +124,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_size(args.tolerance_um, gear)?;
     let (format, ending) = args.format.format();
     let target = match &args.output {
-        // The place of a table, which this is.
+        // A CSV file is allowed here: it is the table itself.
         Some(file)
             if ending == "csv"
                 && file

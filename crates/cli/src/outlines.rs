@@ -5,7 +5,7 @@ use gearlash_files::drawing::{Format, Unit};
 use gearlash_files::outlines::OutlineOptions;
 use std::path::Path;
 
-/// How drawings on the command line are read.
+/// Options for reading drawings.
 #[derive(clap::Args)]
 pub(super) struct DrawnArgs {
     /// Unit of the drawings, where they state none
@@ -42,7 +42,7 @@ impl DrawnArgs {
             || !self.at_mm.is_empty()
     }
 
-    /// The options of `N` drawings. One value holds for all of them.
+    /// The options of `N` drawings. One value applies to all of them.
     pub(super) fn options<const N: usize>(&self) -> Result<[OutlineOptions<'_>; N], Error> {
         let counts = [
             ("--layer", self.layer.len()),
@@ -68,7 +68,7 @@ impl DrawnArgs {
     }
 }
 
-/// The value of the drawing `k`: its own, or the only one.
+/// The value for the drawing `k`: its own, or the only one.
 fn of<T>(values: &[T], k: usize) -> Option<&T> {
     match values {
         [one] => Some(one),
@@ -86,7 +86,7 @@ fn point(text: &str) -> Result<[f64; 2], String> {
     finite.ok_or_else(|| "expected x,y in mm, such as 12.5,-3".to_owned())
 }
 
-/// Whether a file is a drawing, by its ending.
+/// Whether a file is a drawing, by its extension.
 pub(super) fn is_drawing(path: &Path) -> bool {
     Format::of(path).is_some()
 }

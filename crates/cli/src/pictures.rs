@@ -1,22 +1,22 @@
-//! What `snapshot --animate` and `--exaggerate` draw.
+//! The poses that `snapshot --animate` and `--exaggerate` draw.
 
 use crate::error::Error;
 use gearlash::contact::{CutPair, Exaggeration, Method, PoseResult, sweep};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::ops::ControlFlow;
 
-/// Steps of an animation: ten a second.
+/// Steps of an animation: ten per second.
 const STEPS: u32 = 60;
 
-/// Steps between the neighbours of an extreme, and how often they are taken: to a 60 000th of a pitch, on which no j_wt rises
-/// by a hundredth of a micrometre.
+/// Steps between the neighbours of an extreme, and the number of refinements: to a 60 000th of a pitch, over which j_wt changes
+/// by less than a hundredth of a micrometre.
 const FINER: u32 = 20;
 const ROUNDS: usize = 3;
-/// Less than this, mm, is rounding and no extreme.
+/// Differences below this, mm, are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What is found at every step through a pitch from `pose` on, both ends included, and where backlash is least and greatest
-/// between them.
+/// The results at every step through a pitch from `pose` on, both ends included, and at the least and greatest backlash between
+/// them.
 pub(super) fn pitch(assembly: &GearPair, pose: &Pose) -> Result<Vec<PoseResult>, Error> {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member));
     let cut = CutPair::for_certificates(wheel, pinion);
@@ -59,7 +59,7 @@ fn fraction(step: &PoseResult) -> f64 {
     step.pose.mating().fraction
 }
 
-/// Which of `steps` has the least backlash (`sign` 1) or the greatest (−1).
+/// The step with the least backlash (`sign` 1) or the greatest (−1).
 fn extreme(steps: &[PoseResult], sign: f64) -> Option<usize> {
     let known = steps.iter().enumerate();
     let known = known.filter_map(|(place, step)| Some((place, sign * step.backlash?)));
@@ -67,7 +67,7 @@ fn extreme(steps: &[PoseResult], sign: f64) -> Option<usize> {
     least.map(|(place, _)| place)
 }
 
-/// Whether backlash at a step is less (`sign` 1) or greater (−1) than at those beside it.
+/// Whether backlash at a step is less (`sign` 1) or greater (−1) than at the steps beside it.
 fn is_extreme(steps: &[PoseResult], place: usize, sign: f64) -> bool {
     let value = |place: usize| Some(sign * steps.get(place)?.backlash?);
     let beyond = |other: Option<f64>| match (value(place), other) {
@@ -79,13 +79,13 @@ fn is_extreme(steps: &[PoseResult], place: usize, sign: f64) -> bool {
     beyond(before) && beyond(value(place + 1))
 }
 
-/// Factors to fall back on, and the range of those allowed.
+/// Factors to suggest, and the range of allowed ones.
 const FACTORS: [f64; 16] = [
     100_000.0, 50_000.0, 20_000.0, 10_000.0, 5000.0, 2000.0, 1000.0, 500.0, 200.0, 100.0, 50.0,
     20.0, 10.0, 5.0, 2.0, 1.0,
 ];
 
-/// Both gears with their deviations `factor` times as large; an error names the factor that would do.
+/// Both gears with their deviations enlarged by `factor`. An error names a factor that works.
 pub(super) fn exaggeration(assembly: &GearPair, factor: f64) -> Result<Exaggeration<'_>, Error> {
     if !(FACTORS[15]..=FACTORS[0]).contains(&factor) {
         return Err(Error::Usage(format!(

@@ -1,21 +1,21 @@
-//! How many poses a command takes, stated in poses and bytes before it begins.
+//! Limits of the number of poses of a command, in poses and bytes, checked before it begins.
 
 use super::console::tell;
 use crate::error::Error;
 use gearlash_files::{InputError, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, Problem, numbers};
 use std::path::Path;
 
-/// What bounds the poses of a command.
+/// Limit of the poses of a command.
 pub(super) struct Bound {
-    /// Poses allowed.
+    /// Most poses.
     most: u64,
-    /// Bytes each takes, and of what.
+    /// Bytes per pose, and their kind.
     bytes: u64,
     of: &'static str,
     help: &'static str,
 }
 
-/// Poses are written and forgotten: what they take is on the disk.
+/// Poses are written and dropped: they take disk space.
 pub(super) const STREAMED: Bound = Bound {
     most: MOST_POSES,
     bytes: POSE_BYTES_JSON + POSE_BYTES_CSV,
@@ -23,7 +23,7 @@ pub(super) const STREAMED: Bound = Bound {
     help: "take fewer steps_per_pitch or fractions, or fewer centre distances at a time",
 };
 
-/// Poses are held until the command ends, contacts and formulas included: what they take is memory.
+/// Poses are held until the command ends, with contacts and formulas: they take memory.
 pub(super) const HELD: Bound = Bound {
     most: 2_000_000,
     bytes: 1000,
@@ -31,7 +31,7 @@ pub(super) const HELD: Bound = Bound {
     help: "take fewer steps_per_pitch, fractions or centre distances in a file for this command; simulate and compare go up to 10 million poses",
 };
 
-/// An error where `poses`, which `file` asks for, are more than `bound` allows.
+/// An error where `file` asks for more `poses` than `bound` allows.
 pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error> {
     if poses <= bound.most {
         return Ok(());
@@ -56,10 +56,10 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
     }))
 }
 
-/// Poses from which on their number and size are reported (tuned: gigabytes, and minutes of work).
+/// Number of poses from which on number and size are reported (tuned: gigabytes, and minutes of work).
 const MANY: u64 = 1_000_000;
 
-/// Tells how much `poses` will write, where that is much: so many `bytes` each, 0 for nothing.
+/// Reports the size of the result for many `poses`, each of `bytes`; 0 for none.
 pub(super) fn announce(poses: u64, bytes: u64) {
     if poses >= MANY && bytes > 0 {
         let bytes = numbers::bytes(poses.saturating_mul(bytes));

@@ -1,4 +1,4 @@
-//! A progress bar on a terminal, silence in a pipe.
+//! A progress bar on a terminal; nothing in a pipe.
 
 use super::console::is_quiet;
 use crate::error::Error;
@@ -8,10 +8,10 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// The bar that is shown, for whoever ends the process.
+/// The bar on screen, for the thread that ends the process.
 static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
-/// Takes the bar that is shown away.
+/// Removes the bar from the screen.
 pub(super) fn clear() {
     let shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner).take();
     if let Some(bar) = shown {
@@ -19,25 +19,25 @@ pub(super) fn clear() {
     }
 }
 
-/// Counts steps on standard error; hidden when that is not a terminal. Dropped, it is gone.
+/// Counts steps on standard error; hidden without a terminal. Dropping it removes the bar.
 pub(super) struct Progress {
     bar: ProgressBar,
 }
 
 impl Progress {
-    /// A bar of so many `poses`.
+    /// A bar for `poses`.
     pub fn start(poses: u64) -> Progress {
         Progress::of(poses, "poses")
     }
 
-    /// No bar: for a terminal on which the result itself appears, or with --quiet.
+    /// No bar: for a terminal that shows the growing result, or with --quiet.
     pub fn none() -> Progress {
         Progress {
             bar: ProgressBar::hidden(),
         }
     }
 
-    /// A bar of so many `steps`, and what a step is called; beside it, as far as there is room, what is being done.
+    /// A bar for `steps`, which are called `named`. The current work appears beside it where there is room.
     pub fn of(steps: u64, named: &str) -> Progress {
         if is_quiet() {
             return Progress::none();
@@ -46,7 +46,7 @@ impl Progress {
         Progress::shown(bar, &with_estimate(named))
     }
 
-    /// A sign of life for work whose length is not known beforehand, with what is being done.
+    /// A spinner for work of unknown length, with the current work beside it.
     pub fn working() -> Progress {
         if is_quiet() {
             return Progress::none();
@@ -64,12 +64,12 @@ impl Progress {
         Progress { bar }
     }
 
-    /// Says what is being done now.
+    /// Shows the current work.
     pub fn now(&self, doing: &str) {
         self.bar.set_message(doing.to_owned());
     }
 
-    /// Does `work` whose steps take unlike times, as searches of a mesh cycle do: no time is promised meanwhile.
+    /// Does `work` whose steps take very different times, as searches of a mesh cycle do. No remaining time is shown meanwhile.
     pub fn searching<T>(&self, work: impl FnOnce() -> T) -> T {
         self.promises(false);
         let found = work();
@@ -77,11 +77,12 @@ impl Progress {
         found
     }
 
-    /// Whether the time that is left is said.
+    /// Sets whether the remaining time is shown.
     fn promises(&self, estimates: bool) {
-        let template = match estimates {
-            true => with_estimate("steps"),
-            false => "{bar:40} {pos}/{len} steps {wide_msg}".to_owned(),
+        let template = if estimates {
+            with_estimate("steps")
+        } else {
+            "{bar:40} {pos}/{len} steps {wide_msg}".to_owned()
         };
         if let Ok(style) = ProgressStyle::with_template(&template) {
             self.bar.set_style(style);
@@ -89,19 +90,19 @@ impl Progress {
         }
     }
 
-    /// So many steps more have turned out to be needed.
+    /// Adds steps that turned out to be needed.
     pub fn more(&self, steps: usize) {
         self.bar.inc_length(steps as u64);
     }
 
-    /// One step begun. Nothing here ever wants to stop: a signal ends the process from a thread of its own.
+    /// Counts one step. It never breaks the work: a signal ends the process from a thread of its own.
     pub fn tick(&self) -> ControlFlow<()> {
         self.bar.inc(1);
         ControlFlow::Continue(())
     }
 }
 
-/// How far steps have come, and how long the rest takes if it goes on like that.
+/// Template of a bar with the remaining time at the current speed.
 fn with_estimate(named: &str) -> String {
     format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left {{wide_msg}}")
 }

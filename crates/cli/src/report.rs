@@ -58,7 +58,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(exit_code(agree))
 }
 
-/// Where the page goes.
+/// The target of the page.
 fn target(args: &Args, stem: &str, sources: &Sources) -> Result<Target, Error> {
     let file = match &args.output {
         Some(file) => file.clone(),
@@ -73,7 +73,7 @@ fn name(args: &Args) -> String {
     name.to_string_lossy().into_owned()
 }
 
-/// The grades of each gear that has deviations or a grade to keep: of the most material where there are two, as the gauge reads that one.
+/// The grades of each gear that has deviations or a required grade. The gauge grades the one of most material.
 fn grades(pair: &AnyPair) -> Vec<GearGrades> {
     let gears = pair.study.materials.first().zip(pair.spec.by_data());
     let Some(((_, wheel, pinion), specs)) = gears else {

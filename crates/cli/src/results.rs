@@ -1,4 +1,4 @@
-//! What a command prints of its results, and the folder that takes all of them.
+//! Options for the output of a command, and the folder of its results.
 
 use super::console::print_note;
 use crate::error::Error;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 pub(super) struct ResultsArgs {
-    /// What to print; json and csv print nothing else, and write no files without -o
+    /// Output format; json and csv print nothing else, and write no files without -o
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// Folder for results and pictures [default: out/<file stem>]
@@ -31,13 +31,13 @@ pub(super) enum Format {
 }
 
 impl ResultsArgs {
-    /// Whether a folder was asked for.
+    /// Whether a folder was named.
     pub(super) fn names_folder(&self) -> bool {
         self.output.is_some()
     }
 
-    /// Where the files go, tried before the work begins; `None`: nothing is written. `own` are the names of the command's files,
-    /// which replace those of an earlier run; never one of `sources`.
+    /// The folder of the files, tried before the work begins; `None`: nothing is written. `own` are the names of the command's
+    /// files, which replace those of an earlier run; never one of `sources`.
     ///
     /// # Errors
     /// As [`OutputFolder::prepare`].
@@ -52,14 +52,14 @@ impl ResultsArgs {
         prepared.transpose()
     }
 
-    /// The folder that the files go to; `None`: nothing is written.
+    /// The path of the folder; `None`: nothing is written.
     pub(super) fn path(&self, stem: impl AsRef<Path>) -> Option<PathBuf> {
         let own = || Path::new("out").join(stem);
         let writes = self.format == Format::Text && !self.no_files;
         self.output.clone().or_else(|| writes.then(own))
     }
 
-    /// Writes `files`, beside those begun already, and, after a table, says where they are.
+    /// Writes `files`, in addition to those already begun. After a table it also prints where they are.
     ///
     /// # Errors
     /// As [`OutputFolder::write`].

@@ -1,4 +1,4 @@
-//! Gearbox models (REXS): what is understood of one, and the pair file of a stage.
+//! Gearbox models (REXS): the content of one, and the pair file of a stage.
 
 use super::console::{guard, print};
 use super::target::Target;
@@ -8,7 +8,7 @@ use gearlash_results::text::{Screen, rexs};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Of a gearbox model.
+/// Options for a gearbox model.
 #[derive(clap::Args)]
 pub(super) struct RexsArgs {
     /// The stage of a gearbox model, by its id, where several can be read
@@ -20,13 +20,13 @@ pub(super) struct RexsArgs {
 }
 
 impl RexsArgs {
-    /// Whether it says anything.
+    /// Whether an option is given.
     pub fn is_given(&self) -> bool {
         self.stage.is_some() || self.output.is_some()
     }
 }
 
-/// Shows what is understood of the model at `path`, and the pair file of a stage.
+/// Prints the content of the model at `path`, and the pair file of a stage.
 pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<ExitCode, Error> {
     let file = gearlash_files::rexs::read(path)?;
     guard(&file.sources)?;
@@ -56,7 +56,7 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
     Ok(ExitCode::SUCCESS)
 }
 
-/// The only stage that can be read, or what to do.
+/// The only readable stage, or the remedy.
 fn only(file: &RexsFile) -> Result<&RexsPair, String> {
     let mut pairs = file
         .stages
@@ -69,7 +69,7 @@ fn only(file: &RexsFile) -> Result<&RexsPair, String> {
     }
 }
 
-/// The stage of that id in the model called `name`.
+/// The stage with an id in the model called `name`.
 pub(super) fn stage<'a>(name: &str, file: &'a RexsFile, id: i32) -> Result<&'a RexsStage, Error> {
     file.stage(id).ok_or_else(|| {
         let ids = file.stages.iter().map(|stage| stage.id.to_string());

@@ -1,4 +1,4 @@
-//! `gearlash schema`: what an editor needs to complete and check pair and gear files.
+//! `gearlash schema`: the JSON Schema with which an editor completes and checks pair and gear files.
 
 use super::console::print;
 use crate::error::Error;

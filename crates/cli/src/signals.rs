@@ -1,8 +1,7 @@
-//! Ctrl-C, and being told to end.
+//! Ctrl-C and other signals that end the process.
 //!
-//! A thread of its own waits for the signal: it takes away what is unfinished and ends the process, whatever the others
-//! are busy with. Results that are just being put in their place come to their end first, a matter of
-//! milliseconds; a second signal does not wait for that either.
+//! A thread of its own waits for the signal. It removes unfinished files and ends the process, whatever the other threads do.
+//! Files that are just being renamed are finished first, which takes milliseconds. A second signal does not wait for that either.
 
 use super::console::tell;
 use super::progress;
@@ -10,28 +9,29 @@ use crate::error::Error;
 use crate::output;
 use std::sync::{Mutex, PoisonError};
 
-/// What an interrupted command leaves, and how to go on.
+/// The files left by an interrupted command, and how to go on.
 static HINT: Mutex<Option<String>> = Mutex::new(None);
 
-/// Writes a piece of a file that an interrupted command leaves: a signal waits for its end. `write` returns how to go on from there.
+/// Writes a piece of a file that an interrupted command leaves. A signal waits for its end. `write` returns how to go on from
+/// there.
 ///
 /// # Errors
-/// Those of `write`.
+/// The errors of `write`.
 pub(super) fn keep<E>(write: impl FnOnce() -> Result<Option<String>, E>) -> Result<(), E> {
     let mut hint = HINT.lock().unwrap_or_else(PoisonError::into_inner);
     *hint = write()?;
     Ok(())
 }
 
-/// From here on a signal ends the process tidily, with 128 + its number as shells count.
+/// Lets a signal end the process cleanly from now on, with the exit code 128 + its number as shells count.
 pub(super) fn handle() {
-    // Without a handler the system ends the process, untidily: no reason not to begin.
+    // Without a handler the system ends the process and leaves files. That is no reason not to start.
     let _ = install();
 }
 
 fn end(code: i32) -> ! {
     progress::clear();
-    // Held to the end: no other thread writes any more.
+    // Held to the end, so that no other thread writes.
     let hint = HINT.lock().unwrap_or_else(PoisonError::into_inner);
     let ended = output::abandon();
     tell(&match &*hint {
@@ -41,7 +41,7 @@ fn end(code: i32) -> ! {
         }
         None => format!("error: {}", Error::INTERRUPTED),
     });
-    // With the hold on what is unfinished: no other thread writes any more.
+    // `ended` is held here, so that no other thread writes.
     std::process::exit(code)
 }
 
@@ -54,15 +54,15 @@ fn install() -> std::io::Result<()> {
     use std::sync::atomic::AtomicBool;
 
     let mut heard = vec![SIGINT, SIGTERM];
-    // Ignored from the start, as under nohup, it stays so. (SIGINT does not: a script that starts a job beside itself has
-    // it ignored there, and may yet send one.)
+    // A SIGHUP that is ignored from the start, as under nohup, stays ignored. SIGINT does not: a script that starts a job in the
+    // background has it ignored there, and can still send one.
     if !ignored(SIGHUP) {
         heard.push(SIGHUP);
     }
     let mut signals = Signals::new(&heard)?;
     let second = Arc::new(AtomicBool::new(false));
     for &signal in &heard {
-        // In this order: the first signal finds the flag unset and sets it.
+        // The order matters: the first signal finds the flag unset and sets it.
         flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&second))?;
         flag::register(signal, Arc::clone(&second))?;
     }
@@ -77,7 +77,7 @@ fn install() -> std::io::Result<()> {
     Ok(())
 }
 
-/// Whether this process was started to ignore `signal`; no where the system does not say.
+/// Whether this process was started with `signal` ignored; false where the system does not tell.
 #[cfg(unix)]
 fn ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();

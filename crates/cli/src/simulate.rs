@@ -1,4 +1,4 @@
-//! `gearlash simulate`: the main job.
+//! `gearlash simulate`: the lost motion at every pose of a pair file.
 
 use super::console::{Printer, ScreenArgs, print};
 use super::distances::{self, Distances};
@@ -66,7 +66,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .unit
         .of_table(study, args.results.format == Format::Text)?;
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
-    // Before the simulation, not after it.
+    // Tried before the simulation, not after it.
     let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
     let (bytes, streamed) = match args.results.format {
         _ if folder.is_some() => (POSE_BYTES_JSON + POSE_BYTES_CSV, false),
@@ -76,10 +76,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     poses::announce(study.pose_count(), bytes);
 
-    let progress = match streamed && std::io::stdout().is_terminal() {
-        // The result appears there as it grows.
-        true => Progress::none(),
-        false => Progress::of(study.pose_count() + run_count(study)?, "steps"),
+    // A streamed result appears on the terminal itself.
+    let progress = if streamed && std::io::stdout().is_terminal() {
+        Progress::none()
+    } else {
+        Progress::of(study.pose_count() + run_count(study)?, "steps")
     };
     let tick = || progress.tick();
     let found = progress.searching(|| extremes(study, method, &tick))?;
@@ -112,7 +113,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         (Format::Json, Some(folder)) => print_file(folder, JSON)?,
         (Format::Csv, Some(folder)) => print_file(folder, CSV)?,
-        // Printed already.
+        // Already printed.
         (Format::Json | Format::Csv, None) => {}
     }
     if let Some(mut folder) = folder {
@@ -134,7 +135,7 @@ const JSON: &str = "result.json";
 const CSV: &str = "result.csv";
 const WORST: &str = "worst.svg";
 
-/// Where JSON and CSV go: both into the folder, or one to standard output where there is none.
+/// The targets of JSON and CSV: both in the folder, or one on standard output where there is none.
 fn outputs(
     format: Format,
     folder: Option<&mut OutputFolder>,
@@ -156,7 +157,7 @@ fn outputs(
     Ok([file(JSON)?, file(CSV)?])
 }
 
-/// A file of the folder, its errors naming it.
+/// A file of the folder; its errors name it.
 struct InFolder {
     file: NewFile,
     failed: Box<dyn Fn(std::io::Error) -> Error>,
@@ -179,7 +180,7 @@ fn unwritable(error: std::io::Error) -> Error {
     error.downcast().unwrap_or_else(Error::Printing)
 }
 
-/// Prints a file of the folder that nobody sees yet.
+/// Prints a file of the folder before it is renamed.
 fn print_file(folder: &mut OutputFolder, name: &str) -> Result<(), Error> {
     let mut file = folder.open(name)?;
     let mut printer = Printer::new();

@@ -105,7 +105,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(exit_code(all_proven(subject.unproven + unproven)))
 }
 
-/// That what is asked for can be drawn of this pair.
+/// Checks that the request can be drawn for this pair.
 fn check(args: &Args, study: &Study) -> Result<(), Error> {
     if args.section.is_some() && !study.is_helical() {
         return Err(Error::Usage(SPUR_SECTION.to_owned()));
@@ -118,7 +118,7 @@ fn check(args: &Args, study: &Study) -> Result<(), Error> {
     Ok(())
 }
 
-/// The picture, and how many poses of it beside the subject's are not proven.
+/// The picture, and the number of unproven poses in it beside the subject.
 fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize), Error> {
     let pose = &subject.pose;
     let assembly = &subject.assembly;
@@ -155,7 +155,7 @@ fn picture(args: &Args, title: &str, subject: &Found) -> Result<(String, usize),
 const SPUR_SECTION: &str =
     "--section is for helical gears: every section of these gears is the same; leave it out";
 
-/// The section of helical gears that is drawn.
+/// The section of helical gears to draw.
 fn section(
     args: &Args,
     assembly: &GearPair,
@@ -175,7 +175,7 @@ fn section(
     })
 }
 
-/// Each of `steps` in the section that the first is drawn in; none of spur gears.
+/// Each of `steps` in the section of the first; none for spur gears.
 fn sections(
     assembly: &GearPair,
     steps: &[PoseResult],
@@ -190,7 +190,7 @@ fn sections(
     Ok(sections.collect::<Result<_, _>>()?)
 }
 
-/// The pose that is asked for by its backlash, and the option that asks for it.
+/// The pose that is requested by its backlash, and the option for it.
 fn wanted(args: &Args) -> Option<(&'static str, Wanted)> {
     match args.worst {
         Some(None) => Some(("--worst", Wanted::Least)),
@@ -205,7 +205,7 @@ fn which() -> Error {
     )
 }
 
-/// The pose asked for, by its teeth or by its backlash, and the name of its file.
+/// The requested pose, by its teeth or by its backlash, and the name of its file.
 fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
     if let Some((option, wanted)) = wanted(args) {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
@@ -246,7 +246,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
     Ok((found, file))
 }
 
-/// The gears at the material and centre distance asked for.
+/// The gears at the requested material and centre distance.
 fn assembly(args: &Args, study: &Study) -> Result<(Material, AssembledPair), Error> {
     let wanted = match args.material {
         Some(end) => material(end, study)?,

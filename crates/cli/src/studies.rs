@@ -1,4 +1,4 @@
-//! Reading what a command works on.
+//! Reads the input of a command.
 
 use super::console::{guard, print, warn};
 use crate::error::Error;
@@ -11,14 +11,14 @@ use std::process::ExitCode;
 /// The pair file at `path`; its warnings are reported.
 ///
 /// # Errors
-/// As [`gearlash_files::read`]; [`Error::OverInput`] where what is printed would go into a file that was read.
+/// As [`gearlash_files::read`]; [`Error::OverInput`] where standard output or error is a file that was read.
 pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
     let file = gearlash_files::read(path)?;
     tell(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
-/// The pair file at `path`, be its gears given by data or by outlines; its warnings are reported.
+/// The pair file at `path`, with gears by data or by outlines; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -28,7 +28,7 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     Ok(file)
 }
 
-/// The pair of two drawings at a centre distance; what was found of them is reported.
+/// The pair of two drawings at a centre distance; warnings and notes are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -56,7 +56,7 @@ pub(super) fn name_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
 /// Prints the names of the files that the pair files at `paths` read, one a line.
 ///
 /// # Errors
-/// As [`pair`]; [`Error::Usage`] of a name that cannot be printed as it is.
+/// As [`pair`]; [`Error::Usage`] for a name that cannot be printed unchanged.
 pub(super) fn print_inputs(paths: &[PathBuf]) -> Result<ExitCode, Error> {
     let mut lines = String::new();
     for path in paths {
@@ -85,7 +85,7 @@ pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
     Ok(file)
 }
 
-/// The gears of the file at `path`, be they given by data or by outlines; its warnings are reported.
+/// The gears of the file at `path`, by data or by outlines; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -95,7 +95,7 @@ pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
     Ok(file)
 }
 
-/// The gear that a drawing is; what was found of it is reported.
+/// The gear of a drawing; warnings and notes are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -105,7 +105,7 @@ pub(super) fn drawing(path: &Path, options: &OutlineOptions) -> Result<AnyGears,
     Ok(file)
 }
 
-/// Reports what was found of the file at `path`, which came of `sources`.
+/// Reports warnings and notes on the file at `path`; `sources` are the files read.
 fn tell(
     path: &Path,
     sources: &Sources,

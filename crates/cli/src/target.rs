@@ -1,4 +1,4 @@
-//! Where one file goes: `-o FILE`, or `-` for standard output.
+//! The target of one file: `-o FILE`, or `-` for standard output.
 
 use super::console::{print, print_note};
 use crate::error::Error;
@@ -7,23 +7,23 @@ use gearlash_files::Sources;
 use gearlash_files::characters::plain;
 use std::path::{Path, PathBuf};
 
-/// A place for one file, tried before the work begins.
+/// The place of one file, tried before the work begins.
 pub(super) struct Target {
     path: PathBuf,
     /// `None`: standard output.
     place: Option<OutputFile>,
 }
 
-/// Endings of what gearlash reads: pair files, tables, protocols and gearbox models.
+/// Extensions of input files: pair files, tables, protocols and gearbox models.
 const READ: [&str; 12] = [
     "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew", "rexs", "rexsj", "rexsz",
 ];
 
 impl Target {
-    /// As [`Target::prepare`], for a page, a picture or Markdown: never in the place of a pair file or table, read or not.
+    /// As [`Target::prepare`], for a page, a picture or Markdown. It never overwrites a pair file or table, read or not.
     ///
     /// # Errors
-    /// [`Error::Usage`] for these places; else as [`Target::prepare`].
+    /// [`Error::Usage`] for such places; else as [`Target::prepare`].
     pub(super) fn prepare_beside(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
         let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
         if ending.is_some_and(|ending| READ.iter().any(|read| ending == *read)) {
@@ -35,7 +35,7 @@ impl Target {
         Target::prepare(path, sources)
     }
 
-    /// As [`Target::prepare_beside`], of a `path` that may be given.
+    /// As [`Target::prepare_beside`], for an optional `path`.
     ///
     /// # Errors
     /// As [`Target::prepare_beside`].
@@ -47,7 +47,7 @@ impl Target {
             .transpose()
     }
 
-    /// A place for the file `name` in `out/STEM`, the folder of results of an input with this `stem`.
+    /// The place of the file `name` in `out/STEM`, the folder of results of an input with this `stem`.
     ///
     /// # Errors
     /// As [`Target::prepare`].
@@ -59,10 +59,10 @@ impl Target {
         Target::prepare(Path::new("out").join(stem).join(name), sources)
     }
 
-    /// As [`Target::prepare`], never over an existing file. `command` names who refuses.
+    /// As [`Target::prepare`], but never over an existing file. `command` is named in the error.
     ///
     /// # Errors
-    /// [`Error::Usage`] where a file is there; else as [`Target::prepare`].
+    /// [`Error::Usage`] where the file exists; else as [`Target::prepare`].
     pub(super) fn prepare_new(
         path: &Path,
         sources: &Sources,
@@ -79,22 +79,23 @@ impl Target {
         Ok(target)
     }
 
-    /// Makes the folder of `path` where it is missing and tries to write in it; never in the place of one of `sources`.
+    /// Creates the folder of `path` where it is missing and tries to write in it. It never overwrites one of `sources`.
     ///
     /// # Errors
     /// As [`OutputFile::prepare`].
     pub(super) fn prepare(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
-        let place = match path == Path::new("-") {
-            true => None,
-            false => Some(OutputFile::prepare(&path, sources)?),
+        let place = if path == Path::new("-") {
+            None
+        } else {
+            Some(OutputFile::prepare(&path, sources)?)
         };
         Ok(Target { path, place })
     }
 
-    /// Writes `content` in one piece and prints where it is.
+    /// Writes `content` in one piece and prints its path.
     ///
     /// # Errors
-    /// [`Error::Output`]; what was there stays. [`Error::Printing`].
+    /// [`Error::Output`]; an older file is kept. [`Error::Printing`].
     pub(super) fn write(self, content: &str) -> Result<(), Error> {
         let shown = match self.place {
             Some(_) => format!("{}\n", plain(&self.path.display().to_string())),
@@ -104,7 +105,7 @@ impl Target {
         print_note(&shown)
     }
 
-    /// Writes `content` and prints no name, for a command whose standard output is its result.
+    /// Writes `content` without printing its path, for a command whose standard output is its result.
     ///
     /// # Errors
     /// As [`Target::write`].

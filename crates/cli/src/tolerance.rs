@@ -98,7 +98,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     )
 }
 
-/// The rows of `args.assemblies` from number `first` on, by default up to the last of the pair file.
+/// The rows of `args.assemblies` from number `first` on; by default up to the last of the pair file.
 fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<ExitCode, Error> {
     let all = u64::from(file.tolerance.assemblies);
     let rest = (all + 1).checked_sub(first).filter(|rest| *rest > 0);
@@ -115,7 +115,7 @@ fn range(args: &Args, file: &ToleranceFile, first: u64) -> Result<ExitCode, Erro
         )));
     }
     let run = ToleranceRun::new(file, &args.pair, Some(all.max(end - 1)), args.seed)?;
-    // Required by --first.
+    // --first requires --rows.
     let path = args.rows.as_deref().unwrap_or(Path::new("rows.csv"));
     let rows = RowsFile::begin(path, &run, first..end, false)?;
     draw(&run, first..end, Some(rows))?;

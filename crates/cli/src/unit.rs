@@ -1,4 +1,4 @@
-//! `--unit` and `--at`: what tables and charts show backlash in.
+//! `--unit` and `--at`: the unit of backlash in tables and charts.
 
 use super::gears::GearName;
 use crate::error::Error;
@@ -8,7 +8,7 @@ use gearlash::pair::BacklashUnit;
 
 #[derive(clap::Args)]
 pub(super) struct UnitArgs {
-    /// What backlash is shown in [default: um]
+    /// Unit of backlash [default: um]
     #[arg(long, value_enum)]
     unit: Option<Name>,
     /// The gear whose lost motion is shown, its mate locked, for --unit arcmin [default: the gear that turns]
@@ -25,7 +25,7 @@ enum Name {
 }
 
 impl UnitArgs {
-    /// Whether a unit or its gear was asked for.
+    /// Whether a unit or its gear is given.
     pub(super) fn given(&self) -> bool {
         self.unit.is_some() || self.at.is_some()
     }
@@ -47,10 +47,10 @@ impl UnitArgs {
         }
     }
 
-    /// The unit of a table of the gears of `study`.
+    /// The unit of a table for the gears of `study`.
     ///
     /// # Errors
-    /// As [`UnitArgs::unit`]; a unit of what is no text.
+    /// As [`UnitArgs::unit`]; a unit for an output other than text.
     pub(super) fn of_table(&self, study: &Study, is_text: bool) -> Result<BacklashUnit, Error> {
         let unit = self.unit(study)?;
         if self.given() && !is_text {

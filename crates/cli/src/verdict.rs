@@ -1,4 +1,4 @@
-//! What the verdict needs where a command keeps no poses: the extremes of the mesh cycle, and the checks that fail.
+//! Data for the verdict where a command keeps no poses: the extremes of the mesh cycle, and the failing checks.
 
 use super::progress::Progress;
 use crate::error::Error;
@@ -9,7 +9,7 @@ use gearlash::analysis::tally::{Piece, simulate_by_blocks};
 use gearlash::contact::Method;
 use std::ops::ControlFlow;
 
-/// The certified extremes of `study`, and the checks that fail at its poses, under a bar.
+/// The certified extremes of `study`, and the checks that fail at its poses, under a progress bar.
 pub(super) fn extremes_and_failed_checks(
     study: &Study,
 ) -> Result<(CycleExtremes, Vec<CheckName>), Error> {

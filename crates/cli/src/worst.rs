@@ -17,18 +17,18 @@ use gearlash::pair::Mating;
 use gearlash_files::distance_refused;
 use gearlash_results::verdict::lines;
 
-/// Which pose of the mesh cycle.
+/// A pose of the mesh cycle.
 #[derive(Clone, Copy)]
 pub(super) enum Wanted {
     /// Jammed, or with the least backlash.
     Least,
     /// With the greatest backlash.
     Greatest,
-    /// With the least backlash of those that a contact of this kind bounds.
+    /// With the least backlash among poses bounded by a contact of this kind.
     LeastOf(Binding),
 }
 
-/// Kinds of contact, by the part that touches.
+/// Kinds of contact, by the touching part.
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum Binding {
     /// The edge that undercut leaves
@@ -73,12 +73,12 @@ pub(super) struct Found {
     pub material: Material,
     pub assembly: AssembledPair,
     pub pose: PoseResult,
-    /// Poses that are not proven: this one, or those that it was looked for among.
+    /// The number of unproven poses: this one, or those that were searched.
     pub unproven: usize,
 }
 
-/// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given. Tells the verdict on standard
-/// error. Returns the pose that is `wanted` by the option `option`.
+/// Finds the extremes of `study`'s mesh cycle, limited to `distance` and `material` where they are given. Prints the verdict on
+/// standard error. Returns the pose that is `wanted` by `option`.
 pub(super) fn find(
     (option, wanted): (&str, Wanted),
     study: Study,
@@ -120,7 +120,7 @@ pub(super) fn find(
     })
 }
 
-/// The pose with the least backlash that a contact of this kind bounds: of the extremes and of the poses that `study` asks for.
+/// The pose with the least backlash that a contact of this kind bounds, among the extremes and the poses of `study`.
 fn least_of(
     binding: Binding,
     study: &Study,
@@ -167,14 +167,15 @@ fn narrowed(
         study.keep(material);
     }
     let Some(distance) = distance else {
-        return match study.center_distances.is_empty() {
-            true => Err(Error::Usage(format!(
+        return if study.center_distances.is_empty() {
+            Err(Error::Usage(format!(
                 "{option}: the pair file has no centre distance; give one with --center-distance"
-            ))),
-            false => Ok(study),
+            )))
+        } else {
+            Ok(study)
         };
     };
-    // Measured rows are run at their own distances.
+    // Measured rows run at their own distances.
     if study.sweep.is_none() && study.center_distances.contains(&distance) {
         study.center_distances = vec![distance];
         return Ok(study);

@@ -72,25 +72,28 @@ impl DataFile {
 
     /// `text` of the file for a message, in quotes.
     pub fn quote(&self, text: &str) -> String {
-        match self.outside {
-            true => NOT_SHOWN.to_owned(),
-            false => Node::Text(text.to_owned()).shown(),
+        if self.outside {
+            NOT_SHOWN.to_owned()
+        } else {
+            Node::Text(text.to_owned()).shown()
         }
     }
 
     /// `text` of the file for a message, as it stands.
     pub fn bare(&self, text: &str) -> String {
-        match self.outside {
-            true => NOT_SHOWN.to_owned(),
-            false => cut(text, LONGEST),
+        if self.outside {
+            NOT_SHOWN.to_owned()
+        } else {
+            cut(text, LONGEST)
         }
     }
 
     /// `words` about content of the file. Names from it in them are already cut to length.
     pub fn found(&self, words: String) -> String {
-        match self.outside {
-            true => NOT_SHOWN.to_owned(),
-            false => words,
+        if self.outside {
+            NOT_SHOWN.to_owned()
+        } else {
+            words
         }
     }
 
@@ -143,9 +146,10 @@ impl DataFile {
 
 /// Whether the real place of `path`, links followed, is not below `folder`. A file that does not exist is outside.
 fn is_outside(path: &Path, folder: &Path) -> bool {
-    let folder = match folder.as_os_str().is_empty() {
-        true => Path::new("."),
-        false => folder,
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
     };
     match (path.canonicalize(), folder.canonicalize()) {
         (Ok(path), Ok(folder)) => !path.starts_with(folder),

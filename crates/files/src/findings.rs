@@ -93,9 +93,10 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             "{}: the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
             key("thickness.per_tooth_um"),
             ascii(100.0 * shown, 0),
-            match spans_count {
-                true => "the spans take precedence",
-                false => "it is used as given",
+            if *spans_count {
+                "the spans take precedence"
+            } else {
+                "it is used as given"
             }
         ),
         Finding::PerToothMeanTooLarge { mean_um } => format!(
@@ -153,9 +154,10 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             key("pitch"),
             ascii(*left_um, 3),
             ascii(*left_percent, 0),
-            match alike {
-                true => " (both flanks vary alike, as from an index error of the machine)",
-                false => "",
+            if *alike {
+                " (both flanks vary alike, as from an index error of the machine)"
+            } else {
+                ""
             },
             ascii(*eccentricity_um, 3),
         ),

@@ -253,9 +253,10 @@ impl GearPart {
             .extend(before.iter().map(|finding| findings::describe(of, finding)));
         self.warnings.extend(header_warnings);
         for finding in after {
-            let list = match finding.is_in_order() {
-                true => &mut self.remarks,
-                false => &mut self.warnings,
+            let list = if finding.is_in_order() {
+                &mut self.remarks
+            } else {
+                &mut self.warnings
             };
             list.push(findings::describe(of, finding));
         }

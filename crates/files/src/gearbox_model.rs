@@ -17,8 +17,8 @@ pub fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let is_xml = text.trim_ascii_start().starts_with(b"<");
     let is_model = is_xml && text.windows(6).any(|six| six == b"<model");
-    match is_rexs(path) || is_model {
-        true => Err(Problem {
+    if is_rexs(path) || is_model {
+        Err(Problem {
             key: String::new(),
             value: None,
             reason: "is a gearbox model".to_owned(),
@@ -26,7 +26,8 @@ pub fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
                 "gearlash import {} --stage ID -o pair.toml writes the pair file of a stage",
                 path.display()
             ),
-        }),
-        false => Ok(bytes),
+        })
+    } else {
+        Ok(bytes)
     }
 }

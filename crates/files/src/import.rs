@@ -35,9 +35,10 @@ impl Content {
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         // No table begins like XML or JSON.
         let begins = matches!(text.trim_ascii_start().first(), Some(b'<' | b'{'));
-        match begins || rexs::is_rexs(path) || path == Path::new(crate::STANDARD_INPUT) {
-            true => Content::GearboxModel,
-            false => Content::Table,
+        if begins || rexs::is_rexs(path) || path == Path::new(crate::STANDARD_INPUT) {
+            Content::GearboxModel
+        } else {
+            Content::Table
         }
     }
 }

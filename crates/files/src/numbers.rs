@@ -41,9 +41,10 @@ pub fn signed_um(length_mm: f64, decimals: usize) -> String {
 /// `value` with `decimals` decimals and its sign, plus or minus, in ASCII; zero has none.
 pub fn signed(value: f64, decimals: usize) -> String {
     let text = ascii(value, decimals);
-    match text.contains(|digit: char| ('1'..='9').contains(&digit)) && !text.starts_with('-') {
-        true => format!("+{text}"),
-        false => text,
+    if text.contains(|digit: char| ('1'..='9').contains(&digit)) && !text.starts_with('-') {
+        format!("+{text}")
+    } else {
+        text
     }
 }
 

@@ -103,16 +103,17 @@ impl Profiles {
         if self.flanks == <[FlankProfileSpec; 2]>::default() {
             return None;
         }
-        Some(match right == left {
-            true => ProfileSpec {
+        Some(if right == left {
+            ProfileSpec {
                 both: right.clone(),
                 ..ProfileSpec::default()
-            },
-            false => ProfileSpec {
+            }
+        } else {
+            ProfileSpec {
                 right: Some(right.clone()),
                 left: Some(left.clone()),
                 ..ProfileSpec::default()
-            },
+            }
         })
     }
 }
@@ -129,9 +130,10 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
         ProfileKey::All => return "profile".to_owned(),
     };
     let own = format!("profile.{}.{name}", flank.name());
-    match gear.has(&own) {
-        true => own,
-        false => format!("profile.{name}"),
+    if gear.has(&own) {
+        own
+    } else {
+        format!("profile.{name}")
     }
 }
 

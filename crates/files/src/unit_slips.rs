@@ -35,9 +35,10 @@ fn greatest_numbers(path: &str, unit: &str, value: &Value, found: &mut Vec<(Stri
             for (name, value) in table {
                 let is_one = table.contains_key("scatter")
                     || ["right_um", "left_um", "min", "max"].contains(&name.as_str());
-                let path = match is_one {
-                    true => path.to_owned(),
-                    false => format!("{path}.{name}"),
+                let path = if is_one {
+                    path.to_owned()
+                } else {
+                    format!("{path}.{name}")
                 };
                 let own = name
                     .rsplit('_')

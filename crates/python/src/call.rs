@@ -12,16 +12,16 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-/// How often the interpreter is asked for signals: no delay that a person feels, no load.
+/// Interval at which the interpreter is asked for signals: imperceptible to people, and no load.
 const LISTEN: Duration = Duration::from_millis(50);
 
-/// More threads than a call may ask for: the largest machines have some hundred cores.
+/// One more than the most threads of a call: the largest machines have some hundred cores.
 const MORE_THREADS: usize = 1025;
 
-/// Told as each step of the work begins; a break ends it.
+/// Called when a step of the work begins; a break ends the work.
 pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
 
-/// What `plan` comes to, as [`work`].
+/// The analysis of `plan`, as [`work`].
 ///
 /// # Errors
 /// As [`work`].
@@ -39,21 +39,24 @@ pub fn analysed<'a>(
     })
 }
 
-/// Does `work` with the lock released, on `threads` threads of its own or, without a number, on those that all calls share.
+/// Does `work` with the lock released, on `threads` threads of its own; without a number, on those shared by all calls.
 ///
-/// Where a signal handler raises meanwhile, as Python's own does of Ctrl-C, the work is told to stop, and that exception is raised.
+/// If a signal handler raises meanwhile, as Python's own does for Ctrl-C, the work is stopped and that exception is raised.
 ///
 /// # Errors
-/// Those of the work, as `GearlashError`.
+/// The errors of the work, as `GearlashError`.
 pub fn work<T: Send>(
     py: Python<'_>,
     threads: Option<usize>,
     work: impl FnOnce(Tick) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let stop = AtomicBool::new(false);
-    let tick = || match stop.load(Ordering::Relaxed) {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
+    let tick = || {
+        if stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     };
     let pool = match threads {
         None => None,
@@ -76,7 +79,7 @@ pub fn work<T: Send>(
                     Some(pool) => pool.install(|| work(tick)),
                     None => work(tick),
                 };
-                // Nobody waits any more only where this thread panics.
+                // The receiver is gone only if this thread panics.
                 let _ = ended.send(());
                 done
             });

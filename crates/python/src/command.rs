@@ -4,12 +4,12 @@ use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-/// Runs the program with its command line `words`, its name first, and gives the exit code. Signals end the process from here on, as they
-/// end the binary.
+/// Runs the program with its command line `words`, its name first, and returns the exit code. Signals end the process from here
+/// on, as with the binary.
 #[pyfunction]
 pub fn run(py: Python<'_>, words: Vec<OsString>) -> u8 {
     let code = py.detach(|| gearlash_cli::run(words));
-    // The standard library compares exit codes, and tells no number of them.
+    // The standard library can compare exit codes but does not return their number.
     let mut numbers = 0..u8::MAX;
     numbers
         .find(|number| ExitCode::from(*number) == code)

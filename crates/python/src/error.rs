@@ -1,4 +1,4 @@
-//! What goes wrong, as Python's exceptions: `gearlash._errors` defines them, the text is the command's.
+//! Errors as Python exceptions. `gearlash._errors` defines them; the text is the command's.
 
 use gearlash_files::InputError;
 use pyo3::prelude::*;
@@ -20,7 +20,7 @@ pub fn error(py: Python<'_>, text: impl ToString) -> PyErr {
     }
 }
 
-/// `InputError` with its problems: key, value as written, what is wrong, what to do.
+/// `InputError` with its problems: key, value as written, reason, remedy.
 pub fn input(py: Python<'_>, error: &InputError) -> PyErr {
     let made = || {
         let problems = error.problems.iter().map(|problem| {

@@ -7,11 +7,11 @@ use gearlash::gauge::{Settings, gauge as measure};
 use gearlash_results::gauge::{GaugedGear, GearSource, json};
 use pyo3::prelude::*;
 
-/// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses a pitch: a tuple in Python.
+/// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses per pitch: a tuple in Python.
 #[derive(FromPyObject)]
 pub struct Sizes(Option<u32>, Option<f64>, Option<f64>, Option<u32>, u32);
 
-/// What the gauges read, as the JSON of `gearlash gauge`.
+/// The gauges' readings, as the JSON of `gearlash gauge`.
 #[pyfunction]
 pub fn gauge(
     py: Python<'_>,

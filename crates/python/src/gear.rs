@@ -7,7 +7,7 @@ use gearlash_files::{GearEntry, GearsFile, InputError};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// A gear as its data and measurements say it is.
+/// A gear by its data and measurements.
 #[pyclass(frozen, module = "gearlash._core")]
 pub struct Gear {
     pub title: String,
@@ -44,7 +44,7 @@ impl Gear {
         })
     }
 
-    /// The gear in a material: without a name that of the most, where there are two.
+    /// The gear in a material; without a name the one with the most, where there are two.
     pub fn as_built(&self, py: Python<'_>, name: Option<&str>) -> PyResult<(Material, &AsBuilt)> {
         let materials = self.entry.materials.iter();
         chosen(
@@ -59,7 +59,7 @@ impl Gear {
     }
 }
 
-/// The one of `materials` that is called `name`, or the first.
+/// The one of `materials` called `name`, or the first.
 pub fn chosen<T>(
     py: Python<'_>,
     materials: impl Iterator<Item = (Material, T)>,
@@ -80,14 +80,14 @@ pub fn chosen<T>(
 
 #[pymethods]
 impl Gear {
-    /// Of `text` with the keys of a gear file.
+    /// The gear of `text` with the keys of a gear file.
     #[staticmethod]
     fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Gear> {
         let read = py.detach(|| gearlash_files::read_gears_text(Path::new(name), text));
         Gear::of(py, read, None)
     }
 
-    /// Of the gear file or pair file at `path`; `name` is the gear's of a pair.
+    /// The gear of the gear file or pair file at `path`; `name` selects a gear of a pair.
     #[staticmethod]
     #[pyo3(signature = (path, name=None))]
     fn read(py: Python<'_>, path: PathBuf, name: Option<&str>) -> PyResult<Gear> {
@@ -120,7 +120,7 @@ impl Gear {
         self.any().gear().basic_data().pressure_angle().to_degrees()
     }
 
-    /// β at the reference circle, degrees; 0 of a spur gear.
+    /// β at the reference circle, degrees; 0 for a spur gear.
     #[getter]
     fn helix_angle_deg(&self) -> f64 {
         self.entry.spec.helix_angle_deg.unwrap_or(0.0)

@@ -1,9 +1,9 @@
-//! The extension module `gearlash._core`: what the Python package calls of gearlash, one function each.
+//! The extension module `gearlash._core`: one function per call of the Python package.
 //!
-//! Python's side (`python/gearlash/`) has the classes, their types and their documentation; here are the conversions. Gears and pairs are
-//! made of text with the keys of gear and pair files, so that every value is checked, and refused in the same words, as one of a file.
-//! Arrays go out as numpy arrays, one pose or one gear's readings as the JSON of the command's results. The interpreter's lock is released
-//! while the library works.
+//! Python's side (`python/gearlash/`) has the classes, their types and their documentation; here are the conversions. Gears and
+//! pairs are made from text with the keys of gear and pair files. Every value is thus checked, and rejected with the same words,
+//! as in a file. Arrays become numpy arrays; one pose, or one gear's readings, become the JSON of the command's results. The
+//! interpreter's lock is released while the library works.
 
 mod call;
 mod command;

@@ -1,4 +1,4 @@
-//! Two gears and how they are put together.
+//! Two gears and their assembly.
 
 use crate::error::{error, input};
 use crate::gear::chosen;
@@ -10,7 +10,7 @@ use gearlash_files::{AnyPair, InputError, distance_refused};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// A pair as a pair file states it.
+/// A pair as stated by a pair file.
 #[pyclass(frozen, module = "gearlash._core")]
 pub struct Pair {
     pub file: AnyPair,
@@ -26,8 +26,8 @@ impl Pair {
         &self.file.study
     }
 
-    /// The gears in the material called `material` (without a name: of the most, where there are two) at `distance` mm (without one: the
-    /// least of the pair).
+    /// The gears in the material called `material` (default: the most, where there are two) at `distance` mm (default: the least
+    /// of the pair).
     pub fn assembly(
         &self,
         py: Python<'_>,
@@ -49,7 +49,7 @@ impl Pair {
     }
 }
 
-/// The mating of these `teeth` in `assembly`: an error where there is no such tooth, or at a fraction of too many pitches.
+/// The mating of these `teeth` in `assembly`. A tooth that does not exist, or a fraction of too many pitches, is an error.
 pub fn mating(
     py: Python<'_>,
     assembly: &AssembledPair,
@@ -83,21 +83,21 @@ pub fn mating(
 
 #[pymethods]
 impl Pair {
-    /// Of `text` with the keys of a pair file.
+    /// The pair of `text` with the keys of a pair file.
     #[staticmethod]
     fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Pair> {
         let read = py.detach(|| gearlash_files::read_any_text(Path::new(name), text));
         Pair::of(py, read)
     }
 
-    /// Of the pair file at `path`.
+    /// The pair of the pair file at `path`.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Pair> {
         let read = py.detach(|| gearlash_files::read_any(&path));
         Pair::of(py, read)
     }
 
-    /// The same at other centre distances, mm.
+    /// The pair at other centre distances, mm.
     fn at(&self, py: Python<'_>, distances: Vec<f64>) -> PyResult<Pair> {
         if let Some(wrong) = distances.iter().find(|distance| !distance.is_finite()) {
             return Err(error(
@@ -148,7 +148,7 @@ impl Pair {
         self.study().center_distances.clone()
     }
 
-    /// Ends of the common face of helical gears, mm from the wheel's measuring plane; `None` of spur gears.
+    /// Ends of the common face of helical gears, mm from the wheel's measuring plane; `None` for spur gears.
     #[getter]
     fn face_mm(&self) -> Option<[f64; 2]> {
         self.study().is_helical().then_some(self.study().face)

@@ -24,7 +24,7 @@ fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
     }
 }
 
-/// The contact at one pose; of helical gears in the section where the pose's flank touches.
+/// The contact at one pose; for helical gears in the section where the pose's flank touches.
 #[pyfunction]
 pub fn snapshot(
     py: Python<'_>,
@@ -44,7 +44,7 @@ pub fn snapshot(
     drawn.map_err(|reason| error(py, reason))
 }
 
-/// Refuses a chart of `pair` that a drawn gear has not.
+/// Rejects a chart of `pair` that does not exist for drawn gears.
 fn needs_data(py: Python<'_>, pair: &Pair) -> PyResult<()> {
     if pair.study().is_drawn() {
         let reason =
@@ -80,16 +80,17 @@ pub fn over_teeth(
     let course = course.with_cycle(&analysis.extremes.each);
     let cycle = in_short(&analysis.verdict());
     let heading = heading(&study.title, &cycle);
-    let drawn = match difference {
-        true => chart::difference(&heading, &course, study.tolerance_um),
-        false => chart::revolution(&heading, &course),
+    let drawn = if difference {
+        chart::difference(&heading, &course, study.tolerance_um)
+    } else {
+        chart::revolution(&heading, &course)
     };
     drawn
         .map(|chart| chart.svg)
         .map_err(|reason| error(py, reason))
 }
 
-/// One mating's backlash over the centre distance: without teeth that of what binds.
+/// One mating's backlash over the centre distance; without teeth, of the binding mating.
 #[pyfunction]
 pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> PyResult<String> {
     needs_data(py, pair)?;
@@ -97,7 +98,7 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
     let searched = match teeth {
         Some(_) => None,
         None => {
-            // They only choose, and bound the curve: what is drawn as a curve is certified.
+            // These poses only select and bound the curve; the drawn curve itself is certified.
             let method = Method::Exact { certify: false };
             let plan = Plan::new(study, method).with_revolution().with_extremes();
             Some(analysed(py, None, &plan)?)

@@ -1,4 +1,4 @@
-//! Populations and matchings: rows of any range, the statistics of rows, and which gears go together.
+//! Populations and matchings: rows of any range, the statistics of rows, and the assignment of gears.
 
 use crate::call::work;
 use crate::error::{error, input};
@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
 
-/// The farthest that a wanted backlash may lie from 0, µm, as that of the command.
+/// The greatest distance of a target backlash from 0, µm, as for the command.
 const MOST_TARGET_UM: f64 = 1e5;
 
 fn read(py: Python<'_>, path: &Path) -> PyResult<ToleranceFile> {
@@ -44,13 +44,14 @@ fn warnings(file: &ToleranceFile) -> Vec<String> {
     [&file.pair.warnings[..], &file.warnings].concat()
 }
 
-/// Number of assemblies that the pair file at `path` states.
+/// Number of assemblies in the pair file at `path`.
 #[pyfunction]
 pub fn tolerance_assemblies(py: Python<'_>, path: PathBuf) -> PyResult<u64> {
     Ok(read(py, &path)?.tolerance.assemblies.into())
 }
 
-/// The text of a file with the rows of `count` assemblies from `first` on, and the warnings of the files. Without a count: up to the last of the pair file.
+/// The text of a file with the rows of `count` assemblies from `first` on, and the warnings of the files. Default count: up to
+/// the last of the pair file.
 #[pyfunction]
 #[pyo3(signature = (path, first, count, seed, threads=None))]
 pub fn tolerance_rows(
@@ -85,7 +86,7 @@ pub fn tolerance_rows(
     Ok((text, warnings(&file)))
 }
 
-/// Seed, first assembly and columns of the text of a file of rows. A length is NaN where there is none.
+/// Seed, first assembly and columns of the text of a file of rows. A missing length is NaN.
 #[pyfunction]
 pub fn rows_columns<'py>(py: Python<'py>, text: &str) -> PyResult<(u64, u64, Bound<'py, PyDict>)> {
     let (head, rows) =
@@ -115,7 +116,8 @@ pub fn rows_columns<'py>(py: Python<'py>, text: &str) -> PyResult<(u64, u64, Bou
     Ok((head.seed, head.first, columns))
 }
 
-/// The result of a run as the JSON of `gearlash tolerance`, and the warnings of the files: of the given texts of rows, or of rows that it draws itself.
+/// The result of a run as the JSON of `gearlash tolerance`, and the warnings of the files. It uses the given texts of rows, or
+/// draws rows itself.
 #[pyfunction]
 #[pyo3(signature = (path, assemblies, seed, rows=None, threads=None))]
 pub fn tolerance_result(
@@ -165,8 +167,8 @@ pub fn tolerance_result(
     Ok((json, warnings(&file)))
 }
 
-/// A wheel with a pinion: pinion tooth of the best phase, outcome, least and greatest backlash, mm, whether both are proven, whether it meets the
-/// requirement, and how many phases do.
+/// A wheel with a pinion: pinion tooth of the best phase, outcome, least and greatest backlash, mm, whether both are proven,
+/// whether it meets the requirement, and the number of phases that do.
 type Cell = (u32, u8, Option<f64>, Option<f64>, bool, bool, u32);
 
 fn cell(found: &PairFit) -> Cell {
@@ -204,7 +206,7 @@ fn pair_fit(cell: &Cell, file: &MatchFile) -> Option<PairFit> {
     })
 }
 
-/// A pair file, the folders of wheels and pinions, and the wanted backlash, µm: a tuple in Python.
+/// A pair file, the folders of wheels and pinions, and the target backlash, µm: a tuple in Python.
 #[derive(FromPyObject)]
 pub struct MatchInput(PathBuf, PathBuf, PathBuf, Option<f64>);
 
@@ -229,7 +231,8 @@ impl MatchInput {
     }
 }
 
-/// Block `k` (from 0) of `n` of the wheels, each with every pinion: the hash of the input, the cells, and the warnings of the files.
+/// Block `k` (from 0) of `n` of the wheels, each with every pinion: the hash of the input, the cells, and the warnings of the
+/// files.
 #[pyfunction]
 #[pyo3(signature = (files, block, threads=None))]
 pub fn match_cells(
@@ -251,7 +254,7 @@ pub fn match_cells(
     Ok((file.input_sha256(), found, warnings))
 }
 
-/// Which gears go together, from the cells of all blocks in their order, as the JSON of `gearlash match`.
+/// The assignment of the gears, from the cells of all blocks in their order, as the JSON of `gearlash match`.
 #[pyfunction]
 pub fn match_result(
     py: Python<'_>,

@@ -59,7 +59,7 @@ impl How {
     }
 }
 
-/// The poses of these arrays, all of one length, as arrays.
+/// The poses of these arrays of equal length, as arrays.
 #[pyfunction]
 pub fn lost_motions<'py>(
     py: Python<'py>,
@@ -94,9 +94,10 @@ pub fn revolution<'py>(
     let assembly = how.assembly(py, pair)?;
     let first = mating(py, &assembly, start, false, 0.0)?;
     let first = (first.wheel_tooth, first.pinion_tooth);
-    let plan = match hunting {
-        true => SweepPlan::hunting_cycle(&assembly, steps_per_pitch, first),
-        false => SweepPlan::wheel_revolution(&assembly, steps_per_pitch, first),
+    let plan = if hunting {
+        SweepPlan::hunting_cycle(&assembly, steps_per_pitch, first)
+    } else {
+        SweepPlan::wheel_revolution(&assembly, steps_per_pitch, first)
     };
     if !(1..=MOST_POSES).contains(&plan.poses()) {
         let poses = plan.poses();
@@ -116,10 +117,10 @@ pub fn revolution<'py>(
     found(py, assembly, matings, &how)
 }
 
-/// Poses of one call that makes its own: 90 bytes each while it works.
+/// Most poses that one call generates: 90 bytes each while it works.
 const MOST_POSES: u64 = 100_000_000;
 
-/// Poses whose array entries a thread makes at once (tuned: some 0.1 ms).
+/// Poses whose array entries a thread makes in one step (tuned: some 0.1 ms).
 const TOGETHER: usize = 256;
 
 /// The columns of the poses `matings` as arrays by name, and the centre distance.

@@ -1,4 +1,4 @@
-//! Pictures and pages. Nothing here computes anything about gears: it takes results and draws them.
+//! Pictures and pages. This package computes nothing about gears: it draws results.
 //!
 //! ```
 //! use gearlash::analysis::study::Material;

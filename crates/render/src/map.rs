@@ -1,4 +1,4 @@
-//! Maps over centre distance and mesh phase: of what touches, and of the backlash of drawn gears.
+//! Maps over centre distance and mesh phase: of the contacts, and of the backlash of drawn gears.
 
 mod grid;
 mod outlines;
@@ -11,7 +11,7 @@ use grid::Grid;
 pub(crate) use outlines::backlash_map_in_page;
 pub use outlines::backlash_map_picture;
 
-/// What a cell is coloured by; distinguished by lightness first.
+/// The quantity of a cell's colour; distinguished by lightness first.
 #[derive(Clone, Copy, PartialEq)]
 enum Shade {
     Involute,
@@ -24,7 +24,7 @@ enum Shade {
 }
 
 impl Shade {
-    /// All, in order.
+    /// All shades, in order.
     const ALL: [Shade; 7] = [
         Shade::Involute,
         Shade::Overlap,
@@ -41,9 +41,10 @@ impl Shade {
             PoseClass::Jammed => Shade::Jam,
             PoseClass::Unproven => Shade::Unproven,
             PoseClass::Contact(ContactKind::Involute) => {
-                match cell.backlash.is_some_and(|j| j < 0.0) {
-                    true => Shade::Overlap,
-                    false => Shade::Involute,
+                if cell.backlash.is_some_and(|j| j < 0.0) {
+                    Shade::Overlap
+                } else {
+                    Shade::Involute
                 }
             }
             PoseClass::Contact(ContactKind::TipInvolute | ContactKind::TipTip) => Shade::Corner,
@@ -76,7 +77,7 @@ impl Shade {
     }
 }
 
-/// `map` as SVG; `title` and what pair it is of (`caption`) stand above.
+/// `map` as SVG, with `title` and `caption` (the pair) above.
 pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
     let phase = format!("pitches on from {}", pose_name(&map.start));
     let grid = Grid {

@@ -1,7 +1,7 @@
-//! A map of which wheel goes with which pinion.
+//! A map of wheels and pinions.
 //!
-//! A pair's shade is the distance of its backlash from the target, in the assembly phase that suits it best: how far its least or
-//! its greatest strays over the mesh cycle. A cross stands where no phase keeps what is required.
+//! A pair's shade is the deviation of its backlash from the target, in the best assembly phase: the larger of both extremes over
+//! the mesh cycle. A cross marks pairs that meet the requirement in no phase.
 
 use crate::kit::{
     Frame, INK, Spot, TextStyle, blank_sheet, disc, line, number, scale, shaded, turned,
@@ -15,17 +15,17 @@ use svg::node::element::Group;
 const WIDTH: f64 = 900.0;
 const FIELD: Frame = Frame::new([110.0, 84.0], [650.0, 624.0]);
 const HEIGHT: f64 = 740.0;
-/// Gears of a kind up to which each is named.
+/// Most gears of a kind that are named individually.
 const MOST_NAMED: usize = 45;
-/// Room of a name that stands upright below the field.
+/// Room for upright names below the field.
 const UPRIGHT: f64 = 100.0;
 
 const SMALL: TextStyle = TextStyle::new(12.0);
 
-/// Shades from near the target to far from it, distinguished by lightness.
+/// Shades for increasing distance from the target, distinguished by lightness.
 const SHADES: [&str; 5] = ["#08457e", "#2f7ab8", "#6fa9d3", "#abcde6", "#dce9f4"];
 
-/// Wheels downwards, pinions to the right; a dot where the two go together.
+/// Wheels downwards, pinions to the right; a dot marks a matched pair.
 pub fn match_map(result: &MatchResult) -> String {
     let size = result.names.each_ref().map(Vec::len);
     let step = step(result);
@@ -47,13 +47,13 @@ pub fn match_map(result: &MatchResult) -> String {
         .to_string()
 }
 
-/// How far the pairs' backlash strays from the target, µm, where they have any.
+/// The deviation of a pair's backlash from the target, µm, where it has a backlash.
 fn off_um(result: &MatchResult, wheel: usize, pinion: usize) -> Option<f64> {
     let fit = result.matrix.pair_fit(wheel, pinion)?.best;
     fit.off.is_finite().then_some(1e3 * fit.off)
 }
 
-/// Width of a shade, µm: a round one, with which the last shade begins within the range of the pairs that keep what is required.
+/// Width of a shade, µm: a round number. The last shade begins within the range of the pairs that meet the requirement.
 fn step(result: &MatchResult) -> f64 {
     let [wheels, pinions] = result.names.each_ref().map(Vec::len);
     let pairs = (0..wheels).flat_map(|wheel| (0..pinions).map(move |pinion| (wheel, pinion)));
@@ -88,7 +88,7 @@ fn cell([wheel, pinion]: [usize; 2], [wheels, pinions]: [usize; 2]) -> Frame {
     }
 }
 
-/// The shades of the pairs, and crosses over those that miss what is required.
+/// The shades of the pairs, and crosses over those that miss the requirement.
 fn cells(result: &MatchResult, size: [usize; 2], step: f64) -> Group {
     let [wheels, pinions] = size;
     let shades = (0..wheels).map(|wheel| {
@@ -135,7 +135,7 @@ fn dots(result: &MatchResult, size: [usize; 2]) -> Group {
     group
 }
 
-/// The names of the gears, where there are few enough; else how many there are.
+/// The names of the gears where there are few enough, else their number.
 fn names(result: &MatchResult, size: [usize; 2]) -> Group {
     let mut group = Group::new();
     let [wheels, pinions] = size;
@@ -193,9 +193,10 @@ fn legend(result: &MatchResult, step: f64) -> Group {
         y += 24.0;
         let frame = Frame::new([left, y - 12.0], [left + 16.0, y + 4.0]);
         let from = step * number as f64;
-        let name = match number + 1 == SHADES.len() {
-            true => format!("{} µm or more", um(from)),
-            false => format!("{} … {} µm", um(from), um(from + step)),
+        let name = if number + 1 == SHADES.len() {
+            format!("{} µm or more", um(from))
+        } else {
+            format!("{} … {} µm", um(from), um(from + step))
         };
         group.append(frame.rectangle().set("fill", *colour).set("stroke", INK));
         group.append(SMALL.text(&name, [left + 24.0, y]));

@@ -1,12 +1,12 @@
-//! How a pose is called: alike in pictures, charts and pages.
+//! Names of poses, equal in pictures, charts and pages.
 
 use gearlash::pair::Mating;
 use gearlash_files::numbers::trimmed;
 
-/// Decimals of a pitch: enough to give a pose to `snapshot` again.
+/// Decimals of a pitch: enough to reproduce a pose with `snapshot`.
 const DECIMALS: usize = 6;
 
-/// Teeth, flank and the part of a pitch that the gears are turned beyond it.
+/// Teeth, flank and the fraction of a pitch beyond it.
 pub(crate) fn pose_name(mating: &Mating) -> String {
     format!(
         "wheel {} with pinion {} at the {} flank{}",
@@ -17,7 +17,7 @@ pub(crate) fn pose_name(mating: &Mating) -> String {
     )
 }
 
-/// The part of a pitch; nothing where there is none.
+/// The fraction of a pitch; empty for 0.
 fn beyond(fraction: f64) -> String {
     let amount = trimmed(fraction.abs(), 0, DECIMALS);
     match amount.as_str() {

@@ -10,7 +10,7 @@ pub struct Pictures {
     pub histogram: Option<Chart>,
     /// The share outside the requirement over the number of assemblies.
     pub convergence: Chart,
-    /// Contributions to what the requirement limits first; `None` where none were found.
+    /// Contributions to the extreme that the requirement limits first; `None` where none were computed.
     pub contributions: Option<Chart>,
 }
 
@@ -20,7 +20,7 @@ pub struct Pictures {
 /// None for a run of at least one assembly.
 pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
     let about = &result.about;
-    // What contributes is a picture of its own.
+    // The contributions are a picture of their own.
     let first = shares(result);
     let heading = |prefix| Heading {
         prefix,

@@ -6,18 +6,18 @@ use gearlash::analysis::diagnosis::{Check, Group};
 use gearlash::pair::Member;
 use std::sync::LazyLock;
 
-/// A check, and where it was made.
+/// A check at one centre distance and material.
 #[derive(Debug)]
 pub struct CheckRow {
     center_distance: f64,
     material: &'static str,
-    /// Whether the pair has other centre distances or materials, so that people must see which one this is.
+    /// Whether the pair has several centre distances or materials, so that tables for people must show this one.
     is_of_several: bool,
     check: Check,
 }
 
 impl CheckRow {
-    /// The row of a `check` of `group`, of a pair that has several groups or this one alone.
+    /// The row of a `check` of `group`; `is_of_several` says whether the pair has several groups.
     pub fn new(group: &Group, check: &Check, is_of_several: bool) -> CheckRow {
         CheckRow {
             center_distance: group.assembly.center_distance(),
@@ -27,7 +27,7 @@ impl CheckRow {
         }
     }
 
-    /// `value`, which people see where there are several groups.
+    /// `value`, shown to people where there are several groups.
     fn of_several(&self, value: impl Into<Value>) -> Value {
         Value::optional(self.is_of_several.then_some(value))
     }
@@ -38,7 +38,7 @@ impl CheckRow {
         Value::Json(serde_json::Value::Object(details.collect()))
     }
 
-    /// The value on the outlines as people see it.
+    /// The value on the outlines, as shown to people.
     fn outlines_seen(&self) -> Value {
         match (&self.check.unproven, self.check.outlines) {
             (Some(_), None) => "unproven".into(),
@@ -78,7 +78,7 @@ impl Row for CheckRow {
     }
 }
 
-/// The unit of a check as people see it.
+/// The unit of a check, as shown to people.
 pub fn unit(unit: &'static str) -> &'static str {
     match unit {
         "1" => "",

@@ -1,4 +1,4 @@
-//! The checks of a pair as a judged file, and the map of what touches as CSV.
+//! The checks of a pair as a judged file, and the contact map as CSV.
 
 use crate::check::{CheckRow, unit};
 use crate::column::Row;
@@ -19,7 +19,7 @@ use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::fixed;
 use serde_json::json;
 
-/// The outcome of `check` for the pair of `file`, called `name`; `is_proven` says whether all its poses are. Its text is for `screen`.
+/// The outcome of `check` for the pair of `file`, called `name`; `is_proven`: all its poses are proven. Its text is for `screen`.
 pub fn checked(
     name: &str,
     file: &AnyPair,
@@ -35,21 +35,24 @@ pub fn checked(
     let mut cases = vec![
         Case {
             name: VERDICT.to_owned(),
-            verdict: match verdict.passes() {
-                true => diagnosis::Verdict::Pass,
-                false => verdict.state().max(diagnosis::Verdict::Unproven),
+            verdict: if verdict.passes() {
+                diagnosis::Verdict::Pass
+            } else {
+                verdict.state().max(diagnosis::Verdict::Unproven)
             },
             message: lines.to_string(),
         },
         Case {
             name: "poses".to_owned(),
-            verdict: match is_proven {
-                true => diagnosis::Verdict::Pass,
-                false => diagnosis::Verdict::Unproven,
+            verdict: if is_proven {
+                diagnosis::Verdict::Pass
+            } else {
+                diagnosis::Verdict::Unproven
             },
-            message: match is_proven {
-                true => "all poses are proven".to_owned(),
-                false => "some poses are not proven, or methods disagree".to_owned(),
+            message: if is_proven {
+                "all poses are proven".to_owned()
+            } else {
+                "some poses are not proven, or methods disagree".to_owned()
             },
         },
     ];
@@ -110,9 +113,10 @@ fn case(check: &Check) -> Case {
         (Some(_), None) => "unproven".to_owned(),
         (_, outlines) => value(outlines),
     };
-    let note = match check.note.is_empty() {
-        true => String::new(),
-        false => format!("; {}", check.note),
+    let note = if check.note.is_empty() {
+        String::new()
+    } else {
+        format!("; {}", check.note)
     };
     let numbers = format!(
         "formula {}, outlines {outlines}, limit {} {}",
@@ -130,10 +134,10 @@ fn case(check: &Check) -> Case {
     }
 }
 
-/// `map` of a drawn pair as CSV, a row a cell: its pose.
+/// `map` of a drawn pair as CSV, one row per cell with its pose.
 ///
 /// # Errors
-/// None: it is written to memory.
+/// None: the text is in memory.
 pub fn backlash_map_csv(map: &BacklashMap) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
@@ -163,10 +167,10 @@ pub fn backlash_map_csv(map: &BacklashMap) -> Result<String, csv::Error> {
     csv_text(writer)
 }
 
-/// `map` as CSV, a row a pose.
+/// `map` as CSV, one row per pose.
 ///
 /// # Errors
-/// None: it is written to memory.
+/// None: the text is in memory.
 pub fn map_csv(map: &ContactMap) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["center_distance_mm", "fraction", "class", "j_wt_um"])?;

@@ -6,11 +6,11 @@
 //!   element of a list.
 //! - *csv*: the column's name in CSV. Without another name it is the key with `_` for the dots.
 //! - *value*: a function of the row.
-//! - *heading*: what a table for people writes above it. Without a heading people do not see the column.
-//! - *array*, *page*: the column's name among the arrays for numpy, and in the data of a page.
+//! - - *heading*: the heading in a table for people. A column without a heading is not in it.
+//! - - *array*, *page*: the column's name among the arrays for numpy, and in the data of a page.
 //!
-//! JSON has the order of the list. [`Column::rank`] moves a column in CSV: a program may count on the position of a
-//! CSV column, so a new column gets a rank that places it last.
+//! JSON has the order of the list. [`Column::rank`] moves a column in CSV: a program can depend on the position of a CSV column,
+//! so a new column gets a rank that places it last.
 
 use crate::layout::{self, Screen, Table, Tone};
 use crate::unit;
@@ -28,7 +28,7 @@ pub trait Row: Sized + 'static {
 /// The value of a column in one row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// The key is left out. In a list, in CSV and for people it is no value.
+    /// The key is left out. In a list, in CSV and for people it means no value.
     Absent,
     /// No value.
     Null,
@@ -49,7 +49,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// `value`; its key is left out where there is none.
+    /// `value`; without one the key is left out.
     pub fn optional(value: Option<impl Into<Value>>) -> Value {
         value.map_or(Value::Absent, Into::into)
     }
@@ -107,14 +107,14 @@ impl Serialize for Value {
     }
 }
 
-/// How people see a number.
+/// The format of a number for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// A word, or a number as it is.
     Plain,
-    /// A centre distance, mm, as it was stated.
+    /// A centre distance, mm, as stated.
     Distance,
-    /// A backlash in µm, or in the unit that was asked for, which the heading names.
+    /// A backlash in µm, or in the requested unit; the heading names the unit.
     Backlash,
     /// A backlash beside another one: the heading does not name the unit again.
     Beside,
@@ -124,7 +124,7 @@ pub enum Unit {
     Measure,
     /// A length in µm with two decimals.
     Hundredths,
-    /// A status or a verdict, coloured by how grave it is.
+    /// A status or a verdict, coloured by its severity.
     Grave,
     /// An angle, rad; degrees in a page.
     Angle,
@@ -142,7 +142,7 @@ pub struct Column<R> {
     rank: u8,
     unit: Unit,
     heading: Option<layout::Column>,
-    /// Without entries.
+    /// Its values are empty.
     array: Option<Array>,
     page: Option<String>,
     value: Get<R>,
@@ -181,13 +181,13 @@ impl<R: 'static> Column<R> {
         self
     }
 
-    /// Columns of a lower rank stand before those of a higher one in CSV; 1 unless stated.
+    /// In CSV, columns of a lower rank come first; the default is 1.
     pub fn rank(mut self, rank: u8) -> Column<R> {
         self.rank = rank;
         self
     }
 
-    /// The heading that people read above the column.
+    /// The heading for people.
     pub fn heading(mut self, heading: layout::Column) -> Column<R> {
         self.heading = Some(heading);
         self
@@ -205,18 +205,18 @@ impl<R: 'static> Column<R> {
         self
     }
 
-    /// A column that only a page has.
+    /// A column for pages only.
     pub fn only_page(self, name: &str) -> Column<R> {
         self.no_json().no_csv().page(name)
     }
 
-    /// A column that only people see.
+    /// A column for people only.
     pub fn people(self, heading: layout::Column) -> Column<R> {
         self.no_json().no_csv().heading(heading)
     }
 }
 
-/// Columns of a row type, a line each: key, unit, what [`Column`] it is besides, and value.
+/// Columns of a row type, one per line: key, unit, further properties of [`Column`], and value.
 macro_rules! columns {
     ($row:ident: $type:ty { $($key:literal $unit:ident $([$($with:ident $(($($to:expr),*))?),*])? => $value:expr;)* }) => {
         vec![$($crate::column::Column::<$type>::new(
@@ -232,11 +232,11 @@ pub(crate) use columns;
 pub struct Columns<R> {
     columns: Vec<Column<R>>,
     json: Vec<Node>,
-    /// The indices of the columns in CSV, in order.
+    /// The indices of the columns in CSV order.
     csv: Vec<usize>,
 }
 
-/// A key of JSON and what stands under it.
+/// A key of JSON and its content.
 #[derive(Debug)]
 struct Node {
     key: String,
@@ -266,7 +266,7 @@ impl<R: Row> Columns<R> {
         Columns { columns, json, csv }
     }
 
-    /// The columns, as those of another row type that holds such a row under `prefix`.
+    /// The columns for another row type that contains such a row under `prefix`.
     pub fn within<O: 'static>(
         &'static self,
         prefix: &str,
@@ -326,7 +326,7 @@ impl<R: Row> Columns<R> {
             .collect()
     }
 
-    /// The arrays for numpy of `rows`.
+    /// The numpy arrays of `rows`.
     pub fn arrays(&self, rows: &[R]) -> Vec<Array> {
         let columns = self.columns.iter().filter_map(|column| {
             let mut array = column.array.clone()?;
@@ -336,7 +336,7 @@ impl<R: Row> Columns<R> {
         columns.collect()
     }
 
-    /// The columns of `rows` that a page has: their names, units and values.
+    /// The columns of `rows` for a page: names, units and values.
     pub fn page(&self, rows: &[R]) -> Vec<(&str, Unit, Vec<Value>)> {
         let columns = self.columns.iter().filter_map(|column| {
             let values = rows.iter().map(|row| (column.value)(row));
@@ -348,7 +348,7 @@ impl<R: Row> Columns<R> {
     /// `rows` as CSV.
     ///
     /// # Errors
-    /// None: it is written to memory.
+    /// None: the text is in memory.
     pub fn csv(&self, rows: &[R]) -> csv::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(self.csv_names())?;
@@ -363,7 +363,7 @@ impl<R: Row> Columns<R> {
         csv_text(writer)
     }
 
-    /// The columns that people see of `rows`, backlash in `unit`; a column without any value is left out. `distance` is the centre
+    /// The columns of `rows` for people, backlash in `unit`. A column without any value is left out. `distance` is the centre
     /// distance of a row, mm.
     pub fn shown(
         &self,
@@ -376,7 +376,7 @@ impl<R: Row> Columns<R> {
             let values: Vec<Value> = rows.iter().map(|row| (column.value)(row)).collect();
             let is_empty = values.iter().all(|value| match value {
                 Value::Absent => true,
-                // No row has a model.
+                // No row has a value of the model.
                 Value::Null => column.unit == Unit::Beside,
                 _ => false,
             });
@@ -445,7 +445,7 @@ impl<R: Row> Columns<R> {
     }
 }
 
-/// The values of one column, an entry a row.
+/// The values of one column, one entry per row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Array {
     /// The name of the column.
@@ -461,14 +461,14 @@ pub enum Values {
     Counts(Vec<u32>),
     /// Numbers; NaN for no value.
     Numbers(Vec<f64>),
-    /// Words as their place in the list.
+    /// Words by their index in the list.
     Words(Vec<u8>, &'static [&'static str]),
 }
 
 impl Values {
-    /// No counts yet.
+    /// An empty list of counts.
     pub(crate) const COUNTS: Values = Values::Counts(Vec::new());
-    /// No numbers yet.
+    /// An empty list of numbers.
     pub(crate) const NUMBERS: Values = Values::Numbers(Vec::new());
 }
 
@@ -502,18 +502,18 @@ impl Array {
     }
 }
 
-/// A column as people see it, with true minus signs.
+/// A column for people, with true minus signs.
 #[derive(Debug, Clone)]
 pub struct Shown {
     /// Its heading.
     pub heading: layout::Column,
-    /// How its values are shown.
+    /// The format of its values.
     pub unit: Unit,
-    /// A cell a row.
+    /// One cell per row.
     pub cells: Vec<String>,
 }
 
-/// `value` as people read it, at centre distance `a`, mm.
+/// `value` for people, at centre distance `a`, mm.
 fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String {
     match (value, kind) {
         (Value::Absent, _) => String::new(),
@@ -536,7 +536,7 @@ fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String {
     }
 }
 
-/// Adds the column `number` under the path `key`.
+/// Adds the column with index `number` under the path `key`.
 fn add(nodes: &mut Vec<Node>, key: &str, number: usize) {
     let Some((name, rest)) = key.split_once('.') else {
         nodes.push(Node {

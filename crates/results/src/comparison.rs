@@ -28,9 +28,9 @@ pub struct ComparedPair<'a> {
     pub name: String,
     /// The file as read.
     pub file: &'a PairFile,
-    /// Tolerance in force, µm.
+    /// Tolerance, µm.
     pub tolerance_um: f64,
-    /// Whether all poses are proven and both methods, where two are asked for, agree.
+    /// Whether all poses are proven, and both methods agree where both are requested.
     pub is_proven: bool,
     /// Every run.
     pub runs: Vec<RunTally>,
@@ -40,7 +40,7 @@ pub struct ComparedPair<'a> {
     pub failed_checks: Vec<CheckName>,
 }
 
-/// How simulation and formulas compare.
+/// The result of comparing simulation and formulas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Agreement {
     /// Every run passes.
@@ -49,7 +49,7 @@ enum Agreement {
     Disagrees,
     /// No run disagrees, but some poses are not proven.
     Unproven,
-    /// No run disagrees, but in some there is nothing to compare.
+    /// No run disagrees, but some have nothing to compare.
     Nothing,
 }
 
@@ -64,18 +64,19 @@ impl ComparedPair<'_> {
         if failing.peek().is_none() {
             return Agreement::Agrees;
         }
-        // A run that is jammed or out of mesh throughout disagrees with nothing.
+        // A run that is jammed or out of mesh throughout does not disagree.
         let disagrees = |run: &RunTally| run.compared > 0 && run.disagrees(self.allows_off_line());
         if failing.clone().any(disagrees) {
             return Agreement::Disagrees;
         }
-        match failing.any(|run| run.unproven > 0) {
-            true => Agreement::Unproven,
-            false => Agreement::Nothing,
+        if failing.any(|run| run.unproven > 0) {
+            Agreement::Unproven
+        } else {
+            Agreement::Nothing
         }
     }
 
-    /// Whether simulation and formulas agree, in a line.
+    /// Whether simulation and formulas agree, in one line.
     fn first_line(&self) -> String {
         let within = format!("{} µm + error bound", self.tolerance_um);
         match self.agreement() {
@@ -90,7 +91,7 @@ impl ComparedPair<'_> {
         }
     }
 
-    /// The outcome, its text for `screen`.
+    /// The outcome; its text is for `screen`.
     pub fn judged(&self, screen: &Screen) -> Judged {
         let study = &self.file.study;
         let verdict = CycleVerdict::of_study(study, &self.extremes, self.failed_checks.clone());
@@ -116,9 +117,10 @@ impl ComparedPair<'_> {
                 Case {
                     name: "formulas".to_owned(),
                     verdict: failed(agrees, is_unproven),
-                    message: match failures.is_empty() {
-                        true => self.first_line(),
-                        false => format!("{}\n{}", self.first_line(), failures.join("\n")),
+                    message: if failures.is_empty() {
+                        self.first_line()
+                    } else {
+                        format!("{}\n{}", self.first_line(), failures.join("\n"))
                     },
                 },
                 Case {
@@ -200,7 +202,7 @@ impl ComparedPair<'_> {
             [Verdict::Above, Verdict::Below, Verdict::OffLine].map(|verdict| run.count(verdict));
         let (less, alone) = (run.compared_off_line, run.simulated_alone());
         let mut failing = vec![(above, "above the formula"), (below, "below the formula")];
-        // Where nothing is compared, the line above says why.
+        // Where nothing is compared, the line above states the reason.
         if !self.allows_off_line() && run.compared > 0 {
             failing.extend([
                 (less, "off-line contact"),
@@ -211,7 +213,7 @@ impl ComparedPair<'_> {
         let failing = failing.into_iter().filter(|(count, _)| *count > 0);
         parts
             .extend(failing.map(|(count, what)| format!("{count} of {} poses: {what}", run.poses)));
-        // A largest difference that agrees is not what failed.
+        // A largest difference that agrees is not the failure.
         let worst = run.worst();
         let worst = worst.filter(|(pose, _)| pose.verdict != Verdict::Agrees);
         let worst = worst.map_or(String::new(), |(pose, difference)| {
@@ -226,7 +228,7 @@ impl ComparedPair<'_> {
         Some(parts.join(", ") + &worst)
     }
 
-    /// A table with a row a run.
+    /// A table with one row per run.
     fn markdown(&self) -> String {
         let mut text = escape_markdown(&self.first_line());
         if self.allows_off_line() {
@@ -244,7 +246,7 @@ impl ComparedPair<'_> {
     }
 }
 
-/// A run beside the formulas.
+/// A run compared with the formulas.
 pub(crate) struct ComparedRow {
     run: RunTally,
     passed: bool,
@@ -260,7 +262,7 @@ impl ComparedRow {
         }
     }
 
-    /// Where the least and the greatest backlash stand.
+    /// The places of the least and the greatest backlash.
     fn ends(&self) -> [String; 2] {
         let (least, greatest) = self.run.extremes().unzip();
         let at = |length, pose: Option<&ComparedPose>| match pose {
@@ -272,7 +274,7 @@ impl ComparedRow {
 
     fn off_line_of_action(&self) -> String {
         match self.summary.off_line_of_action {
-            // Rounding alone: its size, rather than 0.000.
+            // Rounding only: show its magnitude, not 0.000.
             Some(length) if length < 1e-6 => power(length * 1e3, 1),
             length => um_ascii(length, 3),
         }
@@ -292,7 +294,7 @@ impl ComparedRow {
         Some(self.worst()?.0.simulated.pose.mating())
     }
 
-    /// The first poses that are not proven.
+    /// The first unproven poses.
     fn unproven_poses(&self) -> Option<Vec<serde_json::Value>> {
         let poses = self.run.first_unproven.iter().map(unproven_pose);
         Some(poses.collect()).filter(|poses: &Vec<_>| !poses.is_empty())
@@ -343,7 +345,7 @@ fn run_name(run: &RunTally) -> String {
     )
 }
 
-/// Why poses have no backlash, or no formula to compare with.
+/// The reason why poses have no backlash, or no formula to compare with.
 fn without_value(run: &RunTally) -> String {
     let parts = [
         (run.jammed, "jammed"),
@@ -353,7 +355,7 @@ fn without_value(run: &RunTally) -> String {
     at_poses(run, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
-/// How many poses have negative backlash or none at all, in words; `None` where none.
+/// The number of poses with negative or no backlash, in words; `None` for zero.
 fn trouble(run: &RunTally) -> Option<String> {
     let parts = [
         (run.interfering, "interference"),
@@ -392,7 +394,7 @@ impl ComparedPair<'_> {
     }
 }
 
-/// A pose that is not proven, or whose end of the bearing clearance is not; then it has no `unproven`.
+/// An unproven pose. Where only an end of its bearing clearance is unproven, it has no `unproven`.
 fn unproven_pose(pose: &ComparedPose) -> serde_json::Value {
     let mut value = json!({ "mating": PoseRow::mating_json(pose.simulated.pose.mating()) });
     if let Err(unproven) = &pose.simulated.found {

@@ -1,4 +1,4 @@
-//! How far two drawings of one gear differ: in words, as JSON and as CSV.
+//! The difference of two drawings of one gear: in words, as JSON and as CSV.
 
 use gearlash::outline::Deviation;
 use gearlash_files::characters::{csv_text, json_of};
@@ -7,7 +7,7 @@ use gearlash_files::outlines::ComparedOutlines;
 use serde::Serialize;
 use serde_json::json;
 
-/// How far B lies from A.
+/// The deviations of B from A.
 pub fn difference_sentence(compared: &ComparedOutlines) -> String {
     let found = &compared.difference;
     let signed = |mm: f64| signed_um(mm, 2).replace('-', "−");
@@ -20,7 +20,7 @@ pub fn difference_sentence(compared: &ComparedOutlines) -> String {
     )
 }
 
-/// How B was turned to lie on A.
+/// The rotation of B that fits A best.
 pub fn turn_words(compared: &ComparedOutlines) -> String {
     let found = &compared.difference;
     let alike = match found.alike {
@@ -46,10 +46,10 @@ struct Row {
     deviation_um: f64,
 }
 
-/// How far B lies from A at each place along A, in A's drawing, as CSV.
+/// The deviation of B at each place along A, in A's drawing, as CSV.
 ///
 /// # Errors
-/// Of the csv crate.
+/// An error of the csv crate.
 pub fn difference_csv(compared: &ComparedOutlines) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for at in &compared.difference.along {
@@ -70,7 +70,7 @@ pub fn difference_csv(compared: &ComparedOutlines) -> Result<String, csv::Error>
 /// The outcome as JSON.
 ///
 /// # Errors
-/// Of serde_json.
+/// An error of serde_json.
 pub fn comparison_json(
     compared: &ComparedOutlines,
     tolerance_um: Option<f64>,

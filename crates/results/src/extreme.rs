@@ -1,4 +1,4 @@
-//! An extreme of the mesh cycle: its bracket, its pose and what is proven of it.
+//! An extreme of the mesh cycle: its bracket, its pose and its proof.
 
 use crate::column::{Columns, Row, Value, columns};
 use crate::pose::PoseRow;
@@ -14,20 +14,20 @@ use std::sync::LazyLock;
 /// The least or the greatest backlash of a cycle.
 #[derive(Debug)]
 pub struct ExtremeRow {
-    /// The bracket of `j_wt`, mm; an end of which nothing is known is infinite.
+    /// The bracket of `j_wt`, mm; an unknown end is infinite.
     bracket: [f64; 2],
     found: f64,
     proven: bool,
     uncertainty: Option<f64>,
     doubt: Option<String>,
     assembly: AssembledPair,
-    /// The worst high tooth of each gear whose runout has no direction.
+    /// The worst high tooth of each gear with an undirected runout.
     high_teeth: Option<[Option<f64>; 2]>,
     pose: PoseRow,
 }
 
 impl ExtremeRow {
-    /// The row of `extreme`, which is of `run` and of `verdict`.
+    /// The row of `extreme`, which belongs to `run` and `verdict`.
     pub fn new(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRow {
         let assembly = &extreme.assembly;
         let open = run.assembly.data().filter(|_| run.any_direction());
@@ -49,7 +49,7 @@ impl ExtremeRow {
         }
     }
 
-    /// The lost motion at one end of the bracket; null where nothing is known of it.
+    /// The lost motion at one end of the bracket; null where the end is unknown.
     fn lost_motion(&self, end: usize) -> Value {
         let free = self.assembly.free();
         let angle = |j_wt| self.assembly.angle(free, j_wt);
@@ -94,7 +94,7 @@ impl Row for ExtremeRow {
     }
 }
 
-/// The extremes of `verdict` as JSON, an object for each centre distance, material and assembly phase.
+/// The extremes of `verdict` as JSON, one object per centre distance, material and assembly phase.
 pub(crate) fn extremes(verdict: &Verdict) -> Vec<serde_json::Value> {
     let runs = verdict.runs.iter();
     runs.map(|run| of_run(verdict, run)).collect()

@@ -1,4 +1,4 @@
-//! Drawn gears in words, and the involute that a drawing looks like, as a record.
+//! Drawn gears in words, and the fitted involute of a drawing as a record.
 
 use gearlash::outline::{FittedInvolute, OutlineGear, StandardGear};
 use gearlash_files::AnyPair;
@@ -6,7 +6,7 @@ use gearlash_files::numbers::{fixed, trimmed, um, within};
 use gearlash_files::spec::EitherGearSpec;
 use serde_json::{Value, json};
 
-/// The drawn gears of a pair that look like an involute, by name.
+/// The drawn gears of a pair that resemble an involute, by name.
 fn fitted(file: &AnyPair) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
     let Some((_, wheel, pinion)) = file.study.drawn.first() else {
         return Vec::new();
@@ -24,14 +24,14 @@ fn fitted(file: &AnyPair) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
     fitted.collect()
 }
 
-/// A sentence for each drawn gear that looks like an involute.
+/// A sentence for each drawn gear that resembles an involute.
 pub fn looks_like(file: &AnyPair) -> Vec<String> {
     let each = fitted(file).into_iter();
     each.map(|(name, gear, found)| sentence(name, gear.teeth(), &found))
         .collect()
 }
 
-/// Notes on a pair with a drawn gear, a line each; empty of other pairs.
+/// Notes on a pair with a drawn gear, one per line; empty for other pairs.
 pub fn drawn_notes(file: &AnyPair) -> String {
     if !file.study.is_drawn() {
         return String::new();
@@ -51,7 +51,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
         )
     });
     let cosine = 2.0 / f64::from(teeth);
-    // Rounding is not said.
+    // Rounding errors are not printed.
     let base_module = match (cosine * found.base_radius, cosine * found.base_radius_error) {
         (value, off) if off >= 5e-6 => within(value, off),
         (value, _) => fixed(value, 5),
@@ -69,7 +69,7 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
     )
 }
 
-/// The involutes that drawn gears look like as JSON, an object for each.
+/// The fitted involutes of drawn gears as JSON, one object each.
 pub(super) fn records(file: &AnyPair) -> Vec<Value> {
     let standard = |standard: &StandardGear| {
         json!({

@@ -1,4 +1,4 @@
-//! JSON written piece by piece: byte for byte what `serde_json::to_string_pretty` makes of the whole.
+//! JSON written piece by piece: byte for byte the output of `serde_json::to_string_pretty` for the whole.
 
 use gearlash_files::characters;
 use serde::Serialize;
@@ -6,11 +6,11 @@ use serde_json::Serializer;
 use serde_json::ser::{Formatter, PrettyFormatter};
 use std::io::{Error, Result, Write};
 
-/// JSON as it grows. Whatever is opened is closed by the caller.
+/// JSON as it grows. The caller closes every object and list that it opens.
 pub(super) struct Json<W: Write> {
     out: W,
     format: PrettyFormatter<'static>,
-    /// Of every object and list that is open: whether it is still empty.
+    /// For every open object and list: whether it is still empty.
     empty: Vec<bool>,
 }
 
@@ -28,7 +28,7 @@ impl<W: Write> Json<W> {
         self.format.begin_object(&mut self.out)
     }
 
-    /// Ends an object that is the value of a key or an element, as all but the outermost are.
+    /// Ends an object that is the value of a key or an element; only the outermost is neither.
     pub fn close_object(&mut self) -> Result<()> {
         self.empty.pop();
         self.format.end_object(&mut self.out)?;
@@ -40,7 +40,7 @@ impl<W: Write> Json<W> {
         self.format.begin_array(&mut self.out)
     }
 
-    /// Ends a list, the value of a key.
+    /// Ends a list that is the value of a key.
     pub fn close_list(&mut self) -> Result<()> {
         self.empty.pop();
         self.format.end_array(&mut self.out)?;
@@ -62,7 +62,7 @@ impl<W: Write> Json<W> {
         self.format.begin_array_value(&mut self.out, first)
     }
 
-    /// `key` and its value, which is there already.
+    /// Writes `key` and its complete value.
     pub fn entry(&mut self, key: &str, value: &impl Serialize) -> Result<()> {
         self.key(key)?;
         let text = self.layout().text(value)?;
@@ -70,19 +70,19 @@ impl<W: Write> Json<W> {
         self.format.end_object_value(&mut self.out)
     }
 
-    /// An element that [`Json::layout`] has made the text of.
+    /// Writes an element whose text [`Json::layout`] produced.
     pub fn text_element(&mut self, text: &str) -> Result<()> {
         self.element()?;
         self.out.write_all(text.as_bytes())?;
         self.format.end_array_value(&mut self.out)
     }
 
-    /// How elements are laid out that come next, for threads that make their texts.
+    /// The layout of the next elements, for threads that produce their texts.
     pub fn layout(&self) -> Layout {
         Layout(self.format.clone())
     }
 
-    /// Ends the text and gives the writer back.
+    /// Ends the text and returns the writer.
     pub fn finish(mut self) -> Result<W> {
         self.out.write_all(b"\n")?;
         Ok(self.out)
@@ -95,12 +95,12 @@ impl<W: Write> Json<W> {
     }
 }
 
-/// How far values are indented.
+/// The indentation of values.
 #[derive(Clone)]
 pub(super) struct Layout(PrettyFormatter<'static>);
 
 impl Layout {
-    /// `value` as JSON. A character that acts stands inside of strings only, so no piece leaves half of one.
+    /// `value` as JSON. A character that acts occurs only inside strings, so no piece ends within one.
     pub fn text(&self, value: &impl Serialize) -> Result<String> {
         let mut bytes = Vec::new();
         let format = self.0.clone();

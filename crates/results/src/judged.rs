@@ -1,7 +1,7 @@
 //! The outcome of `check` and `compare` over files, as text, JSON, JUnit XML, GitHub annotations and Markdown.
 //!
-//! Both commands judge a file by named cases. Failures come first in text and Markdown. Names of cases hold no numbers, so that a
-//! CI system recognises them from run to run.
+//! Both commands judge a file by named cases. Failures come first in text and Markdown. Names of cases contain no numbers, so
+//! that a CI system recognises them in every run.
 
 use crate::junit::{self, Suite, TestCase};
 use crate::layout::{Screen, Tone};
@@ -19,39 +19,39 @@ pub struct Judged {
     pub file: String,
     /// Its title.
     pub title: String,
-    /// Whether all is well.
+    /// Whether every case passes.
     pub passes: bool,
     /// The verdict on the pair.
     pub verdict: VerdictLines,
-    /// Each thing that was judged.
+    /// The judged cases.
     pub cases: Vec<Case>,
     /// Ambiguities in the file.
     pub warnings: Vec<String>,
     /// Notes on it.
     pub remarks: Vec<String>,
-    /// The outcome as text for a terminal, of a file alone.
+    /// The outcome as text for a terminal, if it is the only file.
     pub text: String,
-    /// A table for Markdown; empty where there is none.
+    /// A table for Markdown; may be empty.
     pub markdown: String,
     /// The outcome as a JSON object.
     pub json: Value,
 }
 
 impl Judged {
-    /// The cases but the verdict, whose lines are shown by themselves.
+    /// The cases without the verdict, whose lines are shown separately.
     fn beside_the_verdict(&self) -> impl Iterator<Item = &Case> {
         self.cases.iter().filter(|case| case.name != VERDICT)
     }
 }
 
-/// One thing that was judged of a file.
+/// One judged property of a file.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Its name, without numbers.
     pub name: String,
     /// The outcome.
     pub verdict: Verdict,
-    /// Its numbers in words; several lines where they are the verdict's.
+    /// Its numbers in words; several lines for the verdict.
     pub message: String,
 }
 
@@ -61,12 +61,12 @@ impl Case {
     }
 }
 
-/// A file with an outcome, or what is wrong with it.
+/// A file with an outcome, or its problems.
 #[derive(Debug)]
 pub enum JudgedFile {
     /// The file was judged.
     Judged(Box<Judged>),
-    /// The file cannot be read, or its pair not be judged.
+    /// The file cannot be read, or its pair cannot be judged.
     Unreadable {
         /// The file as named on the command line.
         file: String,
@@ -97,7 +97,7 @@ pub struct Outcome {
     pub files: Vec<JudgedFile>,
 }
 
-/// Files named in the last line, at most.
+/// Most files named in the last line.
 const NAMED: usize = 5;
 
 impl Outcome {
@@ -119,7 +119,7 @@ impl Outcome {
         failing.chain(self.files.iter().filter(|file| file.passes()))
     }
 
-    /// How many files pass, or how many do not and which.
+    /// The number of files that pass; or of those that do not, with their names.
     pub fn summary(&self) -> String {
         let bad: Vec<&str> = self
             .files
@@ -148,7 +148,8 @@ impl Outcome {
         format!("{counts}, of {all}: {}{more}", named.join(", "))
     }
 
-    /// Text on `screen`. A file alone is shown in full; of several those that fail come first, and those that pass take a line each.
+    /// Text on `screen`. A single file is shown in full. Among several files, failing ones come first, and passing ones take a line
+    /// each.
     pub fn text(&self, screen: &Screen) -> String {
         if let [JudgedFile::Judged(only)] = &self.files[..] {
             return only.text.clone();
@@ -199,10 +200,10 @@ impl Outcome {
         screen.fold(&text)
     }
 
-    /// One JSON object, of one file as of several, with a line end.
+    /// One JSON object for one or several files, with a line end.
     ///
     /// # Errors
-    /// None for an outcome; a number that JSON cannot hold otherwise.
+    /// None for an outcome; otherwise a number that JSON cannot hold.
     pub fn json(&self) -> serde_json::Result<String> {
         let files = self.files.iter().map(|file| match file {
             JudgedFile::Judged(judged) => judged.json.clone(),
@@ -217,7 +218,7 @@ impl Outcome {
         }))
     }
 
-    /// GitHub workflow commands: errors and warnings, nothing for what passes.
+    /// GitHub workflow commands: errors and warnings; nothing for passing cases.
     pub fn github(&self) -> String {
         let mut text = String::new();
         let mut line = |kind: &str, file: &str, title: &str, words: &str| {
@@ -254,7 +255,7 @@ impl Outcome {
         text
     }
 
-    /// Markdown: a heading, and for each file its verdict, a table, and what does not pass.
+    /// Markdown: a heading, and for each file its verdict, a table, and the cases that do not pass.
     pub fn markdown(&self) -> String {
         let mut text = format!(
             "## gearlash {}: {} {}\n",
@@ -302,10 +303,10 @@ impl Outcome {
         text
     }
 
-    /// JUnit XML: a suite a file, a case each of what was judged.
+    /// JUnit XML: one suite per file, one case per judged property.
     ///
     /// # Errors
-    /// None: it is written to memory.
+    /// None: the text is in memory.
     pub fn junit(&self) -> io::Result<String> {
         let suite = |file: &JudgedFile| match file {
             JudgedFile::Unreadable { file, problems } => Suite {
@@ -333,7 +334,7 @@ impl Outcome {
     }
 }
 
-/// The name of the case that is the verdict.
+/// The name of the verdict's case.
 pub const VERDICT: &str = "verdict";
 
 fn test_case(case: &Case) -> TestCase {
@@ -344,7 +345,7 @@ fn test_case(case: &Case) -> TestCase {
     }
 }
 
-/// Escapes as GitHub's workflow commands ask for.
+/// Escapes text as GitHub's workflow commands require.
 fn escape(text: &str) -> String {
     let lines: Vec<String> = text
         .lines()
@@ -363,7 +364,7 @@ pub(crate) fn mark(passes: bool) -> &'static str {
     if passes { "✅" } else { "❌" }
 }
 
-/// Text that Markdown takes as nothing but text, on one line.
+/// Text escaped for Markdown, on one line.
 pub(crate) fn escape_markdown(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in plain(text).trim().chars() {
@@ -378,9 +379,9 @@ pub(crate) fn escape_markdown(text: &str) -> String {
             c => escaped.push(c),
         }
     }
-    // These two alone make a link of text.
+    // Only these two turn text into a link.
     escaped = escaped.replace("://", "\\://").replace("www.", "www\\.");
-    // At the beginning of a line these make a list or a heading.
+    // At the beginning of a line these start a list or a heading.
     let digits = escaped.bytes().take_while(u8::is_ascii_digit).count();
     let mark = match escaped.as_bytes().get(digits) {
         Some(b'.' | b')') => digits > 0,

@@ -1,4 +1,4 @@
-//! JUnit XML: a suite a file, a case each of what was judged.
+//! JUnit XML: one suite per file, one case per judged property.
 
 use gearlash_files::characters::plain;
 use quick_xml::Writer;
@@ -9,16 +9,16 @@ use std::io;
 pub(crate) struct Suite {
     pub file: String,
     pub cases: Vec<TestCase>,
-    /// The suite's output: what was noticed of the file.
+    /// The suite's output: warnings and notes on the file.
     pub output: Vec<String>,
 }
 
-/// One thing that was judged.
+/// One judged property.
 pub(crate) struct TestCase {
     pub name: String,
-    /// Why it fails.
+    /// The reason why it fails.
     pub failure: Option<String>,
-    /// Why it cannot be judged.
+    /// The reason why it cannot be judged.
     pub error: Option<String>,
 }
 
@@ -27,7 +27,7 @@ type Xml = Writer<Vec<u8>>;
 /// The report of the command `name`.
 ///
 /// # Errors
-/// None: it is written to memory.
+/// None: the text is in memory.
 pub(crate) fn junit(name: &str, suites: &[Suite]) -> io::Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
@@ -51,7 +51,7 @@ pub(crate) fn junit(name: &str, suites: &[Suite]) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n")
 }
 
-/// What stands in a suite.
+/// A part of a suite.
 enum Part<'a> {
     Case(&'a TestCase),
     Output(String),
@@ -75,7 +75,7 @@ fn write_case(xml: &mut Xml, suite: &Suite, case: &TestCase) -> io::Result<()> {
     })
 }
 
-/// A tag with its name and how many of `cases` there are, fail and cannot be judged; none is skipped.
+/// A tag with its name and the numbers of `cases`, of failures and of errors. No case is skipped.
 fn counted<'a>(tag: &'a str, name: &str, cases: &[&TestCase]) -> BytesStart<'a> {
     let count = |of: fn(&TestCase) -> bool| cases.iter().filter(|case| of(case)).count();
     let mut tag = BytesStart::new(tag);
@@ -91,7 +91,7 @@ fn counted<'a>(tag: &'a str, name: &str, cases: &[&TestCase]) -> BytesStart<'a> 
     tag
 }
 
-/// Writes `tag` with `each` of `list` in it, or closed where there is none.
+/// Writes `tag` around `each` of `list`, or an empty tag.
 fn within<T>(
     xml: &mut Xml,
     tag: BytesStart,

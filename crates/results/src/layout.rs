@@ -1,6 +1,6 @@
-//! What all text for a terminal shares: tables and lines that fit it, verdicts in colour, and a pose in a word.
+//! Common parts of all text for a terminal: tables and lines that fit it, verdicts in colour, and names of poses.
 //!
-//! Where the width is not known, as in a pipe, tables are whole and lines as they come.
+//! Where the width is unknown, as in a pipe, tables are complete and lines are not broken.
 
 use anstyle::{AnsiColor, Style};
 use gearlash::analysis::compare::ComparedPose;
@@ -9,16 +9,16 @@ use std::borrow::Cow;
 use textwrap::Options;
 use textwrap::core::display_width;
 
-/// What text is shown on.
+/// The output that text is shown on.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Screen {
-    /// Columns to keep to; `None`: as many as it takes.
+    /// Width in columns; `None`: unlimited.
     pub width: Option<usize>,
     /// Whether verdicts are in colour.
     pub colour: bool,
 }
 
-/// How grave a verdict is, which is its colour.
+/// Severity of a verdict, which is its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
     /// Green.
@@ -30,7 +30,7 @@ pub enum Tone {
 }
 
 impl Tone {
-    /// The tone of a status or a verdict; a status that says nothing of the pair has none.
+    /// The tone of a status or a verdict; `None` for a status that is no judgement of the pair.
     pub fn of(word: &str) -> Option<Tone> {
         match word {
             "interference" | "jammed" | "fail" => Some(Tone::Bad),
@@ -42,7 +42,7 @@ impl Tone {
 }
 
 impl Screen {
-    /// `word` in the colour of its `tone`, where there are colours.
+    /// `word` in the colour of its `tone`, on a screen with colours.
     pub fn toned(&self, tone: Tone, word: &str) -> String {
         if !self.colour {
             return word.to_owned();
@@ -56,13 +56,13 @@ impl Screen {
         format!("{style}{word}{style:#}")
     }
 
-    /// Each line of `text` as a paragraph: broken at the width, or where it is easy to read.
+    /// Each line of `text` as a paragraph, broken at the screen's width or a readable one.
     pub fn paragraphs(&self, text: &str) -> String {
         let width = self.width.unwrap_or(MEASURE).min(MEASURE);
         textwrap::fill(text, width) + "\n"
     }
 
-    /// `text` with each line that is too long broken between words, its continuation set in.
+    /// `text` with each line that is too long broken between words, its continuation indented.
     pub fn fold(&self, text: &str) -> String {
         let Some(width) = self.width else {
             return text.to_owned();
@@ -82,16 +82,16 @@ impl Screen {
     }
 }
 
-/// What becomes of a column where there is no room for all.
+/// The treatment of a column where the table is too wide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fit {
     /// It stays.
     Kept,
-    /// It is left out, those of the highest rank first.
+    /// It is left out; the highest rank goes first.
     Spare(u8),
     /// Its cells are broken between words.
     Broken,
-    /// Its cells stand below their row.
+    /// Its cells move below their row.
     Below,
 }
 
@@ -104,7 +104,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// Of numbers or short words, aligned on the right.
+    /// A column of numbers or short words, aligned on the right.
     pub fn new(heading: impl Into<String>) -> Column {
         Column {
             heading: heading.into(),
@@ -123,7 +123,7 @@ impl Column {
         self.left
     }
 
-    /// Whether its cells stand below their row.
+    /// Whether its cells can move below their row.
     pub fn is_below(&self) -> bool {
         self.fit == Fit::Below
     }
@@ -141,32 +141,32 @@ impl Column {
         Column { left: true, ..self }
     }
 
-    /// Left out where there is no room, those of the highest `rank` first.
+    /// Left out where the table is too wide; the highest `rank` goes first.
     pub fn spare(self, rank: u8) -> Column {
         let fit = Fit::Spare(rank);
         Column { fit, ..self }
     }
 
-    /// Broken between words where there is no room.
+    /// Broken between words where the table is too wide.
     pub fn broken(self) -> Column {
         let fit = Fit::Broken;
         Column { fit, ..self }
     }
 
-    /// Below its row where there is no room beside it.
+    /// Moved below its row where the table is too wide.
     pub fn below(self) -> Column {
         let fit = Fit::Below;
         Column { fit, ..self }
     }
 }
 
-/// Columns of a paragraph where there is room (as the help has).
+/// Widest paragraph in columns (as in the help).
 const MEASURE: usize = 100;
-/// A blank on either side of each column.
+/// Blanks between columns.
 const GAP: usize = 2;
-/// Columns that are broken between words are at least so wide before another is left out (tuned: two words).
+/// Columns that are broken between words stay at least this wide before another is left out (tuned: two words).
 const BROKEN: usize = 24;
-/// How far a cell below its row is set in.
+/// Indentation of a cell below its row.
 const BELOW: usize = 12;
 
 /// Aligned columns under headings.
@@ -177,7 +177,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Without rows yet.
+    /// A table without rows.
     pub fn new(columns: impl IntoIterator<Item = Column>) -> Table {
         Table {
             columns: columns.into_iter().collect(),
@@ -185,18 +185,18 @@ impl Table {
         }
     }
 
-    /// Adds a row, a cell a column.
+    /// Adds a row with one cell per column.
     pub fn add(&mut self, row: Vec<String>) {
         self.rows.push(row);
     }
 
-    /// Its text on `screen`, without blanks at the ends of lines; what was left out is named below it.
+    /// Its text on `screen`, without blanks at the ends of lines. Columns that were left out are listed below it.
     pub fn text(&self, screen: &Screen) -> String {
         let mut widths: Vec<usize> = (0..self.columns.len()).map(|c| self.width(c)).collect();
         let mut shown: Vec<usize> = (0..widths.len()).collect();
         let mut left_out = Vec::new();
         let room = screen.width.unwrap_or(usize::MAX);
-        // The last blank is cut off.
+        // The last gap is not printed.
         let total = |shown: &[usize], widths: &[usize]| -> usize {
             shown.iter().map(|c| widths[*c] + GAP).sum::<usize>() - 1
         };
@@ -238,12 +238,12 @@ impl Table {
         text
     }
 
-    /// Columns of a terminal that all of column `c` takes.
+    /// Width of column `c` in full, in columns of the terminal.
     fn width(&self, c: usize) -> usize {
         self.cells(c).map(display_width).max().unwrap_or(0)
     }
 
-    /// The longest word in column `c`: it is not broken.
+    /// Width of the longest word in column `c`, which is never broken.
     fn longest_word(&self, c: usize) -> usize {
         let words = self.cells(c).flat_map(str::split_whitespace);
         words.map(display_width).max().unwrap_or(0)
@@ -254,7 +254,7 @@ impl Table {
         heading.chain(self.rows.iter().map(move |row| row[c].as_str()))
     }
 
-    /// The column of `shown` that is left out next.
+    /// The column of `shown` to be left out next.
     fn most_spare(&self, shown: &[usize]) -> Option<usize> {
         let rank = |c: &usize| match self.columns[*c].fit {
             Fit::Spare(rank) => Some((rank, *c)),
@@ -263,7 +263,7 @@ impl Table {
         shown.iter().filter_map(rank).max().map(|(_, c)| c)
     }
 
-    /// The column of `shown` that takes the most room it can do without.
+    /// The widest column of `shown` that can still be broken.
     fn widest_broken(&self, shown: &[usize], widths: &[usize]) -> Option<usize> {
         let can = |c: &&usize| {
             self.columns[**c].fit == Fit::Broken && widths[**c] > self.longest_word(**c)
@@ -276,9 +276,12 @@ impl Table {
     fn add_lines(&self, row: &[String], shown: &[usize], widths: &[usize], text: &mut String) {
         let cells: Vec<Vec<Cow<str>>> = shown
             .iter()
-            .map(|c| match display_width(&row[*c]) > widths[*c] {
-                true => textwrap::wrap(&row[*c], widths[*c]),
-                false => vec![row[*c].as_str().into()],
+            .map(|c| {
+                if display_width(&row[*c]) > widths[*c] {
+                    textwrap::wrap(&row[*c], widths[*c])
+                } else {
+                    vec![row[*c].as_str().into()]
+                }
             })
             .collect();
         let lines = cells.iter().map(Vec::len).max().unwrap_or(0);
@@ -287,9 +290,10 @@ impl Table {
             for (cell, c) in cells.iter().zip(shown) {
                 let cell = cell.get(line).map_or("", |cell| cell.as_ref());
                 let blanks = " ".repeat(widths[*c].saturating_sub(display_width(cell)));
-                whole += &match self.columns[*c].left {
-                    true => format!(" {cell}{blanks} "),
-                    false => format!(" {blanks}{cell} "),
+                whole += &if self.columns[*c].left {
+                    format!(" {cell}{blanks} ")
+                } else {
+                    format!(" {blanks}{cell} ")
                 };
             }
             text.push_str(whole.trim_end());
@@ -297,7 +301,7 @@ impl Table {
         }
     }
 
-    /// Adds those cells of a row that stand below it.
+    /// Adds the cells that moved below their row.
     fn add_below(&self, row: &[String], room: usize, text: &mut String) {
         let margin = " ".repeat(BELOW);
         let options = Options::new(room)
@@ -312,7 +316,7 @@ impl Table {
     }
 }
 
-/// A pose in a word: mating, fraction to four decimals, flank.
+/// The name of a pose: mating, fraction to four decimals, flank.
 pub fn where_it_is(pose: &ComparedPose) -> String {
     let mating = pose.simulated.pose.mating();
     let beyond = match mating.fraction {
@@ -367,7 +371,7 @@ mod tests {
         );
     }
 
-    /// First notes go below, then columns go by their rank, then words are broken.
+    /// First notes move below, then columns are left out by rank, then words are broken.
     #[test]
     fn a_narrow_terminal_has_what_matters() {
         let lines =

@@ -1,6 +1,6 @@
 //! Results of gearlash as data and as text: JSON, CSV, terminal tables, Markdown and JUnit, and the words of a verdict.
 //!
-//! Keys are those of the interface, with units in their names. Nothing here computes anything about gears.
+//! Keys are those of the interface, with units in their names. This package computes nothing about gears.
 //!
 //! ```no_run
 //! use gearlash::analysis::{Analysis, Plan};
@@ -41,7 +41,8 @@ mod written;
 
 use column::Row;
 
-/// The keys of poses, runs, extremes, checks, comparisons and assignments in results; of a column without a key, its name in CSV.
+/// The keys of poses, runs, extremes, checks, comparisons and assignments in results; for a column without a key, its name in
+/// CSV.
 pub fn keys() -> impl Iterator<Item = &'static str> {
     fn of<R: Row>() -> impl Iterator<Item = &'static str> {
         R::columns().names()

@@ -1,4 +1,4 @@
-//! The result of a matching: the pairs of gears that go together, and every wheel with every pinion.
+//! The result of a matching: the pairs, and every wheel with every pinion.
 
 use crate::column::{Columns, Row, Value, columns};
 use crate::layout::{self, Screen};
@@ -18,7 +18,7 @@ pub(crate) struct AssignmentRow {
 }
 
 impl AssignmentRow {
-    /// The tooth of the wheel that is marked.
+    /// The tooth to mark on the wheel.
     fn wheel_tooth(&self) -> u32 {
         1
     }
@@ -60,15 +60,15 @@ fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
     })
 }
 
-/// The pairs that were made.
+/// The pairs of the assignment.
 fn pairs(result: &MatchResult) -> Vec<AssignmentRow> {
     rows(result).filter(|row| row.is_assigned).collect()
 }
 
-/// The result as JSON, which ends in a line end; lengths in µm.
+/// The result as JSON with a line end; lengths in µm.
 ///
 /// # Errors
-/// None for a result; a number that JSON cannot hold otherwise.
+/// None for a result; otherwise a number that JSON cannot hold.
 pub fn json(result: &MatchResult) -> serde_json::Result<String> {
     let um = |mm: Option<f64>| mm.map(|mm| 1e3 * mm);
     let expected = |expected: Expected| json!({ "any_phase": expected.any_phase, "best_phase": expected.best_phase });
@@ -97,13 +97,13 @@ pub fn json(result: &MatchResult) -> serde_json::Result<String> {
 /// Every wheel with every pinion in its best phase as CSV.
 ///
 /// # Errors
-/// None: it is written to memory.
+/// None: the text is in memory.
 pub fn csv(result: &MatchResult) -> csv::Result<String> {
     let rows: Vec<AssignmentRow> = rows(result).collect();
     AssignmentRow::columns().csv(&rows)
 }
 
-/// The result on a terminal: the sentence, the pairs with the teeth to mark, the gears left over.
+/// The result for a terminal: the sentence, the pairs with the teeth to mark, the unpaired gears.
 pub fn text(result: &MatchResult, screen: &Screen) -> String {
     let mut text = screen.paragraphs(&format!("{}.", result.sentence()));
     text.push('\n');

@@ -1,10 +1,10 @@
-//! What the statements about each gear say of each other.
+//! Consistency of the statements about each gear.
 
 use gearlash::analysis::study::Study;
 use gearlash::metrology::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
 use serde_json::{Map, Value, json};
 
-/// A key a gear that there is something to tell of; `None` without any.
+/// The notes on each gear by its name; `None` without any.
 pub(super) fn notes(study: &Study) -> Option<Value> {
     let gears = ["wheel", "pinion"].into_iter().zip(&study.notes);
     let entries = gears.filter_map(|(name, notes)| Some((name.to_owned(), of_gear(notes)?)));

@@ -17,7 +17,7 @@ use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
-/// Whole tenths of a nanometre, µm: the digits that rows have.
+/// A length in µm, in whole tenths of a nanometre: the digits of rows.
 fn um(mm: impl Into<Option<f64>>) -> Option<f64> {
     mm.into().map(|mm| rounded(1e3 * mm, 4))
 }
@@ -29,7 +29,7 @@ fn ppm(share: f64) -> f64 {
 /// The share of a population that misses a limit.
 struct ShareRow {
     name: &'static str,
-    /// The assemblies that the share is of, where it is not of all.
+    /// The number of assemblies that the share refers to, where that is not all.
     assemblies: Option<u64>,
     share: Share,
 }
@@ -49,7 +49,7 @@ impl Row for ShareRow {
     }
 }
 
-/// A number of the spread, of the least and of the greatest backlash.
+/// A statistic of the least and of the greatest backlash.
 struct SpreadRow {
     name: String,
     /// Its name in CSV.
@@ -71,7 +71,7 @@ impl Row for SpreadRow {
     }
 }
 
-/// The numbers of the spread.
+/// The statistics of the spread.
 fn spread_rows(result: &ToleranceResult) -> Vec<SpreadRow> {
     let both = [&result.statistics.least, &result.statistics.greatest];
     let mut rows = Vec::new();
@@ -218,10 +218,10 @@ fn shares(result: &ToleranceResult) -> [ShareRow; 3] {
     ]
 }
 
-/// The numbers as CSV, a row a number, with its interval or standard error where it has one.
+/// The numbers as CSV, one row per number, with its interval or standard error where it has one.
 ///
 /// # Errors
-/// None: it is written to memory.
+/// None: the text is in memory.
 pub fn csv(result: &ToleranceResult) -> csv::Result<String> {
     let mut rows = Vec::new();
     for ShareRow { name, share, .. } in shares(result) {
@@ -276,7 +276,7 @@ pub fn csv(result: &ToleranceResult) -> csv::Result<String> {
     NumberRow::columns().csv(&rows)
 }
 
-/// The histogram as CSV: the lower end of each bin, µm, and how many have their least and their greatest there.
+/// The histogram as CSV: the lower end of each bin, µm, and the number of assemblies with their least and their greatest there.
 pub fn histogram_csv(result: &ToleranceResult) -> String {
     let tally = &result.tally;
     let both = [&tally.least.histogram, &tally.greatest.histogram];
@@ -290,10 +290,10 @@ pub fn histogram_csv(result: &ToleranceResult) -> String {
     text
 }
 
-/// The result as JSON, which ends in a line end.
+/// The result as JSON with a line end.
 ///
 /// # Errors
-/// None for a result; a number that JSON cannot hold otherwise.
+/// None for a result; otherwise a number that JSON cannot hold.
 pub fn json(result: &ToleranceResult) -> serde_json::Result<String> {
     let (about, tally) = (&result.about, &result.tally);
     let (counts, statistics) = (&tally.counts, &result.statistics);
@@ -346,7 +346,7 @@ pub fn json(result: &ToleranceResult) -> serde_json::Result<String> {
             "cpk": statistics.cpk.map(|cpk| rounded(cpk, 4)),
         },
         "limits": {
-            // "worst": each number is of the assembly phase where it is the worst; null where the phase does not scatter.
+            // "worst": each number is of its worst assembly phase; null where the phase does not scatter.
             "phase": phases_of_limits(about).map(|_| "worst"),
             "at_mean": both(0),
             "worst_case": both(1),
@@ -404,22 +404,22 @@ fn shown<R: Row>(rows: &[R]) -> Vec<Shown> {
     R::columns().shown(rows, |_| f64::NAN, BacklashUnit::Um)
 }
 
-/// The spread as people see it: quantiles, extremes and limit cases.
+/// The spread for people: quantiles, extremes and limit cases.
 pub fn spread(result: &ToleranceResult) -> Vec<Shown> {
     shown(&spread_rows(result))
 }
 
-/// The contributions as people see them; empty where none were found.
+/// The contributions for people; empty where none were computed.
 pub fn contributions(result: &ToleranceResult) -> Vec<Shown> {
     shown(&contribution_rows(result))
 }
 
-/// The worst assemblies as people see them.
+/// The worst assemblies for people.
 pub fn worst(result: &ToleranceResult) -> Vec<Shown> {
     shown(&worst_rows(result))
 }
 
-/// What follows from the spread, a sentence each: capability, and what its numbers leave out.
+/// Remarks on the spread, one sentence each: capability, and exclusions from its numbers.
 pub fn remarks(result: &ToleranceResult) -> Vec<String> {
     let (about, statistics) = (&result.about, &result.statistics);
     let capability = [("Cp", statistics.cp), ("Cpk", statistics.cpk)];
@@ -443,7 +443,8 @@ pub fn remarks(result: &ToleranceResult) -> Vec<String> {
     remarks
 }
 
-/// The result on a terminal: the sentence, the spread beside worst case and root sum of squares, the contributions, the worst assemblies.
+/// The result for a terminal: the sentence, the spread beside worst case and root sum of squares, the contributions, the worst
+/// assemblies.
 pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
     let mut text = screen.paragraphs(&format!("{}.", sentence(result)));
     text.push('\n');

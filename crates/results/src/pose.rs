@@ -20,15 +20,15 @@ use std::sync::LazyLock;
 pub struct PoseRow {
     center_distance: f64,
     material: &'static str,
-    /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
+    /// Wheel and pinion tooth of the assembly phase, where phases are run separately.
     phase: Option<(u32, u32)>,
     locked: Member,
     pose: ComparedPose,
-    /// Lost motion, rad. Without one, nothing of the pose is a number: it is jammed, out of mesh or unproven.
+    /// Lost motion, rad; `None` for a jammed, unmeshed or unproven pose, which has no numbers.
     angle: Option<f64>,
     /// Lost motion at the wheel and at the pinion, arcmin.
     arcmin: [Option<f64>; 2],
-    /// The backlash in units that need a module or a base circle; `None` of a drawn pair.
+    /// The backlash in units that need a module or a base circle; `None` for a drawn pair.
     backlash: Option<Backlash>,
     class: Option<PoseClass>,
     right: Option<ContactRow>,
@@ -45,7 +45,7 @@ impl PoseRow {
         }
     }
 
-    /// The row of a `pose` of `assembly` alone.
+    /// The row of a `pose` of `assembly`, without a run.
     pub fn new(assembly: &AssembledPair, pose: &ComparedPose) -> PoseRow {
         let result = &pose.simulated;
         let (data, found) = (assembly.data(), result.proven());
@@ -61,7 +61,7 @@ impl PoseRow {
         }
     }
 
-    /// The row of a `pose` of `assembly` without contacts and classes, which take as long as the pose itself.
+    /// The row of a `pose` of `assembly` without contacts and classes: computing them takes as long as the pose itself.
     fn without_contacts(assembly: &AssembledPair, pose: ComparedPose) -> PoseRow {
         let result = &pose.simulated;
         let j_wt = result.backlash;
@@ -116,7 +116,7 @@ impl PoseRow {
         Some(principal(self.right.as_ref()?.contact.rotation))
     }
 
-    /// Rotation of the free gear at right-flank contact, not wrapped; its nominal rotation without one.
+    /// Rotation of the free gear at right-flank contact, not wrapped; its nominal rotation without contact.
     fn free_rotation(&self) -> f64 {
         let nominal = self.result().pose.free_rotation();
         let right = self.right.as_ref();
@@ -133,7 +133,7 @@ impl PoseRow {
         Value::optional(proof.map(|proof| json!(proof)))
     }
 
-    /// Why the backlash at one end of the bearing clearance is not proven.
+    /// The reason why the backlash at one end of the bearing clearance is not proven.
     fn unproven_end(&self, end: usize) -> Option<&Unproven> {
         let ends = self.result().with_clearance.as_ref()?;
         ends[end].as_ref().err()
@@ -236,7 +236,7 @@ fn columns() -> Vec<Column<PoseRow>> {
     columns
 }
 
-/// The arrays for numpy of `poses` of `assembly`.
+/// The numpy arrays of `poses` of `assembly`.
 pub fn pose_arrays(
     assembly: &AssembledPair,
     poses: impl IntoIterator<Item = PoseResult>,
@@ -259,13 +259,13 @@ pub fn pose_page<'p>(
 #[derive(Debug)]
 pub struct ContactRow {
     contact: Contact,
-    /// `None` of a drawn pair.
+    /// `None` for a drawn pair.
     class: Option<ContactClass>,
     is_helical: bool,
 }
 
 impl ContactRow {
-    /// The row of the `contact` on `side` of `pair`; `None` of a drawn pair.
+    /// The row of the `contact` on `side` of `pair`; `pair` is `None` for a drawn pair.
     pub fn new(pair: Option<&GearPair>, side: Side, contact: &Contact) -> ContactRow {
         ContactRow {
             contact: *contact,
@@ -274,7 +274,7 @@ impl ContactRow {
         }
     }
 
-    /// The class of the contact, and which tip touches when.
+    /// The class of the contact, with the touching tip and the moment where they are known.
     pub fn class_words(&self) -> String {
         let Some(class) = self.class else {
             let Contact { wheel, pinion, .. } = &self.contact;
@@ -338,13 +338,13 @@ impl Row for Unproven {
     }
 }
 
-/// The same rotation in (−π, π].
+/// The equivalent rotation in (−π, π].
 fn principal(rotation: f64) -> f64 {
     let turned = rotation - TAU * (rotation / TAU).round();
     if turned <= -PI { turned + TAU } else { turned }
 }
 
-/// Why something is not proven, and the values that it leaves in doubt.
+/// The reason why a value is not proven, and the unverified values.
 fn doubt(unproven: &Unproven) -> String {
     let value = |name: &str, value: Option<f64>| {
         let um = um_ascii(value?, 3);
@@ -358,7 +358,7 @@ fn doubt(unproven: &Unproven) -> String {
     parts.flatten().collect::<Vec<_>>().join("; ")
 }
 
-/// Everything about `pose` that is not proven, in words.
+/// All reasons for unproven values of `pose`, in words.
 pub fn doubts(pose: &ComparedPose) -> String {
     let result = &pose.simulated;
     let here = result.found.as_ref().err().map(doubt);

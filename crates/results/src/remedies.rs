@@ -27,7 +27,7 @@ impl RemedyRecord {
                 ("thickness_allowance_um", name, "µm", 1e3, 0)
             }
         };
-        // A file states the nominal distance of a band. The middle one of the study may be an end of the band.
+        // A file states the nominal distance of a band. The middle one of the study can be an end of the band.
         let stated = file.spec.assembly.center_distance_mm.nominal_mm();
         let stated = stated.filter(|_| remedy.what == Change::CenterDistance);
         let listed = &file.study.center_distances;
@@ -75,12 +75,13 @@ impl RemedyRecord {
 pub struct RemedyRecords {
     /// Each single change that makes the pair fit.
     pub changes: Vec<RemedyRecord>,
-    /// Why others are missing, a sentence each.
+    /// The reasons for missing changes, one sentence each.
     pub missing: Vec<&'static str>,
 }
 
 impl RemedyRecords {
-    /// The records of `remedies`, found for the study of `file`; none of a file with a temperature, which states its lengths at 20 °C.
+    /// The records of `remedies`, found for the study of `file`; none for a file with a temperature, which states its lengths at
+    /// 20 °C.
     pub fn new(file: &AnyPair, remedies: &Remedies) -> RemedyRecords {
         let Remedies { changes, missing } = remedies;
         let is_any = !(changes.is_empty() && missing.is_empty());
@@ -94,7 +95,7 @@ impl RemedyRecords {
         }
         let mut missing: Vec<&str> = missing.iter().map(|reason| sentence(*reason)).collect();
         let gears = file.spec.by_data();
-        // A file states the thickness before its scale.
+        // A file states the thickness before scaling.
         let is_scaled = gears.is_some_and(|gears| gears.iter().any(|gear| gear.scale.is_some()));
         let kept = |remedy: &&Remedy| !is_scaled || remedy.what == Change::CenterDistance;
         if changes.iter().any(|remedy| !kept(&remedy)) {
@@ -109,7 +110,7 @@ impl RemedyRecords {
         }
     }
 
-    /// The remedies below a table of checks; empty of a pair that fits. `requires` says whether the file states a requirement.
+    /// The remedies below a table of checks; empty for a pair that fits. `requires`: the file states a requirement.
     pub(crate) fn text(&self, requires: bool) -> String {
         let what = if requires {
             "assemble and meet [require]"

@@ -21,7 +21,7 @@ pub struct RunRow {
     unproven: usize,
     summary: Summary,
     contact: Option<serde_json::Value>,
-    /// Where the least and the greatest backlash stand.
+    /// The places of the least and the greatest backlash.
     at: [Option<String>; 2],
     /// Radial clearance of both bearings, mm.
     clearance: f64,
@@ -54,13 +54,13 @@ impl RunRow {
         Some(arcmin(self.assembly.angle(member, j_wt?)))
     }
 
-    /// Poses that are not proven at either end of the bearing clearance.
+    /// The number of poses that are not proven at either end of the bearing clearance.
     fn unproven_ends(&self) -> Value {
         let ends = self.summary.unproven_ends;
         Value::optional((ends != [0, 0]).then(|| json!(ends)))
     }
 
-    /// The least and the greatest backlash with the bearing clearance, each at its own centre distance.
+    /// The least and the greatest backlash with the bearing clearance, each with its own centre distance.
     fn band(&self) -> Value {
         if !(self.clearance > 0.0) {
             return Value::Absent;
@@ -117,7 +117,7 @@ fn columns() -> Vec<Column<RunRow>> {
     })
 }
 
-/// The contacts of a run as JSON; `classes` counts poses by the graver of their contacts.
+/// The contacts of a run as JSON; `classes` counts poses by the more severe of their contacts.
 pub(crate) fn contact_count(count: &ContactCount) -> serde_json::Value {
     let classes = count.classes.iter();
     let classes: serde_json::Map<_, _> = classes
@@ -133,7 +133,7 @@ pub(crate) fn contact_count(count: &ContactCount) -> serde_json::Value {
     })
 }
 
-/// The pose that loses most, and the contact that costs it.
+/// The pose with the greatest loss, and the contact that causes it.
 fn worst(worst: &Worst) -> serde_json::Value {
     json!({
         "center_distance_mm": worst.assembly.center_distance(),

@@ -1,14 +1,14 @@
-//! Backlash in the unit that was asked for, in tables.
+//! Backlash in the requested unit, in tables.
 
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::backlash_ascii;
 
-/// `j_wt`, given in mm, at centre distance `a`, mm, in ASCII: so many decimals in µm.
+/// `j_wt`, given in mm, at centre distance `a`, mm, in ASCII; with `decimals` decimals if in µm.
 pub fn cell(unit: BacklashUnit, j_wt: Option<f64>, a: f64, decimals: usize) -> String {
     backlash_ascii(unit, j_wt.map(|mm| mm * 1e3), a, decimals)
 }
 
-/// A column of values: its name in µm of `j_wt`; with the gear at which it is lost motion.
+/// The heading of a column: its name with the unit; lost motion with its gear.
 pub fn column(unit: BacklashUnit, name: &str) -> String {
     match unit {
         BacklashUnit::Um => name.to_owned(),
@@ -17,7 +17,7 @@ pub fn column(unit: BacklashUnit, name: &str) -> String {
     }
 }
 
-/// What values are, at the head of a legend.
+/// The quantity at the head of a legend.
 pub fn measure(unit: BacklashUnit) -> String {
     match unit {
         BacklashUnit::Um => "Backlash j_wt in µm".to_owned(),

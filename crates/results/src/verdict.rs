@@ -1,7 +1,8 @@
 //! The verdict on a pair in at most six lines of at most 80 columns. Every command, format and page prints these lines.
 //!
-//! The first line says whether the pair assembles, and how sure that is. Least and greatest backlash follow, one line each, with the teeth
-//! that touch (right flanks / left flanks). Sentences that qualify them fill the rest, the most important first.
+//! The first line states whether the pair assembles, and with what certainty. Least and greatest backlash follow, one line each,
+//! with the teeth in contact (right flanks / left flanks). The other lines have sentences that qualify them, the most important
+//! first.
 
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::diagnosis;
@@ -28,13 +29,13 @@ pub struct VerdictLines {
     pub state: diagnosis::Verdict,
     /// Whether and where the pair assembles.
     pub status: String,
-    /// How sure that is; empty where nothing is known.
+    /// The certainty; empty where nothing is known.
     pub proof: String,
-    /// The least and the greatest backlash; one row where they are the same.
+    /// The least and the greatest backlash; one row where they are equal.
     pub rows: Vec<ExtremeRow>,
     /// Lines that qualify them.
     pub qualifiers: Vec<String>,
-    /// Sentences that find no room there.
+    /// Sentences for which there is no room.
     pub left_out: Vec<String>,
 }
 
@@ -45,19 +46,19 @@ pub struct ExtremeRow {
     pub name: &'static str,
     /// The backlash, such as `12.25 µm` or `12.3 ± 1.2 µm`.
     pub value: String,
-    /// Its lost motion in minutes of arc at a gear, where that is limited or asked for.
+    /// Its lost motion in minutes of arc at a gear, where that is limited or requested.
     pub arcmin: Option<(String, Member)>,
-    /// The teeth that touch, such as `33·33 / 34·33`; `None` where no teeth are worse than others.
+    /// The teeth in contact, such as `33·33 / 34·33`; `None` where no teeth are worse than others.
     pub teeth: Option<String>,
-    /// The curves that touch; drawn gears only.
+    /// The curves in contact; drawn gears only.
     pub curves: Option<String>,
-    /// The direction of runouts that have none in the file.
+    /// The direction of runouts that are undirected in the file.
     pub direction: Option<&'static str>,
     /// The centre distance, mm, where there are several.
     pub distance: Option<String>,
     /// The material, where there are two.
     pub material: Option<Material>,
-    /// The assembly phase, where teeth do not name it.
+    /// The assembly phase, where the teeth do not determine it.
     pub phase: Option<(u32, u32)>,
 }
 
@@ -83,7 +84,7 @@ impl ExtremeRow {
         vec![teeth, rest.join(", ")]
     }
 
-    /// The place in words, as the teeth and all else.
+    /// The place in words, including the teeth.
     pub fn place_words(&self) -> String {
         let place = self.place(0);
         let parts: Vec<&str> = place
@@ -106,11 +107,12 @@ impl ExtremeRow {
     }
 }
 
-/// The name of the row where least and greatest are the same.
+/// The name of the row where least and greatest are equal.
 const CONSTANT: &str = "constant";
 
 impl VerdictLines {
-    /// The longest words of `status` and, of those, of `proof` that fit a line; `rows`; and as many of the `sentences` as find room.
+    /// Keeps the longest text of `status`, then of `proof`, that fits a line; all `rows`; and the `sentences` for which there is
+    /// room.
     pub(crate) fn new(
         state: diagnosis::Verdict,
         status: &[String],
@@ -146,7 +148,7 @@ impl VerdictLines {
         cut(line.trim_end(), COLUMNS)
     }
 
-    /// The verdict where there is no run.
+    /// The verdict without any run.
     pub(crate) fn nothing() -> VerdictLines {
         let (status, proof) = ("Nothing was run.".to_owned(), String::new());
         let state = diagnosis::Verdict::Unproven;
@@ -193,7 +195,7 @@ fn fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> String 
     cut(&last, most)
 }
 
-/// The rows in columns, in the longest words that fit.
+/// The rows in columns, in the longest wording that fits.
 fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
     let tier = |tier: usize| -> Vec<String> {
         let cells: Vec<Vec<String>> = rows.iter().map(|row| row.cells(tier)).collect();
@@ -218,7 +220,7 @@ fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
     lines.iter().map(|line| cut(line, COLUMNS)).collect()
 }
 
-/// `sentences` on at most so many lines, and those that find no room. The last line counts them.
+/// `sentences` on at most `lines` lines, and those for which there is no room. The last line counts them.
 fn packed(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     let most = COLUMNS - 2;
     let mut packed: Vec<String> = Vec::new();
@@ -241,7 +243,7 @@ fn packed(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     (packed, Vec::new())
 }
 
-/// How a pair of one centre distance, material and phase turns out.
+/// The state of a pair at one centre distance, material and phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum State {
     Jammed,
@@ -252,7 +254,7 @@ pub(crate) enum State {
     Assembles,
 }
 
-/// A centre distance, material and phase, and how the pair turns out there.
+/// A centre distance, material and phase, and the pair's state there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
     pub distance: f64,
@@ -261,7 +263,7 @@ pub(crate) struct Place {
     pub state: State,
 }
 
-/// Whether and where the pair assembles: first in full, then shorter.
+/// Whether and where the pair assembles: in full, then shorter.
 pub(crate) fn status(all: &[Place]) -> [String; 2] {
     let of = |states: &[State]| -> Vec<Place> {
         let here = all.iter().filter(|place| states.contains(&place.state));
@@ -290,7 +292,7 @@ pub(crate) fn status(all: &[Place]) -> [String; 2] {
     [true, false].map(|in_full| format!("{words} {}.", places(all, &here, in_full)))
 }
 
-/// The centre distances, the material and the phases of the places `here`, as far as they are not all.
+/// The centre distances, the material and the phases of the places `here`, where they are not all.
 fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
     let distances = each(here.iter().map(|place| place.distance));
     let everywhere = each(all.iter().map(|place| place.distance)).len();
@@ -300,9 +302,10 @@ fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
         (some, all) if some == all => format!("at all {all} distances"),
         (some, all) => {
             let named: Vec<String> = distances.iter().map(|a| stated_distance(*a)).collect();
-            match in_full {
-                true => format!("at {some} of {all} distances (a = {} mm)", named.join(", ")),
-                false => format!("at {some} of {all} distances"),
+            if in_full {
+                format!("at {some} of {all} distances (a = {} mm)", named.join(", "))
+            } else {
+                format!("at {some} of {all} distances")
             }
         }
     };
@@ -337,9 +340,10 @@ pub fn lines(verdict: &Verdict) -> VerdictLines {
         return VerdictLines::nothing();
     }
     let places: Vec<Place> = verdict.runs.iter().map(place).collect();
-    let state = match verdict.failed_checks.is_empty() {
-        true => verdict.state(),
-        false => diagnosis::Verdict::Fail,
+    let state = if verdict.failed_checks.is_empty() {
+        verdict.state()
+    } else {
+        diagnosis::Verdict::Fail
     };
     VerdictLines::new(
         state,
@@ -367,7 +371,7 @@ fn place(run: &RunExtremes) -> Place {
     }
 }
 
-/// How sure the extremes are, in full and shorter; empty where a distance that follows is not proven.
+/// The certainty of the extremes, in full and shorter; empty where a distance derived from them is not proven.
 fn proof(verdict: &Verdict) -> Vec<String> {
     let open = |of: fn(&RunExtremes) -> &Option<RunExtreme>| {
         let each = verdict.runs.iter().filter_map(|run| of(run).as_ref());
@@ -407,9 +411,10 @@ fn proof(verdict: &Verdict) -> Vec<String> {
             format!("{matings} matings of {} phases alone", phases.len())
         }
     };
-    let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
-        true => "every rotation and runout direction",
-        false => "every rotation",
+    let rotation = if verdict.runs.iter().any(RunExtremes::any_direction) {
+        "every rotation and runout direction"
+    } else {
+        "every rotation"
     };
     vec![
         format!("Proven for {over}, {rotation}."),
@@ -423,19 +428,20 @@ fn least_and_greatest<'a>(verdict: &'a Verdict) -> impl Iterator<Item = &'a RunE
     runs.flat_map(|run| run.least.iter().chain(&run.greatest))
 }
 
-/// Whether the extreme is that of proven poses of a drawn pair, not of all between them.
+/// Whether the extreme covers only proven poses of a drawn pair, not all between them.
 fn is_sampled(extreme: &RunExtreme) -> bool {
     extreme.doubt == Some(Doubt::Sampled) && extreme.pose.simulated.found.is_ok()
 }
 
-/// What the drawings leave open of an extreme, mm; `None` of gears by their data, and where it is rounding alone.
+/// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
 fn drawing_bound(extreme: &RunExtreme) -> Option<f64> {
     let bound = extreme.pose.simulated.error_bound?;
     extreme.assembly.drawn().filter(|_| bound >= 5e-6)?;
     Some(bound)
 }
 
-/// From which centre distance the pair assembles, and up to which it is in mesh, where it does not or is not; and whether that is proven.
+/// The least distance that assembles and the greatest in mesh, if the pair fails to assemble or to mesh somewhere; each with
+/// whether it is proven.
 fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
     let is_apart = |run: &RunExtremes| run.status == Status::NoContact;
     let is_tight = |run: &RunExtremes| run.assembles() == Some(false) && !is_apart(run);
@@ -457,7 +463,7 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
 
 fn at(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
     let unless_proven = match doubt {
-        // The first line says so.
+        // The first line already states it.
         None | Some(Doubt::Sampled) => "",
         Some(_) => " (not proven)",
     };
@@ -465,17 +471,17 @@ fn at(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
     (text, doubt.is_none())
 }
 
-/// A distance, mm, to the next ten thousandth up: at one printed lower the pair would interfere.
+/// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
 fn upward(distance: f64) -> f64 {
     (distance * 1e4).ceil() * 1e-4
 }
 
-/// A distance, mm, to the next ten thousandth down: at one printed higher tips would pass each other.
+/// A distance, mm, rounded down to a ten thousandth: at a higher printed one tips would pass each other.
 fn downward(distance: f64) -> f64 {
     (distance * 1e4).floor() * 1e-4
 }
 
-/// Whether all poses of a run have one backlash.
+/// Whether all poses of a run have equal backlash.
 fn is_constant(run: &RunExtremes) -> bool {
     let both = run.least.as_ref().zip(run.greatest.as_ref());
     both.is_some_and(|(least, greatest)| greatest.found() - least.found() <= WIDTH)
@@ -525,7 +531,7 @@ fn row(
     }
 }
 
-/// Where the teeth of a drawn pair touch: `tip on flank`, the wheel's place first, of right and of left flanks.
+/// The places of contact on the teeth of a drawn pair: `tip on flank`, the wheel's first, for right and left flanks.
 fn touched(extreme: &RunExtreme) -> Option<String> {
     extreme.assembly.drawn()?;
     let found = extreme.pose.simulated.proven()?;
@@ -534,9 +540,10 @@ fn touched(extreme: &RunExtreme) -> Option<String> {
         format!("{wheel} on {pinion}")
     };
     let [right, left] = [found.right.as_ref()?, found.left.as_ref()?].map(words);
-    Some(match right == left {
-        true => right,
-        false => format!("{right} / {left}"),
+    Some(if right == left {
+        right
+    } else {
+        format!("{right} / {left}")
     })
 }
 
@@ -553,7 +560,7 @@ pub(crate) fn lost_motion(angle: f64) -> String {
     fixed(arcmin(angle), 3)
 }
 
-/// `10·4 / 11·4`: the teeth that touch at right and at left flanks.
+/// `10·4 / 11·4`: the teeth in contact at right and at left flanks.
 fn teeth(pose: &ComparedPose) -> Option<String> {
     let found = pose.simulated.proven()?;
     let (right, left) = (found.right.as_ref()?, found.left.as_ref()?);
@@ -591,7 +598,7 @@ fn sentences(verdict: &Verdict) -> Vec<String> {
     sentences
 }
 
-/// Where the pair jams, if it does not everywhere.
+/// The places where the pair jams, unless it jams everywhere.
 fn jam(verdict: &Verdict) -> Option<String> {
     let jammed = |run: &&RunExtremes| run.status == Status::Jammed && run.greatest.is_some();
     let run = verdict.runs.iter().find(jammed)?;
@@ -602,14 +609,17 @@ fn jam(verdict: &Verdict) -> Option<String> {
     ))
 }
 
-/// A limit that is not kept, and the value that misses it.
+/// A violated limit, and the value that violates it.
 pub(crate) fn limit(unmet: &Unmet) -> String {
     let (name, unit, per, decimals) = unit_of(unmet.quantity);
     let sign = if unmet.is_max { '≤' } else { '≥' };
     let limit = fixed(unmet.limit * per, decimals);
-    let shown = |value: f64| match value.is_finite() {
-        true => fixed(value * per, decimals),
-        false => "∞".to_owned(),
+    let shown = |value: f64| {
+        if value.is_finite() {
+            fixed(value * per, decimals)
+        } else {
+            "∞".to_owned()
+        }
     };
     let found = match unmet.found {
         None => "no value".to_owned(),
@@ -622,19 +632,20 @@ pub(crate) fn limit(unmet: &Unmet) -> String {
         "not proven"
     };
     let text = format!("Requirement {whether}: {name} {sign} {limit} {unit}, found {found}");
-    match unmet.with_play {
-        true => fitting(
+    if unmet.with_play {
+        fitting(
             [format!("{text} with bearing clearance"), text],
             COLUMNS - 2,
-        ),
-        false => text,
+        )
+    } else {
+        text
     }
 }
 
 /// Ids of the checks that fail whenever the pair does not assemble.
 const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
 
-/// The checks that fail, by as many of their titles as fit a line.
+/// The failing checks, with as many titles as fit a line.
 fn checks(verdict: &Verdict) -> Option<String> {
     let is_said = |id: &str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(&id);
     let failed = verdict
@@ -664,13 +675,16 @@ pub fn short_title(title: &str) -> &str {
     title[..end].trim_end()
 }
 
-/// Why extremes are not proven, and between what they lie; one sentence where the reason is the same.
+/// The reasons why extremes are not proven, and their brackets; equal reasons share a sentence.
 fn doubts(verdict: &Verdict) -> Vec<String> {
     let mut about: Vec<(String, String)> = Vec::new();
     for (name, is_least) in [("least", true), ("greatest", false)] {
-        let of = |run: &RunExtremes| match is_least {
-            true => run.least.clone(),
-            false => run.greatest.clone(),
+        let of = |run: &RunExtremes| {
+            if is_least {
+                run.least.clone()
+            } else {
+                run.greatest.clone()
+            }
         };
         let extremes = verdict.runs.iter().filter_map(of);
         let extremes: Vec<RunExtreme> = extremes.filter(|of| !is_sampled(of)).collect();
@@ -696,7 +710,7 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
     about.iter().map(sentence).collect()
 }
 
-/// Between what an extreme lies, where a wide bracket holds it.
+/// The bracket of an extreme, where it is wide.
 fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String> {
     let of_all = |end: fn(&RunExtreme) -> f64| {
         let ends = extremes.iter().map(end);
@@ -708,7 +722,7 @@ fn bracket(name: &str, is_least: bool, extremes: &[RunExtreme]) -> Option<String
     (holds && high - low > WIDTH).then(|| format!("{name} {low_um} … {high_um} µm"))
 }
 
-/// Why an extreme is not proven; `None` where it is.
+/// The reason why an extreme is not proven; `None` where it is.
 pub fn doubt(extreme: &RunExtreme) -> Option<String> {
     match &extreme.pose.simulated.found {
         Err(unproven) => Some(plain(&unproven.reason)),
@@ -719,7 +733,7 @@ pub fn doubt(extreme: &RunExtreme) -> Option<String> {
     }
 }
 
-/// A doubt in words.
+/// A reason for doubt in words.
 pub(crate) fn in_words(doubt: Doubt) -> &'static str {
     match doubt {
         Doubt::OffInvolute => "bounded by poses alone, as fillets or roots may touch",
@@ -757,7 +771,7 @@ fn bearings(verdict: &Verdict) -> Option<String> {
     ))
 }
 
-/// Least and greatest of the cycle in a line, for a picture of fewer poses; empty where there are none.
+/// Least and greatest of the cycle in one line, for a picture of fewer poses; empty without them.
 pub fn in_short(verdict: &Verdict) -> String {
     let (Some((_, least)), Some((_, greatest))) = (verdict.least(), verdict.greatest()) else {
         return String::new();

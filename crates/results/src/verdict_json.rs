@@ -1,4 +1,4 @@
-//! The verdict and the extremes of the mesh cycle, as results carry them beside their runs.
+//! The verdict and the extremes of the mesh cycle, as in results.
 
 use crate::column::Row;
 use crate::extreme::extremes;
@@ -11,18 +11,18 @@ use gearlash::outline::AssembledPair;
 use gearlash_files::characters;
 use serde_json::{Value, json};
 
-/// The extremes that `verdict` rests on as JSON: a list of what results have under `extremes`.
+/// The extremes behind `verdict` as JSON: the list under `extremes` in results.
 ///
 /// # Errors
-/// None for a verdict; a number that JSON cannot hold otherwise.
+/// None for a verdict; otherwise a number that JSON cannot hold.
 pub fn extremes_json(verdict: &Verdict) -> Result<String, serde_json::Error> {
     serde_json::to_string(&extremes(verdict)).map(characters::json)
 }
 
-/// A pose of `assembly` as JSON, as results have it.
+/// A pose of `assembly` as JSON, as in results.
 ///
 /// # Errors
-/// None for a pose; a number that JSON cannot hold otherwise.
+/// None for a pose; otherwise a number that JSON cannot hold.
 pub fn pose_json(
     assembly: &AssembledPair,
     pose: &ComparedPose,
@@ -31,7 +31,7 @@ pub fn pose_json(
         .map(characters::json)
 }
 
-/// `verdict` as JSON. The assembly phases that it covers are `"all"`, or the wheel and pinion tooth that name each.
+/// `verdict` as JSON. Its assembly phases are `"all"`, or the wheel and pinion tooth of each.
 pub(super) fn verdict_record(verdict: &Verdict) -> Value {
     let failed = verdict.failed_checks.iter().map(|check| check.id);
     json!({

@@ -1,4 +1,4 @@
-//! A result on its way out: JSON and CSV grow pose by pose, and nothing of them is kept.
+//! Writes a result: JSON and CSV grow pose by pose, and nothing is kept in memory.
 
 use crate::column::{Row, Value};
 use crate::extreme::extremes;
@@ -15,13 +15,13 @@ use gearlash_files::AnyPair;
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
 
-/// Where a result goes; it is flushed at the end.
+/// The target of a result; it is flushed at the end.
 type Out<'w> = Box<dyn Write + 'w>;
 
-/// Writes a result as JSON, as CSV or as both, as its pieces come.
+/// Writes a result as JSON, as CSV or both, piece by piece.
 ///
-/// JSON ends in a line end; numbers read back to the same f64. CSV has a row a pose, columns named like the JSON keys; empty
-/// where a value is null.
+/// JSON ends with a line end; its numbers read back to the same f64. CSV has one row per pose and columns named like the JSON
+/// keys; null values are empty.
 pub struct ResultWriter<'w> {
     json: Option<Json<Out<'w>>>,
     csv: Option<csv::Writer<Out<'w>>>,
@@ -65,7 +65,7 @@ impl<'w> ResultWriter<'w> {
         Ok(ResultWriter { json, csv })
     }
 
-    /// Writes the next piece; the poses of a block are made into text on all cores.
+    /// Writes the next piece; the poses of a block are converted to text on all cores.
     ///
     /// # Errors
     /// A writer failed.
@@ -141,10 +141,10 @@ impl<'w> ResultWriter<'w> {
     }
 }
 
-/// The key of a run under which its summary stands.
+/// The key of a run's summary.
 const SUMMARY: &str = "summary";
 
-/// The writer's own error, where it is one.
+/// The writer's own error, where `error` wraps it.
 fn of_csv(error: csv::Error) -> Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

@@ -1,4 +1,4 @@
-//! What each kind of chart is drawn from.
+//! The data of each kind of chart.
 
 use super::super::console::{tell, tell_verdict};
 use super::super::gears::{GearName, MaterialName, material};
@@ -139,7 +139,7 @@ impl DrawnChart {
         })
     }
 
-    /// What touches over centre distance and mesh phase.
+    /// Contacts over centre distance and mesh phase.
     pub fn map(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
         let plan = Plan::new(study, args.method.of(study)?)
@@ -154,7 +154,7 @@ impl DrawnChart {
         })
     }
 
-    /// Of helical gears the field of action at the pose which binds.
+    /// The field of action of helical gears at the pose that binds.
     pub fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
         if !study.is_helical() {
             return Err(Error::Usage(
@@ -188,7 +188,7 @@ impl DrawnChart {
     }
 }
 
-/// The centre distance at which a chart is drawn: what was asked for, else the first of `stated`, if there is one.
+/// The centre distance of a chart: the requested one, else the first of `stated`, if there is one.
 fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
     if let Some(given) = requested_distance(args)? {
         return Ok(vec![given]);
@@ -202,7 +202,7 @@ fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
     Ok(stated.iter().take(1).copied().collect())
 }
 
-/// The centre distance that was asked for.
+/// The requested centre distance.
 fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     match args.center_distance.as_ref().map(|given| &given.0[..]) {
         None => Ok(None),
@@ -213,7 +213,7 @@ fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
     }
 }
 
-/// The one of the most material.
+/// The map of the most material.
 fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     if maps.len() > 1 {
         tell("note: with the most material; `gearlash check --map` draws both");
@@ -231,7 +231,7 @@ fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
     }
 }
 
-/// The cycle's extremes are named in µm: not in a picture of angles.
+/// Words on the cycle's extremes. They are in µm, so a picture of angles has none.
 fn in_unit(cycle: String, unit: BacklashUnit) -> String {
     match unit {
         BacklashUnit::Um => cycle,
@@ -239,7 +239,7 @@ fn in_unit(cycle: String, unit: BacklashUnit) -> String {
     }
 }
 
-/// Says the verdict on standard error; in short it stands in the picture.
+/// Prints the verdict on standard error; returns it in short for the picture.
 fn print_verdict(analysis: &Analysis) -> String {
     let verdict = analysis.verdict();
     tell_verdict(&lines(&verdict));
@@ -256,7 +256,7 @@ fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String 
     format!("chart_{name}_a{}{end}{unit}.svg", course.center_distance)
 }
 
-/// What tells a chart in `unit` from one in µm.
+/// Suffix of the file name of a chart in `unit`; empty for µm.
 fn suffix(unit: BacklashUnit) -> String {
     match unit {
         BacklashUnit::Um => String::new(),
@@ -264,16 +264,16 @@ fn suffix(unit: BacklashUnit) -> String {
     }
 }
 
-/// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as a report has them.
+/// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as in a report.
 fn whole<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
-    // They only choose, and bound the curve: what is drawn as a curve is certified.
+    // These poses only select and bound the curve; the drawn curve itself is certified.
     let method = Method::Exact { certify: false };
     let plan = Plan::new(study, method).with_revolution().with_extremes();
     poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
     run_under_bar(&plan)
 }
 
-/// What binds of all these.
+/// The binding pose of all runs.
 fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
     let binding = curves::binding(study, runs.iter().copied());
     let (wheel, pinion) = teeth(binding);

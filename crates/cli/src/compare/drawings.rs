@@ -10,7 +10,7 @@ use gearlash_render::outline_difference;
 use gearlash_results::{comparison_json, difference_csv, text};
 use std::process::ExitCode;
 
-/// Runs the command of two drawings.
+/// Runs the command for two drawings.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let [a, b] = &args.pairs[..] else {
         return Err(needs_two());

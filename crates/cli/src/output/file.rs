@@ -11,21 +11,21 @@ use std::time::Duration;
 
 const PREFIX: &str = ".gearlash-";
 const SUFFIX: &str = ".tmp";
-/// Bytes written to the disk at a time: a signal waits for one piece (tuned: 20 ms on a slow disk).
+/// Bytes written to the disk at a time. A signal waits for one piece (tuned: 20 ms on a slow disk).
 const PIECE: usize = 2 << 20;
-/// A younger temporary file may not have its lock yet.
+/// A younger temporary file may still lack its lock.
 const DEAD_AFTER: Duration = Duration::from_secs(60);
 
 /// A temporary file in the folder of its target, removed when dropped.
 #[derive(Debug)]
 pub(super) struct Temporary {
     path: PathBuf,
-    /// Locked while the run lives.
+    /// Locked while the run is alive.
     file: File,
 }
 
 impl Temporary {
-    /// Makes one in `folder`.
+    /// Creates one in `folder`.
     pub fn new_in(folder: &Path) -> std::io::Result<Temporary> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(PREFIX).suffix(SUFFIX);
@@ -38,12 +38,12 @@ impl Temporary {
         let mut list = unfinished();
         let (file, path) = builder.tempfile_in(folder)?.keep()?;
         list.temporary.push(path.clone());
-        // Some file systems have no locks: a dead run's files stay there.
+        // On file systems without locks, files of killed runs stay.
         let _ = file.try_lock();
         Ok(Temporary { path, file })
     }
 
-    /// Where it is.
+    /// Its path.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -56,7 +56,7 @@ impl Temporary {
         })
     }
 
-    /// Gives it its name.
+    /// Renames it to its target.
     pub fn rename(&self, target: &Path) -> std::io::Result<()> {
         let mut list = unfinished();
         std::fs::rename(&self.path, target)?;
@@ -94,7 +94,7 @@ pub(super) fn clear_dead(folder: &Path) {
     }
 }
 
-/// A file that grows; [`Write::flush`] brings it to the disk.
+/// A file that grows; [`Write::flush`] writes it to the disk.
 #[derive(Debug)]
 pub struct NewFile {
     file: File,
@@ -124,7 +124,7 @@ impl Write for NewFile {
 
 /// A file that can be written.
 pub struct OutputFile {
-    /// As the user calls it.
+    /// The path as the user named it.
     named: PathBuf,
     /// The temporary file and the target of an ordinary file; `None`: a pipe or a device, which is written to.
     place: Option<(Temporary, PathBuf)>,
@@ -132,7 +132,7 @@ pub struct OutputFile {
 }
 
 impl OutputFile {
-    /// Makes the folder of `named` where it is missing and tries to write there. A link is followed.
+    /// Creates the folder of `named` where it is missing and tries to write there. A link is followed.
     ///
     /// # Errors
     /// [`Error::Usage`] for a path that names no file or a folder, and for a link that leads nowhere; [`Error::OverInput`];
@@ -180,7 +180,7 @@ impl OutputFile {
     /// Writes `content` in one piece.
     ///
     /// # Errors
-    /// [`Error::Output`]; an older file stays.
+    /// [`Error::Output`]; an older file is kept.
     pub fn write(mut self, content: &str) -> Result<(), Error> {
         let written = match &self.place {
             None => special(&self.named).and_then(|mut file| file.write_all(content.as_bytes())),
@@ -198,7 +198,7 @@ impl OutputFile {
     }
 }
 
-/// Opens a pipe or a device. A pipe that nobody reads is an error, not a wait.
+/// Opens a pipe or a device. A pipe without a reader is an error, not a wait.
 fn special(path: &Path) -> std::io::Result<File> {
     let mut options = std::fs::OpenOptions::new();
     options.write(true);

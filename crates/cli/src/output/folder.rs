@@ -12,14 +12,14 @@ use std::path::{Path, PathBuf};
 
 /// The file that is renamed last.
 const LAST: &str = "result.json";
-/// Files that are named one by one (tuned: a line of a terminal).
+/// Most files that are listed by name (tuned: a line of a terminal).
 const MOST_NAMED: usize = 3;
 
 /// A folder that can be written to.
 pub struct OutputFolder {
     /// The files begun so far, by name.
     new: Vec<(String, Temporary)>,
-    /// As the user calls it.
+    /// The path as the user named it.
     path: PathBuf,
     made: Made,
     own: Box<dyn Fn(&str) -> bool>,
@@ -27,7 +27,7 @@ pub struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// Makes the folder where it is missing and tries to write in it.
+    /// Creates the folder where it is missing and tries to write in it.
     ///
     /// `own` are the names of files that this run may write. Own files of an earlier run are replaced or removed. None of them may be one
     /// of `sources`.
@@ -54,7 +54,7 @@ impl OutputFolder {
         Ok(folder)
     }
 
-    /// Begins a file. It gets its name with [`OutputFolder::write`].
+    /// Begins a file. [`OutputFolder::write`] gives it its name.
     ///
     /// # Errors
     /// [`Error::Output`], [`Error::OverInput`].
@@ -82,7 +82,7 @@ impl OutputFolder {
         written.map_err(self.failed(name))
     }
 
-    /// Opens a file that [`OutputFolder::create`] began, from its beginning.
+    /// Opens a file from its beginning; [`OutputFolder::create`] began it.
     ///
     /// # Errors
     /// [`Error::Output`].
@@ -101,11 +101,11 @@ impl OutputFolder {
         move |source| failed(&path)(source)
     }
 
-    /// Adds `files` (name and content), renames all files begun, `result.json` last, and removes the own files of an earlier run that this run
-    /// does not write. Returns a line that says what was written and where.
+    /// Adds `files` (name and content) and renames all begun files, `result.json` last. Removes the own files of an earlier run
+    /// that this run does not write. Returns a line that names the files and the folder.
     ///
     /// # Errors
-    /// [`Error::Output`], [`Error::OverInput`]; each file is then the old one or the new one.
+    /// [`Error::Output`], [`Error::OverInput`]; each file is then either the old or the new one.
     pub fn write(mut self, files: &[(String, String)]) -> Result<String, Error> {
         for (name, content) in files {
             self.add(name, content)?;

@@ -1,24 +1,24 @@
-//! Folders that are made for results, and removed again unless they are kept.
+//! Folders that are created for results, and removed again unless they are kept.
 
 use super::{failed, unfinished};
 use crate::error::Error;
 use std::path::{Path, PathBuf};
 
-/// Folders made for results, removed when dropped.
+/// Folders created for results, removed when dropped.
 pub(super) struct Made {
     /// Innermost last.
     folders: Vec<PathBuf>,
 }
 
 impl Made {
-    /// None.
+    /// No folders.
     pub fn none() -> Made {
         Made {
             folders: Vec::new(),
         }
     }
 
-    /// Makes the folder at `path` and those above it that are missing.
+    /// Creates the folder at `path` and the missing ones above it.
     pub fn folder(path: &Path) -> Result<Made, Error> {
         let missing = path
             .ancestors()
@@ -45,7 +45,7 @@ impl Drop for Made {
     fn drop(&mut self) {
         let mut list = unfinished();
         for folder in self.folders.iter().rev() {
-            // Fails if the folder is not empty, as it should.
+            // Fails for a folder with files, which must stay.
             let _ = std::fs::remove_dir(folder);
         }
         list.made.retain(|other| !self.folders.contains(other));

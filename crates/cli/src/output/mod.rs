@@ -1,8 +1,8 @@
 //! Writing results: each file whole or not at all, and never over a file that was read.
 //!
-//! A place is tried before the work begins, so that a typing mistake does not cost hours. Each file is written under a temporary name
-//! beside its target and then renamed; `result.json` is renamed last. An error and a signal remove the temporary files. A killed process
-//! leaves them; a later run in the same folder removes them by their free lock.
+//! A place is tried before the work begins, so that a typing mistake does not cost hours. Each file is written under a temporary
+//! name beside its target and then renamed; `result.json` is renamed last. An error and a signal remove the temporary files. A
+//! killed process leaves them; a later run in the same folder removes them, because their lock is free.
 
 mod file;
 mod folder;
@@ -22,12 +22,12 @@ static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
     written: false,
 });
 
-/// Temporary files and new folders of the process. A thread that makes or renames one holds the lock.
+/// Temporary files and new folders of the process. A thread that creates or renames one holds the lock.
 struct Unfinished {
     temporary: Vec<PathBuf>,
-    /// Folders made for results, innermost last.
+    /// Folders created for results, innermost last.
     made: Vec<PathBuf>,
-    /// Whether a file is in its place.
+    /// Whether a file has been renamed to its target.
     written: bool,
 }
 
@@ -35,26 +35,26 @@ fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Nothing unfinished is left, and none is begun while this lives.
+/// A lock: while it is held, nothing is unfinished and nothing new begins.
 pub struct Ended {
     held: MutexGuard<'static, Unfinished>,
 }
 
 impl Ended {
-    /// Whether a file was in its place before.
+    /// Whether a file had been renamed to its target.
     pub fn written(&self) -> bool {
         self.held.written
     }
 }
 
-/// Removes all that is unfinished, for the thread that ends the process. Other threads that write wait until then.
+/// Removes everything unfinished, for the thread that ends the process. Other threads that write wait until then.
 pub fn abandon() -> Ended {
     let mut held = unfinished();
     for path in std::mem::take(&mut held.temporary) {
         let _ = std::fs::remove_file(path);
     }
     for path in std::mem::take(&mut held.made).iter().rev() {
-        // Fails if the folder is not empty, as it should.
+        // Fails for a folder with files, which must stay.
         let _ = std::fs::remove_dir(path);
     }
     Ended { held }

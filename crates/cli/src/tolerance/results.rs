@@ -34,7 +34,7 @@ pub(super) fn is_own(name: &str) -> bool {
     FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
 }
 
-/// An error where the results in `folder` would replace a pair file that no run has written.
+/// An error where the results in `folder` would replace a pair file that no run wrote.
 pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
     for path in (0..WORST).map(|index| folder.join(worst_name(index))) {
         let is_own = match std::fs::read_to_string(&path) {
@@ -51,7 +51,7 @@ pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints `result` and writes it to `folder`, where there is one.
+/// Prints `result` and writes it to `folder`, if there is one.
 pub(super) fn tell_result(
     file: &ToleranceFile,
     result: &ToleranceResult,

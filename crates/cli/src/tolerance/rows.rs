@@ -1,4 +1,4 @@
-//! Files of rows: the one that a run writes, and those that statistics are read from.
+//! Files of rows: the one that a run writes, and those for statistics.
 
 use super::results::is_own;
 use crate::error::Error;
@@ -14,11 +14,11 @@ use std::path::{Path, PathBuf};
 pub(super) struct RowsFile<'a> {
     path: PathBuf,
     file: File,
-    /// Whether it is a file, no pipe or device.
+    /// Whether it is an ordinary file, no pipe or device.
     is_file: bool,
     /// Bytes of whole rows.
     length: u64,
-    /// The assemblies that are still to be written.
+    /// The assemblies still to be written.
     left: Range<u64>,
     run: &'a ToleranceRun<'a>,
     /// Whether statistics of these rows follow.
@@ -33,7 +33,7 @@ impl<'a> RowsFile<'a> {
     /// Begins the file at `path` with the header of the assemblies `numbers`.
     ///
     /// # Errors
-    /// [`Error::Usage`]: there is a file already, or it cannot be written.
+    /// [`Error::Usage`]: the file exists, or it cannot be written.
     pub fn begin(
         path: &Path,
         run: &'a ToleranceRun<'a>,
@@ -80,10 +80,10 @@ impl<'a> RowsFile<'a> {
         Ok(rows)
     }
 
-    /// Adds `rows`, the next assemblies.
+    /// Appends `rows`, the next assemblies.
     ///
     /// # Errors
-    /// [`Error::Usage`], after which the file has the whole rows from before.
+    /// [`Error::Usage`]; the file then ends with the whole rows written before.
     pub fn write(&mut self, rows: &[Row]) -> Result<(), Error> {
         let text: String = rows.iter().map(row_line).collect();
         self.append(&text, rows.len() as u64)
@@ -100,7 +100,7 @@ impl<'a> RowsFile<'a> {
         })
     }
 
-    /// Brings the file to the disk.
+    /// Writes the file to the disk.
     ///
     /// # Errors
     /// As [`RowsFile::write`].
@@ -116,12 +116,12 @@ impl<'a> RowsFile<'a> {
     /// Removes the file.
     pub fn remove(self) {
         if self.is_file {
-            // A file that cannot be removed has whole rows.
+            // A file that cannot be removed still ends with whole rows.
             let _ = std::fs::remove_file(&self.path);
         }
     }
 
-    /// The error of a write that failed; whole rows stay.
+    /// The error of a failed write; whole rows are kept.
     fn failed(&self, error: &std::io::Error) -> Error {
         let reason = format!("cannot be written: {error}");
         if self.length == 0 || !self.is_file {
@@ -134,7 +134,7 @@ impl<'a> RowsFile<'a> {
         wrong(&self.path, format!("{reason}; {}", self.how_to_go_on()))
     }
 
-    /// The rows that the file holds, and the commands that compute the rest.
+    /// The rows of the file, and the commands that compute the rest.
     fn how_to_go_on(&self) -> String {
         let path = shell_word(&self.path);
         let next = self.left.start;
@@ -159,14 +159,14 @@ impl<'a> RowsFile<'a> {
     }
 }
 
-/// An error where rows at `path` would take the place of a result in `folder`.
+/// An error where rows at `path` would replace a result in `folder`.
 pub(super) fn guard_results(path: &Path, folder: &Path) -> Result<(), Error> {
     let parent = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     let real = |path: &Path| path.canonicalize().ok();
-    // Some file systems know no capital letters.
+    // Some file systems ignore case.
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if is_own(&name.to_ascii_lowercase()) && real(parent).is_some_and(|at| Some(at) == real(folder))
     {
@@ -181,11 +181,11 @@ pub(super) fn guard_results(path: &Path, folder: &Path) -> Result<(), Error> {
 /// The files that `names` stand for.
 ///
 /// # Errors
-/// [`Error::Usage`] of a name that no file has.
+/// [`Error::Usage`] for a name without a file.
 pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
     let mut files = Vec::new();
     for name in names {
-        // A name with a star may be that of a file.
+        // A name with a star can be that of a file.
         if name.is_file() {
             files.push(name.clone());
             continue;
@@ -205,10 +205,10 @@ pub(super) fn expanded(names: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
     Ok(files)
 }
 
-/// The sums over the rows in `files`, which have every assembly of `run` once.
+/// The sums over the rows in `files`, which must have every assembly of `run` once.
 ///
 /// # Errors
-/// [`Error::Input`] of each file that cannot be used, or of the rows as a whole.
+/// [`Error::Input`] for each file that cannot be used, or for the rows as a whole.
 pub(super) fn read(run: &ToleranceRun, files: &[PathBuf]) -> Result<Tally, Error> {
     let mut rows = RowsTally::new(run);
     let added = files.iter().map(|path| rows.add_file(path));

@@ -137,12 +137,13 @@ pub fn an_overlap_is_reported_where_it_cannot_be_seen(browser: &Chromium, site: 
             .expect("a backlash");
         let overlaps = j_wt < 0.0;
         assert_eq!(overlaps, run == 0, "{j_wt} µm");
-        let expected = match overlaps {
-            true => format!(
+        let expected = if overlaps {
+            format!(
                 "Teeth overlap by {:.1} µm at the red dots: zoom in to see it.",
                 -j_wt
-            ),
-            false => String::new(),
+            )
+        } else {
+            String::new()
         };
         assert_eq!(shown_text(&mut tab, "overlapping"), expected);
         let red = tab

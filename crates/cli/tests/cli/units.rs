@@ -40,9 +40,10 @@ fn every_pose_has_every_unit_in_json_and_csv() {
             let (mut low, mut high) = (sum, 2.0 * sum);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                match inv(middle) < wanted {
-                    true => low = middle,
-                    false => high = middle,
+                if inv(middle) < wanted {
+                    low = middle
+                } else {
+                    high = middle
                 }
             }
             1e3 * (a - low)

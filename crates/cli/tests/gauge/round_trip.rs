@@ -27,13 +27,14 @@ fn table(name: &str, teeth: u32, face: &str, seed: u64, mean_um: f64, pitch: boo
          [{name}.runout]\ntotal_um = 31.7\nhigh_tooth = 7.3\n",
         um_list(&beside),
     );
-    let pitch = match pitch {
-        true => format!(
+    let pitch = if pitch {
+        format!(
             "[{name}.pitch]\nkind = \"cumulative\"\nright_um = {}\nleft_um = {}\n",
             list(1, 11e-3),
             list(2, 9e-3)
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     table + &pitch
 }

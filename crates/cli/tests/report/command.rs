@@ -129,9 +129,10 @@ fn without_the_environment_it_is_today() {
     // An empty variable is as good as none.
     for empty in [false, true] {
         let mut command = gearlash(&folder);
-        match empty {
-            true => command.env("SOURCE_DATE_EPOCH", ""),
-            false => command.env_remove("SOURCE_DATE_EPOCH"),
+        if empty {
+            command.env("SOURCE_DATE_EPOCH", "")
+        } else {
+            command.env_remove("SOURCE_DATE_EPOCH")
         };
         let output = command
             .args(["report", "pair.toml", "-o", "-"])

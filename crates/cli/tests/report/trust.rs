@@ -72,9 +72,10 @@ fn a_formula_that_is_wrong_about_the_pair_is_called_so() {
     };
     let (wrong, slight) = (
         number(start),
-        match trust.contains("of them that costs") {
-            true => number("or a root touches; at "),
-            false => 0,
+        if trust.contains("of them that costs") {
+            number("or a root touches; at ")
+        } else {
+            0
         },
     );
     let (before, _) = trust.split_once(" poses a tip corner").unwrap();

@@ -168,9 +168,10 @@ fn the_words_of_a_small_report() {
     ) {
         let cells = Selector::parse("td, th").unwrap();
         let cells: Vec<String> = element.select(&cells).map(|cell| text(&cell)).collect();
-        words += &match cells.is_empty() {
-            true => text(&element),
-            false => cells.join(" | "),
+        words += &if cells.is_empty() {
+            text(&element)
+        } else {
+            cells.join(" | ")
         };
         words.push('\n');
     }

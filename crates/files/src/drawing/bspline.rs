@@ -93,10 +93,7 @@ impl BSpline {
         let point = |count: usize| {
             let mut at: Vec<Vector3<f64>> = (span - degree..=span)
                 .map(|index| {
-                    let weight = match equal {
-                        true => 1.0,
-                        false => self.weights[index],
-                    };
+                    let weight = if equal { 1.0 } else { self.weights[index] };
                     (self.points[index].coords * weight).push(weight)
                 })
                 .collect();

@@ -114,9 +114,10 @@ pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
             continue;
         }
         let (forward, closed) = walk(2 * first, &mates);
-        let backward = match closed {
-            true => Vec::new(),
-            false => walk(2 * first + 1, &mates).0,
+        let backward = if closed {
+            Vec::new()
+        } else {
+            walk(2 * first + 1, &mates).0
         };
         for entry in forward.iter().chain(&backward) {
             seen[entry / 2] = true;

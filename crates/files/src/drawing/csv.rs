@@ -39,9 +39,10 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     for row in &rows {
         let [x, y] = row.numbers.map(|number| number.value * scale);
         let point = Point2::new(x, y);
-        match points.last() == Some(&point) {
-            true => pieces.leave_out("repeated point", &format!("line {}", row.line)),
-            false => points.push(point),
+        if points.last() == Some(&point) {
+            pieces.leave_out("repeated point", &format!("line {}", row.line))
+        } else {
+            points.push(point)
         }
     }
     if points.len() > 1 && points.first() == points.last() {
@@ -66,13 +67,14 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         ));
     }
     let next = points.iter().skip(1).chain(&points[..usize::from(!part)]);
-    let segments = match options.smooth {
-        true => closed_spline(&points),
-        false => points
+    let segments = if options.smooth {
+        closed_spline(&points)
+    } else {
+        points
             .iter()
             .zip(next)
             .map(|(from, to)| PathSegment::Line([*from, *to]))
-            .collect(),
+            .collect()
     };
     pieces.add(
         "",
@@ -233,15 +235,16 @@ fn one_decimal_sign(rows: &[Row]) -> Result<(), DrawingError> {
     // A point is the decimal sign: every program that writes coordinates uses it.
     let unsure = sign == Decimal::Comma
         && numbers().all(|(_, number)| number.decimal.is_none() || number.may_be_thousands);
-    match unsure {
-        true => Err(DrawingError::at(
+    if unsure {
+        Err(DrawingError::at(
             format!("line {line}"),
             format!(
                 "\"{}\" is ambiguous: decimal comma or thousands separator",
                 cut(first.text, LONGEST_NAME)
             ),
             "write the numbers with a decimal point",
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }

@@ -76,13 +76,13 @@ impl DrawingError {
 
     /// A path whose ends do not meet, `gap_mm` apart where they come nearest.
     pub(super) fn open(reason: String, gap_mm: f64) -> DrawingError {
-        let help = match gap_mm < MEANT_TO_MEET_MM {
-            true => format!(
+        let help = if gap_mm < MEANT_TO_MEET_MM {
+            format!(
                 "close the gap in the drawing, or state that ends so near are one point: join_mm = {}",
                 above(gap_mm)
-            ),
-            false => "close the path, delete it, or name the `layer` or `id` of the outline alone"
-                .to_owned(),
+            )
+        } else {
+            "close the path, delete it, or name the `layer` or `id` of the outline alone".to_owned()
         };
         DrawingError::new(reason, help)
     }

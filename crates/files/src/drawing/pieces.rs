@@ -197,11 +197,12 @@ fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
             PathSegment::Arc { centre, radius, .. } => near(centre) && *radius <= FARTHEST_MM,
             PathSegment::Cubic(points) => points.iter().all(near),
         };
-    match good {
-        true => Ok(()),
-        false => Err(DrawingError::number(
+    if good {
+        Ok(())
+    } else {
+        Err(DrawingError::number(
             place,
             format!("a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm"),
-        )),
+        ))
     }
 }

@@ -8,9 +8,10 @@ use gearlash::metrology::{Outlier, TooFar};
 pub fn describe(of: &Statements, outlier: &Outlier) -> String {
     let (key, why) = match outlier {
         Outlier::Reading(reading) => (
-            match reading.over_pins {
-                true => "thickness.over_pins",
-                false => "thickness.span",
+            if reading.over_pins {
+                "thickness.over_pins"
+            } else {
+                "thickness.span"
             },
             match reading.why {
                 TooFar::CoarseGear(um) => {
@@ -74,20 +75,22 @@ fn deviation(outlier: &Outlier) -> String {
             "{} µm from the median of all {}, {}",
             ascii(reading.off_um, 1),
             reading.readings,
-            match reading.flanks_taken_out {
-                false => format!("{} mm", reading.median_mm),
-                true => format!(
+            if reading.flanks_taken_out {
+                format!(
                     "{} mm, after removing the effect of the stated flanks",
                     ascii(reading.median_mm, 4)
-                ),
+                )
+            } else {
+                format!("{} mm", reading.median_mm)
             }
         ),
         Outlier::Pitch(pitch) => format!(
             "{} µm from {}",
             ascii(pitch.off_um, 1),
-            match pitch.from_neighbours {
-                true => "its neighbours' mean",
-                false => "the median",
+            if pitch.from_neighbours {
+                "its neighbours' mean"
+            } else {
+                "the median"
             }
         ),
     }

@@ -13,9 +13,10 @@ pub fn readings(readings: &FittedReadings) -> String {
         FlankKnowledge::NoPitch => format!(
             "the readings' first harmonic{} is an eccentricity of {fitted}, which is used as the gear's: without [pitch] a first harmonic of its own tooth \
              thickness cannot be distinguished from it. F_r, their range, is {range} µm; up to {left} µm of a reading is residual and ignored",
-            match readings.flanks_taken_out {
-                false => "",
-                true => ", after removing the effect of the stated tooth thickness,",
+            if readings.flanks_taken_out {
+                ", after removing the effect of the stated tooth thickness,"
+            } else {
+                ""
             },
         ),
         FlankKnowledge::Pitch => format!(

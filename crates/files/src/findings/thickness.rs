@@ -7,9 +7,10 @@ use gearlash::metrology::{MeanOnly, StatementRole, ThicknessBesidePitch, Thickne
 
 /// Dimensions over pins all round.
 pub fn mean_by_pins(readings: usize, with_pitch: bool) -> String {
-    let pitch = match with_pitch {
-        true => "",
-        false => "; without [pitch] the pitch is assumed even",
+    let pitch = if with_pitch {
+        ""
+    } else {
+        "; without [pitch] the pitch is assumed even"
     };
     format!(
         "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{pitch}"
@@ -18,9 +19,10 @@ pub fn mean_by_pins(readings: usize, with_pitch: bool) -> String {
 
 /// Spans over `k` teeth at all `z`, which determine each tooth.
 pub fn each_tooth_by_spans(k: u32, z: u32, growth: u32, with_pitch: bool) -> String {
-    let pitch = match with_pitch {
-        true => "",
-        false => "; without [pitch] all variation of the spans counts as thickness",
+    let pitch = if with_pitch {
+        ""
+    } else {
+        "; without [pitch] all variation of the spans counts as thickness"
     };
     format!(
         "{z} spans over {k} teeth give each tooth's thickness; an error of the readings is amplified up to {growth}-fold, \
@@ -37,9 +39,10 @@ pub fn mean_by_spans(
     why: MeanOnly,
     pitch_in_mean: bool,
 ) -> String {
-    let mean_only = match pitch_in_mean {
-        true => "; without [pitch] the pitch at these places stays in the mean thickness",
-        false => "",
+    let mean_only = if pitch_in_mean {
+        "; without [pitch] the pitch at these places stays in the mean thickness"
+    } else {
+        ""
     };
     let why = match why {
         MeanOnly::AsAsked => return format!("{readings} spans, {z} teeth{mean_only}"),

@@ -62,9 +62,10 @@ impl OutlineFile<'_> {
     /// The description, one line each.
     fn header(&self, arcs: bool) -> Vec<String> {
         let built = self.gear;
-        let lands = match arcs {
-            true => "on flanks; tip and root lands are arcs",
-            false => "everywhere",
+        let lands = if arcs {
+            "on flanks; tip and root lands are arcs"
+        } else {
+            "everywhere"
         };
         let mut lines = vec![
             format!("title: {}", cut(&plain(self.title), LONGEST_TITLE)),

@@ -81,9 +81,10 @@ impl ComparedOutlines {
         let OutlineDifference {
             greatest, least, ..
         } = &self.difference;
-        match greatest.beyond.abs() >= least.beyond.abs() {
-            true => greatest,
-            false => least,
+        if greatest.beyond.abs() >= least.beyond.abs() {
+            greatest
+        } else {
+            least
         }
     }
 

@@ -177,24 +177,26 @@ fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fa
     }
     let base = gear.basic_data.ok_or(None)?.base_radius();
     let radius = 0.5 * at_mm;
-    match radius >= base {
-        true => Ok(((radius - base) * (radius + base)).sqrt()),
-        false => Err(Some((
+    if radius >= base {
+        Ok(((radius - base) * (radius + base)).sqrt())
+    } else {
+        Err(Some((
             format!(
                 "diameter {at_mm} mm, allowed is from the base circle on, {} mm",
                 ascii(2.0 * base, 4)
             ),
             "leave out points below the base circle: there is no involute".to_owned(),
-        ))),
+        )))
     }
 }
 
 /// The fault of a point that does not ascend from `last`.
 fn ascending(last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
     let last = last.filter(|last| point.0 <= last.0)?;
-    let how = match point.0 < last.0 {
-        true => "descends",
-        false => "is the same as before",
+    let how = if point.0 < last.0 {
+        "descends"
+    } else {
+        "is the same as before"
     };
     let name = by.name();
     Some((

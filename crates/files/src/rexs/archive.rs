@@ -47,12 +47,13 @@ pub fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, Problem> {
     part.take(MOST_BYTES + 1)
         .read_to_end(&mut content)
         .map_err(|error| damaged(&error))?;
-    match content.len() as u64 > MOST_BYTES {
-        true => Err(problem(
+    if content.len() as u64 > MOST_BYTES {
+        Err(problem(
             PLACE,
             "its file has more than 16 MiB",
             "check that this is the file you mean",
-        )),
-        false => Ok(content),
+        ))
+    } else {
+        Ok(content)
     }
 }

@@ -96,16 +96,17 @@ impl<'a> Attributes<'a> {
         let Some(number) = self.number(id, NUMBER)? else {
             return Ok(None);
         };
-        match number.fract() == 0.0 && (1.0..=1e9).contains(&number) {
-            true => Ok(Some(number as u32)),
-            false => Err(Problem {
+        if number.fract() == 0.0 && (1.0..=1e9).contains(&number) {
+            Ok(Some(number as u32))
+        } else {
+            Err(Problem {
                 value: Some(number.to_string()),
                 ..problem(
                     &self.component.place_of(id),
                     "not a whole number above 0",
                     "correct it",
                 )
-            }),
+            })
         }
     }
 

@@ -164,9 +164,10 @@ impl<'a> Gear<'a> {
             _ => None,
         };
         if self.rack.is_none() {
-            let why = match several {
-                true => "has tools that differ",
-                false => "has no rack-shaped tool with addendum and tip radius",
+            let why = if several {
+                "has tools that differ"
+            } else {
+                "has no rack-shaped tool with addendum and tip radius"
             };
             self.remarks
                 .push(format!("{place} {why}: the root is that of ISO 53 A"));

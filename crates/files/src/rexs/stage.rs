@@ -223,14 +223,15 @@ fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<Strin
         Err(error) => return Ok(Some(format!("js{grade} is not compared: {error}"))),
     };
     let differs = |(one, other): (f64, f64)| (one - other).abs() > ROUNDING_UM;
-    match allowances.into_iter().zip([half, -half]).any(differs) {
-        false => Ok(None),
-        true => Err(format!(
+    if allowances.into_iter().zip([half, -half]).any(differs) {
+        Err(format!(
             "contradicts itself: js{grade} is ±{} µm, its centre distance allowances are {} / {} µm",
             trimmed(half, 0, 1),
             trimmed(allowances[0], 0, 1),
             trimmed(allowances[1], 0, 1)
-        )),
+        ))
+    } else {
+        Ok(None)
     }
 }
 

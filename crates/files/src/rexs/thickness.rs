@@ -85,15 +85,16 @@ fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> R
         .allowances_um(basic_data)
         .map_err(|error| error.to_string())?;
     let differs = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
-    match series.iter().zip(&span).any(differs) {
-        false => Ok(()),
-        true => Err(format!(
+    if series.iter().zip(&span).any(differs) {
+        Err(format!(
             "contradicts itself: {field} is {} / {} µm, the allowances of its span make {} / {} µm",
             fixed(series[0], 1),
             fixed(series[1], 1),
             fixed(span[0], 1),
             fixed(span[1], 1)
-        )),
+        ))
+    } else {
+        Ok(())
     }
 }
 

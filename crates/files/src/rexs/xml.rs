@@ -39,9 +39,12 @@ pub fn read(text: &str) -> Result<Document, Problem> {
         ..Document::default()
     };
     for part in elements(model) {
-        let seen = |is_empty: bool| match is_empty {
-            true => Ok(()),
-            false => Err(wrong(part, "this part stands twice")),
+        let seen = |is_empty: bool| {
+            if is_empty {
+                Ok(())
+            } else {
+                Err(wrong(part, "this part stands twice"))
+            }
         };
         match part.tag_name().name() {
             "relations" => {
@@ -102,9 +105,12 @@ fn of<T>(
     name: &str,
     read: impl Fn(Node) -> Result<T, Problem>,
 ) -> Result<Vec<T>, Problem> {
-    let each = elements(parent).map(|child| match child.tag_name().name() == name {
-        true => read(child),
-        false => Err(wrong(child, &format!("expected {name}"))),
+    let each = elements(parent).map(|child| {
+        if child.tag_name().name() == name {
+            read(child)
+        } else {
+            Err(wrong(child, &format!("expected {name}")))
+        }
     });
     each.collect()
 }

@@ -259,9 +259,12 @@ impl<'a> Found<'a> {
                 _ => runs.push([*line; 2]),
             }
         }
-        let run = |[first, last]: [u64; 2]| match first == last {
-            true => first.to_string(),
-            false => format!("{first}–{last}"),
+        let run = |[first, last]: [u64; 2]| {
+            if first == last {
+                first.to_string()
+            } else {
+                format!("{first}–{last}")
+            }
         };
         let plural = |count: usize| if count == 1 { "" } else { "s" };
         let mut words = Vec::new();

@@ -1,4 +1,4 @@
-//! The pair put together, and what is run and compared.
+//! The assembly of the pair, and the poses to run and to compare.
 
 use super::rules::{
     at_least, at_most_one, beside, deviation, exactly_one, length, list_length, whole, within,
@@ -26,7 +26,7 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
-    /// Centre distance a, mm; with measured and no sweep its rows decide.
+    /// Centre distance a, mm; with measured and no sweep its rows give it.
     #[serde(default = "of_rows", alias = "centre_distance_mm")]
     pub center_distance_mm: CenterDistanceSpec,
     /// The gear that stands still, "wheel" or "pinion"; the other is turned.
@@ -36,13 +36,13 @@ pub struct AssemblySpec {
     #[serde(default, deserialize_with = "both_or_each")]
     #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
-    /// Of helical gears: how far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer; none: 0.
+    /// Axial offset of the pinion's measuring plane from the wheel's, mm away from the viewer, for helical gears; none: 0.
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_offset_mm: Option<f64>,
-    /// Temperature of gears and housing, °C; all lengths are stated at 20 °C, but for the play of the bearings.
+    /// Temperature of gears and housing, °C; all lengths but bearing play are stated at 20 °C.
     #[schemars(transform = within(-200.0, 400.0))]
     pub temperature_c: Option<f64>,
-    /// Coefficient of thermal expansion of the housing, 1/K: 23e-6 of aluminium.
+    /// Coefficient of thermal expansion of the housing, 1/K: 23e-6 for aluminium.
     #[schemars(transform = within(0.0, 3e-4))]
     pub housing_expansion_per_k: Option<f64>,
 }
@@ -60,7 +60,7 @@ fn both_spellings(schema: &mut Schema) {
     at_most_one(schema, &[&[american], &[british]]);
 }
 
-/// None are stated.
+/// An empty list of distances.
 fn of_rows() -> CenterDistanceSpec {
     CenterDistanceSpec::Distances(Vec::new())
 }
@@ -83,7 +83,7 @@ pub enum CenterDistanceSpec {
 }
 
 impl CenterDistanceSpec {
-    /// The distances to run, mm: of a band the least, the nominal and the greatest.
+    /// The distances to run, mm: the least, the nominal and the greatest of a band.
     pub fn distances_mm(&self) -> Vec<f64> {
         match self {
             CenterDistanceSpec::Distances(list) => list.clone(),
@@ -92,7 +92,7 @@ impl CenterDistanceSpec {
         }
     }
 
-    /// The one distance that is stated, mm: the nominal one of a band; `None` of several.
+    /// The one stated distance, mm: the nominal one of a band; `None` for several.
     pub fn nominal_mm(&self) -> Option<f64> {
         match self {
             CenterDistanceSpec::Distances(list) => match list[..] {
@@ -121,7 +121,7 @@ impl CenterDistanceSpec {
 pub struct DesignatedDistanceSpec {
     #[schemars(regex(pattern = DISTANCE_FIELD))]
     text: String,
-    /// What it means.
+    /// Its meaning as a band.
     #[serde(skip)]
     band: DistanceBandSpec,
     #[serde(skip)]
@@ -129,7 +129,7 @@ pub struct DesignatedDistanceSpec {
 }
 
 impl DesignatedDistanceSpec {
-    /// As written, and what it means.
+    /// Keeps the stated text and its meaning.
     ///
     /// # Errors
     /// A size beyond the table of ISO 286.
@@ -152,9 +152,10 @@ impl DesignatedDistanceSpec {
         let (text, nominal) = (&self.text, self.band.nominal_mm);
         let [least, greatest] = self.band.ends_mm();
         let half = rounded(greatest - nominal, 12);
-        let limits = match half == rounded(nominal - least, 12) {
-            true => format!("{} ± {}", shortest(nominal), shortest(half)),
-            false => format!("{} … {}", shortest(least), shortest(greatest)),
+        let limits = if half == rounded(nominal - least, 12) {
+            format!("{} ± {}", shortest(nominal), shortest(half))
+        } else {
+            format!("{} … {}", shortest(least), shortest(greatest))
         };
         self.is_field
             .then(|| format!("{text} is {limits} mm, {ISO_286_SOURCE}"))
@@ -230,7 +231,7 @@ pub struct BearingClearanceSpec {
 }
 
 impl BearingClearanceSpec {
-    /// Both together, mm: by so much the gears may approach.
+    /// The sum of both, mm: the gears can approach by this much.
     pub fn sum_mm(&self) -> f64 {
         self.wheel + self.pinion
     }
@@ -307,7 +308,7 @@ pub enum ExtremePhases {
     AllPhases,
 }
 
-/// Of the polygon method.
+/// Settings of the polygon method.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct AccuracySpec {
@@ -322,7 +323,7 @@ impl Default for AccuracySpec {
     }
 }
 
-/// Of gearlash compare.
+/// Settings of gearlash compare.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct CompareSpec {

@@ -301,14 +301,15 @@ pub(crate) fn as_clause(sentence: &str) -> String {
     let sentence = sentence.trim_end_matches('.');
     let word = sentence.split([' ', ':', ',']).next().unwrap_or_default();
     let plain = word == "A" || word.len() > 1 && word.chars().skip(1).all(char::is_lowercase);
-    match plain {
-        true => sentence
+    if plain {
+        sentence
             .chars()
             .next()
             .into_iter()
             .flat_map(char::to_lowercase)
             .chain(sentence.chars().skip(1))
-            .collect(),
-        false => sentence.to_owned(),
+            .collect()
+    } else {
+        sentence.to_owned()
     }
 }

@@ -1,4 +1,4 @@
-//! Where the flanks stand: runout and pitch.
+//! Positions of the flanks: runout and pitch.
 
 use super::rules::{
     at_least, beside, columns, deviation, exactly_one, length, no_default, not_beside, values_need,
@@ -92,6 +92,6 @@ fn pitch_keys(schema: &mut Schema) {
     not_beside(schema, "file", &["right_um", "left_um"]);
     beside(schema, "left", &[&["file"]]);
     beside(schema, "right", &[&["file"]]);
-    // It has two.
+    // Pitch has a column for each flank.
     without(schema, "column");
 }

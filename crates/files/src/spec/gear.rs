@@ -117,7 +117,7 @@ impl GearSpec {
     }
 }
 
-/// Module and width in one of both ways; 0 stands for none.
+/// One key for the module, at most one for the face. Module and tip diameter show no default: their 0 means absent.
 fn gear_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["module_mm"], &["diametral_pitch"]]);
     at_most_one(schema, &[&["face_mm"], &["face_width_mm"]]);

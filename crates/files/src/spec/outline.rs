@@ -58,18 +58,18 @@ pub struct OutlineSpec {
     /// Direction of tooth 1 in the drawing, degrees counter-clockwise from +x; none: the first at or clockwise of +y.
     #[schemars(transform = within(-360.0, 360.0))]
     pub first_tooth_deg: Option<f64>,
-    /// Of a list of points: "polygon", or "smooth", a cubic spline through them.
+    /// How a list of points is joined: "polygon", or "smooth", a cubic spline through them.
     #[serde(default)]
     pub kind: PointsKind,
 }
 
-/// Where the centre is.
+/// Position of the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum CentreSpec {
     /// In the drawing, mm.
     At([f64; 2]),
-    /// To be found.
+    /// Found in the drawing.
     Found(CentreName),
 }
 
@@ -83,7 +83,7 @@ fn join_mm() -> f64 {
     JOIN_MM
 }
 
-/// What the centre is found by.
+/// How the centre is found.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
@@ -94,7 +94,7 @@ pub enum CentreName {
     Fit,
 }
 
-/// What stands between the points of a list.
+/// How the points of a list are joined.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]

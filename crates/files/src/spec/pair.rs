@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_with::skip_serializing_none;
 
-// `G` is `GearSpec` where both gears are given by their data, and `EitherGearSpec` where they need not be. The schema has the comment below.
+// `G` is `GearSpec` where both gears are given by their data, else `EitherGearSpec`. The schema has the comment below.
 /// Two cylindrical gears, what was measured on them, how they are put together.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -32,15 +32,15 @@ pub struct PairSpec<G = GearSpec> {
     pub measured: Option<MeasuredSpec>,
     /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
     pub sweep: Option<SweepSpec>,
-    /// Of the polygon method.
+    /// Settings of the polygon method.
     pub accuracy: Option<AccuracySpec>,
-    /// Of gearlash compare.
+    /// Settings of gearlash compare.
     pub compare: Option<CompareSpec>,
     /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
     pub require: Option<RequireSpec>,
     /// Standard uncertainties of what was measured, µm; least and greatest backlash are shown with theirs.
     pub uncertainty: Option<UncertaintySpec>,
-    /// How the numbers scatter from one assembly to the next: of gearlash tolerance.
+    /// Scatter from one assembly to the next, for gearlash tolerance.
     pub tolerance: Option<ToleranceSpec>,
 }
 
@@ -59,9 +59,9 @@ pub struct GearFileSpec {
 /// Two drawings of one gear.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct TwoDrawingsSpec {
-    /// The one that the other is compared with.
+    /// The reference drawing.
     pub a: OutlineGearSpec,
-    /// The other.
+    /// The drawing that is compared with it.
     pub b: OutlineGearSpec,
 }
 
@@ -76,7 +76,7 @@ pub enum EitherGearSpec {
 }
 
 impl EitherGearSpec {
-    /// The gear by its data; `None` of an outline.
+    /// The gear by its data; `None` for an outline.
     pub fn data(&self) -> Option<&GearSpec> {
         match self {
             EitherGearSpec::Data(spec) => Some(spec),
@@ -92,7 +92,7 @@ impl EitherGearSpec {
         }
     }
 
-    /// The face of the gear that its data and deviations are of.
+    /// The face from which its data and deviations are stated.
     pub fn reference_face(&self) -> Face {
         match self {
             EitherGearSpec::Data(spec) => spec.reference_face,

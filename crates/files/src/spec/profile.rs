@@ -1,4 +1,4 @@
-//! How the flanks deviate from the involute.
+//! Deviations of the flanks from the involute.
 
 use super::rules::{
     beside, columns, deviation, exactly_one, length, list_length, not_beside, whole, within,
@@ -12,12 +12,12 @@ use serde_with::skip_serializing_none;
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ProfileSpec {
-    /// Of both flanks.
+    /// Values for both flanks.
     #[serde(flatten)]
     pub both: FlankProfileSpec,
-    /// Of the gear's own right flanks alone, in place of what is said of both.
+    /// Values for the gear's own right flanks, in place of those for both.
     pub right: Option<FlankProfileSpec>,
-    /// Of its left flanks alone, likewise.
+    /// Values for its left flanks, in place of those for both.
     pub left: Option<FlankProfileSpec>,
 }
 
@@ -28,7 +28,7 @@ pub struct FlankProfileSpec {
     /// Profile slope f_Hα, µm: 0 at the start of the evaluation range, this much at its end.
     #[schemars(transform = deviation())]
     pub slope_um: Option<f64>,
-    /// Profile crowning C_α, µm: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends; negative: hollow.
+    /// Profile crowning C_α, µm: a parabola of this height in the middle of the evaluation range, 0 at its ends; negative: hollow.
     #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the tip.
@@ -82,7 +82,7 @@ pub struct TraceSpec {
     /// Roll lengths r_b ξ from the base circle on, mm, ascending.
     #[schemars(transform = within(0.0, 1e9), transform = list_length(2, None))]
     pub roll_length_mm: Option<Vec<f64>>,
-    /// The same as diameters, mm, ascending.
+    /// Diameters in place of roll lengths, mm, ascending.
     #[schemars(transform = length(), transform = list_length(2, None))]
     pub diameter_mm: Option<Vec<f64>>,
     /// Deviation at each, µm, plus = more material.
@@ -94,7 +94,7 @@ pub struct TraceSpec {
 }
 
 impl FlankProfileSpec {
-    /// Its traces.
+    /// The traces.
     pub fn traces(&self) -> &[TraceSpec] {
         match &self.trace {
             None => &[],
@@ -105,7 +105,7 @@ impl FlankProfileSpec {
 }
 
 impl ProfileSpec {
-    /// Of the right flanks, and of the left ones.
+    /// The values for the right flanks, and for the left ones.
     pub fn flanks(&self) -> [&FlankProfileSpec; 2] {
         [&self.right, &self.left].map(|own| own.as_ref().unwrap_or(&self.both))
     }

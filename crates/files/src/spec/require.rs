@@ -1,4 +1,4 @@
-//! `[require]`: what the pair must keep.
+//! `[require]`: limits that the pair must keep.
 
 use super::rules::within;
 use gearlash::pair::Member;

@@ -1,4 +1,4 @@
-//! How thick the teeth are.
+//! Thickness of the teeth.
 
 use super::rules::{
     at_least, at_most_one, beside, beside_list, columns, deviation, exactly_one, length,
@@ -11,7 +11,7 @@ use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
-/// The statements, each a key.
+/// The statements, one key each.
 const STATEMENTS: [&[&str]; 8] = [
     &["span"],
     &["over_pins"],
@@ -23,7 +23,7 @@ const STATEMENTS: [&[&str]; 8] = [
     &["chordal_thickness"],
 ];
 
-/// The default of a pair file.
+/// The default tolerance of a cross-check, µm.
 pub(crate) const CROSS_CHECK_UM: f64 = gearlash::metrology::CrossCheck::TOLERANCE_UM;
 
 /// Mean tooth thickness: one statement; none: nominal.
@@ -44,13 +44,13 @@ pub struct ThicknessSpec {
 }
 
 impl ThicknessSpec {
-    /// `k` of the span that states the thickness, or else of the one that cross-checks it.
+    /// `k` of the span that states the thickness, or else of the one in the cross-check.
     pub fn span_teeth(&self) -> Option<u32> {
         self.statements()
             .find_map(|statement| Some(statement.span.as_ref()?.teeth))
     }
 
-    /// `D_M`, mm, of the dimension over pins that states the thickness, or else of the one that cross-checks it.
+    /// `D_M`, mm, of the dimension over pins that states the thickness, or else of the one in the cross-check.
     pub fn pin_mm(&self) -> Option<f64> {
         self.statements()
             .find_map(|statement| Some(statement.over_pins.as_ref()?.pin_mm))
@@ -79,10 +79,10 @@ pub struct StatementSpec {
     #[schemars(transform = deviation())]
     #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
     pub allowance_um: Option<Either<f64, BandSpec>>,
-    /// What both flanks stand out along their normals beyond nominal, mm: of printed and cut gears.
+    /// How far both flanks are beyond nominal, mm along their normals: for printed and cut gears.
     #[schemars(transform = within(-100.0, 100.0))]
     pub flank_offset_mm: Option<Either<f64, BandSpec>>,
-    /// Base tooth thickness s_b, mm; of helical gears s_bn, normal to the teeth: s_bt cos β_b.
+    /// Base tooth thickness s_b, mm; for helical gears s_bn, normal to the teeth: s_bt cos β_b.
     #[schemars(transform = length())]
     pub base_thickness_mm: Option<Either<f64, BandSpec>>,
     /// Tooth thickness s_n along the reference circle, mm, in the normal section.
@@ -100,7 +100,7 @@ pub struct CrossCheckSpec {
     /// The statement.
     #[serde(flatten)]
     pub statement: StatementSpec,
-    /// How far the two may lie apart as base thickness, µm.
+    /// Allowed difference of the two as base thickness, µm.
     #[schemars(extend("default" = CROSS_CHECK_UM), transform = at_least(0.0))]
     pub tolerance_um: Option<f64>,
 }
@@ -182,7 +182,7 @@ pub struct OverPinsSpec {
     pub table: Option<TableFileSpec>,
 }
 
-/// The values of a list; a table has none until its file is read.
+/// The values of a list; `None` for a table until its file is read.
 fn listed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<f64>>, D::Error> {
     Ok(match Either::deserialize(from)? {
         Either::One(list) => Some(list),

@@ -1,4 +1,4 @@
-//! `[tolerance]`: how the numbers of a pair scatter from one assembly to the next.
+//! `[tolerance]`: scatter of the numbers of a pair from one assembly to the next.
 
 use super::rules::{above_zero, deviation, exactly_one, list_length, not_beside, whole, within};
 use super::value::{Either, one_or_list};
@@ -7,7 +7,7 @@ use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
-/// How the numbers of the pair scatter from one assembly to the next: of gearlash tolerance.
+/// Scatter from one assembly to the next, for gearlash tolerance.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -21,13 +21,13 @@ pub struct ToleranceSpec {
     /// How many of a million assemblies may miss the requirement; exit code 1 where more do.
     #[schemars(transform = within(0.0, 1e6))]
     pub max_ppm: Option<f64>,
-    /// The share of draws that may be of no gear, as with pointed teeth: above it there is no result.
+    /// Allowed share of draws that give no gear, as with pointed teeth; above it there is no result.
     #[schemars(transform = within(0.0, 1.0))]
     pub max_impossible: f64,
-    /// Rows of the samples that the contributions are found from; 0: none are.
+    /// Rows of the samples for the contributions; 0: no contributions.
     #[schemars(transform = whole(0, 10_000_000))]
     pub contribution_rows: u32,
-    /// By what the centre distance is greater than stated.
+    /// Difference of the centre distance from the stated one.
     pub center_distance: Option<ScatterSpec>,
     /// Radial play of both bearings together, in place of the assembly's.
     pub bearing_play: Option<ScatterSpec>,
@@ -72,18 +72,18 @@ pub enum PhaseName {
     Marked,
 }
 
-/// How one gear scatters: each key by itself, or whole gears.
+/// Scatter of one gear: each key by itself, or whole gears.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = gear_keys)]
 pub struct GearToleranceSpec {
-    /// By what all teeth are thicker than stated (than the middle of what is stated), at the reference circle.
+    /// Difference of all teeth from the stated thickness (the middle of a band), at the reference circle.
     pub thickness: Option<ScatterSpec>,
     /// Runout F_r in place of the gear's; its direction is any.
     pub runout: Option<ScatterSpec>,
     /// Single pitch deviations of every tooth, on top of the gear's.
     pub pitch: Option<PitchScatterSpec>,
-    /// By what each tooth is thicker, on top of the gear's.
+    /// Thickness of each tooth, on top of the gear's.
     pub per_tooth: Option<ScatterSpec>,
     /// Measured gears, one of which is drawn: gear files or pair files, by name; * stands for any letters of a file's name.
     #[serde(default, deserialize_with = "names")]
@@ -132,16 +132,16 @@ pub struct ScatterSpec {
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
 pub enum ScatterName {
-    /// Always the same.
+    /// Always equal.
     Fixed,
-    /// Everywhere between limits alike.
+    /// Equally often between limits.
     Uniform,
-    /// Most often at its mode, at its limits never.
+    /// Most often at its mode, never at its limits.
     Triangular,
     /// Normal.
     #[default]
     Normal,
-    /// Length of a vector with two normal components: of an eccentricity.
+    /// Length of a vector with two normal components, as of an eccentricity.
     Rayleigh,
     /// Measured values.
     Table,
@@ -164,7 +164,7 @@ fn names<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<String>>, D::E
     one_or_list(from).map(Some)
 }
 
-/// Measured gears are taken whole.
+/// A list of gears excludes the other keys.
 fn gear_keys(schema: &mut Schema) {
     not_beside(
         schema,

@@ -1,4 +1,4 @@
-//! `[uncertainty]`: what the measurements may be off.
+//! `[uncertainty]`: standard uncertainties of the measurements.
 
 use super::rules::{above_zero, within};
 use schemars::JsonSchema;
@@ -8,28 +8,28 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct UncertaintySpec {
-    /// Of a span, µm.
+    /// Uncertainty of a span, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub span_um: f64,
-    /// Of a dimension over pins, µm.
+    /// Uncertainty of a dimension over pins, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub over_pins_um: f64,
-    /// Of a thickness stated in any other way, µm.
+    /// Uncertainty of a thickness stated in any other way, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub allowance_um: f64,
-    /// Of the thickness of a single tooth beside the others, µm.
+    /// Uncertainty of the thickness of a single tooth against the others, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub per_tooth_um: f64,
-    /// Of the pitch deviation of a flank, µm.
+    /// Uncertainty of the pitch deviation of a flank, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub pitch_um: f64,
-    /// Of the runout of each gear, µm.
+    /// Uncertainty of the runout of each gear, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub runout_um: f64,
-    /// Of the centre distance, µm.
+    /// Uncertainty of the centre distance, µm.
     #[schemars(transform = within(0.0, 1e6))]
     pub center_distance_um: f64,
-    /// Coverage factor of what is shown.
+    /// Coverage factor of the expanded uncertainty.
     #[schemars(transform = above_zero(10.0))]
     pub coverage_factor: f64,
 }

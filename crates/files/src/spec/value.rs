@@ -1,4 +1,4 @@
-//! Values that may be written in more than one way.
+//! Values that can be written in more than one way.
 
 use super::rules::{beside, exactly_one};
 use crate::sheet::number::Decimal;
@@ -6,15 +6,15 @@ use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
-/// A value that is written in either of two ways.
+/// A value with two ways to write it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 #[schemars(inline)]
 pub enum Either<A, B> {
-    /// The simpler one.
+    /// The simpler way.
     #[schemars(description = "")]
     One(A),
-    /// The other.
+    /// The other way.
     #[schemars(description = "")]
     Other(B),
 }
@@ -84,7 +84,7 @@ pub struct TableFileSpec {
 }
 
 impl TableFileSpec {
-    /// The table `file`, whose sheet and decimal sign need not be stated.
+    /// The table in `file`; sheet and decimal sign are not stated.
     pub fn new(file: String) -> TableFileSpec {
         TableFileSpec {
             file,

@@ -40,12 +40,13 @@ pub fn named(folder: &Path, name: &str) -> Named {
         }
     };
     for (path, is_as_written) in walk.found(&mut named.faults) {
-        match is_as_written {
-            true => named.add(path, true),
-            false => named.left_out.push(format!(
+        if is_as_written {
+            named.add(path, true)
+        } else {
+            named.left_out.push(format!(
                 "{}: is as {name:?} but for capital letters, and is left out",
                 path.display()
-            )),
+            ))
         }
     }
     named
@@ -135,9 +136,10 @@ const IGNORE_CASE: MatchOptions = MatchOptions {
 
 /// The entries of `folder` by name; empty where it is no folder.
 fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
-    let at = match folder.as_os_str().is_empty() {
-        true => Path::new("."),
-        false => folder,
+    let at = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
     };
     if !at.is_dir() {
         return Vec::new();

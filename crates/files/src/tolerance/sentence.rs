@@ -32,10 +32,7 @@ pub fn sentence(result: &ToleranceResult) -> String {
     }
     if let Some(met) = result.is_met() {
         let most = about.max_ppm.unwrap_or_default();
-        text += match met {
-            true => "; meets",
-            false => "; does not meet",
-        };
+        text += if met { "; meets" } else { "; does not meet" };
         text += &format!(" the {} ppm allowed", shortest(most));
     }
     text

@@ -151,12 +151,13 @@ impl ToleranceFile {
         let stated = own.thickness.per_tooth_um.as_ref();
         let differ =
             scatters.of(member).per_tooth.is_some() || stated.is_some_and(|each| !each.is_empty());
-        let thicker = |tooth: u32| match differ {
-            true => {
+        let thicker = |tooth: u32| {
+            if differ {
                 let turned = Side::BOTH.map(|side| side.sense() * gear.flank_offset(side, tooth));
                 radius * turned.iter().sum::<f64>()
+            } else {
+                0.0
             }
-            false => 0.0,
         };
         let pitch = |own: Flank| -> Vec<f64> {
             let side = gear.face().seen_from_front(own);

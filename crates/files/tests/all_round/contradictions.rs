@@ -227,9 +227,12 @@ fn an_eccentricity_alone_is_not_doubted() {
         for e in [0.0, 2.0, 20.0] {
             let mut count = |walk: bool| {
                 let doubted = |_: &usize| {
-                    let own = [0, 1].map(|_| match walk {
-                        true => dice.walk(z),
-                        false => dice.list(z, 3.0),
+                    let own = [0, 1].map(|_| {
+                        if walk {
+                            dice.walk(z)
+                        } else {
+                            dice.list(z, 3.0)
+                        }
                     });
                     let to = dice.list(1, TAU / 2.0)[0];
                     let [right, left] = about_datum(own, e, to);

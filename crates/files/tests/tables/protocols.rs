@@ -195,9 +195,10 @@ fn columns_that_are_not_needed() {
     let row = |line: &str| {
         let line = line.replace("fp      Fp      Fr", "fp[µm]  Fp[µm]  Fr  fu");
         let number = line.trim().starts_with(|c: char| c.is_ascii_digit());
-        match number && !line.contains(':') {
-            true => format!("{line} 0.0\n"),
-            false => format!("{line}\n"),
+        if number && !line.contains(':') {
+            format!("{line} 0.0\n")
+        } else {
+            format!("{line}\n")
         }
     };
     let text: String = good().lines().map(row).collect();

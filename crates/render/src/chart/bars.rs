@@ -1,4 +1,4 @@
-//! Bars, one place a tooth.
+//! Bar charts with one place per tooth.
 
 use super::captions::entry;
 use super::paint::Look;
@@ -6,46 +6,46 @@ use super::panel::{Mark, Panel, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 
-/// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be distinguished.
+/// Number of teeth above which lines replace bars. Narrower than a unit, the bars of two flanks cannot be distinguished.
 const MOST_BARS: usize = 350;
 
 /// One series of a bar chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BarSeries<'a> {
-    /// As the legend names it.
+    /// The name in the legend.
     pub name: &'a str,
-    /// One value a tooth, from tooth 1 on.
+    /// One value per tooth, from tooth 1 on.
     pub values: Vec<Option<f64>>,
-    /// How it is drawn.
+    /// The style.
     pub look: Look,
 }
 
-/// Two lines between which values should lie, in the unit of the y axis.
+/// Two lines that limit the values, in the unit of the y axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limits {
     /// Lower and upper.
     pub values: [f64; 2],
-    /// Stands at the upper one.
+    /// The name at the upper one.
     pub name: String,
 }
 
 /// One panel of bars.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BarPanel<'a> {
-    /// What stands above the plot; may be empty.
+    /// The title above the plot; may be empty.
     pub title: &'a str,
-    /// Quantity, where its zero is, and unit.
+    /// Quantity, place of its zero, and unit.
     pub y_axis: &'a str,
-    /// Side by side.
+    /// Drawn side by side.
     pub series: &'a [BarSeries<'a>],
-    /// Lines; the axis has room for them.
+    /// Limit lines; the axis makes room for them.
     pub limits: Vec<Limits>,
-    /// Where no value reaches this amount the panel says so.
+    /// If no value reaches this amount, the panel states it.
     pub level: f64,
 }
 
-/// Bar charts over the same teeth, one below the other; `x_axis` stands below the last, `details` below the heading. The legend names the series of
-/// the first panel where there are several.
+/// Bar charts over the same teeth, one below the other. `x_axis` is the name below the last, `details` a line below the heading.
+/// The legend names the series of the first panel where there are several.
 ///
 /// # Errors
 /// [`PictureError`] when a panel has no value.
@@ -99,7 +99,7 @@ impl BarPanel<'_> {
             }
             panel.marks.push(Mark::Text {
                 at: [ends[1], limits.values[1]],
-                // Clear of the line with its subscripts, too.
+                // Clear of the line, including subscripts.
                 shift: [-4.0, -8.0],
                 text: limits.name.clone(),
                 anchor: Anchor::End,
@@ -107,10 +107,10 @@ impl BarPanel<'_> {
         }
     }
 
-    /// Says so where no value is above the level.
+    /// Adds a note where no value exceeds the level.
     fn say_level(&self, panel: &mut Panel) {
         let mut values = self.series.iter().flat_map(|bars| &bars.values).flatten();
-        // The panel itself says so of zeros alone.
+        // The panel itself notes zeros.
         let zeros = values.clone().all(|value| *value == 0.0);
         if !zeros && values.all(|value| value.abs() < self.level) {
             let [from, to] = panel.x.range;
@@ -128,7 +128,7 @@ impl BarPanel<'_> {
 fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) -> Option<Panel> {
     let values = || series.iter().flat_map(|bars| &bars.values).flatten();
     values().next()?;
-    // A tenth of a unit at least: zeros stay on a line.
+    // At least a tenth of a unit, so that zeros stay on a line.
     let y = range(values().copied().chain([0.0]), [0.08; 2], 0.1)?;
     let teeth = series.iter().map(|bars| bars.values.len()).max()?;
     let ends = [0.4, teeth as f64 + 0.6];
@@ -140,9 +140,10 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
     )];
     for (place, bars) in series.iter().enumerate() {
         let left = 0.6 + place as f64 * width;
-        match teeth > MOST_BARS {
-            true => marks.push(curve(bars)),
-            false => marks.extend(rods(bars, [left, left + width])),
+        if teeth > MOST_BARS {
+            marks.push(curve(bars))
+        } else {
+            marks.extend(rods(bars, [left, left + width]))
         }
     }
     if values().all(|value| *value == 0.0) {
@@ -165,7 +166,7 @@ fn panel([title, x_axis, y_axis]: [&str; 3], height: f64, series: &[BarSeries]) 
     })
 }
 
-/// Bars from `x[0]` to `x[1]` for tooth 1, a tooth further for each next.
+/// Bars from `x[0]` to `x[1]` for tooth 1, shifted by one for each following tooth.
 fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
     let known = bars.values.iter().enumerate();
     known.filter_map(move |(index, value)| {

@@ -1,4 +1,4 @@
-//! Captions, axes and legends that several charts share.
+//! Captions, axes and legends shared by several charts.
 
 use super::paint::Look;
 use super::panel::{Entry, Mark, Panel, Swatch};
@@ -49,12 +49,13 @@ pub(super) fn course_caption(course: &Course) -> String {
     )
 }
 
-/// Zero line, and the ground below it where the axis reaches there; its name stands away from `busy`, a place on x.
+/// The zero line, and the shaded area below it where the axis reaches there. Its name is placed away from `busy`, a place on x.
 pub(super) fn interference(panel: &mut Panel, busy: f64) {
     let ([left, right], [low, high]) = (panel.x.range, panel.y.range);
-    let (corner, shift, anchor) = match busy < 0.5 * (left + right) {
-        true => (right, -8.0, Anchor::End),
-        false => (left, 8.0, Anchor::Start),
+    let (corner, shift, anchor) = if busy < 0.5 * (left + right) {
+        (right, -8.0, Anchor::End)
+    } else {
+        (left, 8.0, Anchor::Start)
     };
     if low >= 0.0 {
         return;
@@ -83,7 +84,7 @@ pub(super) fn entry(name: &str, look: Look, sample: Swatch) -> Entry {
     }
 }
 
-/// A panel that says why it is empty.
+/// A panel with the reason why it is empty.
 pub(super) fn empty(x: Axis, words: &str) -> Panel {
     let middle = 0.5 * (x.range[0] + x.range[1]);
     Panel {
@@ -103,7 +104,7 @@ pub(super) fn empty(x: Axis, words: &str) -> Panel {
     }
 }
 
-/// How many poses are not proven, at the head of a caption, where nothing cuts it off; nothing where all are.
+/// The number of unproven poses, at the start of a caption, where it is never cut off; empty where all are proven.
 pub(super) fn unproven_note(poses: usize) -> String {
     match poses {
         0 => String::new(),
@@ -112,14 +113,14 @@ pub(super) fn unproven_note(poses: usize) -> String {
     }
 }
 
-/// How many poses of a course are not proven.
+/// The number of unproven poses of a course.
 pub(super) fn unproven_of<'a>(lines: impl Iterator<Item = &'a CourseLine>) -> usize {
     let points = lines.flat_map(|line| &line.points);
     let unproven = points.filter(|point| point.status == Status::Unproven);
     unproven.count()
 }
 
-/// Why there is no backlash, of poses that ended so.
+/// The reason for no backlash, for poses with these statuses.
 pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> &'static str {
     let (mut jammed, mut out_of_mesh, mut unproven) = (false, false, false);
     for status in statuses {

@@ -12,11 +12,11 @@ use gearlash::gear::Side;
 /// Fill of the error bound.
 const BOUND: f64 = 0.16;
 
-/// Simulated minus analytic backlash of the right-flank poses at one centre distance, a line a material: models 1
-/// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on a separate scale.
+/// Simulated minus analytic backlash of the right-flank poses at one centre distance, one line per material: models 1 and 2 in
+/// the upper panel; model 3 with the error bound of the simulation in the lower, on a separate scale.
 ///
 /// # Errors
-/// [`PictureError`] when no pose has both values, all being proven.
+/// [`PictureError`] when all poses are proven and none has both values.
 pub fn difference(
     heading: &Heading,
     course: &Course,
@@ -36,7 +36,7 @@ pub fn difference(
     };
     let mut panels = Vec::new();
     let mut legend = Vec::new();
-    // Zero is always in sight.
+    // The y range includes zero.
     let both = || models.into_iter().flat_map(all);
     let zero = both().next().map(|_| 0.0);
     if let Some(y) = range(both().chain(zero), [0.1; 2], 1e-3) {
@@ -126,16 +126,15 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         0.1,
     )?;
     let tolerance = tolerance_um / unit;
-    let words = match y[0] < -tolerance || y[1] > tolerance {
-        true => {
-            for limit in [-tolerance, tolerance] {
-                if y[0] < limit && limit < y[1] {
-                    marks.push(Mark::level(course.span, limit, Look::Limit, 1.2));
-                }
+    let words = if y[0] < -tolerance || y[1] > tolerance {
+        for limit in [-tolerance, tolerance] {
+            if y[0] < limit && limit < y[1] {
+                marks.push(Mark::level(course.span, limit, Look::Limit, 1.2));
             }
-            format!("tolerance ±{tolerance_um} µm: short dashes")
         }
-        false => format!("tolerance ±{tolerance_um} µm: far outside this axis"),
+        format!("tolerance ±{tolerance_um} µm: short dashes")
+    } else {
+        format!("tolerance ±{tolerance_um} µm: far outside this axis")
     };
     marks.push(Mark::text(
         [course.span[0], y[1]],
@@ -152,7 +151,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     })
 }
 
-/// What a line goes through: a value of each pose of the course, times `factor`.
+/// The points of a line: a value of each pose of the course, times `factor`.
 fn points(
     line: &CourseLine,
     value: impl Fn(&CoursePoint) -> Option<f64>,
@@ -164,7 +163,7 @@ fn points(
         .collect()
 }
 
-/// A power of a thousandth of a micrometre that suits values up to `largest`, and its name.
+/// A power of a thousandth of a micrometre suitable for values up to `largest`, and its name.
 fn unit(largest: f64) -> (f64, &'static str) {
     let units = [
         (1.0, "µm"),
@@ -179,9 +178,10 @@ fn unit(largest: f64) -> (f64, &'static str) {
 /// The material of the thin lines, for a title.
 fn thin(course: &Course) -> &'static str {
     let mut lines = course.lines.iter();
-    match lines.any(|line| line.material == Material::Least) {
-        true => " (thin: least material)",
-        false => "",
+    if lines.any(|line| line.material == Material::Least) {
+        " (thin: least material)"
+    } else {
+        ""
     }
 }
 

@@ -1,4 +1,4 @@
-//! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
+//! Backlash over the centre distance, as in Figures 20–21 of the founding study.
 
 use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
 use super::paint::Look;
@@ -19,7 +19,7 @@ const FILLS: [f64; 2] = [0.14, 0.22];
 /// and the measured values.
 ///
 /// # Errors
-/// [`PictureError`] when there is neither a value nor a measurement, all poses being proven.
+/// [`PictureError`] when all poses are proven and there is neither a value nor a measurement.
 pub fn distance(
     heading: &Heading,
     curve: &OverDistance,
@@ -39,7 +39,7 @@ pub fn distance_in(
     distances: &[AtDistance],
 ) -> Result<Chart, PictureError> {
     let place = |a: f64, um: Option<f64>| -> Point { (a, um.map(|um| unit.of_um(um, a))) };
-    // The least and the greatest end of a band, which are of the gears `play` nearer and farther.
+    // The least and the greatest end of a band, for gears moved together and apart by `play`.
     let ends = |band: fn(&DistancePoint) -> Option<Band>, play: f64| {
         [-1.0, 1.0].map(|end| -> Vec<Point> {
             let point = |point: &DistancePoint| {
@@ -61,7 +61,7 @@ pub fn distance_in(
     let (right, left) = (measured(|row| row.right_um), measured(|row| row.left_um));
     let mut marks = Vec::new();
     let mut legend = Vec::new();
-    // What is not there is not drawn and not named.
+    // Absent curves are neither drawn nor named.
     let any = |ends: &[Vec<Point>; 2]| ends[0].iter().any(|point| point.1.is_some());
     if curve.clearance > 0.0 && any(&with_clearance) {
         marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
@@ -73,9 +73,10 @@ pub fn distance_in(
     }
     if any(&simulated) {
         marks.extend(band(&simulated, Look::Plain, FILLS[1]));
-        let name = match curve.two_materials {
-            true => "simulated, most to least material",
-            false => "simulated",
+        let name = if curve.two_materials {
+            "simulated, most to least material"
+        } else {
+            "simulated"
         };
         legend.push(entry(name, Look::Plain, Swatch::LineInBand(FILLS[1])));
     }
@@ -138,7 +139,7 @@ pub fn distance_in(
         height: 380.0,
         marks,
     };
-    // The bands come from below on the left.
+    // The bands rise from the lower left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
     if let Some(from) = curve.assembles_from {
@@ -158,7 +159,7 @@ pub fn distance_in(
     sheet::draw(heading, &details, &legend, &[panel])
 }
 
-/// Least and greatest of all poses at a centre distance.
+/// Least and greatest backlash of all poses at a centre distance.
 fn range_of(at: &AtDistance, place: impl Fn(f64, Option<f64>) -> Point) -> [Point; 2] {
     [at.all.least, at.all.greatest].map(|found| {
         let backlash = found.and_then(|found| found.pose.simulated.backlash);
@@ -166,7 +167,7 @@ fn range_of(at: &AtDistance, place: impl Fn(f64, Option<f64>) -> Point) -> [Poin
     })
 }
 
-/// What the lines are of.
+/// The matings of the lines, in words.
 fn poses(matings: &[Mating]) -> String {
     let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
     match matings {
@@ -183,14 +184,14 @@ fn poses(matings: &[Mating]) -> String {
     }
 }
 
-/// Why there is no simulated backlash, in the middle of each stretch of centre distances that has none.
+/// The reason for no simulated backlash, in the middle of each range of centre distances without one.
 fn gaps(curve: &OverDistance, [x, y]: [[f64; 2]; 2]) -> impl Iterator<Item = Mark> {
     let stretches = curve.points.chunk_by(|a, b| a.gap == b.gap);
     stretches.filter_map(move |stretch| {
         let status = stretch.first()?.gap?;
         let ends = [stretch.first()?, stretch.last()?].map(|point| point.center_distance);
         let middle = 0.5 * (ends[0] + ends[1]);
-        // A narrow stretch at an edge is named inside the plot.
+        // The name of a narrow range at an edge is inside the plot.
         let (at, shift, anchor) = match (middle - x[0]) / (x[1] - x[0]) {
             part if part < 0.1 => (x[0], 6.0, Anchor::Start),
             part if part > 0.9 => (x[1], -6.0, Anchor::End),

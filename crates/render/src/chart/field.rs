@@ -1,4 +1,4 @@
-//! The field of action of helical gears: contact lines over the common face, and what each section would allow alone.
+//! The field of action of helical gears: contact lines over the common face, and the gap of each section alone.
 
 use super::captions::entry;
 use super::paint::Look;
@@ -13,27 +13,27 @@ use gearlash_files::numbers::{trimmed, um};
 
 /// Heights of a field and of the curve below it.
 const HEIGHTS: [f64; 2] = [270.0, 150.0];
-/// Widths of a contact line, and of that which binds.
+/// Widths of a contact line, and of the binding one.
 const WIDTHS: [f64; 2] = [1.4, 3.6];
-/// How dark a stretch is in which a fillet is touched.
+/// Opacity of a stretch in which a fillet touches.
 const SHADE: f64 = 0.2;
-/// Part of the face before its end in which a label stands before its line.
+/// Share of the face before its end in which a label is before its line.
 const BESIDE: f64 = 0.2;
-/// How far beside its line a label begins.
+/// Distance of a label from its line.
 const ASIDE: f64 = 6.0;
-/// How wide a plot is, about, and its labels' type: what room there is for them.
+/// Approximate width of a plot, and the style of its labels: the room for them.
 const FIELD_WIDTH: f64 = 704.0;
 const LABEL: TextStyle = TextStyle::new(12.0);
-/// A line shorter than this, mm along the face, is reported as its point.
+/// A line shorter than this, mm along the face, is drawn as a point.
 const SHORT: f64 = 0.01;
-/// Stretches that are named in words.
+/// Most stretches listed in words.
 const NAMED: usize = 2;
-/// Less than this, µm, is no gap.
+/// Gaps below this, µm, count as none.
 const NO_GAP_UM: f64 = 5e-3;
-/// Least height of the curve of gaps, µm: rounding is no curve.
+/// Least height of the curve of gaps, µm, above its rounding.
 const LEAST_UM: f64 = 1.0;
 
-/// The field of action: of each side its contact lines, and below the transverse gap each section would leave.
+/// The field of action. Each side has its contact lines, and below them the transverse gap of each section.
 ///
 /// # Errors
 /// [`PictureError`] without a face.
@@ -127,7 +127,7 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     }
 }
 
-/// From where to where along the face the pair touches that binds, where that is a line: involutes do so along the whole of theirs.
+/// The ends along the face of the binding contact line. Only involutes touch along a line, over the whole of theirs.
 fn binding_line(side: &FieldSide) -> Option<[f64; 2]> {
     let line = side.lines.iter().find(|line| line.binds);
     let ends = line?.ends.map(|end| end[0]);
@@ -135,7 +135,7 @@ fn binding_line(side: &FieldSide) -> Option<[f64; 2]> {
     is_line.then_some(ends)
 }
 
-/// The point at which a pair binds beside its line.
+/// The point at which a pair binds off its line.
 fn binding_point(side: &FieldSide, place: f64) -> Option<Mark> {
     binding_line(side)
         .is_none()
@@ -152,7 +152,7 @@ fn binds_where(side: &FieldSide) -> String {
             binding.kind.name()
         ),
     };
-    // As all pairs do between perfect involutes.
+    // All pairs do so between perfect involutes.
     if binding.kind == ContactKind::Involute && touching(side) > 1 {
         words += &format!("; {} pairs touch at once", touching(side));
     }
@@ -164,41 +164,39 @@ fn stretch(ends: [f64; 2]) -> String {
     format!("{from} … {to}")
 }
 
-/// How many pairs touch.
+/// The number of pairs in contact.
 fn touching(side: &FieldSide) -> usize {
     let gap = |line: &&ContactLine| line.gap * 1e3 <= NO_GAP_UM;
     side.lines.iter().filter(gap).count()
 }
 
-/// The teeth of a line and the gap between them, beside its middle, where the line has left room; `None` where the next line is too near.
+/// The teeth of a line and the gap between them, beside its middle; `None` where the next line is too near.
 fn label(line: &ContactLine, side: &FieldSide, [from, to]: [f64; 2]) -> Option<Mark> {
     let [one, other] = line.ends;
     let middle = [0, 1].map(|i| 0.5 * (one[i] + other[i]));
     let teeth = format!("{}·{}", line.wheel_tooth, line.pinion_tooth);
-    let with_gap = match line.gap * 1e3 > NO_GAP_UM {
-        true => format!("{teeth}, {} µm", um(line.gap, 2)),
-        false => teeth.clone(),
+    let with_gap = if line.gap * 1e3 > NO_GAP_UM {
+        format!("{teeth}, {} µm", um(line.gap, 2))
+    } else {
+        teeth.clone()
     };
     let room = spacing(side).map(|mm| mm / (to - from) * FIELD_WIDTH);
     let fits = |text: &String| room.is_none_or(|room| LABEL.width(text) + 2.0 * ASIDE < room);
     let text = [with_gap, teeth].into_iter().find(fits)?;
     let part = (middle[0] - from) / (to - from);
     let before = part > 1.0 - BESIDE;
-    // Of a line that rises the room is below on its right and above on its left.
+    // A rising line has room below on its right and above on its left.
     let below = (side_slope(side) > 0.0) != before;
     let sign = |yes| if yes { 1.0 } else { -1.0 };
     Some(Mark::text(
         middle,
         [sign(!before) * ASIDE, sign(below) * 9.0],
         text,
-        match before {
-            true => Anchor::End,
-            false => Anchor::Start,
-        },
+        if before { Anchor::End } else { Anchor::Start },
     ))
 }
 
-/// How steeply the lines rise; of lines too short to tell 0.
+/// Slope of the lines; 0 where lines are too short for one.
 fn side_slope(side: &FieldSide) -> f64 {
     let slopes = side.lines.iter().map(|line| {
         let [one, other] = line.ends;
@@ -206,13 +204,16 @@ fn side_slope(side: &FieldSide) -> f64 {
     });
     slopes
         .filter(|slope| slope.is_finite())
-        .fold(0.0, |most, slope| match slope.abs() > f64::abs(most) {
-            true => slope,
-            false => most,
+        .fold(0.0, |most, slope| {
+            if slope.abs() > f64::abs(most) {
+                slope
+            } else {
+                most
+            }
         })
 }
 
-/// How far lines lie apart along the face, mm; `None` of one.
+/// Distance of neighbouring lines along the face, mm; `None` for a single line.
 fn spacing(side: &FieldSide) -> Option<f64> {
     let slope = side_slope(side);
     let mut feet: Vec<f64> = side
@@ -227,7 +228,7 @@ fn spacing(side: &FieldSide) -> Option<f64> {
         .reduce(f64::min)
 }
 
-/// What each section would leave.
+/// The gap of each section.
 fn gaps(side: &FieldSide, x: [f64; 2]) -> Panel {
     let value = |section: &FieldSection| section.gap.map(|gap| gap * 1e3);
     let y = range(
@@ -255,21 +256,23 @@ fn gaps(side: &FieldSide, x: [f64; 2]) -> Panel {
     }
 }
 
-/// Where fillets are touched first, in words.
+/// The stretches where fillets touch first, in words.
 fn fillets(side: &FieldSide) -> String {
     let stretches = side.fillets.iter().map(|&ends| stretch(ends));
     let stretches: Vec<String> = stretches.take(NAMED).collect();
-    let more = match side.fillets.len() > NAMED {
-        true => " and more",
-        false => "",
+    let more = if side.fillets.len() > NAMED {
+        " and more"
+    } else {
+        ""
     };
-    match stretches.is_empty() {
-        true => String::new(),
-        false => format!("; shaded: z = {} mm{more}", stretches.join(", ")),
+    if stretches.is_empty() {
+        String::new()
+    } else {
+        format!("; shaded: z = {} mm{more}", stretches.join(", "))
     }
 }
 
-/// The stretches in which a fillet is touched first.
+/// The stretches where a fillet touches first.
 fn shades(side: &FieldSide) -> Vec<Mark> {
     let shade = |x: [f64; 2]| Mark::shade(x, Look::Third, SHADE);
     side.fillets.iter().copied().map(shade).collect()

@@ -1,4 +1,4 @@
-//! One gear's deviations tooth by tooth, as an inspection sheet shows them.
+//! One gear's deviations tooth by tooth, in the layout of an inspection sheet.
 
 use super::bars::{BarPanel, BarSeries, bar_panels};
 use super::captions::empty;
@@ -60,11 +60,12 @@ pub fn inspection(
     };
     let [right, left] = both(Inspection::largest_single);
     let [total_right, total_left] = both(Inspection::total_cumulative);
-    let details = match groups[0].1.iter().any(moved) {
-        true => format!(
+    let details = if groups[0].1.iter().any(moved) {
+        format!(
             "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
-        ),
-        false => format!("{gear} · no pitch deviations"),
+        )
+    } else {
+        format!("{gear} · no pitch deviations")
     };
     let x_axis = format!("tooth of the {gear}");
     if panels.is_empty() {

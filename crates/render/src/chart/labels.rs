@@ -1,7 +1,7 @@
 //! Texts in a plot, placed so that none crosses a line, a mark or another text.
 //!
-//! A text wants to stand beside its place in the data. Candidates go up, down and sideways from there; the nearest one that
-//! is free is taken. Where none is near, the axis gets more room and the texts are placed again.
+//! A text has a preferred place in the data. Candidates go up, down and sideways from there; the nearest free one is taken. Where
+//! none is near, the axis gets more room and the texts are placed again.
 
 use super::marks;
 use super::panel::{Mark, Panel};
@@ -14,16 +14,16 @@ const LINE: f64 = 15.0;
 /// Height of capitals at [`STYLE`], and depth of letters and subscripts below them.
 const CAPITALS: f64 = 0.73 * 12.0;
 const DEPTH: f64 = 3.0;
-/// Between a text and the plot's edge.
+/// Distance of a text from the plot's edge.
 const EDGE: f64 = 3.0;
-/// From candidate to candidate, down and across.
+/// Steps between candidates, down and across.
 const STEPS: [f64; 2] = [3.0, 12.0];
-/// A text this far from where it wants to stand is said to have found no room (tuned: three lines).
+/// A text more distant than this from its preferred place lacks room (tuned: three lines).
 const NEAR: f64 = 48.0;
-/// Clear room round a text.
+/// Clear space round a text.
 const CLEAR: f64 = 2.0;
 
-/// A text where it stands.
+/// A placed text.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Label {
     pub lines: Vec<String>,
@@ -39,14 +39,14 @@ impl Label {
     }
 }
 
-/// On which side of the data a text lacks room.
+/// The side of the data on which a text lacks room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Lacking {
     Above,
     Below,
 }
 
-/// The texts of `panel` in `plot`, and where room is lacking, if it is: a text stands as free as it can then.
+/// The texts of `panel` in `plot`, and the side where room is lacking, if any; a text is then placed as free as possible.
 pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>) {
     let mut taken = obstacles(panel, plot);
     let (mut labels, mut lacking) = (Vec::new(), None);
@@ -80,7 +80,7 @@ pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>)
             Anchor::Middle => x + shift[0] - 0.5 * size[0],
             Anchor::End => x + shift[0] - size[0],
         };
-        // A text of several lines grows away from its place.
+        // A text of several lines extends away from its place.
         let first = y + shift[1] - 0.5 * CAPITALS;
         let top = if shift[1] < 0.0 {
             first + CAPITALS + DEPTH - size[1]
@@ -92,7 +92,7 @@ pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>)
         lacking = lacking.or(match far {
             Some(far) if far <= NEAR => None,
             _ if is_upper => Some(Lacking::Above),
-            // An axis that begins at 0 is not drawn below it.
+            // An axis that begins at 0 does not extend below it.
             Some(_) if plot.y[0] == 0.0 => None,
             None if plot.y[0] == 0.0 => Some(Lacking::Above),
             _ => Some(Lacking::Below),
@@ -103,7 +103,7 @@ pub(super) fn place(panel: &Panel, plot: &Plot) -> (Vec<Label>, Option<Lacking>)
     (labels, lacking)
 }
 
-/// The free room of a size nearest to `wanted` (its upper left corner), and how far that is; `None`: none is free.
+/// The free room of a size nearest to `wanted` (its upper left corner), and its distance; `None` where none is free.
 fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Frame, Option<f64>) {
     let within = plot.frame();
     let first = [
@@ -138,7 +138,7 @@ fn nearest(wanted: Spot, size: [f64; 2], plot: &Plot, taken: &Occupied) -> (Fram
     }
 }
 
-/// What stands in a plot already: lines, single values and bars.
+/// The obstacles in a plot: lines, single values and bars.
 fn obstacles(panel: &Panel, plot: &Plot) -> Occupied {
     let mut taken = Occupied::default();
     for mark in &panel.marks {

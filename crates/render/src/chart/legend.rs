@@ -11,15 +11,15 @@ pub(super) const ROW: f64 = 19.0;
 const NAMES: TextStyle = TextStyle::new(12.0);
 /// Width of a sample.
 const SAMPLE: f64 = 30.0;
-/// From an entry's left end to its name.
+/// Distance of a name from the left end of its entry.
 const NAME: f64 = SAMPLE + 6.0;
-/// From line to line of a name.
+/// Line spacing of a name.
 const LINE: f64 = 14.0;
 
-/// The legend between the edges `sides`, the middle of its first row at `top`, and how many rows it has.
+/// The legend between the edges `sides`, with the middle of its first row at `top`; and its number of rows.
 pub(super) fn draw(entries: &[Entry], sides: [f64; 2], top: f64) -> (Group, usize) {
     let mut group = Group::new();
-    // The next free place: row, and how far right.
+    // The next free place: row, and x.
     let (mut row, mut x) = (0, sides[0]);
     for entry in entries {
         let lines = NAMES.wrapped(&entry.name, sides[1] - sides[0] - NAME, 3);

@@ -9,28 +9,28 @@ use crate::kit::Axis;
 /// One series of a line chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineSeries<'a> {
-    /// As the legend names it.
+    /// The name in the legend.
     pub name: &'a str,
-    /// Places in ascending order with their values; a gap where there is none.
+    /// Places in ascending order with their values; `None` is a gap.
     pub points: Vec<(f64, Option<f64>)>,
-    /// How it is drawn.
+    /// The style.
     pub look: Look,
-    /// Single marks instead of a line.
+    /// Draws single marks instead of a line.
     pub dots: bool,
 }
 
 /// The axes of a line chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineAxes<'a> {
-    /// What stands above the plot; may be empty.
+    /// The title above the plot; may be empty.
     pub title: &'a str,
     /// Quantity and unit.
     pub x: &'a str,
-    /// Where x goes over tooth numbers: how many there are.
+    /// The number of teeth where x is a tooth number.
     pub teeth: Option<u32>,
     /// Quantity and unit.
     pub y: &'a str,
-    /// The least height shown, in that unit: below it rounding noise would fill the chart.
+    /// The least height shown, in that unit; a smaller one would show rounding noise.
     pub least: f64,
 }
 
@@ -44,7 +44,7 @@ pub fn lines(
     series: &[LineSeries],
 ) -> Result<Chart, PictureError> {
     let points = || series.iter().flat_map(|line| &line.points);
-    // Less than a tooth beyond the teeth: before 1 stands the number of the last.
+    // Less than a tooth beyond the teeth: the number before 1 is the last.
     let (margin, beyond) = match axes.teeth {
         Some(_) => (0.0, 0.6),
         None => (0.02, 0.0),
@@ -58,9 +58,10 @@ pub fn lines(
     };
     let marks = series.iter().map(|line| {
         let points = line.points.clone();
-        match line.dots {
-            true => Mark::dots(points, line.look),
-            false => Mark::line(points, line.look, 1.6),
+        if line.dots {
+            Mark::dots(points, line.look)
+        } else {
+            Mark::line(points, line.look, 1.6)
         }
     });
     let legend: Vec<Entry> = series
@@ -80,7 +81,7 @@ pub fn lines(
         height: 340.0,
         marks: marks.collect(),
     };
-    // The axis names a single line.
+    // A single line is named by the axis.
     let legend = if series.len() > 1 { &legend[..] } else { &[] };
     sheet::draw(heading, "", legend, &[panel])
 }

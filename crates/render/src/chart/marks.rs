@@ -1,4 +1,4 @@
-//! What stands in a plot: lines, bands, bars and single values.
+//! Marks in a plot: lines, bands, bars and single values.
 
 use super::overplotting::{self, Overplotting};
 use super::paint::{GROUND_HATCH, INTERFERENCE, Look};
@@ -8,7 +8,7 @@ use crate::kit::{Frame, Plot, Spot, disc, line, number, polygon};
 use svg::node::Node;
 use svg::node::element::Group;
 
-/// A hatched ground over the whole width up to a value of y.
+/// A hatched area over the whole width up to a value of y.
 pub(super) fn ground(plot: &Plot, below: f64) -> Group {
     let frame = Frame {
         top: plot.spot((plot.x[0], below))[1],
@@ -19,7 +19,7 @@ pub(super) fn ground(plot: &Plot, below: f64) -> Group {
         .add(line(&hatch(&frame), GROUND_HATCH, 0.7))
 }
 
-/// Lines at 45° across a frame, up and down by turns: one line, which takes less room in the file than many.
+/// Lines at 45° across a frame, up and down in turn: a single path needs less room in the file than many.
 fn hatch(frame: &Frame) -> Vec<Spot> {
     const STEP: f64 = 9.0;
     let (width, height) = (frame.width(), frame.height());
@@ -44,7 +44,7 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
     let column = 1.0 / plot.scale()[0];
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
     match mark {
-        // Grounds lie below the grid, texts above everything.
+        // Areas are below the grid, texts above everything.
         Mark::Ground { .. } | Mark::Text { .. } => {}
         Mark::Shade { x, look, opacity } => {
             let [left, right] = x.map(|x| plot.spot((x, plot.y[0]))[0]);
@@ -84,7 +84,7 @@ pub(super) fn draw(mark: &Mark, plot: &Plot, group: &mut Group) {
     }
 }
 
-/// A bar: filled, or pale, with its edge.
+/// A bar, filled or pale, with its edge.
 pub(super) fn bar(frame: &Frame, look: Look) -> svg::node::element::Rectangle {
     let bar = frame.rectangle().set("fill", look.colour());
     bar.set("fill-opacity", number(look.bar()))
@@ -92,7 +92,7 @@ pub(super) fn bar(frame: &Frame, look: Look) -> svg::node::element::Rectangle {
         .set("stroke-width", "1.00")
 }
 
-/// Whether one of a panel's lines is drawn by its edges in `plot`.
+/// Whether one of a panel's lines is drawn as an envelope in `plot`.
 pub(super) fn has_envelope(marks: &[Mark], plot: &Plot) -> bool {
     marks.iter().any(|mark| {
         let Mark::Line { points, .. } = mark else {
@@ -103,7 +103,7 @@ pub(super) fn has_envelope(marks: &[Mark], plot: &Plot) -> bool {
     })
 }
 
-/// Draws a line, run by run.
+/// Draws a line, one run after the other.
 fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut Group) {
     let spots = |run: &[(f64, f64)]| run.iter().map(|point| plot.spot(*point)).collect();
     let stroke = |run: &[(f64, f64)], width: f64| {
@@ -119,7 +119,7 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
             Overplotting::Clear => group.append(stroke(&run, width)),
             Overplotting::Dense => group.append(stroke(&run, overplotting::FINE * width)),
             Overplotting::Solid([low, high]) => {
-                // Two fills over each other would be a third colour: left flanks keep to their edges.
+                // Two overlapping fills would be a third colour, so left flanks have edges only.
                 if look != Look::Left {
                     group.append(area(spots(&low), spots(&high), look, overplotting::FILL));
                 }
@@ -130,7 +130,7 @@ fn draw_line(points: &[Point], look: Look, width: f64, plot: &Plot, group: &mut 
     }
 }
 
-/// The room between two lines.
+/// The area between two lines.
 fn area(low: Vec<Spot>, high: Vec<Spot>, look: Look, opacity: f64) -> svg::node::element::Path {
     let outline: Vec<Spot> = high.into_iter().chain(low.into_iter().rev()).collect();
     polygon(&outline, look.colour()).set("fill-opacity", number(opacity))

@@ -2,9 +2,8 @@
 //!
 //! Drawn with the kit that all pictures share, on the `svg` crate.
 //!
-//! Colours are Okabe and Ito's, right flanks solid and dark, left flanks dashed, so that they are distinguished in
-//! black and white too. The same input gives the same bytes. A chart has no ids but those that start with
-//! its prefix, so that several can stand in one page.
+//! Colours are Okabe and Ito's. Right flanks are solid and dark, left flanks dashed, so that they are distinguished in black and
+//! white, too. The same input gives the same bytes. All ids of a chart start with its prefix, so that one page can hold several.
 
 mod bars;
 mod captions;

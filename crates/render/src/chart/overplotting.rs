@@ -1,31 +1,31 @@
-//! Lines that go up and down so often that they would be a solid block.
+//! Lines that oscillate so often that they would be a solid block.
 
-/// How dense a line is on the sheet.
+/// Density of a line on the sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Overplotting {
-    /// Can be followed.
+    /// The line can be followed.
     Clear,
-    /// Can be followed where it is thin.
+    /// A thin line can be followed.
     Dense,
-    /// Cannot be followed: its least and its greatest value within a swing or so of each place.
+    /// The line cannot be followed: the envelope of its least and greatest values, each within about one swing.
     Solid([Vec<(f64, f64)>; 2]),
 }
 
-/// Length over width from which a line is dense (tuned: a rig's difference with its 45 spikes, 9 times its width, is easier
+/// Length per width from which a line is dense (tuned: a rig's difference with its 45 spikes, 9 times its width, is easier to
 /// read thin).
 const DENSE: f64 = 4.0;
-/// Mean width of a swing below which a line is solid, units: dashes and strokes of two lines no longer stand apart.
+/// Mean width of a swing below which a line is solid, units: dashes and strokes of two lines are no longer separate.
 const NARROW: f64 = 7.0;
 /// Rises below this height are no swing, units: a stroke's width, so that rounding on a plateau does not count.
 const LOW: f64 = 1.5;
-/// Width of a dense line, as a part of its own.
+/// Width of a dense line, as a share of a normal one.
 pub(super) const FINE: f64 = 0.6;
-/// Fill between the edges.
+/// Opacity between the edges.
 pub(super) const FILL: f64 = 0.25;
-/// From place to place of an edge, units.
+/// Distance of neighbouring points of an edge, units.
 const STEP: f64 = 1.0;
 
-/// What `run`, a line without gaps, is at `scale` (units of the sheet a unit of data, across and up).
+/// Classifies `run`, a line without gaps, at `scale` (units of the sheet per unit of data, across and up).
 pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
     let (Some(first), Some(last)) = (run.first(), run.last()) else {
         return Overplotting::Clear;
@@ -37,17 +37,18 @@ pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
         return Overplotting::Clear;
     }
     let swing = width / swings(run, LOW / scale[1]);
-    // A swing at least, or the edges would swing with the line; in whole units of data, which are pitches or teeth wherever
+    // At least one swing, or the edges would swing with the line. In whole units of data, which are pitches or teeth wherever
     // lines swing: whole periods.
     let window = (f64::max(swing, 2.0 * STEP) / scale[0]).ceil();
     // A window that covers much of the line would draw a box.
-    match swing < NARROW && window < 0.25 * (last.0 - first.0) {
-        true => Overplotting::Solid(edges(run, window, STEP / scale[0])),
-        false => Overplotting::Dense,
+    if swing < NARROW && window < 0.25 * (last.0 - first.0) {
+        Overplotting::Solid(edges(run, window, STEP / scale[0]))
+    } else {
+        Overplotting::Dense
     }
 }
 
-/// How often `run` goes up and down again, by more than `least`.
+/// The number of times that `run` goes up and down again, by more than `least`.
 fn swings(run: &[(f64, f64)], least: f64) -> f64 {
     let (mut turns, mut up) = (0_u32, None);
     let [mut low, mut high] = [run[0].1; 2];
@@ -66,8 +67,8 @@ fn swings(run: &[(f64, f64)], least: f64) -> f64 {
     0.5 * f64::from(turns.max(1))
 }
 
-/// The least and the greatest value of `run` within a `window` that slides from end to end, at its middle, both in data:
-/// of a periodic line they are level, and none lies outside what the line itself reaches nearby.
+/// The least and the greatest value of `run` within a `window` that slides from end to end, each at its middle, both in data.
+/// They are level for a periodic line, and never outside the line's own nearby range.
 fn edges(run: &[(f64, f64)], window: f64, step: f64) -> [Vec<(f64, f64)>; 2] {
     let ends = [run[0].0, run[run.len() - 1].0];
     let places = ((ends[1] - ends[0]) / step).ceil() as u32;
@@ -86,7 +87,7 @@ fn edges(run: &[(f64, f64)], window: f64, step: f64) -> [Vec<(f64, f64)>; 2] {
     })
 }
 
-/// Without the places between equal neighbours.
+/// Removes the points between equal neighbours.
 fn corners(edge: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let last = edge.len() - 1;
     let level = |i: usize| edge[i - 1].1 == edge[i].1 && edge[i].1 == edge[i + 1].1;
@@ -123,7 +124,7 @@ mod tests {
         }
     }
 
-    /// Rounding between the swings is none.
+    /// Rounding on a plateau between swings is no swing.
     #[test]
     fn noise_on_a_plateau_is_no_swing() {
         let mut run = swings(15, 100.0);

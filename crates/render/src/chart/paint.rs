@@ -3,14 +3,14 @@
 use crate::kit::{GREY, INK, Spot, cross, disc, square};
 use svg::node::element::{Element, Path};
 
-/// Ground of negative backlash: lighter than any band, in grey print too, distinguished from paper by its hatch.
+/// Fill of the area of negative backlash: lighter than any band, in grey print too; the hatch distinguishes it from paper.
 pub(super) const INTERFERENCE: &str = "#fdf3f0";
 /// Its hatch.
 pub(super) const GROUND_HATCH: &str = "#d99a8c";
-/// Fill of a bar that is pale beside its neighbour.
+/// Opacity of a bar that is pale beside its neighbour.
 const PALE: f64 = 0.25;
 
-/// How a series looks.
+/// Style of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Look {
     /// Right flanks: blue (Okabe–Ito), solid, filled circles.
@@ -46,7 +46,7 @@ impl Look {
         }
     }
 
-    /// How much of a bar's fill there is.
+    /// Opacity of a bar's fill.
     pub(super) fn bar(self) -> f64 {
         match self {
             Look::Left => PALE,

@@ -1,15 +1,15 @@
-//! What a chart is made of: panels with two axes and marks, in data coordinates.
+//! Parts of a chart: panels with two axes and marks, in data coordinates.
 
 use super::paint::Look;
 use crate::kit::{Anchor, Axis};
 
-/// A value over a place; `None` where there is none: lines have a gap there.
+/// A value at a place; `None` makes a gap in a line.
 pub(super) type Point = (f64, Option<f64>);
 
-/// What is drawn into a panel, in this order.
+/// A mark in a panel, drawn in this order.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
-    /// A hatched ground over the whole width, up to a value of y.
+    /// A hatched area over the whole width, up to a value of y.
     Ground { below: f64 },
     /// A shade over the whole height between two places.
     Shade {
@@ -17,14 +17,14 @@ pub(super) enum Mark {
         look: Look,
         opacity: f64,
     },
-    /// The room between two lines.
+    /// The area between two lines.
     Band {
         low: Vec<Point>,
         high: Vec<Point>,
         look: Look,
         opacity: f64,
     },
-    /// A line; its dash may differ from its look's.
+    /// A line; its dash can differ from its style's.
     Line {
         points: Vec<Point>,
         look: Look,
@@ -32,7 +32,7 @@ pub(super) enum Mark {
     },
     /// Single values.
     Dots { points: Vec<Point>, look: Look },
-    /// A bar between two corners; filled, or its outline.
+    /// A bar between two corners, filled or as its outline.
     Bar {
         x: [f64; 2],
         y: [f64; 2],
@@ -92,7 +92,7 @@ impl Mark {
 /// One plot of a chart.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Panel {
-    /// What stands above the plot; may be empty.
+    /// The title above the plot; may be empty.
     pub title: String,
     pub x: Axis,
     pub y: Axis,
@@ -101,7 +101,7 @@ pub(super) struct Panel {
     pub marks: Vec<Mark>,
 }
 
-/// What the legend shows beside a name.
+/// The sample beside a name in the legend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Swatch {
     Line,
@@ -119,8 +119,8 @@ pub(super) struct Entry {
     pub sample: Swatch,
 }
 
-/// An axis range for backlash, with room for a label at both ends, at least `um` wide: a micrometre, so that rounding is no
-/// curve. Where no value is negative it ends at zero; else there is room for the word below the zero line.
+/// An axis range for backlash, with room for a label at both ends, at least `um` wide: a micrometre, so that rounding does not
+/// fill it. Where no value is negative it starts at zero; else there is room for a word below the zero line.
 pub(super) fn backlash_range(values: impl Iterator<Item = f64>, um: f64) -> Option<[f64; 2]> {
     let mut least = f64::INFINITY;
     let [low, high] = range(
@@ -128,13 +128,14 @@ pub(super) fn backlash_range(values: impl Iterator<Item = f64>, um: f64) -> Opti
         [0.16; 2],
         um,
     )?;
-    Some(match least >= 0.0 {
-        true => [low.max(0.0), high],
-        false => [low.min(-0.1 * high), high],
+    Some(if least >= 0.0 {
+        [low.max(0.0), high]
+    } else {
+        [low.min(-0.1 * high), high]
     })
 }
 
-/// An axis range round all `values`, with `margin` (a part of the range) on both sides, at least `least` wide.
+/// An axis range round all `values`, with `margin` (a share of the range) on both sides, at least `least` wide.
 pub(super) fn range(
     values: impl Iterator<Item = f64>,
     margin: [f64; 2],

@@ -1,4 +1,4 @@
-//! A population: histogram with limits, how its share came out, what contributes to its spread.
+//! Charts of a population: histogram with limits, convergence of its share, contributions to its spread.
 
 use super::captions::entry;
 use super::paint::Look;
@@ -9,13 +9,13 @@ use gearlash::population::{BIN_TENTHS_NM, Contributions, Spread, TENTHS_NM_PER_M
 use gearlash_files::numbers::{fixed, shortest};
 use gearlash_files::tolerance::{Convergence, ToleranceResult};
 
-/// Bars of a histogram, at most.
+/// Most bars of a histogram.
 const BARS: i64 = 120;
-/// The height of the picture, in tallest bars: three lines' names stand above them.
+/// Height of the picture relative to the tallest bar: the names of three lines fit above.
 const HEADROOM: f64 = 1.28;
-/// How much lower than the last the next line of a side ends, in heights of the picture.
+/// How much lower each further line of a side ends, relative to the height of the picture.
 const LOWER: f64 = 0.07;
-/// Bins of the sums, µm.
+/// Bin width of the sums, µm.
 const BIN_UM: f64 = BIN_TENTHS_NM as f64 / TENTHS_NM_PER_MM * 1e3;
 
 /// Least and greatest backlash over the population, with the limits required and the worst case.
@@ -37,7 +37,7 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     let (Some(&low), Some(&high)) = (ends.iter().min(), ends.iter().max()) else {
         return Err(PictureError("no assembly has a backlash".to_owned()));
     };
-    // Whole bins a bar, a round number of them.
+    // A bar has a round whole number of bins.
     let least = (high - low) / BARS + 1;
     let rounds = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
     let width = rounds.into_iter().find(|width| *width >= least);
@@ -79,7 +79,7 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
     let middle = 0.5 * (x[0] + x[1]);
     lines.sort_by(|one, other| one.0.total_cmp(&other.0));
     let (left, right): (Vec<_>, Vec<_>) = lines.into_iter().partition(|line| line.0 < middle);
-    // Names stand inwards of their lines. The farther in a line, the lower it ends: under the names of those farther out.
+    // Names are placed inwards of their lines. Inner lines end lower, below the names of the outer ones.
     let left = left.into_iter().map(|line| (line, Anchor::Start, 5.0));
     let right = right
         .into_iter()
@@ -119,7 +119,7 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
             .collect()
     };
     let shares = points(|point| point.share.share);
-    // Of the first assemblies the interval is as wide as the picture would be.
+    // For the first assemblies, the interval would fill the picture.
     let later = course.iter().skip(course.len() / 8);
     let highs = later.map(|point| 1e6 * point.share.high);
     let values = highs
@@ -155,7 +155,7 @@ pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, P
     sheet::draw(heading, "", &entries, &[panel])
 }
 
-/// Share of each quantity in the variance of an extreme: its first-order and its total effect, with whiskers of 2 standard errors.
+/// Share of each quantity in the variance of an extreme: first-order and total effect, with whiskers of 2 standard errors.
 ///
 /// # Errors
 /// [`PictureError`] without a contribution.

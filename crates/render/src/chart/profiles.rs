@@ -1,4 +1,5 @@
-//! Profile deviation over the roll length, as an inspection sheet shows it: a panel a flank, the evaluation range shaded.
+//! Profile deviation over the roll length, in the layout of an inspection sheet: one panel per flank, the evaluation range
+//! shaded.
 
 use super::captions::entry;
 use super::paint::Look;
@@ -9,11 +10,11 @@ use gearlash::gauge::{FlankProfiles, ProfileReading, ProfileReadings};
 use gearlash::gear::Flank;
 use gearlash_files::numbers::{fixed, um};
 
-/// Most curves beside the worst one; more would be a smear.
+/// Most curves beside the worst one; more could not be distinguished.
 const MOST_OTHERS: usize = 11;
 const HEIGHT: f64 = 236.0;
 
-/// The profiles of both flanks; the y axis is `least` high at least, µm.
+/// The profiles of both flanks. The y axis is at least `least` high, µm.
 ///
 /// # Errors
 /// [`PictureError`] when there are none.
@@ -55,7 +56,7 @@ pub fn profiles(
     sheet::draw(heading, details, &entries, &panels)
 }
 
-/// How dark the evaluation range is.
+/// Opacity of the evaluation range.
 const SHADE: f64 = 0.16;
 
 fn panel(side: Flank, look: Look, flank: &FlankProfiles, [x, y]: [[f64; 2]; 2]) -> Panel {

@@ -1,4 +1,4 @@
-//! Backlash over the teeth, as Figures 17–19 of the study the project started from.
+//! Backlash over the teeth, as in Figures 17–19 of the founding study.
 
 use super::captions::{
     backlash_axis, course_axis, course_caption, empty, entry, interference, unproven_note,
@@ -14,14 +14,14 @@ use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::backlash;
 
-/// How strongly a band is filled.
+/// Opacity of a band.
 const FILL: f64 = 0.2;
 
-/// What a label tells apart, µm.
+/// Smallest difference that a label shows, µm.
 const SHOWN: f64 = 0.1;
 
-/// Backlash over the teeth at one centre distance: a band a flank, from most to least material, with the teeth
-/// that bind where it is least and greatest.
+/// Backlash over the teeth at one centre distance: one band per flank, from most to least material, with the teeth that bind at
+/// the least and greatest backlash.
 ///
 /// # Errors
 /// [`PictureError`]: none for a course that has poses.
@@ -68,7 +68,7 @@ pub fn revolution_in(
         marks: Vec::new(),
     };
     let mut legend = Vec::new();
-    // Only one band is filled: the two lie over each other where there are no pitch deviations.
+    // Only one band is filled, because both coincide where there are no pitch deviations.
     for (flank, look, fill) in [
         (Side::Right, Look::Right, true),
         (Side::Left, Look::Left, false),
@@ -108,7 +108,7 @@ pub fn revolution_in(
         format!("{value} {}", unit.name())
     };
     match (&course.least, &course.greatest) {
-        // One pose is both where all lie within each other's error bounds.
+        // One pose is both where all agree within their error bounds.
         (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::text(
             [panel.x.range[0], of_um(least.backlash_um)],
             [8.0, -14.0],
@@ -141,16 +141,17 @@ pub fn revolution_in(
             Anchor::End,
         ));
     }
-    let gaps = match points_of_all().any(|point| point.simulated_um.is_none()) {
-        true => format!(" · gaps: {}", without()),
-        false => String::new(),
+    let gaps = if points_of_all().any(|point| point.simulated_um.is_none()) {
+        format!(" · gaps: {}", without())
+    } else {
+        String::new()
     };
     let unproven = unproven_note(unproven_of(course.lines.iter()));
     let details = format!("{unproven}{}{gaps}", course_caption(course));
     sheet::draw(heading, &details, &legend, &[panel])
 }
 
-/// Least and greatest of the mesh cycle, µm, where they show beyond what the course attains: at other teeth.
+/// Least and greatest backlash of the mesh cycle, µm, where they exceed those of the course: at other teeth.
 fn beyond(course: &Course) -> [Option<f64>; 2] {
     let ends = [(&course.least, -1.0), (&course.greatest, 1.0)];
     let ends = ends.into_iter().zip(course.cycle_um);
@@ -161,7 +162,7 @@ fn beyond(course: &Course) -> [Option<f64>; 2] {
     [beyond.next().flatten(), beyond.next().flatten()]
 }
 
-/// A cross at an extreme, at height `y`, its words and what binds there.
+/// A cross at an extreme, at height `y`, with its words and the binding teeth.
 pub(super) fn label(
     words: &str,
     extreme: &Extreme,

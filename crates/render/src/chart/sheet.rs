@@ -1,4 +1,4 @@
-//! A chart's element: title, legend, panels one below the other, and the labels above all lines.
+//! The SVG element of a chart: title, legend, panels one below the other, and labels above all lines.
 
 use super::labels::{self, Lacking};
 use super::legend::{self, ROW};
@@ -9,12 +9,12 @@ use gearlash_files::characters::plain;
 use svg::node::Node;
 use svg::node::element::{Group, SVG, Title};
 
-/// How a chart is laid out for one width of the screen. Units of the `viewBox` are pixels there.
+/// Layout of a chart for one screen width. Units of the `viewBox` are pixels there.
 struct Layout {
     width: f64,
-    /// From either edge of the sheet to what is drawn.
+    /// Margin on both sides of the sheet.
     margin: f64,
-    /// Left edge of every plot: room for the numbers and the name of the y axis.
+    /// Left edge of every plot, with room for the numbers and the name of the y axis.
     left: f64,
     /// Most numbers along an x axis.
     most: usize,
@@ -22,11 +22,11 @@ struct Layout {
     details: TextStyle,
     /// Most lines of a title and of a line of details.
     lines: [usize; 2],
-    /// What stands behind the prefix in the chart's ids.
+    /// Suffix of the chart's ids.
     suffix: &'static str,
 }
 
-/// For a page and for paper: 0.22 mm a unit across A4.
+/// For a page and for paper: 0.22 mm per unit across A4.
 const WIDE: Layout = Layout {
     width: 800.0,
     margin: 16.0,
@@ -51,9 +51,9 @@ const NARROW: Layout = Layout {
 
 /// Height of a line of the title and of one below it.
 const LINES: [f64; 2] = [20.0, 17.0];
-/// Room of the x axis' numbers and name, and of numbers alone.
+/// Height of the x axis with numbers and name, and with numbers alone.
 const X_AXIS: [f64; 2] = [42.0, 22.0];
-/// Height of a y axis a number.
+/// Height of a y axis per number.
 const NUMBER_HEIGHT: f64 = 32.0;
 /// Height of a line of a panel's title.
 const PANEL_LINE: f64 = 16.0;
@@ -61,7 +61,7 @@ const PANEL_LINE: f64 = 16.0;
 const WIDENINGS: usize = 5;
 const WIDER: f64 = 18.0;
 
-/// What stands above and beside a chart. Texts may hold anything: they are escaped.
+/// Texts above and beside a chart. They can hold any characters and are escaped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading<'a> {
     /// Start of every id in the SVG: a letter, then letters, digits, `-` and `_`; unique in a page.
@@ -72,19 +72,19 @@ pub struct Heading<'a> {
     pub subtitle: &'a str,
 }
 
-/// A chart, complete.
+/// A complete chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     /// One `<svg>` element with a `viewBox`, without XML prolog; its `data-` attributes repeat `plot`.
     pub svg: String,
-    /// Where the data are: the first panel's frame.
+    /// The frame of the first panel, in data.
     pub plot: Plot,
     /// Every panel's frame from above, `plot` first.
     pub panels: Vec<Plot>,
     drawn_from: Source,
 }
 
-/// What a chart is drawn from, at any width.
+/// The content of a chart, drawn at any width.
 #[derive(Debug, Clone, PartialEq)]
 struct Source {
     prefix: String,
@@ -95,7 +95,7 @@ struct Source {
 }
 
 impl Chart {
-    /// The chart drawn for a screen 390 pixels wide. Its ids end with `-narrow`.
+    /// The chart for a screen 390 pixels wide. Its ids end with `-narrow`.
     #[must_use]
     pub fn narrow(&self) -> Chart {
         self.drawn_from.draw(&NARROW)
@@ -150,7 +150,7 @@ impl Source {
             head.append(layout.details.text(&line, [sides[0], foot]));
             count += 1;
         }
-        // Room for one line stays where there is none.
+        // Keeps the room of one line where there is none.
         let above = below + LINES[1] * f64::from(count.max(1));
         let (legend, rows) = legend::draw(&self.entries, sides, above + 6.0);
         let mut from = above + ROW * rows as f64;
@@ -181,7 +181,7 @@ impl Source {
 }
 
 impl Layout {
-    /// Draws a panel whose upper edge is `from`, its texts into `labels`; where its plot stands, and how high the panel is.
+    /// Draws a panel with the upper edge `from`, its texts into `labels`. Returns its plot and its height.
     fn draw_panel(
         &self,
         panel: &Panel,
@@ -225,7 +225,7 @@ impl Layout {
             marks::draw(mark, &plot, drawn);
         }
         for (line, at) in placed.iter().flat_map(|label| label.lines()) {
-            // Readable across a grid, and across a cursor that a script puts below.
+            // Readable across a grid, and across a cursor that a script draws below.
             for element in labels::STYLE.haloed(line, at) {
                 labels.append(element);
             }
@@ -233,7 +233,7 @@ impl Layout {
         (plot, panel.height + more)
     }
 
-    /// Where the plot of a panel stands whose upper edge is `from`.
+    /// The plot of a panel with the upper edge `from`.
     fn place(&self, panel: &Panel, from: f64) -> Plot {
         let below = X_AXIS[usize::from(panel.x.name.is_empty())];
         Plot {
@@ -246,7 +246,7 @@ impl Layout {
         }
     }
 
-    /// Room beside the plot: half of the last number where it stands near the edge.
+    /// Margin right of the plot: half of the last number where it is near the edge.
     fn right_margin(&self, panel: &Panel) -> f64 {
         let x = &panel.x;
         let ticks = x.ticks(self.most);
@@ -259,7 +259,7 @@ impl Layout {
         f64::max(self.margin, half + 2.0 - left_over)
     }
 
-    /// The lines of a panel's title and how they are set.
+    /// The lines of a panel's title, and their style.
     fn panel_title(&self, panel: &Panel) -> (TextStyle, Vec<String>) {
         if panel.title.is_empty() {
             return (TextStyle::new(13.0), Vec::new());
@@ -270,7 +270,7 @@ impl Layout {
     }
 }
 
-/// The chart's element, so wide and high: named for screen readers, with the plot's frame for scripts.
+/// The chart's element with a width and height, a name for screen readers, and the plot's frame for scripts.
 fn element(id: &str, name: &str, [width, height]: [f64; 2], plot: &Plot) -> SVG {
     let title = Title::new(plain(name)).set("id", format!("{id}-title"));
     let mut element = SVG::new()

@@ -2,8 +2,8 @@
 
 use super::panel::Point;
 
-/// `points` in runs without gaps; where a column holds more than four of a run, its first, least, greatest
-/// and last point stand for it, in their order. `column` is a column's width in data.
+/// `points` in runs without gaps. Where a column holds more than four points of a run, it keeps the first, least, greatest and
+/// last in their order. `column` is a column's width in data.
 pub(super) fn runs(points: &[Point], column: f64) -> Vec<Vec<(f64, f64)>> {
     let whole = points.split(|(_, y)| y.is_none());
     let runs = whole.filter(|run| !run.is_empty());
@@ -15,7 +15,7 @@ pub(super) fn runs(points: &[Point], column: f64) -> Vec<Vec<(f64, f64)>> {
     .collect()
 }
 
-/// Both edges of a band, where it has both, thinned like [`runs`]. They may have points at different places.
+/// Both edges of a band where it has both, thinned like [`runs`]. They can have points at different places.
 pub(super) fn bands(low: &[Point], high: &[Point], column: f64) -> Vec<[Vec<(f64, f64)>; 2]> {
     let (lows, highs) = (runs(low, column), runs(high, column));
     let ends = |run: &[(f64, f64)]| {
@@ -44,9 +44,12 @@ fn representatives(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
     }
     let by = |better: fn(f64, f64) -> bool| {
         let indices = 0..column.len();
-        indices.reduce(|best, next| match better(column[next].1, column[best].1) {
-            true => next,
-            false => best,
+        indices.reduce(|best, next| {
+            if better(column[next].1, column[best].1) {
+                next
+            } else {
+                best
+            }
         })
     };
     let mut kept: Vec<usize> = [
@@ -69,7 +72,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// The outline of a thinned line is that of the line: every column keeps its ends and extremes.
+        /// A thinned line has the outline of the line: every column keeps its ends and extremes.
         #[test]
         fn no_column_loses_an_extreme(values in prop::collection::vec(-9.0..9.0f64, 1..400), column in 0.5..50.0f64) {
             let points: Vec<Point> = values.iter().enumerate().map(|(x, y)| (x as f64, Some(*y))).collect();

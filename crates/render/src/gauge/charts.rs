@@ -1,7 +1,7 @@
-//! The readings as charts, one a gauge: what each tooth reads less the mean.
+//! Charts of the readings, one per gauge: each tooth's reading less the mean.
 //!
-//! Each says what gear it is of, how its teeth are numbered, where its zero stands, and, where there is an accuracy
-//! grade, between which lines that grade wants the values.
+//! Each chart names its gear, the numbering of its teeth and the place of its zero. Where there is an accuracy grade, lines show
+//! the range of that grade.
 
 use crate::chart::{
     BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
@@ -14,13 +14,13 @@ use gearlash_files::numbers::{fixed, rounded, um};
 use gearlash_results::gauge::{ByTooth, Chart, GaugedGear, GearSource, Length, lengths, page_name};
 use maud::{DOCTYPE, PreEscaped, html};
 
-/// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
-/// are a hundred times as high at least.
+/// Values below this, µm, count as level: far below the resolution of a gauge in a shop, far above the rounding of readings. Axes
+/// are at least a hundred times as high.
 const LEVEL: f64 = 1e-3;
-/// How teeth are numbered and which way a chart runs.
+/// The numbering of teeth and the direction of a chart.
 const NUMBERS: &str = "numbers ascend clockwise on the reference face";
 
-/// The charts of one gear: file name and SVG. What could not be measured has none, nor what deviates nowhere.
+/// The charts of one gear: file name and SVG. Readings that were not taken or deviate nowhere have none.
 ///
 /// # Errors
 /// [`PictureError`]: none for a gear that has teeth.
@@ -32,7 +32,7 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError
     Ok(files)
 }
 
-/// The charts of one gear on one page: file name and HTML; `None` where there is none.
+/// The charts of one gear on one page: file name and HTML; `None` without charts.
 ///
 /// # Errors
 /// As [`charts`].
@@ -55,7 +55,7 @@ pub fn page(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureErro
     Ok(Some((page_name(&gauged.stem()), page.into_string())))
 }
 
-/// File name and SVG of bars over teeth; `None` where none of them would be seen.
+/// File name and SVG of bars over teeth; `None` where no bar would be visible.
 fn bars(
     gauged: &GaugedGear,
     chart: Chart,
@@ -106,7 +106,7 @@ fn subtitle(gauged: &GaugedGear) -> String {
     )
 }
 
-/// The mean, on which the chart's zero stands, and the formula's value.
+/// The mean, which is the chart's zero, and the formula's value.
 fn means(mean: f64, formula: Option<f64>) -> String {
     let formula = formula.map_or(String::new(), |mm| format!(", formula {} mm", fixed(mm, 6)));
     format!("mean {} mm{formula}", fixed(mean, 6))
@@ -245,7 +245,7 @@ fn pitch(
             title: &titles[1],
             y_axis: "F − mean of the flank, µm",
             series: &cumulative,
-            // A range of each flank, which stand at different heights: the title has its tolerance.
+            // The ranges of the flanks have different middles, so the title states the tolerance.
             limits: Vec::new(),
             level: LEVEL,
         },
@@ -254,7 +254,7 @@ fn pitch(
     bars(gauged, chart, x_axis, &panels)
 }
 
-/// The greatest reading of `quantity` about `axis`: of both flanks that with the coarser grade.
+/// The greatest reading of `quantity` about `axis`; of both flanks the one with the coarser grade.
 fn coarsest(
     gauged: &GaugedGear,
     quantity: GradedQuantity,
@@ -265,13 +265,16 @@ fn coarsest(
         .iter()
         .copied()
         .filter(|one| one.quantity == quantity && one.pitch.map(|(axis, _)| axis) == axis);
-    of.reduce(|one, other| match other.measured > one.measured {
-        true => other,
-        false => one,
+    of.reduce(|one, other| {
+        if other.measured > one.measured {
+            other
+        } else {
+            one
+        }
     })
 }
 
-/// Tolerance, µm, and what to call it.
+/// Tolerance, µm, and its name.
 fn tolerance(graded: &GradedReading) -> (f64, String) {
     match graded.grade {
         Grade::Within { grade, tolerance } => (
@@ -285,7 +288,7 @@ fn tolerance(graded: &GradedReading) -> (f64, String) {
     }
 }
 
-/// The tolerance of a range, laid about the middle of `ends`, mm.
+/// The tolerance of a range, centred between `ends`, mm.
 fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
     let (tolerance, name) = tolerance(graded);
     let middle = 0.5e3 * (least + most);
@@ -332,7 +335,7 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
         .map(|pose| (place(pose), value(pose)))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // Once round: the first pose comes again.
+    // The first pose again, to close the revolution.
     let first = points.first().and_then(|point| point.1);
     points.push((f64::from(teeth) + 1.0, first));
     let level = |point: &(f64, Option<f64>)| point.1.is_none_or(|um| um.abs() < LEVEL);

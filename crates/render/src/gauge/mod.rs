@@ -1,4 +1,4 @@
-//! What the gauges read, as text, as charts and as a gear file that states it.
+//! The gauges' readings as text, charts and a gear file.
 
 mod charts;
 mod text;

@@ -1,4 +1,4 @@
-//! What the gauges read, as a short table of each gear.
+//! The gauges' readings as a short table per gear.
 
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{
@@ -11,7 +11,7 @@ use gearlash_results::gauge::{GaugedGear, length_table, position_table};
 use gearlash_results::text::{Column, Screen, Table};
 use std::fmt::Write;
 
-/// The text `gauge` prints on `screen`; with `by_position` every reading tooth by tooth, too.
+/// The text that `gauge` prints on `screen`; with `by_position` also every reading tooth by tooth.
 pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Screen) -> String {
     let mut text = format!("{}\n", plain(title));
     for gauged in gears {
@@ -98,7 +98,7 @@ fn deviations(read: &Gauged) -> String {
     text
 }
 
-/// Slope, form and total: of every tooth, or their mean and the worst.
+/// Slope, form and total: the value of every tooth, or their mean and the worst.
 fn profile_words(flank: &FlankProfiles) -> String {
     type Value = fn(&ProfileReading) -> f64;
     let of: [(&str, Value); 3] = [
@@ -151,7 +151,7 @@ fn both(pitch: &PitchReadings) -> String {
     format!("{}; {}", side(Flank::Right), side(Flank::Left))
 }
 
-/// Accuracy grades, or why there are none.
+/// Accuracy grades, or the reason for none.
 fn grade_table(read: &Gauged, screen: &Screen) -> String {
     let graded = match &read.grades {
         Ok(graded) if graded.is_empty() => return String::new(),
@@ -183,7 +183,7 @@ fn graded_name(one: &GradedReading) -> String {
     }
 }
 
-/// What was not measured, and what was touched off the involute.
+/// Notes on readings that were not taken, and on contacts off the involute.
 fn remarks(gauged: &GaugedGear) -> String {
     let read = &gauged.gauged;
     let mut text = String::new();

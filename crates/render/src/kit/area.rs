@@ -1,7 +1,7 @@
-//! Areas that a picture fills, strokes and clips by, each under an id of its own.
+//! Areas that a picture fills, strokes and clips by, each with an id.
 //!
-//! What readers do not understand is left out: Inkscape 1.2 shows no `<use>` but by XLink's `href`, LibreOffice 7.4 neither
-//! clips by a `<use>` nor clips one. So `href` is XLink's, a clip has its own copy of the path, and what is clipped is a group.
+//! Programs limit what can be used. Inkscape 1.2 shows `<use>` only with XLink's `href`. LibreOffice 7.4 neither clips by a
+//! `<use>` nor clips one. So `href` is XLink's, a clip has its own copy of the path, and the clipped element is a group.
 
 use super::frame::Spot;
 use super::sheet::{Ids, path_data};
@@ -27,12 +27,12 @@ pub fn area(ids: &Ids, name: &str) -> Use {
     Use::new().set("xlink:href", format!("#{}", ids.of(name)))
 }
 
-/// A group of which only what lies within the area `name` shows.
+/// A group clipped to the area `name`.
 pub fn within_area(ids: &Ids, name: &str) -> Group {
     Group::new().set("clip-path", ids.url(&format!("{name}-clip")))
 }
 
-/// The outline of the area `name`, on its inner side alone: half the stroke's width shows.
+/// The outline of the area `name`, on its inner side only: half the stroke's width is visible.
 pub fn inner_outline(ids: &Ids, name: &str, colour: &str, width: &str) -> Group {
     let stroke = area(ids, name)
         .set("fill", "none")

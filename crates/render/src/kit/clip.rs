@@ -1,8 +1,8 @@
-//! Cutting polygons and lines to a frame, so that a file holds no more than its picture.
+//! Cuts polygons and lines to a frame, so that a file holds only its picture.
 
 use super::frame::{Frame, Spot};
 
-/// One of the four half planes of a frame: which coordinate, its limit, and +1 to keep what lies above.
+/// One of the four half planes of a frame: coordinate, limit, and +1 to keep larger values.
 type Edge = (usize, f64, f64);
 
 fn edges(frame: &Frame) -> [Edge; 4] {
@@ -16,7 +16,7 @@ fn edges(frame: &Frame) -> [Edge; 4] {
 
 /// The part of a closed `polygon` inside `frame` (Sutherland and Hodgman, 1974).
 ///
-/// Parts that come apart stay joined along the frame's edge.
+/// Separate parts stay joined along the frame's edge.
 pub fn polygon(polygon: &[Spot], frame: &Frame) -> Vec<Spot> {
     edges(frame)
         .into_iter()

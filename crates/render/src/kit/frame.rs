@@ -1,4 +1,4 @@
-//! Places and rectangles of a sheet, y downwards.
+//! Points and rectangles of a sheet, y downwards.
 
 use super::paint::INK;
 use gearlash_files::numbers::ascii;
@@ -52,7 +52,7 @@ impl Frame {
         )
     }
 
-    /// Whether `other` lies wholly inside.
+    /// Whether `other` is entirely inside.
     pub fn holds(&self, other: &Frame) -> bool {
         other.left >= self.left
             && other.right <= self.right
@@ -75,7 +75,7 @@ impl Frame {
         ]
     }
 
-    /// The corners, in order round it.
+    /// The corners, in order round the frame.
     pub fn corners(&self) -> [Spot; 4] {
         [
             [self.left, self.top],

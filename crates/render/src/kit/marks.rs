@@ -15,7 +15,7 @@ pub fn disc([x, y]: Spot, radius: f64, fill: &str) -> Circle {
         .set("fill", fill)
 }
 
-/// A contact point, or one of two that will meet.
+/// A contact point (filled), or one of two that will meet.
 pub fn dot(spot: Spot, radius: f64, filled: bool) -> Circle {
     disc(spot, radius, if filled { INK } else { "white" })
         .set("stroke", INK)
@@ -31,7 +31,7 @@ pub fn square(spot: Spot, half: f64, colour: &str) -> Rectangle {
         .set("stroke-width", "1.40")
 }
 
-/// Rows of cells that fill `field`, from above, each in its colour. Cells of one colour beside each other are one rectangle.
+/// Rows of cells that fill `field` from the top, each in its colour. Neighbouring cells of one colour form one rectangle.
 pub fn shaded(field: &Frame, rows: &[Vec<&str>]) -> Group {
     let mut group = Group::new().set("shape-rendering", "crispEdges");
     let height = field.height() / rows.len() as f64;
@@ -90,7 +90,7 @@ pub fn arrow(from: Spot, to: Spot, width: f64) -> Group {
         .add(polygon(&[to, side(1.0), side(-1.0)], INK))
 }
 
-/// The box about a disc.
+/// The bounding box of a disc.
 pub fn around([x, y]: Spot, radius: f64) -> Frame {
     Frame {
         left: x,
@@ -101,7 +101,7 @@ pub fn around([x, y]: Spot, radius: f64) -> Frame {
     .grown(radius)
 }
 
-/// Dark diagonal lines under the id `hatch`, so that an overlap shows without colour.
+/// Dark diagonal lines under the id `hatch`, so that an overlap is visible without colour.
 pub fn hatch(ids: &Ids) -> Definitions {
     Definitions::new().add(
         Pattern::new()

@@ -1,7 +1,7 @@
-//! What every picture is drawn with: sheet, lines, texts, marks, axes and the room that labels take.
+//! Drawing tools of all pictures: sheet, lines, texts, marks, axes and room for labels.
 //!
-//! Snapshots, maps and charts share it. It draws on the `svg` crate and uses nothing that a plain SVG reader lacks: no
-//! script, no style sheet, no `paint-order`; a text with a halo is two elements, and [`area`] says what clips may do.
+//! Snapshots, maps and charts share them. They use the `svg` crate and only features of plain SVG readers: no script, no style
+//! sheet, no `paint-order`. A text with a halo is two elements, and [`area`] describes the limits of clips.
 
 mod area;
 pub mod clip;

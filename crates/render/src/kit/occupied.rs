@@ -1,50 +1,50 @@
-//! What labels keep clear of.
+//! Obstacles that labels avoid.
 
 use super::clip;
 use super::frame::{Frame, Spot};
 
-/// Places that are taken.
+/// Occupied places.
 #[derive(Debug, Default)]
 pub struct Occupied {
     lines: Vec<[Spot; 2]>,
     boxes: Vec<Frame>,
 }
 
-/// Clear room round a label, units of the sheet.
+/// Clear space round a label, units of the sheet.
 pub const CLEAR: f64 = 3.0;
 
 impl Occupied {
-    /// Takes the place of a line.
+    /// Adds a line.
     pub fn line(&mut self, points: &[Spot]) {
         self.lines
             .extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
     }
 
-    /// Takes the place of a box's edge.
+    /// Adds the edge of a box.
     pub fn border(&mut self, frame: Frame) {
         let corners = frame.corners();
         self.line(&corners);
         self.line(&[corners[3], corners[0]]);
     }
 
-    /// Takes the place of a box.
+    /// Adds a box.
     pub fn frame(&mut self, frame: Frame) {
         self.boxes.push(frame);
     }
 
-    /// Whether a line meets any box.
+    /// Whether a line crosses any box.
     pub fn crosses_frame(&self, line: &[Spot; 2]) -> bool {
         let [from, to] = *line;
         let boxes = &mut self.boxes.iter();
         boxes.any(|taken| clip::segment(from, to, taken).is_some())
     }
 
-    /// Whether nothing lies in `room` or within [`CLEAR`] of it.
+    /// Whether `room` and its surroundings within [`CLEAR`] are free.
     pub fn is_free(&self, room: &Frame) -> bool {
         self.is_clear(room, CLEAR)
     }
 
-    /// Whether nothing lies in `room` or within `clear` of it.
+    /// Whether `room` and its surroundings within `clear` are free.
     pub fn is_clear(&self, room: &Frame, clear: f64) -> bool {
         let room = room.grown(clear);
         !self.boxes.iter().any(|taken| taken.overlaps(&room))

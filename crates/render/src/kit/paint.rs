@@ -1,8 +1,7 @@
 //! Colours.
 //!
-//! They are distinguished by lightness first, so that they survive black-and-white print: metal light, gap middling,
-//! overlap dark and hatched. Of the hues only green and red are easily mistaken, and those two differ in lightness
-//! and hatching.
+//! They are distinguished by lightness first, so that they survive black-and-white print: metal light, gap medium, overlap dark
+//! and hatched. Only green and red are easily confused; those two differ in lightness and hatching.
 
 /// Lines and text.
 pub const INK: &str = "#1b1f24";

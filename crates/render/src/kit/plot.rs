@@ -37,7 +37,7 @@ impl Plot {
         }
     }
 
-    /// Where data stand.
+    /// The place of data on the sheet.
     pub(crate) fn spot(&self, (x, y): (f64, f64)) -> Spot {
         let part = |[from, to]: [f64; 2], value: f64| (value - from) / (to - from);
         [
@@ -46,7 +46,7 @@ impl Plot {
         ]
     }
 
-    /// Units of the sheet in a unit of data, across and up.
+    /// Units of the sheet per unit of data, across and up.
     pub(crate) fn scale(&self) -> [f64; 2] {
         [
             (self.right - self.left) / (self.x[1] - self.x[0]),
@@ -62,9 +62,9 @@ pub struct Axis {
     pub name: String,
     /// Data at both ends.
     pub range: [f64; 2],
-    /// Where the axis goes over tooth numbers: how many teeth there are. Numbers beyond start again.
+    /// The number of teeth where the axis is a tooth number. Numbers beyond it start again.
     pub teeth: Option<u32>,
-    /// Without numbers and grid: there are no values.
+    /// No numbers and no grid, because there are no values.
     pub bare: bool,
 }
 
@@ -100,19 +100,19 @@ impl Axis {
     }
 }
 
-/// Round places along an axis.
+/// Ticks at round values of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ticks {
-    /// Where they stand, ascending.
+    /// Their values, ascending.
     pub at: Vec<f64>,
     decimals: usize,
 }
 
 impl Ticks {
-    /// As many as there are up to `most` within `range`, on multiples of 1, 2 or 5 times a power of ten, with as many decimals
-    /// as that step has.
+    /// At most `most` ticks within `range`, on multiples of 1, 2 or 5 times a power of ten, with as many decimals as that step
+    /// needs.
     pub fn new([low, high]: [f64; 2], most: usize) -> Ticks {
-        // A tick at an end stays in sight whatever rounding says: a millionth of a step is not seen.
+        // A tick at an end is kept despite rounding: a millionth of a step is invisible.
         let ends = |step: f64| [(low / step - 1e-6).ceil(), (high / step + 1e-6).floor()];
         let count = |step: f64| {
             let [first, last] = ends(step);
@@ -121,9 +121,9 @@ impl Ticks {
         // Every third of `place` is a decade.
         let step =
             |place: i32| [1.0, 2.0, 5.0][place.rem_euclid(3) as usize] * power(place.div_euclid(3));
-        // Ten times the width: one tick at most.
+        // Start at ten times the width, which has one tick at most.
         let mut place = 3 * (decade((high - low).max(f64::MIN_POSITIVE)) + 2);
-        // Finer than f64 tells neighbours apart there is nothing.
+        // The resolution of f64 is the limit.
         let finest = f64::EPSILON * 8.0 * low.abs().max(high.abs());
         while count(step(place - 1)) <= most as f64 && step(place - 1) > finest {
             place -= 1;
@@ -134,7 +134,7 @@ impl Ticks {
         } else {
             (last - first + 1.0).max(0.0) as u32
         };
-        // Divided by a whole number where the step is a fraction: the tick is the nearest to what it reads.
+        // Divide by a whole number where the step is a fraction, so that the tick is nearest to its printed number.
         let (mantissa, decade) = (step(place.rem_euclid(3)), place.div_euclid(3));
         let value = |number: u32| {
             let units = (first + f64::from(number)) * mantissa;
@@ -161,7 +161,7 @@ const NAMES: TextStyle = TextStyle::new(13.0);
 /// Length of a tick.
 const TICK: f64 = 4.0;
 
-/// Lines across a plot at both axes' ticks, at most so many of each.
+/// Lines across a plot at the ticks of both axes, at most `most` of each.
 pub fn grid(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
     let mut group = Group::new();
     for value in x.ticks(most[0]).at {
@@ -175,7 +175,7 @@ pub fn grid(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
     group
 }
 
-/// Axes at the left and below with ticks, at most so many of each, numbers and names.
+/// Axes at the left and below with at most `most` ticks each, numbers and names.
 pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
     let Frame {
         left,
@@ -212,7 +212,7 @@ pub fn axes(plot: &Plot, [x, y]: [&Axis; 2], most: [usize; 2]) -> Group {
             .at
             .iter()
             .map(|value| NUMBERS.width(&y.number(&ticks, *value)));
-        // Left of the widest number, as far as a sheet's edge lies from its plots.
+        // Left of the widest number, with the distance of a sheet's edge from its plots.
         let foot = left - numbers.fold(44.0, f64::max).min(56.0) - 12.0;
         let style = NAMES.middle().fitted(&y.name, bottom - top + 40.0, 9.0);
         let at = [foot, middle_y];
@@ -227,7 +227,7 @@ mod tests {
     use proptest::prelude::*;
     use std::collections::HashSet;
 
-    /// Every tick reads as what it is, none as its neighbour.
+    /// Every tick prints its own value, and no two print the same.
     fn assert_told(range: [f64; 2], most: usize) {
         let ticks = Ticks::new(range, most);
         assert!(ticks.at.len() <= most, "{ticks:?}");
@@ -278,7 +278,7 @@ mod tests {
         ) {
             let half = 0.5 * digits * 10f64.powi(power);
             assert_told([middle - half, middle + half], most);
-            // Zero in sight, as in a chart of differences.
+            // Zero is included, as in a chart of differences.
             assert_told([-1.8 * half, 0.2 * half], most);
         }
     }

@@ -7,7 +7,7 @@ use super::text::TextStyle;
 use gearlash_files::numbers::rounded;
 use svg::node::element::Group;
 
-/// Mantissas of scales: ISO 5455 knows 1, 2 and 5.
+/// Mantissas of scales: 1, 2 and 5 by ISO 5455.
 pub const ISO_5455: &[f64] = &[1.0, 2.0, 5.0];
 /// A finer series for a view that should fill its frame.
 pub const FINE: &[f64] = &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
@@ -31,7 +31,7 @@ pub fn round_down(limit: f64, series: &[f64]) -> f64 {
     series.iter().rfind(fits).unwrap_or(&1.0) * power
 }
 
-/// The greatest `n` with `10^n ≤ x` (> 0), by comparison: a logarithm's last digit may differ between machines.
+/// The greatest `n` with `10^n ≤ x` (> 0), by comparison: the last digit of a logarithm can differ between machines.
 pub fn decade(x: f64) -> i32 {
     let mut decade = 0;
     while x < power(decade) {
@@ -51,7 +51,7 @@ pub fn power(decade: i32) -> f64 {
     }
 }
 
-/// `20 : 1`, `1 : 5` for `scale` units of the sheet a millimetre.
+/// `20 : 1` or `1 : 5`, for `scale` units of the sheet per millimetre.
 pub fn ratio(scale: f64) -> String {
     let ratio = scale / UNITS_PER_MM;
     let tidy = |x: f64| rounded(x, 3).to_string();
@@ -62,8 +62,8 @@ pub fn ratio(scale: f64) -> String {
     }
 }
 
-/// A bar of a round length between 60 and 150 units at `scale` units a millimetre, with its
-/// length and the scale as text on its right; `at` is its left end.
+/// A bar of a round length between 60 and 150 units at `scale` units per millimetre, with its length and the scale as text on its
+/// right; `at` is its left end.
 pub fn bar(at: Spot, scale: f64) -> Group {
     let length = round_down(150.0 / scale, ISO_5455);
     let width = length * scale;
@@ -80,7 +80,7 @@ pub fn bar(at: Spot, scale: f64) -> Group {
         .add(caption)
 }
 
-/// A round length in the unit in which it is no long fraction.
+/// A round length in the unit that needs few digits.
 fn length_text(mm: f64) -> String {
     let (value, unit) = match mm {
         _ if mm >= 1000.0 => (mm / 1000.0, "m"),

@@ -1,23 +1,23 @@
-//! The sheet, and how lines get onto it.
+//! The sheet, and the lines on it.
 
 use super::frame::{Spot, number};
 use svg::node::element::{Path, Rectangle, SVG};
 
-/// Width of an A4 sheet lying, units of 0.25 mm.
+/// Width of an A4 sheet in landscape, units of 0.25 mm.
 pub const WIDTH: f64 = 1188.0;
 /// Its height.
 pub const HEIGHT: f64 = 840.0;
 /// Units in a millimetre of paper.
 pub const UNITS_PER_MM: f64 = 4.0;
 
-/// The namespace of references that Inkscape 1.2 follows, too.
+/// The namespace of references that Inkscape 1.2 also follows.
 const XLINK: &str = "http://www.w3.org/1999/xlink";
 
-/// The reader's own sans-serif face first. resvg takes Arial for it, and shows no text at all where there is none: those after it are
-/// on most machines, and none is wider than what texts are reckoned with.
+/// The reader's own sans-serif face first. resvg takes Arial for it, and shows no text at all where Arial is absent. The other
+/// fonts are on most machines, and none is wider than the widths in `text.rs`.
 pub const FONTS: &str = "sans-serif, DejaVu Sans, Liberation Sans, Noto Sans";
 
-/// An empty white sheet of so many units, true to size in print.
+/// An empty white sheet with a size in units, true to size in print.
 pub fn blank_sheet(width: f64, height: f64) -> SVG {
     SVG::new()
         .set("xmlns:xlink", XLINK)
@@ -52,18 +52,18 @@ impl Ids {
         self.prefix.is_empty()
     }
 
-    /// The id of what is called `name` in the picture.
+    /// The id of the element called `name`.
     pub fn of(&self, name: &str) -> String {
         format!("{}{name}", self.prefix)
     }
 
-    /// A reference to it, for a fill or a clip.
+    /// A reference to the element called `name`, for a fill or a clip.
     pub fn url(&self, name: &str) -> String {
         format!("url(#{})", self.of(name))
     }
 }
 
-/// Path data through `points`; repeated points are left out.
+/// Path data through `points`, without repeated points.
 pub fn path_data(points: &[Spot], closed: bool) -> String {
     let mut data = String::new();
     let mut last = String::new();
@@ -90,7 +90,7 @@ pub fn line(points: &[Spot], colour: &str, width: f64) -> Path {
         .set("stroke-width", number(width))
 }
 
-/// The inside of `points`.
+/// The filled polygon of `points`.
 pub fn polygon(points: &[Spot], fill: &str) -> Path {
     Path::new()
         .set("d", path_data(points, true))

@@ -1,4 +1,4 @@
-//! Text: how it is set, and how much room it takes.
+//! Text: its style, and the room it takes.
 
 use super::frame::{Frame, Spot, number};
 use super::paint::{GREY, INK};
@@ -7,7 +7,7 @@ use svg::node::Blob;
 use svg::node::element::Element;
 use svg::node::{Node, Text};
 
-/// Which part of a text stands at its place.
+/// The part of a text at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     Start,
@@ -15,7 +15,7 @@ pub enum Anchor {
     End,
 }
 
-/// How a text is set.
+/// The style of a text.
 #[derive(Debug, Clone, Copy)]
 pub struct TextStyle {
     size: f64,
@@ -24,7 +24,7 @@ pub struct TextStyle {
     bold: bool,
 }
 
-/// Symbols as they stand in text; they are set italic with a subscript.
+/// Symbols as written in text; they are set italic with a subscript.
 const SYMBOLS: [&str; 10] = [
     "j_wt", "j_bn", "j_bt", "f_p", "f_u", "F_p", "F_r", "F_i", "f_i", "M_dK",
 ];
@@ -46,7 +46,7 @@ impl TextStyle {
         TextStyle { colour, ..self }
     }
 
-    /// Second-rank.
+    /// The style for secondary text.
     pub const fn grey(self) -> TextStyle {
         self.colour(GREY)
     }
@@ -67,14 +67,14 @@ impl TextStyle {
         self.anchored(Anchor::End)
     }
 
-    /// Width of `text`, or more.
+    /// An upper bound of the width of `text`.
     pub fn width(self, text: &str) -> f64 {
         // DejaVu Sans Bold is an eighth wider.
         let wider = if self.bold { 1.125 } else { 1.0 };
         wider * width(text, self.size)
     }
 
-    /// `text` cut to `room` with an ellipsis where it is longer.
+    /// `text`, cut to `room` with an ellipsis where it is longer.
     pub fn shortened(self, text: &str, room: f64) -> String {
         if self.width(text) <= room {
             return text.to_owned();
@@ -89,19 +89,22 @@ impl TextStyle {
         kept + "…"
     }
 
-    /// `text` in lines no wider than `room`, broken at spaces; at most `most` of them, the last cut as [`Self::shortened`] does.
+    /// `text` in lines no wider than `room`, broken at spaces. There are at most `most` lines; the last is cut as by
+    /// [`Self::shortened`].
     pub fn wrapped(self, text: &str, room: f64, most: usize) -> Vec<String> {
         let mut lines = vec![String::new()];
         for word in text.split(' ') {
             let full = lines.len() == most;
             if let Some(line) = lines.last_mut() {
-                let longer = match line.is_empty() {
-                    true => word.to_owned(),
-                    false => format!("{line} {word}"),
+                let longer = if line.is_empty() {
+                    word.to_owned()
+                } else {
+                    format!("{line} {word}")
                 };
-                match full || line.is_empty() || self.width(&longer) <= room {
-                    true => *line = longer,
-                    false => lines.push(word.to_owned()),
+                if full || line.is_empty() || self.width(&longer) <= room {
+                    *line = longer
+                } else {
+                    lines.push(word.to_owned())
                 }
             }
         }
@@ -111,26 +114,27 @@ impl TextStyle {
             .collect()
     }
 
-    /// Smaller where `text` is longer than `room`, but no smaller than `least`.
+    /// A smaller size where `text` is longer than `room`, but at least `least`.
     pub fn fitted(self, text: &str, room: f64, least: f64) -> TextStyle {
         let width = self.width(text);
-        match width > room {
-            true => TextStyle {
+        if width > room {
+            TextStyle {
                 size: f64::max(self.size * room / width, least),
                 ..self
-            },
-            false => self,
+            }
+        } else {
+            self
         }
     }
 
-    /// How far below the middle of its capitals a text's baseline lies.
+    /// Distance of a text's baseline below the middle of its capitals.
     pub fn below_middle(self) -> f64 {
         0.35 * self.size
     }
 
-    /// A `<text>` at `at`, on its baseline, symbols set as such. Characters that XML cannot hold become spaces.
+    /// A `<text>` at `at`, on its baseline, with symbols. Characters that XML cannot hold become spaces.
     ///
-    /// With symbols it starts where its middle or end is to be less its width: LibreOffice anchors each tspan by itself.
+    /// With symbols the anchor is always the start, moved by the width: LibreOffice anchors each tspan by itself.
     pub fn text(self, content: &str, at: Spot) -> Element {
         let content = plain(content);
         if next_symbol(&content).is_none() {
@@ -147,27 +151,28 @@ impl TextStyle {
         element
     }
 
-    /// A `<text>` in a user's words, letter by letter.
+    /// A `<text>` with a user's words, without symbols.
     pub fn verbatim(self, content: &str, at: Spot) -> Element {
         let mut element = self.element(at);
         element.append(Text::new(plain(content)));
         element
     }
 
-    /// What stands in a `<text>` with symbols.
+    /// The content of a `<text>` with symbols.
     fn with_symbols(self, content: &str) -> String {
         let (drop, small) = (number(self.size * 0.22), number(self.size * 0.72));
         let (mut rest, mut set) = (content, String::new());
         while let Some((before, letter, subscript, after)) = next_symbol(rest) {
-            // LibreOffice drops a space before a tspan, of whatever width; not one that keeps a line together.
+            // LibreOffice drops a breaking space before a tspan; a no-break space stays.
             let before = &match before.strip_suffix(' ') {
                 Some(before) => format!("{before}\u{a0}"),
                 None => before.to_owned(),
             };
             set += &self.after_symbol(before, !set.is_empty());
-            let rise = match set.is_empty() || !before.is_empty() {
-                true => String::new(),
-                false => format!(" dy=\"-{drop}\""),
+            let rise = if set.is_empty() || !before.is_empty() {
+                String::new()
+            } else {
+                format!(" dy=\"-{drop}\"")
             };
             set += &format!(
                 "<tspan font-style=\"italic\"{rise}>{letter}</tspan><tspan dy=\"{drop}\" font-size=\"{small}\">{subscript}</tspan>"
@@ -177,13 +182,13 @@ impl TextStyle {
         set + &self.after_symbol(rest, true)
     }
 
-    /// Text, back on the baseline after a subscript.
+    /// Text after a symbol, back on the baseline after a subscript.
     fn after_symbol(self, text: &str, lowered: bool) -> String {
         if !lowered || text.is_empty() {
             return Text::new(text).to_string();
         }
         let drop = number(self.size * 0.22);
-        // A space at the start of a tspan is lost in some programs; a shift is kept.
+        // Some programs drop a space at the start of a tspan; a shift is kept.
         let (shift, text) = match text.strip_prefix(' ') {
             Some(text) => (format!(" dx=\"{}\"", number(self.size * 0.3)), text),
             None => (String::new(), text),
@@ -191,8 +196,8 @@ impl TextStyle {
         format!("<tspan{shift} dy=\"-{drop}\">{}</tspan>", Text::new(text))
     }
 
-    /// A text that can be read across a line: a white one with a thick outline, and itself over it. Two elements, since
-    /// many readers draw an outline over its own text whatever `paint-order` says.
+    /// A text that is readable across a line: white with a thick outline, then itself over it. There are two elements, because
+    /// many readers draw an outline over its own text despite `paint-order`.
     pub fn haloed(self, content: &str, at: Spot) -> [Element; 2] {
         let mut halo = self.colour("#ffffff").text(content, at);
         halo.assign("stroke", "#ffffff");
@@ -232,7 +237,7 @@ fn next_symbol(text: &str) -> Option<(&str, &str, &str, &str)> {
         let at = text.find(symbol)?;
         let (before, after) = (&text[..at], &text[at + symbol.len()..]);
         let part = |c: char| c.is_alphanumeric() || c == '_';
-        // Not within a word, as in a title or a file's name.
+        // Not inside a word, as in a title or a file's name.
         (!before.ends_with(part) && !after.starts_with(part)).then_some((before, symbol, after))
     });
     let (before, symbol, after) = found.min_by_key(|(before, ..)| before.len())?;
@@ -242,8 +247,7 @@ fn next_symbol(text: &str) -> Option<(&str, &str, &str, &str)> {
 
 /// Width of a text at `size`.
 ///
-/// Widths are those of DejaVu Sans, the widest of the usual sans-serif faces, rounded up, as no
-/// font is there to ask.
+/// Widths are those of DejaVu Sans, the widest of the usual sans-serif faces, rounded up; no font is loaded.
 fn width(text: &str, size: f64) -> f64 {
     let em: f64 = text
         .chars()

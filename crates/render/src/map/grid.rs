@@ -6,13 +6,13 @@ use gearlash_files::numbers::fixed;
 use svg::node::Node;
 use svg::node::element::{Group, SVG};
 
-/// Where things stand.
+/// Positions in the picture.
 struct Layout {
     width: f64,
     field: Frame,
-    /// From the field to the legend: the axis, and the names of the limits where these stand below.
+    /// Distance from the field to the legend: the axis, and the names of the limits where they are below.
     below: f64,
-    /// Samples of the legend beside each other.
+    /// Columns of the legend.
     across: usize,
     is_narrow: bool,
 }
@@ -25,7 +25,7 @@ const WIDE: Layout = Layout {
     is_narrow: false,
 };
 
-/// For a screen 390 pixels wide: the page has title and caption, and names of limits stand below the field.
+/// For a screen 390 pixels wide: the page has title and caption, and names of limits are below the field.
 const NARROW: Layout = Layout {
     width: 390.0,
     field: Frame::new([66.0, 10.0], [380.0, 330.0]),
@@ -39,22 +39,22 @@ const ROW: f64 = 24.0;
 
 const SMALL: TextStyle = TextStyle::new(12.0);
 
-/// What is drawn.
+/// The content of a map.
 pub struct Grid<'a> {
-    /// Centre distances of the rows, mm, rising.
+    /// Centre distances of the rows, mm, ascending.
     pub distances: &'a [f64],
     pub columns: usize,
     pub phase: Axis,
-    /// What is drawn across.
+    /// Lines across the field.
     pub limits: &'a [Limit],
-    /// Colours and names; those that occur stand in the legend.
+    /// Colours and names; the legend shows those that occur.
     pub shades: Vec<(&'static str, String)>,
-    /// Row by row, the place of each cell's shade.
+    /// The index of each cell's shade, row by row.
     pub cells: Vec<usize>,
 }
 
 impl Grid<'_> {
-    /// `title`, what pair it is of (`caption`), the field and its legend.
+    /// The map with `title` and `caption` (the pair), the field and its legend.
     pub fn picture(&self, title: &str, caption: &str) -> SVG {
         let left = WIDE.field.left;
         self.drawn(&WIDE)
@@ -62,7 +62,7 @@ impl Grid<'_> {
             .add(SMALL.grey().text(caption, [left, 58.0]))
     }
 
-    /// The field and its legend for a screen 390 pixels wide, whose page has the caption.
+    /// The field and its legend for a screen 390 pixels wide; the page has the caption.
     pub fn narrow(&self) -> SVG {
         self.drawn(&NARROW)
     }
@@ -90,7 +90,7 @@ impl Grid<'_> {
         shaded(field, &shades.collect::<Vec<Vec<&str>>>())
     }
 
-    /// The field with its data: the phase, the centre distance upwards.
+    /// The field in data: the phase to the right, the centre distance upwards.
     fn plot(&self, field: Frame) -> Plot {
         let Frame {
             left,
@@ -118,13 +118,13 @@ impl Grid<'_> {
         kit::axes(&plot, [&self.phase, &y], ticks)
     }
 
-    /// Lines across the field, their names on the right, moved apart where they would collide; on a narrow screen below the `rows` of
-    /// the legend, the uppermost first.
+    /// Lines across the field. Their names are on the right, moved apart where they would collide. On a narrow screen they are
+    /// below the `rows` of the legend, the uppermost first.
     fn drawn_limits(&self, layout: &Layout, rows: usize) -> Group {
         const APART: f64 = 17.0;
         let field = layout.field;
         let (plot, mut group) = (self.plot(field), Group::new());
-        // From the top down.
+        // From top to bottom.
         let named: Vec<(f64, String)> = self
             .limits
             .iter()
@@ -136,7 +136,7 @@ impl Grid<'_> {
             .collect();
         let inside = |y: f64| y <= field.bottom;
         let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
-        // Down past the one above, then up from the bottom.
+        // Pushed down below the one above, then up from the bottom.
         for i in 1..heights.len() {
             heights[i] = heights[i].max(heights[i - 1] + APART);
         }
@@ -146,12 +146,11 @@ impl Grid<'_> {
             lowest = *height - APART;
         }
         for (number, ((y, label), at)) in named.iter().zip(heights).enumerate() {
-            let spot = match layout.is_narrow {
-                true => {
-                    let down = (rows + number) as f64 * ROW;
-                    [10.0, field.bottom + layout.below + down + 11.5]
-                }
-                false => [field.right + 25.0, at + 4.0],
+            let spot = if layout.is_narrow {
+                let down = (rows + number) as f64 * ROW;
+                [10.0, field.bottom + layout.below + down + 11.5]
+            } else {
+                [field.right + 25.0, at + 4.0]
             };
             if !inside(*y) {
                 let label = format!("{label}: below the map");
@@ -167,7 +166,7 @@ impl Grid<'_> {
             if !own {
                 across = across.set("stroke-dasharray", "6 3");
             }
-            // Light under dark: the line shows on any shade.
+            // A light line under a dark one is visible on any shade.
             let halo = line(&[[field.left, *y], [field.right, *y]], "#ffffff", 3.0);
             group.append(halo.set("stroke-opacity", "0.60"));
             group.append(across);

@@ -11,19 +11,19 @@ use svg::node::element::SVG;
 /// Steps of backlash above zero.
 const STEPS: usize = 4;
 
-/// Darker is tighter, so that it reads in black and white, too.
+/// Darker colours mean less backlash, also in black and white.
 const COLOURS: [&str; 9] = [
     "#4a1f2e", "#a83224", "#e08a3c", "#8fc7a6", "#b5dac4", "#d7ebdf", "#eef7f1", "#ffffff",
     "#ff00ff",
 ];
 
-/// `map` as SVG; `title` stands above.
+/// `map` as SVG with `title` above.
 pub fn backlash_map_picture(title: &str, map: &BacklashMap) -> String {
     let [picture, _] = draw(title, map);
     format!("{picture}\n")
 }
 
-/// The map as a part of a page, for a wide and for a narrow screen: its ids begin with `prefix`.
+/// The map as part of a page, for a wide and for a narrow screen. Its ids begin with `prefix`.
 pub(crate) fn backlash_map_in_page(prefix: &str, title: &str, map: &BacklashMap) -> String {
     let label = "Backlash over mesh cycle and centre distance";
     let pictures = draw(title, map).into_iter();
@@ -67,7 +67,7 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
         Status::Jammed => 0,
         Status::Clear | Status::Interference => {
             let steps = cell.backlash.map_or(0.0, |mm| 1e3 * mm / step);
-            // From −1 step, one shade a step.
+            // From −1 step on, one shade per step.
             (steps.floor() + 3.0).clamp(1.0, 6.0) as usize
         }
     });
@@ -86,7 +86,7 @@ fn draw(title: &str, map: &BacklashMap) -> [SVG; 2] {
     [grid.picture(title, &caption), grid.narrow()]
 }
 
-/// 1, 2 or 5 times a power of ten, µm: the least that is no less than `least`.
+/// The least of 1, 2 and 5 times a power of ten, µm, that is at least `least`.
 fn step(least: f64) -> f64 {
     let power = 10f64.powf(least.max(1e-3).log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|times| times * power);

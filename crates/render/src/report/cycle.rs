@@ -8,7 +8,7 @@ use gearlash::pair::{GearPair, Member, SweepPlan};
 use maud::{Markup, html};
 use std::collections::BTreeSet;
 
-/// The poses that were simulated, and what is known of the others.
+/// The simulated poses, and results for the others.
 pub(super) fn section(page: &Page) -> Markup {
     html! {
         p.note { (simulated(page)) }
@@ -27,17 +27,14 @@ fn simulated(page: &Page) -> String {
     );
     let picked = poses(&report.analysis.extremes.runs);
     let mut parts = Vec::new();
-    match report.pair.study.sweeps() {
-        true => {
-            parts.push(format!("the {requested} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
-            if turned > requested {
-                parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - requested));
-            }
+    if report.pair.study.sweeps() {
+        parts.push(format!("the {requested} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
+        if turned > requested {
+            parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - requested));
         }
-        false => {
-            parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the right flank and with the left flank at the pitch point"));
-            parts.push(format!("the {requested} that the pair file asks for, which “gearlash simulate” and “gearlash compare” report"));
-        }
+    } else {
+        parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the right flank and with the left flank at the pitch point"));
+        parts.push(format!("the {requested} that the pair file asks for, which “gearlash simulate” and “gearlash compare” report"));
     }
     if picked > 0 {
         parts.push(format!("{picked} at the extremes of the whole mesh cycle"));
@@ -79,7 +76,7 @@ fn others(page: &Page) -> Markup {
     }
 }
 
-/// Whether all teeth of each gear are alike.
+/// Whether all teeth of each gear are equal.
 fn has_like_teeth(pair: &GearPair) -> bool {
     Member::BOTH
         .iter()
@@ -92,7 +89,7 @@ fn both_deviate(pair: &GearPair) -> bool {
         .all(|member| pair.gear(*member).has_different_teeth())
 }
 
-/// In which of several ways the gears are put together.
+/// The assembly phases of the poses.
 fn phases(page: &Page) -> Markup {
     let study = &page.report.pair.study;
     let first = page
@@ -108,7 +105,7 @@ fn phases(page: &Page) -> Markup {
     let [wheel, pinion] = Member::BOTH.map(|member| run.run.assembly.teeth(member));
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.simulated.pose.mating();
-    // Where one gear is perfect, it does not matter which of its teeth are met.
+    // Where one gear is perfect, the phase does not matter.
     let matters = ways > 1 && run.run.assembly.data().is_some_and(both_deviate);
     let way = phase(&run.run.assembly, mating);
     let requested = page.report.analysis.runs.iter().flat_map(|run| {
@@ -133,7 +130,7 @@ fn phases(page: &Page) -> Markup {
     }
 }
 
-/// Whether backlash is the same at every pose of the centre distance and material of `found`.
+/// Whether backlash is equal at every pose of the centre distance and material of `found`.
 pub(super) fn same_everywhere(page: &Page, found: PoseOfRun) -> bool {
     let run = &found.run.run;
     let mut distances = page.distances.iter();

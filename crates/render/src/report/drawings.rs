@@ -1,4 +1,4 @@
-//! What was read of each drawing, and how the gears are put together.
+//! The drawings as read, and the assembly.
 
 use super::input::assembly;
 use super::page::Page;
@@ -37,7 +37,7 @@ pub(super) fn section(page: &Page) -> Markup {
     }
 }
 
-/// Name, and of each gear what it says.
+/// Name and value of each property of both gears.
 fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String; 2])> {
     let dash = || "–".to_owned();
     let of = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String,

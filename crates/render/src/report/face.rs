@@ -1,4 +1,4 @@
-//! Helical gears: what the face width costs, where over the face the teeth touch, and what each backlash is.
+//! Helical gears: the effect of the face width, the place of contact over the face, and definitions of backlash.
 
 use super::figures::svg;
 use super::page::Page;
@@ -61,9 +61,10 @@ fn widths(page: &Page) -> Markup {
 
 fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Vec<Markup> {
     let [from, to] = at.face.map(|end| trimmed(end, 0, 3));
-    let none = match at.each.iter().any(|run| run.status == Status::Jammed) {
-        true => "jammed",
-        false => "out of mesh",
+    let none = if at.each.iter().any(|run| run.status == Status::Jammed) {
+        "jammed"
+    } else {
+        "out of mesh"
     };
     let mut row = cells![trimmed(at.width(), 0, 3), format!("{from} … {to}")];
     row.extend(extreme(
@@ -79,7 +80,7 @@ fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Vec<Markup> {
     row
 }
 
-/// Value, difference to that in one section, and whether it is proven; where it is not, both ends of the bracket that is.
+/// Value, difference from that in one section, and whether it is proven; if not, both ends of the proven bracket.
 fn extreme(here: Option<FaceExtreme>, one_section: Option<FaceExtreme>, none: &str) -> Vec<Markup> {
     let Some(here) = here else {
         return cells!["–", "", none];
@@ -130,7 +131,7 @@ fn field(page: &Page) -> Result<Markup, PictureError> {
     })
 }
 
-/// Symbol, section, formula, meaning, and the value of it.
+/// Symbol, section, formula, meaning, and value.
 type Definition = (
     &'static str,
     &'static str,
@@ -182,7 +183,7 @@ fn definitions(page: &Page) -> Markup {
     }
 }
 
-/// A formula in which `x_y` is a symbol with an index.
+/// A formula in which `x_y` becomes a symbol with an index.
 fn formula_markup(formula: &str) -> Markup {
     html! {
         @for (number, word) in formula.split(' ').enumerate() {

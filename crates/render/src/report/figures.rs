@@ -9,13 +9,13 @@ use gearlash::gear::Inspection;
 use gearlash_files::numbers::stated_distance;
 use maud::{Markup, PreEscaped, html};
 
-/// Centre distances and phases whose curves stand in the page (tuned: some 100 kB each).
+/// Most centre distances and phases whose curves are in the page (tuned: some 100 kB each).
 const MOST_COURSES: usize = 12;
 
-/// Least height of a profile chart, µm: that of the gauge's.
+/// Least height of a profile chart, µm, as for the gauge.
 const LEAST_PROFILE: f64 = 0.1;
 
-/// Backlash over the teeth: the centre distance with the least backlash, the others to be opened.
+/// Backlash over the teeth: the centre distance with the least backlash; the others are collapsed.
 pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     let draw = |number: usize, course: &Course| {
         let title = format!("Backlash over the teeth {}", place(course));
@@ -48,7 +48,7 @@ fn id(number: usize) -> String {
     format!("revolution{number}")
 }
 
-/// The courses whose charts stand in the page, each with the chart's id.
+/// The courses whose charts are in the page, each with the chart's id.
 pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
     let drawn = drawn(page);
     drawn
@@ -57,7 +57,7 @@ pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
         .collect()
 }
 
-/// The numbers of those courses: the one with the least backlash of the whole result first.
+/// The indices of those courses; the one with the least backlash of all comes first.
 fn drawn(page: &Page) -> Vec<usize> {
     let least = page.whole.least.and_then(|least| {
         let run = &least.run.run;
@@ -72,7 +72,7 @@ fn drawn(page: &Page) -> Vec<usize> {
     least.into_iter().chain(others).take(MOST_COURSES).collect()
 }
 
-/// Simulation minus formula over the teeth, likewise.
+/// Simulation minus formula over the teeth: the centre distance with the least backlash; the others are collapsed.
 pub(super) fn difference(page: &Page) -> Result<Markup, PictureError> {
     let tolerance = page.report.pair.study.tolerance_um;
     let draw = |number: usize, course: &Course| {
@@ -87,19 +87,18 @@ pub(super) fn difference(page: &Page) -> Result<Markup, PictureError> {
                 ]
             })
             .any(|models| models.iter().any(Option::is_some));
-        match comparable {
-            false => Ok(html! { p { (title) ": no pose has both values." } }),
-            true => {
-                let prefix = format!("difference{number}");
-                let drawn = chart::difference(&heading(page, &prefix, &title), course, tolerance)?;
-                Ok(figure(&drawn))
-            }
+        if comparable {
+            let prefix = format!("difference{number}");
+            let drawn = chart::difference(&heading(page, &prefix, &title), course, tolerance)?;
+            Ok(figure(&drawn))
+        } else {
+            Ok(html! { p { (title) ": no pose has both values." } })
         }
     };
     over_teeth(page, "simulation minus formula", draw)
 }
 
-/// `draw` of the course with the least backlash, and of the others in `<details>`, named `what`.
+/// `draw` for the course with the least backlash; and for the others in `<details>`, named `what`.
 fn over_teeth(
     page: &Page,
     what: &str,
@@ -137,7 +136,7 @@ fn over_teeth(
     })
 }
 
-/// Backlash over the centre distance: the mating that binds, the other measured ones to be opened.
+/// Backlash over the centre distance: the binding mating; other measured ones are collapsed.
 pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
     let mut figures = Vec::new();
     for (number, curve) in page.report.analysis.over_distance.iter().enumerate() {
@@ -182,7 +181,7 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
     })
 }
 
-/// The heading of a chart: its title, and below it the pair's.
+/// The heading of a chart: its title, and the pair's below it.
 fn heading<'h>(page: &Page<'h>, prefix: &'h str, title: &'h str) -> Heading<'h> {
     Heading {
         prefix,
@@ -227,10 +226,10 @@ fn profiles(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
     Ok(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
 }
 
-/// Rows beyond which a table stands in closed `<details>`.
+/// Rows above which a table is collapsed in `<details>`.
 const LONG: usize = 12;
 
-/// A table; a long one in closed `<details>` named `what`.
+/// A table; a long one is collapsed in `<details>` named `what`.
 pub(super) fn folded(what: &str, table: &Table) -> Markup {
     let rows = table.rows.len();
     html! {
@@ -246,7 +245,7 @@ pub(super) fn folded(what: &str, table: &Table) -> Markup {
     }
 }
 
-/// Note on paper in place of closed `<details>`.
+/// A note on paper in place of collapsed `<details>`.
 pub(super) fn not_on_paper(what: &str) -> Markup {
     html! { p.paper.note { "Not printed: " (what) ". Expand it on the screen before printing." } }
 }
@@ -256,7 +255,7 @@ pub(super) fn figure(chart: &Chart) -> Markup {
     html! { figure.chart tabindex="0" { (svg(chart)) } }
 }
 
-/// A chart as drawn for a wide and for a narrow screen; the style sheet shows one of them.
+/// A chart for a wide and for a narrow screen; the style sheet shows one of them.
 pub(super) fn svg(chart: &Chart) -> Markup {
     html! { (PreEscaped(&chart.svg)) (PreEscaped(chart.narrow().svg)) }
 }

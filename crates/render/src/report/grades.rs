@@ -1,4 +1,4 @@
-//! Accuracy grades of pitch and runout, as the gauge reads them, beside those required.
+//! Accuracy grades of pitch and runout as measured by the gauge, beside the required ones.
 
 use super::marks::marked;
 use super::page::{GearGrades, Page};
@@ -56,7 +56,7 @@ pub(super) fn table(page: &Page) -> Markup {
     }
 }
 
-/// Of which flanks and about which axis.
+/// The flank and the axis of a reading.
 fn of(pitch: Option<(PitchAxis, Flank)>) -> &'static str {
     match pitch {
         Some((PitchAxis::Datum, Flank::Right)) => ", right flanks, datum axis",
@@ -77,7 +77,7 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
         Grade::Within { grade, tolerance } => (grade.to_string(), tolerance, Some(grade)),
         Grade::Beyond { last, tolerance } => (format!("beyond {last}"), tolerance, None),
     };
-    // About the gear's own centre no standard grades.
+    // Readings about the gear's own centre are outside the standard's grades.
     let own = matches!(reading.pitch, Some((PitchAxis::Own, _)));
     let wanted = gear.required.filter(|_| !own);
     let met = match wanted {
@@ -98,7 +98,7 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
     ]
 }
 
-/// Deviations that inspection sheets list beside those with a grade.
+/// Deviations that inspection sheets list in addition to graded ones.
 fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank) -> [Vec<Markup>; 3] {
     [
         (

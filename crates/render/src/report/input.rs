@@ -13,7 +13,8 @@ use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
 use gearlash_files::spec::{AssemblySpec, GearSpec};
 use maud::{Markup, Render, html};
 
-/// A property of a gear as built: symbol, name and unit of spur gears; those of helical gears where they differ; decimals; value.
+/// A property of a gear as built: symbol, name and unit for spur gears; those for helical gears where they differ; decimals;
+/// value.
 type Property = (&'static str, &'static str, usize, fn(&AsBuilt) -> f64);
 
 /// Properties that the drawing states.
@@ -149,7 +150,7 @@ fn pitches(page: &Page, gears: [&GearSpec; 2]) -> [String; 2] {
     })
 }
 
-/// The values of `list` of both gears, of each material where they differ.
+/// The values of `list` for both gears, for each material where they differ.
 fn properties(page: &Page, list: &[Property]) -> Vec<(&'static str, [String; 2])> {
     let study = &page.report.pair.study;
     let each = list.iter().map(|(spur, helical, decimals, of)| {
@@ -172,7 +173,7 @@ fn properties(page: &Page, list: &[Property]) -> Vec<(&'static str, [String; 2])
     each.collect()
 }
 
-/// Which way the teeth wind.
+/// The hand of the helix.
 fn hand(gear: &GearSpec) -> String {
     gear.hand.map_or("", Hand::name).to_owned()
 }
@@ -203,9 +204,10 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
         )
     });
     let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
-    let angle = match least == most {
-        true => fixed(least, 4),
-        false => format!("{} … {}", fixed(least, 4), fixed(most, 4)),
+    let angle = if least == most {
+        fixed(least, 4)
+    } else {
+        format!("{} … {}", fixed(least, 4), fixed(most, 4))
     };
     let mut rows = vec![("a | centre distance | mm", distances.join(", "))];
     if study.is_helical() {

@@ -1,9 +1,9 @@
-//! Pass, warning, unproven and fail: told apart by shape, colour and word.
+//! Marks for pass, warning, unproven and fail, distinguished by shape, colour and word.
 
 use gearlash::analysis::diagnosis::Verdict;
 use maud::{Markup, html};
 
-/// Outline in a box of 16 by 16, and the strokes within it.
+/// Outline in a box of 16 by 16, and the strokes in it.
 fn shape(verdict: Verdict) -> [&'static str; 2] {
     match verdict {
         Verdict::Pass => ["M8 1a7 7 0 1 0 .01 0z", "M4.5 8.2L7 10.7L11.5 5.5"],

@@ -8,7 +8,7 @@ use gearlash::analysis::measured::{MeasuredMating, sides};
 use gearlash_results::text::measured_shown;
 use maud::{Markup, html};
 
-/// How many measured values lie in their bands; `None` without measurements.
+/// The number of measured values within their bands; `None` without measurements.
 pub(super) fn sentence(report: &Report) -> Option<String> {
     if report.analysis.measured.is_empty() {
         return None;
@@ -46,7 +46,7 @@ pub(super) fn section(page: &Page) -> Markup {
     }
 }
 
-/// Where the rows come from, each source once.
+/// The sources of the rows, each once.
 fn sources(measured: &[MeasuredMating]) -> Markup {
     let mut sources: Vec<&str> = Vec::new();
     for mating in measured {

@@ -1,4 +1,4 @@
-//! How the numbers were found, how closely, and what they leave out.
+//! The method, its accuracy and its limits.
 
 use super::figures::not_on_paper;
 use super::page::Page;
@@ -66,15 +66,16 @@ pub(super) fn section(page: &Page) -> Markup {
     }
 }
 
-/// Index of what is of the base circle, as among the input.
+/// Index of quantities on the base circle, as in the input section.
 fn base_index(page: &Page) -> &'static str {
-    match page.report.pair.study.is_helical() {
-        true => "bt",
-        false => "b",
+    if page.report.pair.study.is_helical() {
+        "bt"
+    } else {
+        "b"
     }
 }
 
-/// What this run does not model.
+/// Effects that this run does not model.
 fn not_in_the_model(page: &Page) -> Vec<&'static str> {
     let mut left_out = vec!["Deflection under load.", "Axes that are not parallel."];
     let spec = &page.report.pair.spec;
@@ -85,16 +86,14 @@ fn not_in_the_model(page: &Page) -> Vec<&'static str> {
         ]);
         return left_out;
     };
-    left_out.push(match page.report.pair.study.is_helical() {
-        true => "Lead deviations and modifications.",
-        false => "Deviations along the face width.",
+    left_out.push(if page.report.pair.study.is_helical() {
+        "Lead deviations and modifications."
+    } else {
+        "Deviations along the face width."
     });
     if spec.assembly.temperature_c.is_none() {
         left_out.push("Temperature: none is stated.");
     }
-    left_out.push(match gears.iter().any(|gear| gear.profile.is_some()) {
-        true => "Flank form beyond the stated profile deviations. Pitch and thickness deviations shift a flank rigidly.",
-        false => "Flank form: each flank is an exact involute, which pitch and thickness deviations shift rigidly.",
-    });
+    left_out.push(if gears.iter().any(|gear| gear.profile.is_some()) { "Flank form beyond the stated profile deviations. Pitch and thickness deviations shift a flank rigidly." } else { "Flank form: each flank is an exact involute, which pitch and thickness deviations shift rigidly." });
     left_out
 }

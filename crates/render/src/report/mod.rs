@@ -1,8 +1,7 @@
-//! A study as one HTML page, in the manner of a calculation report: for a colleague who never saw the tool.
+//! A study as one HTML page, in the form of a calculation report: for a colleague who never saw the tool.
 //!
-//! The page needs nothing but itself: style, pictures and script stand in it. Built with `maud`: the page is
-//! Rust that the compiler checks, every text is escaped unless said otherwise, and nothing is read or
-//! parsed when it runs.
+//! The page is complete in itself: it contains style, pictures and script. It is built with `maud`: the compiler checks the page,
+//! every text is escaped unless stated otherwise, and no file is read or parsed at run time.
 
 mod checks;
 mod cycle;
@@ -42,7 +41,7 @@ pub use tolerance::{ToleranceReport, tolerance_report};
 /// The page of `report`, in UTF-8.
 ///
 /// # Errors
-/// A chart that cannot be drawn or data that cannot be written: none for results of a simulation.
+/// A chart that cannot be drawn or data that cannot be written; never for results of a simulation.
 pub fn report(report: &Report) -> Result<String, PictureError> {
     let runs: Vec<&ComparedRun> = report.analysis.distinct_runs().collect();
     let picked: Vec<&ComparedRun> = report.analysis.extremes.runs.iter().collect();
@@ -100,9 +99,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         file: report.file,
         date: report.date,
         sections: &sections,
-        same: match is_drawn {
-            true => "The same pair file, drawings and version give the same numbers.",
-            false => "The same pair file and version give the same numbers.",
+        same: if is_drawn {
+            "The same pair file, drawings and version give the same numbers."
+        } else {
+            "The same pair file and version give the same numbers."
         },
     };
     Ok(shell.page(&main))

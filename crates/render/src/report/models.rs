@@ -1,4 +1,4 @@
-//! The three formulas beside the simulation.
+//! The three formulas compared with the simulation.
 
 use super::figures::difference;
 use super::page::Page;
@@ -10,7 +10,7 @@ use gearlash::pair::GearPair;
 use gearlash_files::numbers::difference_um;
 use maud::{Markup, html};
 
-/// What each formula knows, in the order of [`MODELS`].
+/// The inputs of each formula, in the order of [`MODELS`].
 const NAMES: [(&str, &str); 3] = [
     (
         "1 Michalec, K (1)–(7)",

@@ -1,4 +1,4 @@
-//! What the statements about a gear say of each other.
+//! Consistency of the statements about a gear.
 
 use super::page::Page;
 use super::phrases::symbol;
@@ -49,10 +49,7 @@ fn eccentricity(note: &EccentricityNote) -> Markup {
                 ", " (fixed(Some(difference), 3)) " µm from it"
             }
         }
-        @match note.stated_counts {
-            true => "; the stated one is the gear’s.",
-            false => "; the gear is given that of the pitch.",
-        }
+        @if note.stated_counts { "; the stated one is the gear’s." } @else { "; the gear is given that of the pitch." }
     }
 }
 
@@ -71,20 +68,20 @@ fn all_round(note: &AllRoundNote, teeth: usize) -> Markup {
 }
 
 fn thickness(note: &ThicknessStatements) -> Markup {
-    let range = |[least, most]: [f64; 2]| match least == most {
-        true => fixed(Some(least), 5),
-        false => format!("{} … {}", fixed(Some(least), 5), fixed(Some(most), 5)),
+    let range = |[least, most]: [f64; 2]| {
+        if least == most {
+            fixed(Some(least), 5)
+        } else {
+            format!("{} … {}", fixed(Some(least), 5), fixed(Some(most), 5))
+        }
     };
     html! {
         "base tooth thickness " (symbol("s", "b")) " is stated twice: " (range(note.counts))
         " mm counts, " (range(note.cross)) " mm is the cross-check, in the middle "
         (fixed(Some(note.difference_um), 2)) " µm off. "
-        @match note.agree() {
-            true => "They agree.",
-            false => {
-                "They do not agree: " (fixed(Some(note.gap_um), 2)) " µm lie between them, "
-                (fixed(Some(note.tolerance_um), 2)) " µm are allowed."
-            }
+        @if note.agree() { "They agree." } @else {
+            "They do not agree: " (fixed(Some(note.gap_um), 2)) " µm lie between them, "
+            (fixed(Some(note.tolerance_um), 2)) " µm are allowed."
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Phrases and symbols that sections share: how bands, symbols and the user's words get into the page.
+//! Phrases and symbols that sections share: bands, symbols and the user's words.
 
 use crate::pose_name::pose_name;
 use gearlash::analysis::outcome::PoseOfRun;
@@ -15,11 +15,12 @@ pub(super) fn band(ends: [Option<f64>; 2], decimals: usize) -> String {
     }
 }
 
-/// `words` with its full stop, or as a question.
+/// `words` with a full stop, or unchanged if a question.
 pub(super) fn sentence(words: &str) -> String {
-    match words.ends_with('?') {
-        true => words.to_owned(),
-        false => format!("{words}."),
+    if words.ends_with('?') {
+        words.to_owned()
+    } else {
+        format!("{words}.")
     }
 }
 
@@ -45,7 +46,7 @@ pub(super) fn with_symbols(text: &str) -> Markup {
     }
 }
 
-/// What “K (8)” means.
+/// The note that explains “K (8)”: the cited study.
 pub(super) fn study() -> Markup {
     html! {
         p.note {
@@ -63,7 +64,7 @@ fn teeth(contact: &Option<Contact>) -> String {
     })
 }
 
-/// The teeth that touch: right flanks, left flanks; wheel and pinion tooth each.
+/// The teeth in contact: right flanks, left flanks; wheel and pinion tooth each.
 pub(super) fn touching(found: Option<PoseOfRun>) -> [String; 2] {
     match found.and_then(|found| found.pose.simulated.proven()) {
         None => [NONE.to_owned(), NONE.to_owned()],
@@ -71,7 +72,7 @@ pub(super) fn touching(found: Option<PoseOfRun>) -> [String; 2] {
     }
 }
 
-/// At most six of `all` by name.
+/// At most six of `all`, by name.
 pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
     let named: Vec<String> = all.iter().take(6).map(name).collect();
     let more = if all.len() > 6 { ", …" } else { "" };

@@ -9,10 +9,10 @@ use gearlash::contact::Status;
 use gearlash_files::numbers::{stated_distance, trimmed, um};
 use maud::{Markup, PreEscaped, html};
 
-/// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
+/// Most other centre distances whose least pose is drawn (tuned: some 30 kB each).
 const MOST_DRAWN: usize = 8;
 
-/// The pictures that have to be opened.
+/// Name of the collapsed pictures.
 const OTHERS: &str = "least backlash at the other centre distances";
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -58,7 +58,7 @@ fn jams(found: &PoseOfRun) -> bool {
     found.pose.simulated.status() == Status::Jammed
 }
 
-/// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
+/// The pose with the greatest loss beyond all formulas, where that exceeds the tolerance and is not drawn yet.
 fn most_lost<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
     let loss = page.report.analysis.diagnosis.contact.loss.as_ref()?;
     let worst = &loss.worst;
@@ -77,7 +77,7 @@ fn most_lost<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
         .then_some((found, worst.loss))
 }
 
-/// The least poses of the other centre distances, where they are few.
+/// The least poses of the other centre distances, where there are few.
 fn others<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
     let distance = |found: PoseOfRun| found.run.run.assembly.center_distance();
     let drawn = page.whole.least.map(distance);

@@ -1,4 +1,4 @@
-//! Backlash over the teeth and over the centre distance, and the mesh itself.
+//! Backlash over the teeth and over the centre distance, and the mesh viewer.
 
 use super::figures::{charted, folded, over_distance, revolutions};
 use super::page::Page;
@@ -37,7 +37,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
     })
 }
 
-/// Backlash of a drawn pair over the mesh cycle and the centre distance.
+/// Backlash of a drawn pair over mesh cycle and centre distance.
 fn maps(page: &Page) -> Markup {
     let title = &page.report.pair.study.title;
     html! {
@@ -51,7 +51,7 @@ fn maps(page: &Page) -> Markup {
     }
 }
 
-/// Each centre distance and material.
+/// One row per centre distance and material.
 fn materials(page: &Page) -> Markup {
     let mut columns = columns(
         "a mm:n | material:w | poses:n | least:n | mean:n | greatest:n | interfering:n | jammed:n | out of mesh:n | unproven:n",
@@ -80,7 +80,7 @@ fn materials(page: &Page) -> Markup {
     folded(label, &Table::new(label, caption, columns, rows))
 }
 
-/// Which teeth to mark together, where phases are run apart.
+/// The teeth to mark for each phase, where phases are run separately.
 fn phases(page: &Page) -> Markup {
     let runs = tally(&page.report.analysis.revolution);
     let groups = phase_groups(&runs);

@@ -1,4 +1,4 @@
-//! What every page has round its sections: style, heading, contents, foot.
+//! The frame of every page: style, heading, contents, foot.
 
 use super::phrases::plain;
 use crate::viewer;
@@ -12,9 +12,9 @@ pub(super) struct Shell<'a> {
     /// The pair file, by name.
     pub file: &'a str,
     pub date: &'a str,
-    /// Ids and names of the sections.
+    /// Ids and titles of the sections.
     pub sections: &'a [(&'a str, &'a str)],
-    /// What has to be the same for the same numbers.
+    /// The conditions for reproducing the numbers.
     pub same: &'a str,
 }
 
@@ -45,7 +45,7 @@ impl Shell<'_> {
         markup.into_string() + "\n"
     }
 
-    /// The pair's title; its file where that holds nothing to be read.
+    /// The pair's title; its file where the title has no visible text.
     fn title(&self) -> String {
         [self.title, self.file]
             .map(plain)

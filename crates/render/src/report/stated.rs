@@ -1,4 +1,4 @@
-//! What a pair file states of a gear, in words.
+//! The statements of a pair file about a gear, in words.
 
 use gearlash::gear::MeasuringBody;
 use gearlash_files::numbers::{rounded, shortest};
@@ -15,7 +15,7 @@ fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
     }
 }
 
-/// A value, `min … max`, or how many readings and between which; a dash for what is not there.
+/// A value, `min … max`, or the number of readings and their range; a dash where absent.
 fn measured(length: &LengthSpec) -> String {
     let shown = |end: Option<f64>| end.map_or("–".to_owned(), shortest);
     match &length.mm {
@@ -33,7 +33,7 @@ fn measured(length: &LengthSpec) -> String {
     }
 }
 
-/// The tooth thickness, as it was measured or given.
+/// The tooth thickness, as measured or stated.
 pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     let statement = &stated.statement;
     let mut parts = Vec::new();
@@ -88,7 +88,7 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     parts.join(", ")
 }
 
-/// A value that may have been found from readings: no more than four decimals.
+/// A value that can come from a fit to readings: at most four decimals.
 fn found(number: f64) -> String {
     let full = shortest(number);
     let short = shortest(rounded(number, 4));
@@ -104,12 +104,12 @@ pub(super) fn runout(stated: &RunoutSpec) -> String {
     found(stated.total_um)
 }
 
-/// The tooth it points to.
+/// The tooth of the runout.
 pub(super) fn high_tooth(stated: &RunoutSpec) -> String {
     stated.high_tooth.map_or("–".to_owned(), found)
 }
 
-/// What kind of pitch deviations, and how many; `by_tooth`: the teeth differ in thickness.
+/// Kind and number of the pitch deviations. `by_tooth`: the teeth differ in thickness.
 pub(super) fn pitch(stated: Option<&PitchSpec>, by_tooth: bool) -> String {
     match stated {
         None if by_tooth => "not given; those shown below follow from the thickness tooth by tooth, half of it to each flank".to_owned(),
@@ -133,9 +133,10 @@ pub(super) fn profile(stated: Option<&ProfileSpec>) -> String {
         return "not given".to_owned();
     };
     let [right, left] = stated.flanks().map(flank_profile);
-    match right == left {
-        true => format!("both flanks: {right}"),
-        false => format!("right flanks: {right}; left flanks: {left}"),
+    if right == left {
+        format!("both flanks: {right}")
+    } else {
+        format!("right flanks: {right}; left flanks: {left}")
     }
 }
 

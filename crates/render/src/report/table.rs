@@ -1,4 +1,4 @@
-//! Tables of a page. Each stands in a frame that scrolls where the screen is too narrow.
+//! Tables of a page. Each is in a frame that scrolls on a narrow screen.
 
 use super::marks::{mark, named};
 use super::phrases::with_symbols;
@@ -9,7 +9,7 @@ use maud::{Markup, Render, html};
 pub(super) struct Column {
     heading: Markup,
     classes: String,
-    /// Whether its cells stand in the table.
+    /// Whether its cells are in the table.
     pub is_shown: bool,
 }
 
@@ -37,7 +37,7 @@ fn set(heading: &str) -> Markup {
     }
 }
 
-/// The cells of a row: anything that can stand in a page.
+/// The cells of a row: anything that `maud` renders.
 macro_rules! cells {
     ($($cell:expr),* $(,)?) => { vec![$(maud::Render::render(&$cell)),*] };
 }
@@ -45,20 +45,20 @@ pub(super) use cells;
 
 /// A table.
 pub(super) struct Table<'a> {
-    /// The name that a screen reader says.
+    /// The name for screen readers.
     label: &'a str,
-    /// The class of the table; mostly empty.
+    /// The class of the table; usually empty.
     class: &'static str,
     caption: Markup,
     columns: Vec<Column>,
-    /// The number of the column, from 0, that names the row.
+    /// The index of the column that names the row.
     named_by: usize,
-    /// A cell a column.
+    /// One cell per column.
     pub rows: Vec<Vec<Markup>>,
 }
 
 impl<'a> Table<'a> {
-    /// A table whose rows are named by their first column; without a caption where that is empty.
+    /// A table with rows named by their first column; an empty caption is left out.
     pub fn new(
         label: &'a str,
         caption: Markup,
@@ -75,7 +75,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The table of the columns that results show. Cells that stand below their row stand below the name of the row, in small type.
+    /// The table of the columns that results show. Cells below their row are below the name of the row, in small type.
     pub fn of_shown(label: &'a str, caption: Markup, shown: &[Shown]) -> Table<'a> {
         let (below, shown): (Vec<&Shown>, Vec<&Shown>) =
             shown.iter().partition(|column| column.heading.is_below());
@@ -114,7 +114,7 @@ impl<'a> Table<'a> {
         Table { class, ..self }
     }
 
-    /// The table with rows that are named by column `named_by`, from 0.
+    /// The table with rows named by column `named_by`, from 0.
     pub fn named_by(self, named_by: usize) -> Table<'a> {
         Table { named_by, ..self }
     }

@@ -17,7 +17,7 @@ use gearlash_files::tolerance::{
 use gearlash_results::population;
 use maud::{Markup, Render, html};
 
-/// What a page of a population is of.
+/// Input of a page of a population.
 #[derive(Debug, Clone, Copy)]
 pub struct ToleranceReport<'a> {
     /// The pair file.
@@ -26,7 +26,7 @@ pub struct ToleranceReport<'a> {
     pub result: &'a ToleranceResult,
     /// Its pictures.
     pub pictures: &'a Pictures,
-    /// Day of the page, as it shall stand there.
+    /// Day of the page, as printed.
     pub date: &'a str,
 }
 
@@ -87,7 +87,7 @@ fn result(report: &ToleranceReport) -> Markup {
     }
 }
 
-/// The gears, how they are assembled, what scatters and what is required.
+/// The gears, their assembly, the scatter and the requirement.
 fn input(report: &ToleranceReport) -> Markup {
     let spec = &report.file.pair.spec;
     let gears = [&spec.wheel, &spec.pinion];
@@ -118,7 +118,7 @@ fn input(report: &ToleranceReport) -> Markup {
     let rows = rows.into_iter();
     let rows = rows.map(|(name, [wheel, pinion])| cells![name, plain(&wheel), plain(&pinion)]);
     let mut assembly = Vec::new();
-    // Specs are plain data: they are written as JSON.
+    // Specs are plain data, which JSON can always hold.
     let json = serde_json::to_value(&spec.assembly).unwrap_or_default();
     statements("", &json, &mut assembly);
     let mut scatters = Vec::new();
@@ -147,7 +147,7 @@ fn stated_table(caption: &str, rows: &[(String, String)]) -> Markup {
     Table::new(caption, html! { (caption) }, columns, rows).render()
 }
 
-/// What is required of each assembly, in words.
+/// The requirement for each assembly, in words.
 fn required(about: &About) -> String {
     let own = Limit {
         quantity: "j_wt".to_owned(),
@@ -174,7 +174,7 @@ fn required(about: &About) -> String {
     words.join(", ")
 }
 
-/// The statements of a table of the pair file, a row each sub-table: its key and its values in a line.
+/// The statements of a table of the pair file, one row per inner table: its key and its values in a line.
 fn statements(key: &str, table: &serde_json::Value, rows: &mut Vec<(String, String)>) {
     let Some(table) = table.as_object() else {
         return;
@@ -195,7 +195,7 @@ fn statements(key: &str, table: &serde_json::Value, rows: &mut Vec<(String, Stri
         }
     }
     match key {
-        // At the top each key has a row.
+        // Each key at the top has a row.
         "" => rows.extend(values.iter().filter_map(|value| {
             let (name, value) = value.split_once(' ')?;
             Some((name.to_owned(), value.to_owned()))

@@ -1,4 +1,4 @@
-//! Whether to trust the numbers, and why.
+//! The reliability of the numbers.
 
 use super::measured::sentence;
 use super::page::Page;
@@ -116,7 +116,7 @@ fn formula(page: &Page) -> Markup {
     }
 }
 
-/// Why the other poses cannot be compared.
+/// The reason why the other poses cannot be compared.
 fn without(page: &Page) -> String {
     let of = &page.agreement;
     let parts = [
@@ -143,11 +143,11 @@ fn without(page: &Page) -> String {
     }
 }
 
-/// How many poses touch off the line of action, and at how many it matters.
+/// The number of poses with contact off the line of action, and of those where it matters.
 fn off_line(page: &Page) -> Markup {
     let of = &page.agreement;
     let valued = of.valued();
-    // Beyond the tolerance these are what the formula is wrong about.
+    // The formula is wrong about poses beyond the tolerance.
     let slight = of.touch_off_line.saturating_sub(of.formula_fails());
     let tolerance = shortest(page.report.pair.study.tolerance_um);
     html! {

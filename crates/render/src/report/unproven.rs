@@ -1,4 +1,4 @@
-//! Poses that nothing vouches for: how many, which, why.
+//! Unproven poses: their number, list and reasons.
 
 use super::page::Page;
 use super::phrases::{plain, pose};
@@ -7,10 +7,10 @@ use gearlash_files::numbers::stated_distance;
 use gearlash_results::doubts;
 use maud::{Markup, html};
 
-/// Poses up to this many are listed one by one (tuned: a screen).
+/// Most poses that are listed individually (tuned: a screen).
 const MOST_LISTED: usize = 12;
 
-/// How many poses are not proven, in words; `None` where all are.
+/// The number of unproven poses, in words; `None` where all are proven.
 pub(super) fn count(page: &Page) -> Option<String> {
     let poses = page.whole.poses;
     let (unproven, ends) = (page.whole.unproven, page.whole.unproven_ends);
@@ -31,7 +31,7 @@ pub(super) fn count(page: &Page) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// Each of them with its reason and its doubtful values; nothing where all are proven.
+/// Each of them with its reason and unverified values; empty where all are proven.
 pub(super) fn section(page: &Page) -> Markup {
     let runs = page.all.iter().copied();
     let unproven: Vec<PoseOfRun> = runs

@@ -1,4 +1,4 @@
-//! The answer: does the pair assemble, how much backlash, where, which teeth.
+//! The answer: whether the pair assembles, how much backlash it has, where, and at which teeth.
 
 use super::cycle::same_everywhere;
 use super::marks::{mark, marked};
@@ -30,7 +30,7 @@ pub(super) fn section(page: &Page) -> Markup {
     }
 }
 
-/// The worst of the answer and the checks.
+/// The worst verdict of the answer and the checks.
 fn state(page: &Page) -> Verdict {
     let poses = match page.whole.unproven {
         0 => Verdict::Pass,
@@ -42,7 +42,7 @@ fn state(page: &Page) -> Verdict {
         .max(page.report.analysis.diagnosis.verdict())
 }
 
-/// The checks that do not pass, by name.
+/// The titles of the checks that do not pass.
 fn failing(page: &Page) -> Markup {
     let diagnosis = &page.report.analysis.diagnosis;
     html! {
@@ -55,7 +55,7 @@ fn failing(page: &Page) -> Markup {
     }
 }
 
-/// The verdict, and how many poses it leaves out. Failing checks stand below it.
+/// The verdict, and the number of poses it excludes. Failing checks are listed below it.
 fn verdict(page: &Page) -> Markup {
     let verdict = CycleVerdict {
         failed_checks: Vec::new(),
@@ -67,7 +67,7 @@ fn verdict(page: &Page) -> Markup {
     }
 }
 
-/// The verdict's lines: least and greatest large, the proof small.
+/// The verdict's lines: least and greatest in large type, the proof in small type.
 pub(super) fn answer(lines: &VerdictLines) -> Markup {
     html! {
         p.answer { (lines.status) }
@@ -88,7 +88,7 @@ pub(super) fn answer(lines: &VerdictLines) -> Markup {
     }
 }
 
-/// That bearings are without play, where none is stated: else the verdict says what it does.
+/// A note that bearings have no play, where none is stated; otherwise the verdict states the effect.
 fn clearance(page: &Page) -> Markup {
     html! {
         @if !(page.report.pair.study.bearing_clearance > 0.0) {
@@ -128,7 +128,7 @@ fn table(page: &Page) -> Markup {
     table.big().render()
 }
 
-/// Least and greatest at a centre distance, the axes moved as far as their bearings allow.
+/// Least and greatest backlash at a centre distance, with the axes moved as far as their bearings allow.
 fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
     let runs = page.report.analysis.extremes.each.iter();
     let here = runs.filter(|run| run.assembly.center_distance() == center_distance);
@@ -139,12 +139,13 @@ fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
     [least.reduce(f64::min), greatest.reduce(f64::max)]
 }
 
-/// The backlash of a pose and the teeth that touch there.
+/// The backlash of a pose and its teeth in contact.
 fn extreme(page: &Page, found: Option<PoseOfRun>) -> (Markup, String) {
     let [right, left] = touching(found);
-    let teeth = match found.is_some_and(|found| same_everywhere(page, found)) {
-        true => "all alike".to_owned(),
-        false => format!("{right} / {left}"),
+    let teeth = if found.is_some_and(|found| same_everywhere(page, found)) {
+        "all alike".to_owned()
+    } else {
+        format!("{right} / {left}")
     };
     let j_wt = found.and_then(|found| found.pose.simulated.backlash);
     (html! { strong { (um(j_wt, 2)) } }, teeth)
@@ -160,7 +161,7 @@ fn is_settled(page: &Page, center_distance: f64) -> bool {
     here.all(|run| run.assembles().is_some())
 }
 
-/// Whether a pair assembles, in a word or two, of its poses and of whether the mesh cycle is settled.
+/// Whether a pair assembles, in a word or two, from its poses and whether the mesh cycle is settled.
 fn fits(all: &Outcome, settled: bool) -> Markup {
     let (verdict, word) = match all {
         all if all.jammed > 0 => (Verdict::Fail, "no: jammed"),

@@ -1,4 +1,4 @@
-//! The gears turning through a pitch, in contact all the time: one SVG, moved by SMIL.
+//! The gears turning through a pitch, always in contact: one SVG, moved by SMIL.
 //!
 //! Without SMIL it shows its first frame. Rotations between two steps are interpolated; marks jump where
 //! another pair of teeth takes over.
@@ -17,8 +17,8 @@ use gearlash::gear::Side;
 use gearlash::pair::Member;
 use svg::node::element::Group;
 
-/// The SVG text of `steps` through a pitch, in ascending order, of which `view` shows the first; of helical gears with the section of each step, all at one
-/// place, of spur gears with none.
+/// The SVG text of `steps` through a pitch, in ascending order; `view` shows the first. For helical gears `sections` has the
+/// section of each step, all at one place; for spur gears it is empty.
 pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]) -> String {
     let scenes: Vec<Scene> = steps
         .iter()
@@ -76,7 +76,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
     format!("{sheet}\n")
 }
 
-/// The contacts: filled where the gears touch, open the two points that meet on the other side.
+/// The contacts: filled where the gears touch; open for the two points that meet on the other side.
 fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
@@ -102,12 +102,12 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
                 contact.is_some_and(|contact| contact.turn == 0.0)
             };
             let touching = contacts.iter().all(touch);
-            // A section of helical gears touches at some steps.
+            // Sections of helical gears touch only at some steps.
             let fills = (!touching && contacts.iter().any(touch)).then(|| {
                 let fill = |contact| if touch(contact) { INK } else { "white" };
                 switched(contacts.iter().map(fill), times)
             });
-            // A side that is out of mesh at some step has no marks; one in contact needs one dot.
+            // A side that is out of mesh at some step has no marks; one in contact needs a single dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
                 let [x, y] = [0, 1].map(|axis| course(&spots, times, axis));
                 let filled = touch(&contacts[0]);
@@ -124,11 +124,12 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     group
 }
 
-/// What the marks mean, and what to do with a still picture.
+/// The meaning of the marks, and help for a still picture.
 fn key(is_section: bool) -> Group {
-    let open = match is_section {
-        true => "points of flanks that would meet · lines and circles as in a snapshot",
-        false => "points of the other flanks that would meet · lines and circles as in a snapshot",
+    let open = if is_section {
+        "points of flanks that would meet · lines and circles as in a snapshot"
+    } else {
+        "points of the other flanks that would meet · lines and circles as in a snapshot"
     };
     let [x, y] = [MAIN.left, 780.0];
     let mut group = Group::new()

@@ -9,7 +9,7 @@ use gearlash::pair::GearPair;
 use gearlash_files::numbers::{trimmed, um, um_bounded};
 use svg::node::element::Group;
 
-/// Size below which a result is cut rather than set smaller.
+/// Least type size of a result; a longer one is cut.
 const LEAST: f64 = 9.0;
 
 /// Title, mating and result, from `left` on and no wider than `room`.
@@ -42,7 +42,7 @@ fn pose_line(view: &Snapshot) -> String {
     )
 }
 
-/// Title, the pose that a pitch starts from, and what there is on the way: `steps`.
+/// Title, the pose at the start of the pitch, and the result over its `steps`.
 pub fn draw_turning(
     view: &Snapshot,
     scene: &Scene,
@@ -76,7 +76,7 @@ pub fn draw_turning(
 
 fn result_line(view: &Snapshot, scene: &Scene) -> String {
     let (status, backlash) = match (view.section, view.found) {
-        // What a section would allow alone is not what the gears have.
+        // The gap of a section alone is not that of the gears.
         (Some(_), Ok(found)) => {
             let radius = view.assembly.operating_pitch_radius(view.assembly.free());
             let both = found.angle().zip(found.error());
@@ -101,7 +101,7 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
     format!("{what} · {}", drawn(scene))
 }
 
-/// Over which face the result of a section holds; nothing of spur gears.
+/// The face for which the result of a section holds; empty for spur gears.
 fn over_face(view: &Snapshot) -> String {
     view.section.map_or(String::new(), |_| {
         let face = view.assembly.data().map_or([0.0; 2], GearPair::face);
@@ -110,7 +110,7 @@ fn over_face(view: &Snapshot) -> String {
     })
 }
 
-/// Which contact the free gear is held in.
+/// The contact in which the free gear is drawn.
 fn drawn(scene: &Scene) -> String {
     let free = scene.assembly().free().name();
     match scene.drawn() {
@@ -126,7 +126,7 @@ fn drawn(scene: &Scene) -> String {
     }
 }
 
-/// `j_wt` with the bound on its error.
+/// `j_wt` with its error bound.
 fn j_wt((value, error): (f64, f64)) -> String {
     format!("j_wt = {}", um_bounded(value, error))
 }

@@ -1,4 +1,4 @@
-//! Bands along the curves that touch: which curves, how they are distinguished, and what belongs to a fillet's contact.
+//! Bands along the touching curves: their styles, and the marks of a fillet's contact.
 //!
 //! Each kind has a colour of its own lightness and a line style of its own, so that colour-blind readers
 //! and black-and-white print distinguish them.
@@ -10,8 +10,8 @@ use gearlash::gear::ProfilePart;
 use gearlash::pair::Member;
 use svg::node::element::Group;
 
-/// Width of a band in the mesh zone and in an inset; the half of it on the metal's side shows, its
-/// outer part under the outline.
+/// Width of a band in the mesh zone and in an inset. Half of it, on the metal's side, is visible; its outer part is under the
+/// outline.
 pub const BANDS: [f64; 2] = [9.0, 13.0];
 /// Dots.
 pub const FORM_DASH: &str = "1.6 3.4";
@@ -57,8 +57,8 @@ pub fn band(points: &[Spot], width: f64, colour: &str, dashes: &str) -> Group {
     }
 }
 
-/// Where a contact lies below a gear's form circle: that circle, and the point where the line of
-/// action touches its base circle, beyond which there is no involute.
+/// For a contact below a gear's form circle: that circle, and the point where the line of action touches its base circle, beyond
+/// which there is no involute.
 pub fn limits(
     scene: &Scene,
     contact: &DrawnContact,
@@ -92,7 +92,7 @@ pub fn below_form(contact: &DrawnContact) -> Vec<Member> {
         .collect()
 }
 
-/// The base tangent points to show, those in view.
+/// The visible base tangent points.
 pub fn tangent_points(scene: &Scene, contact: &DrawnContact, view: &View) -> Vec<Spot> {
     let Some(action) = scene.line_of_action(contact.side) else {
         return Vec::new();
@@ -105,7 +105,7 @@ pub fn tangent_points(scene: &Scene, contact: &DrawnContact, view: &View) -> Vec
         .collect()
 }
 
-/// Sample of a band for the legend.
+/// The sample of a band in the legend.
 pub fn sample(x: f64, y: f64, width: f64, curve: ProfilePart) -> Group {
     let (colour, dashes) = style(curve);
     let frame = Frame::new([x, y - 4.0], [x + width, y + 4.0]);

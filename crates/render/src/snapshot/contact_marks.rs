@@ -5,7 +5,7 @@ use crate::kit::{Occupied, around, arrow, dot};
 use gearlash::contact::DrawnContact;
 use svg::node::element::Group;
 
-/// How large the marks of a view are, units of the sheet.
+/// Size of the marks in a view, units of the sheet.
 #[derive(Debug, Clone, Copy)]
 pub struct MarkSize {
     /// Radius of a contact point.
@@ -25,14 +25,14 @@ pub const IN_INSET: MarkSize = MarkSize {
     normal: 64.0,
 };
 
-/// Draws a contact: filled where the gears touch, else the two points that will meet, open, with
-/// the way of the free one to the other when there is room to see it.
+/// Draws a contact: filled where the gears touch; else the two points that will meet, open, with the path from the free one to
+/// the other where it is visible.
 pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
     let locked = view.spot(contact.on_locked);
     let free = view.spot(contact.on_free);
-    // y is down on the sheet.
+    // y points down on the sheet.
     let normal = [contact.normal.x, -contact.normal.y];
-    // Across a gap wide enough to see, the normal ends where an involute's other flank stands.
+    // Across a visible gap, the normal ends at an involute's opposite flank.
     let across = contact.gap * view.scale();
     let length = if across > 24.0 { across } else { size.normal };
     let tip = [0, 1].map(|i| locked[i] + length * normal[i]);

@@ -1,4 +1,4 @@
-//! Two outlines of one gear: A to scale, B's distance from it enlarged, and where it is greatest and least.
+//! Two outlines of one gear: A to scale, B's deviation from it enlarged, with its greatest and least value.
 
 use super::subject::{INSETS, MAIN};
 use super::view::{MARGIN, View};
@@ -13,11 +13,11 @@ use gearlash_results::{difference_sentence, turn_words};
 use nalgebra::Point2;
 use svg::node::element::{ClipPath, Definitions, Group};
 
-/// The largest deviation is enlarged to this share of a pitch at the tips: it is seen, and stays with its tooth.
+/// The largest deviation is enlarged to this share of a pitch at the tips, so that it is visible and stays with its tooth.
 const ENLARGED: f64 = 0.15;
 /// Pitches across the height of an inset.
 const PITCHES: f64 = 1.6;
-/// Points nearer than this on the sheet are one: half a line's width.
+/// Points nearer than this on the sheet are merged: half a line's width.
 const APART: f64 = 0.5;
 
 /// The difference of two outlines as the SVG text of a sheet.
@@ -63,21 +63,22 @@ fn view(frame: Frame, middle: Point2<f64>, fits: f64) -> View {
     View::new(frame, middle, UNITS_PER_MM * round)
 }
 
-/// How many times deviations are enlarged: 1, 2 or 5 times a power of ten, at least 1.
+/// Enlargement of deviations: 1, 2 or 5 times a power of ten, at least 1.
 fn factor(a: &OutlineGear, farthest: f64) -> f64 {
     let room = ENLARGED * a.pitch() * a.tip_radius();
-    match farthest > 1e-9 * room {
-        true => scale::round_down(room / farthest, scale::ISO_5455).max(1.0),
-        false => 1.0,
+    if farthest > 1e-9 * room {
+        scale::round_down(room / farthest, scale::ISO_5455).max(1.0)
+    } else {
+        1.0
     }
 }
 
-/// Where B is drawn at a place of A.
+/// The drawn point of B at a place of A.
 fn enlarged(at: &Deviation, factor: f64) -> Point2<f64> {
     at.point + at.normal * (factor * at.beyond)
 }
 
-/// A's metal, B's line, and what lies between them.
+/// A's metal, B's line, and the area between them.
 fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor: f64) -> Group {
     let wide = view.frame().grown(MARGIN);
     let spots = |at: &Deviation| [at.point, enlarged(at, factor)].map(|point| view.spot(point));
@@ -125,13 +126,14 @@ fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor:
     group
 }
 
-/// A place on A, and from it towards B, as far as it is drawn.
+/// A place on A, and the line from it to B as drawn.
 fn mark(at: &Deviation, view: &View, factor: f64) -> Group {
     let [from, to] = [at.point, enlarged(at, factor)].map(|point| view.spot(point));
     let group = Group::new().add(dot(from, 4.5, false));
-    match (to[0] - from[0]).hypot(to[1] - from[1]) > 16.0 {
-        true => group.add(arrow(from, to, 1.4)),
-        false => group,
+    if (to[0] - from[0]).hypot(to[1] - from[1]) > 16.0 {
+        group.add(arrow(from, to, 1.4))
+    } else {
+        group
     }
 }
 

@@ -1,4 +1,4 @@
-//! The deviations of both gears, enlarged until they can be seen, before the ghosts of perfect teeth.
+//! The deviations of both gears, enlarged until they are visible, over the ghosts of perfect teeth.
 
 use super::caption;
 use super::main_view;
@@ -16,10 +16,10 @@ use svg::node::element::{ClipPath, Definitions, Group, Path};
 
 /// Perfect teeth.
 const GHOST_DASH: &str = "5 3";
-/// Teeth narrower than this on the sheet are not drawn but as their circles.
+/// Teeth narrower than this on the sheet are drawn as circles only.
 const LEAST_TOOTH: f64 = 4.0;
 
-/// The SVG text of `view`'s gears with their deviations as `gears` has them.
+/// The SVG text of `view`'s gears, with the enlarged deviations of `gears`.
 pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     let scene = view.scene();
     let main = main_view::view(&scene, MAIN);
@@ -46,7 +46,7 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     format!("{}\n", sheet.add(legend(modified.contains(&true))))
 }
 
-/// The line that no reader may miss.
+/// The warning that the picture is exaggerated.
 fn warning(gears: &Exaggeration) -> Group {
     let words = format!(
         "deviations × {}: not to scale · gears at their nominal rotation, not in contact",
@@ -101,7 +101,7 @@ fn ghost_line(points: &[Spot], width: f64) -> Path {
         .set("stroke-dasharray", GHOST_DASH)
 }
 
-/// A whole gear on the left of `frame`, what was found on it on the right.
+/// A whole gear on the left of `frame`, its deviations on the right.
 fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, frame: Frame) -> Group {
     let [drawn, perfect] = gears.placed(view.drawn_pose(), member);
     let square = Frame {
@@ -117,27 +117,25 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
     let title = title.text(&format!("the whole {name}"), [frame.left, frame.top - 9.0]);
     let mut group = Group::new().add(title).add(frame.border());
     for (placed, is_ghost) in [(&drawn, false), (&perfect, true)] {
-        let rings =
-            match gear.basic_data().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH {
-                true => vec![gear.tip_radius(), gear.root_radius()]
-                    .into_iter()
-                    .map(|radius| seen.arc(placed.centre(), radius))
-                    .collect(),
-                false => {
-                    let points =
-                        Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
-                    vec![
-                        points
-                            .iter()
-                            .map(|point| seen.spot(*point))
-                            .collect::<Vec<Spot>>(),
-                    ]
-                }
-            };
+        let rings = if gear.basic_data().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH {
+            vec![gear.tip_radius(), gear.root_radius()]
+                .into_iter()
+                .map(|radius| seen.arc(placed.centre(), radius))
+                .collect()
+        } else {
+            let points = Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
+            vec![
+                points
+                    .iter()
+                    .map(|point| seen.spot(*point))
+                    .collect::<Vec<Spot>>(),
+            ]
+        };
         for ring in rings {
-            group = group.add(match is_ghost {
-                true => ghost_line(&ring, 0.7),
-                false => Path::new()
+            group = group.add(if is_ghost {
+                ghost_line(&ring, 0.7)
+            } else {
+                Path::new()
                     .set("d", path_data(&ring, true))
                     .set(
                         "fill",
@@ -148,7 +146,7 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
                         },
                     )
                     .set("stroke", INK)
-                    .set("stroke-width", "0.90"),
+                    .set("stroke-width", "0.90")
             });
         }
     }
@@ -162,13 +160,15 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
     let (eccentricity, high) = found.eccentricity;
     let flanks = gears.flanks_of(member, tooth);
     let rows = [
-        match eccentricity > 0.0 {
-            true => format!("eccentricity {} µm", um(eccentricity, 2)),
-            false => "no eccentricity".to_owned(),
+        if eccentricity > 0.0 {
+            format!("eccentricity {} µm", um(eccentricity, 2))
+        } else {
+            "no eccentricity".to_owned()
         },
-        match eccentricity > 0.0 {
-            true => format!("towards tooth {}", rounded(high, 2)),
-            false => String::new(),
+        if eccentricity > 0.0 {
+            format!("towards tooth {}", rounded(high, 2))
+        } else {
+            String::new()
         },
         "flank deviations, µm".to_owned(),
         "(reference circle, + more metal):".to_owned(),
@@ -212,13 +212,10 @@ fn legend(modified: bool) -> Group {
     ] {
         group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
-    let note = match modified {
-        true => {
-            "centre distance and rotations are to scale; where the flanks stand and how their profiles deviate is not"
-        }
-        false => {
-            "centre distance, rotations and the shape of each flank are to scale; where the flanks stand is not"
-        }
+    let note = if modified {
+        "centre distance and rotations are to scale; where the flanks stand and how their profiles deviate is not"
+    } else {
+        "centre distance, rotations and the shape of each flank are to scale; where the flanks stand is not"
     };
     group.add(TextStyle::new(13.0).grey().text(note, [x, y + 29.5]))
 }

@@ -11,7 +11,7 @@ use gearlash::gear::Side;
 use gearlash::pair::Member;
 use svg::node::element::{ClipPath, Definitions, Group, Path};
 
-/// What the gears of one view give: the drawing, and the polygons as drawn, wheel first.
+/// The drawing of a view's gears, and their polygons, wheel first.
 pub struct Gears {
     pub group: Group,
     pub metal: [Vec<Spot>; 2],
@@ -20,22 +20,22 @@ pub struct Gears {
 /// How the gears of one view are drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct Look<'a> {
-    /// Tells the definitions of one view from another's.
+    /// Distinguishes the definitions of one view from another's.
     pub id: &'a str,
     /// Ids of the picture.
     pub ids: &'a Ids,
     /// The sides whose lines of action are shown.
     pub sides: &'a [Side],
-    /// Whether outlines are drawn over an overlap, or it over them.
+    /// Whether outlines are drawn over an overlap, or the overlap over them.
     pub outlines_last: bool,
-    /// Width of the bands on the curves that touch.
+    /// Width of the bands on the touching curves.
     pub band: f64,
 }
 
 /// Draws the gears of `scene` into `view`.
 ///
-/// Outlines are stroked on their metal's side only, so that a
-/// gap keeps its true width; the overlap is the pinion's metal cut by the wheel's.
+/// Outlines are stroked on their metal's side only, so that a gap keeps its true width. The overlap is the pinion's metal clipped
+/// by the wheel's.
 pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) -> Gears {
     let (id, ids) = (look.id, look.ids);
     let frame = view.frame();
@@ -52,7 +52,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     let mut group =
         clipped(frame, (id, ids), &names, &metal).add(frame.rectangle().set("fill", "white"));
     for contact in scene.contacts() {
-        // The room's ends are cut at whole chords: a finer cut keeps them in place.
+        // The gap area ends at whole chords; a finer chord keeps its ends in place.
         let room = scene.room_between(contact, view.chord() / 16.0);
         let room: Vec<Spot> = room.iter().map(|point| view.spot(*point)).collect();
         let room = clip::polygon(&room, &wide);
@@ -85,9 +85,10 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     });
     let [outlines, overlap] =
         [outlines, overlap].map(|layers| layers.into_iter().fold(Group::new(), Group::add));
-    let layers = match look.outlines_last {
-        true => [overlap, bands, outlines],
-        false => [bands, outlines, overlap],
+    let layers = if look.outlines_last {
+        [overlap, bands, outlines]
+    } else {
+        [bands, outlines, overlap]
     };
     group = layers.into_iter().fold(group, Group::add);
     group = lines_over(scene, view, look.sides, group, occupied);
@@ -97,7 +98,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     Gears { group, metal }
 }
 
-/// What is drawn of gears with these names into `frame`, nothing yet: clipped there, with each one's `metal` defined and a clip that is it.
+/// An empty group for gears with these names, clipped to `frame`; with each one's `metal` defined, also as a clip.
 pub fn clipped(
     frame: &Frame,
     (id, ids): (&str, &Ids),

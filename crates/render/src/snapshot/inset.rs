@@ -1,4 +1,4 @@
-//! A contact enlarged until its gap can be seen.
+//! A contact, enlarged until its gap is visible.
 
 use super::contact_marks::{self, IN_INSET};
 use super::gears::Look;
@@ -18,21 +18,21 @@ use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
 use svg::node::element::{Element, Group, Rectangle};
 
-/// Greatest width of a gap in an inset, units of the sheet: with steps of 2 and 2.5 no gap is
-/// drawn narrower than 36, 9 mm of paper.
+/// Greatest width of a gap in an inset, units of the sheet. With steps of 2 and 2.5 no gap is drawn narrower than 36, 9 mm of
+/// paper.
 const GAP_WIDTH: f64 = 90.0;
-/// Greatest enlargement of a closed contact over the main view: enough to see both flanks curve away.
+/// Greatest enlargement of a closed contact relative to the main view: both flanks visibly curve away.
 const ENLARGEMENT: f64 = 12.0;
 /// Least enlargement of any inset.
 const LEAST: f64 = 2.0;
-/// Greatest enlargement, units a millimetre: 1 µm is then 40 units, and the contact's own error can be seen.
+/// Greatest enlargement, units per millimetre: 1 µm is then 40 units, and the contact's own error is visible.
 const GREATEST: f64 = 40_000.0;
-/// Least size of the words above.
+/// Least type size of the heading.
 const SMALLEST: f64 = 9.0;
-/// Text size inside.
+/// Type size inside.
 const SIZE: f64 = 14.0;
 
-/// The view of one contact in `frame`, for a main view at `main` units a millimetre.
+/// The view of one contact in `frame`, for a main view at `main` units per millimetre.
 pub fn view(contact: &DrawnContact, frame: Frame, main: f64) -> View {
     let separation = (contact.on_free - contact.on_locked).norm();
     let wanted = if contact.turn != 0.0 {
@@ -70,7 +70,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, ids: &Ids) -> Gr
     group.add(view.frame().border())
 }
 
-/// Wheel and pinion with these tooth numbers, each on its own metal where it has room.
+/// Names of wheel and pinion with these tooth numbers, each on its own metal where there is room.
 pub fn names(
     teeth: [u32; 2],
     [wheel, pinion]: &[Vec<Spot>; 2],
@@ -114,7 +114,7 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
         Some(contact) => {
             let gap = contact.gap;
             let length = um(gap, 2);
-            // In a transverse section the line of action lies in it, and another section may be tighter.
+            // In a transverse section the line of action is in that section, and another section can be tighter.
             let (symbol, here) = match scene.assembly() {
                 AssembledPair::Drawn(_) => ("", " along the normal"),
                 pair if pair.is_helical() => ("j_bt = ", " in this section"),
@@ -136,9 +136,10 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
             let pair = scene.assembly().data();
             let edge = pair.and_then(|pair| edge(pair, side, &contact.contact));
             let touch = |member: Member, touch: &Touch| {
-                let curve = match edge == Some(member) {
-                    true => "undercut edge",
-                    false => touch.curve.name(),
+                let curve = if edge == Some(member) {
+                    "undercut edge"
+                } else {
+                    touch.curve.name()
                 };
                 format!("{} {} {curve}", member.name(), touch.tooth)
             };
@@ -158,7 +159,7 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, frame:
         .add(details.text(&second, [left, top - 9.0]))
 }
 
-/// The gear whose undercut edge touches: of two undercut gears that which is touched nearer to the foot of its involute.
+/// The gear whose undercut edge touches; of two undercut gears the one touched nearer to the foot of its involute.
 fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
     if ContactClass::of(assembly, side, contact).kind != ContactKind::Edge {
         return None;
@@ -185,7 +186,7 @@ fn capital(side: Side) -> &'static str {
     }
 }
 
-/// A free place for `name` on the first `metal` and off the other, as near to the middle as leaves it well clear, or clear at all.
+/// A free place for `name` on the first `metal` and off the other: as near to the middle as keeps it well clear, or clear at all.
 fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
     let inner = view.frame().grown(-8.0);
     let middle = view.frame().middle();
@@ -207,7 +208,7 @@ fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -
     })
 }
 
-/// Whether a closed polygon holds `spot`: a ray to the right crosses it an odd number of times.
+/// Whether `spot` is inside a closed polygon: a ray to the right crosses it an odd number of times.
 fn holds(polygon: &[Spot], [x, y]: Spot) -> bool {
     let mut inside = false;
     for (i, to) in polygon.iter().enumerate() {
@@ -221,16 +222,16 @@ fn holds(polygon: &[Spot], [x, y]: Spot) -> bool {
     inside
 }
 
-/// What ties an inset to its place in the main view.
+/// Connects an inset to its place in the main view.
 #[derive(Debug, Clone, Copy)]
 pub struct Link {
-    /// What the inset shows, or a box of its shape round it where that would be too small to see.
+    /// The area of the inset, or a larger box of its shape where that would be too small to see.
     shown: Frame,
     inset: Frame,
 }
 
 impl Link {
-    /// Ties what `enlarged` shows to its place in `main`.
+    /// Connects the area of `enlarged` to its place in `main`.
     pub fn new(main: &View, enlarged: &View) -> Link {
         let inset = *enlarged.frame();
         let half = f64::max(0.5 * inset.width() * main.scale() / enlarged.scale(), 14.0);
@@ -247,8 +248,8 @@ impl Link {
         &self.shown
     }
 
-    /// The box, and where the inset stands beside it (`with_leader`) a leader to that place on its side, of some from its middle
-    /// outwards, which it reaches across none of the `taken` rooms.
+    /// The box; and `with_leader` a leader from it to the side of the inset. Candidates go from the middle of that side outwards;
+    /// the first that crosses none of the `taken` rooms is drawn.
     pub fn draw(&self, taken: &[Frame], with_leader: bool) -> Group {
         let shown = Group::new().add(self.shown.border().set("stroke-width", "1.00"));
         if !with_leader {

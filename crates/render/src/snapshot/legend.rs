@@ -1,4 +1,4 @@
-//! What the lines, marks and colours mean.
+//! The legend of lines, marks and colours.
 
 use super::contact_bands;
 use super::contact_bands::FORM_DASH;
@@ -10,13 +10,13 @@ use crate::kit::{
 use gearlash::gear::ProfilePart;
 use svg::node::element::Group;
 
-/// Samples that not every kind of gear has.
+/// Samples that only some kinds of gear have.
 const WHEEL_NAME: &str = "wheel";
 const PINION_NAME: &str = "pinion";
 const MEETING: &str = "points that meet as the free gear turns";
 const OF_ACTION: &str = "line of action, path of contact";
 
-/// What holds of the printed sheet alone.
+/// A note that applies to the printed sheet only.
 const PAPER_NOTE: &str = "scales hold in print on A4";
 
 /// Room for a sample, units of the sheet.
@@ -24,16 +24,16 @@ const SAMPLE: f64 = 36.0;
 
 const WORDS: TextStyle = TextStyle::new(13.0);
 
-/// What of the things that are not in every picture is in this one.
+/// The optional parts that a picture contains.
 #[derive(Debug, Clone, Default)]
 pub struct Shown {
-    /// A sheet of its own, true to scale in print; in a page it has any size.
+    /// A sheet of its own, true to scale in print; in a page the size varies.
     pub on_paper: bool,
     /// A gap.
     pub gap: bool,
     /// An overlap.
     pub overlap: bool,
-    /// The kinds of curve that touch.
+    /// The kinds of touching curves.
     pub touching: Vec<ProfilePart>,
     /// A form circle.
     pub form: bool,
@@ -43,7 +43,7 @@ pub struct Shown {
     pub outlines: bool,
 }
 
-/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`; and how far down the last row is.
+/// Rows of samples with their names, no wider than `room`, from the left end `at`; and the bottom of the last row.
 pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
     let hatch = ids.url("hatch");
     let dashed = |x: f64, y: f64, dash: &str| {
@@ -113,7 +113,7 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
         "overlap" => shown.overlap,
         "form circle" => shown.form,
         "base tangent point" => shown.tangent,
-        // Of gears by their data what is drawn over the metal says which is which.
+        // For gears by data, the lines over the metal distinguish them.
         WHEEL_NAME | PINION_NAME => shown.outlines,
         OF_ACTION | "base circle" => !shown.outlines,
         _ => true,

@@ -1,4 +1,4 @@
-//! The mesh zone: what it shows, and whose teeth are numbered in it.
+//! The view of the mesh zone, and the numbers of its teeth.
 
 use super::tooth_numbers::{self, Numbered};
 use super::view::View;
@@ -10,12 +10,12 @@ use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 use svg::node::element::Group;
 
-/// Pitches shown above and below the line of centres: with one and a half each gear shows three
-/// whole teeth, more than ever mate in ordinary pairs.
+/// Pitches shown above and below the line of centres: with one and a half each gear shows three whole teeth, more than ever mate
+/// in ordinary pairs.
 const PITCHES: f64 = 1.5;
-/// Room kept round what must be seen, modules.
+/// Margin round the required content, modules.
 const BORDER: f64 = 1.0;
-/// How far off a base tangent point is brought into view, modules: two pitches, a third more than is shown anyway.
+/// Base tangent points up to this distance are brought into view, modules: two pitches, a third more than is shown anyway.
 const NEAR: f64 = 6.3;
 
 /// The view of the mesh zone in `frame`: about the middle between the tip circles, with both root
@@ -44,7 +44,7 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
         for contact in contacts.filter(|contact| contact.side == action.side) {
             let is_limit = Member::BOTH.map(|m| contact.is_below_form_circle(m));
             let ends = action.ends.into_iter().zip(is_limit);
-            // Tangent points of large gears lie too far off to be worth the smaller scale.
+            // Tangent points of large gears are too far off to justify the smaller scale.
             let is_near = |end: &Point2<f64>| (end - middle).norm() <= NEAR * module;
             ends.filter(|(end, is_limit)| *is_limit && is_near(end))
                 .for_each(|(end, _)| include(end));
@@ -58,7 +58,7 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
     )
 }
 
-/// Numbers the teeth in view, the wheel's and the pinion's, those that mate in bold; their rooms are taken in `occupied` and returned.
+/// Numbers the teeth in view of wheel and pinion, mating ones in bold. Their rooms are added to `occupied` and returned.
 pub fn tooth_numbers(
     scene: &Scene,
     view: &View,

@@ -1,4 +1,4 @@
-//! How deep an overlap is and how large, written beside it.
+//! The label of an overlap: its depth and size.
 
 use super::view::View;
 use crate::kit::{self, Frame, HATCH, Occupied, Spot, TextStyle, clip, line};
@@ -8,7 +8,7 @@ use svg::node::element::Group;
 
 const STYLE: TextStyle = TextStyle::new(13.0);
 
-/// The label of the overlap at `contact`, if there is one, with a leader to it; takes its room in `occupied`.
+/// The label of the overlap at `contact`, if there is one, with a leader to it; its room is added to `occupied`.
 pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut Occupied) -> Group {
     let Some(overlap) = scene.overlap(contact) else {
         return Group::new();
@@ -42,7 +42,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut O
     group
 }
 
-/// A point well inside a closed polygon: the middle of the longest level chord, of a few across `frame`.
+/// A point well inside a closed polygon: the middle of the longest horizontal chord, of several across `frame`.
 fn amidst(polygon: &[Spot], frame: &Frame) -> Option<Spot> {
     let levels = (1..24).map(|i| frame.top + frame.height() * f64::from(i) / 24.0);
     let chords = levels.flat_map(|y| {

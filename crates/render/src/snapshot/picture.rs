@@ -1,7 +1,7 @@
 //! The contact snapshot: one pose, true to scale, on an A4 sheet.
 //!
-//! The mesh zone on the left; on the right both contacts enlarged, the upper one above;
-//! caption over it and legend under it. Same input, same bytes.
+//! The mesh zone is on the left, both contacts enlarged on the right, the upper one above; caption above and legend below. Same
+//! input, same bytes.
 
 use super::contact_marks::{self, IN_MAIN};
 use super::gears::Look;
@@ -22,18 +22,19 @@ pub fn snapshot(view: &Snapshot) -> String {
     format!("{sheet}\n")
 }
 
-/// The snapshot as a part of a page, for a wide and for a narrow screen: its ids begin with `prefix`, screen readers call it `label`.
+/// The snapshot as part of a page, for a wide and for a narrow screen. Its ids begin with `prefix`; `label` is its name for
+/// screen readers.
 pub fn snapshot_in_page(view: &Snapshot, prefix: &str, label: &str) -> String {
     in_page(prefix, label, |ids, layout| draw(view, ids, layout))
 }
 
-/// The picture, and how far down its last row is.
+/// The picture, and the bottom of its last row.
 fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let scene = view.scene();
     let frame = layout.main;
     let main = main_view::view(&scene, frame);
     let mut occupied = Occupied::default();
-    // Both sides' lines of action; a thin overlap shows over the outlines.
+    // The lines of action of both sides; a thin overlap is visible over the outlines.
     let look = Look {
         id: "mesh",
         ids,
@@ -74,7 +75,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
         group.add(link.draw(&taken, layout.is_sheet))
     });
     let shown = shown(&scene, &main);
-    // What the face as a whole has may be in another section.
+    // The result for the whole face can come from another section.
     let in_section = view.section.is_some() && scene.contacts().iter().any(|m| m.gap < 0.0);
     let shown = Shown {
         on_paper: ids.is_sheet(),
@@ -100,7 +101,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     (sheet, last)
 }
 
-/// Each side with its contact and the frame it gets: the higher contact the upper frame.
+/// Each side with its contact and its frame: the higher contact has the upper frame.
 fn slots<'s>(
     scene: &'s Scene,
     main: &View,
@@ -127,7 +128,7 @@ fn slots<'s>(
         .collect()
 }
 
-/// What the legend must explain.
+/// The parts that the legend must explain.
 fn shown(scene: &Scene, main: &View) -> Shown {
     let contacts = scene.contacts();
     let members = Member::BOTH;

@@ -9,15 +9,16 @@ use svg::node::element::Group;
 
 /// The chart's frame.
 const CHART: Frame = Frame::new([730.0, INSETS[0].top], [1146.0, 700.0]);
-/// Why no step has a value.
+/// The reason why no step has a value.
 fn no_value(steps: &[PoseResult]) -> &'static str {
-    match steps.iter().any(|step| step.status() == Status::Unproven) {
-        true => "no value: unproven, jammed or out of mesh",
-        false => "no value: jammed or out of mesh",
+    if steps.iter().any(|step| step.status() == Status::Unproven) {
+        "no value: unproven, jammed or out of mesh"
+    } else {
+        "no value: jammed or out of mesh"
     }
 }
 
-/// `j_wt` over the pitch, with a dot that runs along.
+/// `j_wt` over the pitch, with a dot that moves along it.
 pub fn draw(steps: &[PoseResult]) -> Group {
     let values: Vec<Option<f64>> = steps.iter().map(|step| step.backlash).collect();
     let found = || values.iter().flatten().copied();
@@ -50,7 +51,7 @@ pub fn draw(steps: &[PoseResult]) -> Group {
         let [x, y] = CHART.middle();
         return group.add(label(no_value(steps), [x, y], Anchor::Middle));
     };
-    // At least a tenth of a micrometre, below which the labels would all be alike.
+    // At least a tenth of a micrometre: below it all labels would be equal.
     let room = f64::max(0.15 * (most - least), 5e-5);
     let height = |value: f64| {
         let part = (value - least + room) / (most - least + 2.0 * room);

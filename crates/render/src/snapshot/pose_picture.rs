@@ -1,4 +1,4 @@
-//! A pose as a picture; of helical gears in the section where the flank of the pose touches.
+//! A pose as a picture; for helical gears in the section where the flank of the pose touches.
 
 use super::picture::{snapshot, snapshot_in_page};
 use super::subject::Snapshot;
@@ -7,7 +7,7 @@ use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::error::Error;
 use gearlash::outline::AssembledPair;
 
-/// The section that is drawn of helical gears.
+/// The section that is drawn for helical gears.
 fn section(assembly: &AssembledPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
     match assembly {
         AssembledPair::Data(pair) => MeshSection::binding(pair, pose),
@@ -36,7 +36,8 @@ pub fn pose_picture(
     }))
 }
 
-/// The picture for a page, with ids that begin with `id`. `words` says what is drawn, given where the section of helical gears is, mm.
+/// The picture for a page, with ids that begin with `id`. `words` describes it, given the place of the section of helical gears,
+/// mm.
 pub(crate) fn pose_picture_in_page(
     title: &str,
     assembly: &AssembledPair,

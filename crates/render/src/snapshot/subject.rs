@@ -1,4 +1,4 @@
-//! What a snapshot is of, and where things stand on its sheet.
+//! The subject of a snapshot, and the layout of its sheet.
 
 use crate::kit::{Frame, Ids, Spot, TextStyle, WIDTH};
 use gearlash::analysis::study::Material;
@@ -7,7 +7,7 @@ use gearlash::outline::AssembledPair;
 use gearlash::pair::{Member, Pose};
 use svg::node::element::{Group, SVG};
 
-/// What a snapshot shows.
+/// Content of a snapshot.
 #[derive(Debug, Clone, Copy)]
 pub struct Snapshot<'a> {
     /// The pair's title.
@@ -16,16 +16,16 @@ pub struct Snapshot<'a> {
     pub assembly: &'a AssembledPair,
     /// The pose.
     pub pose: &'a Pose,
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
-    /// What the simulation found at the pose; of an unproven pose nothing is drawn as contact.
+    /// The result of the simulation at the pose. For an unproven pose no contact is drawn.
     pub found: Result<&'a LostMotion, &'a Unproven>,
-    /// Of helical gears the section that is drawn; of spur gears `None`.
+    /// The section that is drawn for helical gears; `None` for spur gears.
     pub section: Option<&'a MeshSection>,
 }
 
 impl<'a> Snapshot<'a> {
-    /// What is drawn.
+    /// The drawn gears and contacts.
     pub(crate) fn scene(&self) -> Scene<'a> {
         match (self.section, self.found) {
             (Some(section), _) => Scene::in_section(section),
@@ -34,7 +34,7 @@ impl<'a> Snapshot<'a> {
         }
     }
 
-    /// The pose as drawn: of helical gears that of the section.
+    /// The pose as drawn: for helical gears that of the section.
     pub(crate) fn drawn_pose(&self) -> &'a Pose {
         self.section.map_or(self.pose, MeshSection::pose)
     }
@@ -48,7 +48,7 @@ pub const INSETS: [Frame; 2] = [
     Frame::new([662.0, 492.0], [1158.0, 730.0]),
 ];
 
-/// Where things stand in a picture.
+/// Positions in a picture.
 #[derive(Debug, Clone, Copy)]
 pub struct Layout {
     /// The width of the picture.
@@ -57,9 +57,9 @@ pub struct Layout {
     pub main: Frame,
     /// The insets' frames, the upper one first.
     pub insets: [Frame; 2],
-    /// Where the legend begins.
+    /// The start of the legend.
     pub legend: Spot,
-    /// Whether the caption stands in the picture, and leaders lead to the insets.
+    /// Whether the picture contains the caption and leaders to the insets.
     pub is_sheet: bool,
 }
 
@@ -72,7 +72,7 @@ pub const SHEET: Layout = Layout {
     is_sheet: true,
 };
 
-/// The layout for a screen 390 pixels wide: the insets stand below the mesh zone, and the page has the caption.
+/// The layout for a screen 390 pixels wide: the insets are below the mesh zone, and the page has the caption.
 pub const NARROW: Layout = Layout {
     width: 390.0,
     main: Frame::new([4.0, 26.0], [386.0, 416.0]),
@@ -91,8 +91,8 @@ impl Layout {
     }
 }
 
-/// A picture as a part of a page, drawn for a wide and for a narrow screen: its ids begin with `prefix`, screen readers call it
-/// `label`. `draw` gives the picture and how far down its last row is.
+/// A picture as part of a page, drawn for a wide and for a narrow screen. Its ids begin with `prefix`; `label` is its name for
+/// screen readers. `draw` gives the picture and the bottom of its last row.
 pub fn in_page(prefix: &str, label: &str, draw: impl Fn(&Ids, &Layout) -> (SVG, f64)) -> String {
     let narrow = format!("{prefix}-narrow");
     let pictures = [(prefix, &SHEET), (narrow.as_str(), &NARROW)];
@@ -114,9 +114,10 @@ const FOOT: f64 = 16.0;
 /// The gears' names over the mesh zone.
 pub fn names(scene: &Scene, main: &Frame) -> Group {
     let name = |member: Member| {
-        let role = match member == scene.assembly().locked() {
-            true => "locked",
-            false => "free",
+        let role = if member == scene.assembly().locked() {
+            "locked"
+        } else {
+            "free"
         };
         format!(
             "{} ({role}), z = {}",

@@ -9,27 +9,26 @@ use svg::node::element::{Element, Group};
 /// Size of tooth numbers.
 const SIZE: f64 = 15.0;
 
-/// A gear whose teeth are numbered, where it stands in the picture; lengths in mm, angles in rad.
+/// A gear whose teeth are numbered, at its place in the picture; lengths in mm, angles in rad.
 #[derive(Debug, Clone)]
 pub struct Numbered {
-    /// The centre about which its teeth stand.
+    /// The centre of its teeth.
     pub centre: Point2<f64>,
     pub tip: f64,
     pub root: f64,
-    /// The lesser of root and base radius: what the root for a gear without a base circle.
+    /// The lesser of root and base radius; the root radius for a gear without a base circle.
     pub foot: f64,
     pub pitch: f64,
-    /// Teeth that may be in view, and their directions.
+    /// Teeth that can be in view, and their directions.
     pub teeth: Vec<(u32, f64)>,
-    /// The one in bold.
+    /// The mating one, in bold.
     pub mating: u32,
 }
 
-/// Numbers the teeth in view, the wheel's and the pinion's; their rooms are taken in `occupied` and returned.
+/// Numbers the teeth in view of wheel and pinion. Their rooms are added to `occupied` and returned.
 ///
-/// A gear's numbers stand on one circle: of some round its root the first on which the most find
-/// room. What finds none is left out, but for the mating teeth, which look farther. Teeth no
-/// larger than a number get none.
+/// All numbers of a gear are on one circle: among some round its root, the first with room for the most numbers. Numbers without
+/// room are left out, except for the mating teeth, which try further circles. Teeth smaller than a number get none.
 pub fn draw(
     gears: &[Numbered; 2],
     view: &View,
@@ -92,7 +91,7 @@ pub fn draw(
     (groups, taken)
 }
 
-/// A text in the middle of its room.
+/// A text centred in its room.
 pub fn centred(content: &str, room: &Frame, size: f64, bold: bool) -> Element {
     let at: Spot = [0.5 * (room.left + room.right), room.bottom];
     let style = TextStyle::new(size).middle();

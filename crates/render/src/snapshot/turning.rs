@@ -1,4 +1,4 @@
-//! Both gears' metal in one view, turning about their axes, and where they overlap.
+//! Both gears' metal in one view, turning about their axes, and their overlap.
 
 use super::view::{MARGIN, View};
 use crate::kit::{
@@ -31,7 +31,7 @@ pub fn metal(
         let turns = turns(scenes, member);
         let axis = view.spot(placed.axis());
         let frame = view.frame();
-        // What comes into the frame in a pitch stands no farther off than its farthest corner moves.
+        // Metal that enters the frame during a pitch is at most as far off as its farthest corner moves.
         let far = frame
             .corners()
             .map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
@@ -69,7 +69,7 @@ pub fn metal(
     group.add(outlines).add(overlap(scenes, times, view))
 }
 
-/// The pinion's metal once more, where the wheel's is too.
+/// The pinion's metal again, clipped by the wheel's.
 fn overlap(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let pinion = Member::Pinion;
     let axis = view.spot(scenes[0].placed(pinion).axis());
@@ -84,7 +84,7 @@ fn overlap(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     layers.into_iter().fold(clip, Group::add)
 }
 
-/// How far a gear has turned at each step since the first, rad.
+/// Rotation of a gear at each step since the first, rad.
 pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     let mut turns: Vec<f64> = Vec::new();
     for scene in scenes {
@@ -101,7 +101,7 @@ pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     turns
 }
 
-/// When each step comes, as a part of the time that the pitch takes.
+/// Time of each step, as a share of the time of the pitch.
 pub fn times(steps: &[PoseResult]) -> Vec<f64> {
     let fractions = steps.iter().map(|step| step.pose.mating().fraction);
     let fractions: Vec<f64> = fractions.collect();
@@ -115,12 +115,12 @@ fn key_times(times: impl Iterator<Item = f64>) -> String {
     words.join(";")
 }
 
-/// How long a pitch takes.
+/// Duration of a pitch.
 const DURATION: &str = "6s";
 
 /// Turns about `axis`, a place of the sheet.
 pub fn rotation(turns: &[f64], times: &[f64], axis: Spot) -> AnimateTransform {
-    // y is down on the sheet: clockwise is positive there.
+    // y points down on the sheet, where clockwise is positive.
     let [x, y] = axis.map(number);
     let value = |turn: &f64| format!("{} {x} {y}", ascii(-turn.to_degrees(), 4));
     let values: Vec<String> = turns.iter().map(value).collect();
@@ -147,13 +147,13 @@ pub fn course(spots: &[(Spot, [u32; 2])], times: &[f64], axis: usize) -> [String
     [values.join(";"), key_times(at.into_iter())]
 }
 
-/// Values and key times of what jumps from step to step.
+/// Values and key times of an attribute that jumps from step to step.
 pub fn switched<'v>(values: impl Iterator<Item = &'v str>, times: &[f64]) -> [String; 2] {
     let values: Vec<&str> = values.collect();
     [values.join(";"), key_times(times.iter().copied())]
 }
 
-/// Sets an attribute anew at each step.
+/// Sets an attribute to a new value at each step.
 pub fn jumping(attribute: &str, course: &[String; 2]) -> Animate {
     motion(attribute, course).set("calcMode", "discrete")
 }

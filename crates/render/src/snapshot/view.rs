@@ -1,4 +1,4 @@
-//! A window onto the gears: which millimetres a frame of the sheet shows, and how large.
+//! A view of the gears: the millimetres that a frame of the sheet shows, and the scale.
 
 use crate::kit::{Frame, Spot};
 use nalgebra::{Point2, Vector2};
@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 /// paper, an eighth of the thinnest line.
 pub const CHORD: f64 = 0.05;
 
-/// A frame with the point in its middle and its scale.
+/// A frame, the point at its middle, and its scale.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
     frame: Frame,
@@ -17,7 +17,7 @@ pub struct View {
 }
 
 impl View {
-    /// A view of `middle` (mm) in `frame` at `scale` units of the sheet a millimetre.
+    /// A view of `middle` (mm) in `frame` at `scale` units of the sheet per millimetre.
     pub fn new(frame: Frame, middle: Point2<f64>, scale: f64) -> View {
         View {
             frame,
@@ -34,18 +34,18 @@ impl View {
         self.middle
     }
 
-    /// Units of the sheet in a millimetre of gear.
+    /// Units of the sheet per millimetre of gear.
     pub fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// Radius of a disc about [`View::middle`] that holds all the frame shows and a margin, mm.
+    /// Radius of a disc about [`View::middle`] that contains the frame's content and a margin, mm.
     pub fn reach(&self) -> f64 {
         let frame = self.frame.grown(MARGIN);
         0.5 * frame.width().hypot(frame.height()) / self.scale
     }
 
-    /// Chordal error that cannot be seen, mm.
+    /// Chordal error that is invisible, mm.
     pub fn chord(&self) -> f64 {
         CHORD / self.scale
     }
@@ -59,7 +59,7 @@ impl View {
         ]
     }
 
-    /// The arc of a circle that may be in view, as points whose chords cannot be distinguished from it.
+    /// The arc of a circle that can be in view, as points whose chords cannot be distinguished from it.
     pub fn arc(&self, centre: Point2<f64>, radius: f64) -> Vec<Spot> {
         let to_middle = self.middle - centre;
         let (distance, reach) = (to_middle.norm(), self.reach());
@@ -84,5 +84,5 @@ impl View {
     }
 }
 
-/// What is drawn beyond a frame's edge before it is cut off, so that no outline runs along the edge.
+/// Distance beyond a frame's edge that is drawn before clipping, so that no outline runs along the edge.
 pub const MARGIN: f64 = 12.0;

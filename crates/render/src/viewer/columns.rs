@@ -1,4 +1,4 @@
-//! The results as the script reads them: the columns of a pose, an entry for each pose.
+//! The results in columns for the script: one entry per pose.
 
 use super::contacts::touching;
 use super::precision::{Precision, degrees};
@@ -17,7 +17,7 @@ use gearlash_results::{Unit, Value, pose_page};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The words that the values of a column count, by its name.
+/// The words of a column by its name; its values are indices into them.
 type Words = BTreeMap<String, Vec<String>>;
 
 /// Decimals of a number that is neither a backlash nor a place.
@@ -29,14 +29,14 @@ pub struct Columns {
     free: &'static str,
     words: Words,
     runs: Vec<RunColumns>,
-    /// Run and pose shown first.
+    /// Index of the run and pose shown first.
     start: [usize; 2],
     #[serde(skip_serializing_if = "Option::is_none")]
     helical: Option<HelicalColumns>,
 }
 
 impl Columns {
-    /// The columns of `runs`, first shown at `start`: a run and a pose of those viewed.
+    /// The columns of `runs`. `start` is the index of the run and pose shown first.
     pub fn new(
         study: &Study,
         runs: &[Viewed],
@@ -63,40 +63,40 @@ impl Columns {
     }
 }
 
-/// Which of the `outlines` `run` has.
+/// The index of the `outlines` of `run`.
 pub fn outline_of(outlines: &[[&AsBuilt; 2]], run: &ComparedRun) -> usize {
     let gears = gears(run);
     let own = |own: &[&AsBuilt; 2]| Some(*own) == gears;
     outlines.iter().position(own).unwrap_or(0)
 }
 
-/// Where the free gear is drawn first: in right-flank contact, or else at its nominal rotation.
+/// The first rotation of the free gear: in right-flank contact, or else nominal.
 pub fn free_rotation(pose: &PoseResult) -> f64 {
     touching(pose, Side::Right).map_or(pose.pose.free_rotation(), |contact| contact.rotation)
 }
 
-/// A run as the script reads it.
+/// A run in columns for the script.
 #[derive(Serialize)]
 pub struct RunColumns {
     label: String,
     center_distance_mm: f64,
-    /// Which of the outlines.
+    /// Index of its outlines.
     outlines: usize,
     pitch_radius_mm: [f64; 2],
-    /// How many poses the run has.
+    /// Number of poses in the run.
     of: usize,
-    /// Which of them these are, from 1; none: all.
+    /// Numbers of the contained poses, from 1; `None`: all.
     number: Option<Vec<usize>>,
     /// Id of the chart, and each pose's place on its horizontal axis.
     chart: Option<String>,
     chart_x: Vec<Option<f64>>,
-    /// The columns of its poses, an entry a pose.
+    /// The columns of its poses, one entry per pose.
     #[serde(flatten)]
     poses: BTreeMap<String, Vec<Value>>,
 }
 
 impl RunColumns {
-    /// The columns of `viewed`. Words that are not in `words` yet are added there.
+    /// The columns of `viewed`. New words are added to `words`.
     pub fn new(
         viewed: &Viewed,
         charts: &[(&str, &Course)],
@@ -175,8 +175,8 @@ fn poses(
     columns
 }
 
-/// Each pose's place in the curves of `course`, which go through the poses of a flank in their order; none for a pose that has no
-/// point there.
+/// Each pose's place in the curves of `course`, which have the poses of a flank in order; `None` for a pose without a point
+/// there.
 fn places(run: &ComparedRun, course: &Course) -> Vec<Option<f64>> {
     let mut lines = Side::BOTH.map(|flank| {
         let of_run =

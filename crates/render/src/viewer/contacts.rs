@@ -1,10 +1,10 @@
-//! The contacts of a pose as they are drawn.
+//! The drawn contacts of a pose.
 
 use super::precision::degrees;
 use gearlash::contact::{Contact, PoseResult};
 use gearlash::gear::Side;
 
-/// The contact on `side`; none where nothing of the pose is a number.
+/// The contact on `side`; `None` for a pose without numbers.
 pub fn touching(pose: &PoseResult, side: Side) -> Option<&Contact> {
     let found = pose.proven()?;
     let contact = match side {

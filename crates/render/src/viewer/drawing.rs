@@ -1,7 +1,7 @@
-//! The SVG of one pose, of which the script moves the parts.
+//! The SVG of one pose; the script moves its parts.
 //!
-//! Places are mm in the picture frame, y up by a flip of the outermost group. A gear's group turns about its axis; the
-//! outline in it stands off that axis by the eccentricity.
+//! Coordinates are mm in the picture frame, with y up by a flip of the outermost group. A gear's group turns about its axis; the
+//! outline in it is displaced by the eccentricity.
 
 use super::columns::{free_rotation, outline_of};
 use super::marks::{axis, circle, line, marks, numbers};
@@ -20,7 +20,7 @@ use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 const ASPECT: f64 = 1.25;
 /// Half the height shown first, modules: more than one and a half pitches, as in a snapshot.
 const HALF_HEIGHT: f64 = 5.0;
-/// Room kept round whole gears, modules.
+/// Margin round whole gears, modules.
 const BORDER: f64 = 2.0;
 
 /// The picture of `pose` in `run`.
@@ -35,9 +35,10 @@ pub fn draw(
     };
     let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let turn = |member: Member| {
-        let turned = match member == assembly.locked() {
-            true => degrees(pose.simulated.pose.locked_rotation()),
-            false => degrees(free_rotation(&pose.simulated)),
+        let turned = if member == assembly.locked() {
+            degrees(pose.simulated.pose.locked_rotation())
+        } else {
+            degrees(free_rotation(&pose.simulated))
         };
         format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
     };
@@ -67,7 +68,7 @@ pub fn draw(
     let clip = metal(Member::Wheel)
         .set("id", "viewer-clip-shape")
         .set("transform", turn(Member::Wheel));
-    // Dashes without end: a view 0.02 mm wide would have millions. The script cuts both to what is seen.
+    // Unlimited dashes: a view 0.02 mm wide would have millions. The script cuts both lines to the visible part.
     let centres = line()
         .set("id", "viewer-centres")
         .set("d", format!("M0 0H{}", assembly.center_distance()))
@@ -115,7 +116,7 @@ fn at_origin<'a>(assembly: &GearPair, gear: &'a AsBuilt, member: Member) -> Plac
     Placed::new(gear, Point2::origin(), assembly.mate_direction(member))
 }
 
-/// The outlines, `viewer-wheel-0` and so on; of helical gears in a section.
+/// The outlines, `viewer-wheel-0` and so on; for helical gears in a section.
 fn definitions(
     outlines: &[[&AsBuilt; 2]],
     assembly: &GearPair,
@@ -180,9 +181,9 @@ fn views(assembly: &GearPair, module: f64) -> [String; 2] {
 
 /// The whole outline, displaced by its eccentricity: relative path data in units of the last decimal.
 ///
-/// Whole numbers stay whole: browsers add up single-precision numbers, and theirs hold 24 bits.
+/// Whole numbers stay exact: browsers add single-precision numbers, which hold 24 bits.
 fn path(gear: &Placed, precision: Precision) -> String {
-    // A disc about the axis, no smaller than the gear, holds its centre: all teeth.
+    // A disc about the axis, at least as large as the gear, contains its centre and thus all teeth.
     let reach = gear.as_built().reach();
     let mut data = String::new();
     let mut last: Option<[i64; 2]> = None;
@@ -193,7 +194,7 @@ fn path(gear: &Placed, precision: Precision) -> String {
             Some(before) if before == [x, y] => Ok(()),
             Some([left, low]) => {
                 let [dx, dy] = [x - left, y - low];
-                // A minus sign parts two numbers as well as a space.
+                // A minus sign separates two numbers as a space does.
                 let separator = if data.ends_with('l') || dx < 0 {
                     ""
                 } else {

@@ -1,4 +1,4 @@
-//! What is drawn over the metal: axes, tooth numbers, contacts, normals. Strokes keep their width on the screen.
+//! Marks over the metal: axes, tooth numbers, contacts, normals. Strokes keep their width on the screen.
 
 use super::contacts::{normal_degrees, touching};
 use super::precision::{Precision, degrees};
@@ -17,7 +17,7 @@ const NORMAL: f64 = 12.0;
 const CROSS: f64 = 1.0;
 /// Size of a tooth number, modules.
 const NUMBER: f64 = 0.75;
-/// How far inside the root circle a tooth's number stands, modules: clear of contacts and circles.
+/// Distance of a tooth's number inside the root circle, modules: clear of contacts and circles.
 const INSIDE: f64 = 0.6;
 
 /// A thin grey line.
@@ -25,18 +25,18 @@ pub fn line() -> Path {
     stroke(GREY, "1")
 }
 
-/// A circle about the origin.
+/// A circle about the origin, as path data.
 pub fn circle(radius: f64) -> String {
     format!("M{radius} 0A{radius} {radius} 0 1 1 -{radius} 0A{radius} {radius} 0 1 1 {radius} 0Z")
 }
 
-/// A cross on the origin.
+/// A cross at the origin.
 pub fn axis(module: f64) -> Path {
     let arm = CROSS * module;
     line().set("d", format!("M-{arm} 0H{arm}M0 -{arm}V{arm}"))
 }
 
-/// The number of every tooth of a gear on the origin, upright where the tooth points at the mate; of helical gears in a section.
+/// The number of every tooth of a gear at the origin, upright where the tooth points at the mate; for helical gears in a section.
 pub fn numbers(
     gear: &Placed,
     member: Member,
@@ -84,8 +84,8 @@ pub fn numbers(
     })
 }
 
-/// The contact on `side`: its normal, and the points on the locked and on the free gear. The free
-/// gear is drawn in right-flank contact, so the left points are apart by the lost motion.
+/// The contact on `side`: its normal, and the points on the locked and on the free gear. The free gear is drawn in right-flank
+/// contact, so the left points are apart by the lost motion.
 pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Precision) -> Group {
     let contact = touching(&pose.simulated, side);
     let place = contact.map_or(String::from("translate(0 0)"), |contact| {
@@ -128,7 +128,7 @@ pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Pr
             )
     };
     let open = side == Side::Left;
-    // An overlap of some µm is no pixel wide at first: its dots are red and large.
+    // An overlap of some µm is narrower than a pixel at first, so its dots are red and large.
     let class = match pose.simulated.status() {
         Status::Interference => "viewer-overlapping",
         Status::Clear | Status::Jammed | Status::NoContact | Status::Unproven => "",

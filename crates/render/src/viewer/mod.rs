@@ -1,9 +1,8 @@
-//! The mesh in a page: both gears as built, to be zoomed, panned and stepped through the poses of a run.
+//! The mesh viewer of a page: both gears as built, with zoom and pan, and steps through the poses of a run.
 //!
-//! The page gets an SVG of the worst pose, complete without a script, the results in columns, and `viewer.js`,
-//! which only sets transforms and texts from those columns. Where gears stand, what touches and of
-//! which class are read from the results. What is shown is rounded: outlines and contact points
-//! as finely as `precision.rs` says, rotations to 1e-6°; `j_wt` is the result's own f64.
+//! The page has an SVG of the worst pose, complete without a script; the results in columns; and `viewer.js`, which only sets
+//! transforms and texts from those columns. Positions, contacts and their classes are read from the results. Shown values are
+//! rounded: outlines and contact points as `precision.rs` defines, rotations to 1e-6°. `j_wt` is the result's own f64.
 
 mod columns;
 mod contacts;
@@ -26,18 +25,18 @@ use viewed::{Shown, beyond, outlines, start, viewed};
 pub const STYLE: &str = include_str!("viewer.css");
 const SCRIPT: &str = include_str!("viewer.js");
 const CONTROLS: &str = include_str!("controls.html");
-/// Of helical gears, beside those.
+/// Additional controls for helical gears.
 const SECTION_CONTROLS: &str = include_str!("section.html");
 const SECTION_SCRIPT: &str = include_str!("section.js");
-/// Poses of all runs together that a page holds, but for a few a run (tuned: some 140 bytes each, so that a page with
-/// a dozen charts stays below 8 MB).
+/// Most poses of a page over all runs, apart from a few per run (tuned: some 140 bytes each, so that a page with a dozen charts
+/// stays below 8 MB).
 const MOST_POSES: usize = 30_000;
 
-/// The part of a page that shows the mesh of an `analysis`: HTML to stand in the body once; empty without a pose, and where a gear is drawn.
+/// The part of a page that shows the mesh of an `analysis`: HTML for the body, once; empty without a pose, and for a drawn pair.
 ///
-/// It opens on the worst pose of the whole mesh cycle. `charts` are curves over the teeth, each with the id of its
-/// chart's `<svg>` in the page: a cursor goes along in it, and a click there leads to the nearest pose. Of more poses than
-/// a page can hold every n-th of each run is in it, with each run's least and greatest backlash; the page says so.
+/// It opens at the worst pose of the whole mesh cycle. `charts` are curves over the teeth, each with the id of its chart's
+/// `<svg>` in the page: a cursor moves in it, and a click there selects the nearest pose. If there are too many poses for a page,
+/// it has every n-th pose of each run, and each run's least and greatest backlash; a note states this.
 ///
 /// # Errors
 /// None for results of a simulation: the columns are numbers and names.
@@ -98,20 +97,21 @@ pub fn fragment(
             _ => "the worst",
         },
     );
-    // `<` occurs in strings alone, where JSON may write it so: nothing can end the element early.
+    // `<` occurs only in strings, where JSON can escape it: no text can end the element early.
     let _ = writeln!(
         html,
         "<script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{SCRIPT}</script>\n{}</div>",
         data.replace('<', "\\u003c"),
-        match helical {
-            true => format!("<script>\n{SECTION_SCRIPT}</script>\n"),
-            false => String::new(),
+        if helical {
+            format!("<script>\n{SECTION_SCRIPT}</script>\n")
+        } else {
+            String::new()
         }
     );
     Ok(html)
 }
 
-/// The ending of an ordinal number.
+/// The suffix of an ordinal number.
 fn ordinal(number: usize) -> &'static str {
     match (number % 10, number % 100) {
         (1, tens) if tens != 11 => "st",

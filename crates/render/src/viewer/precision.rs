@@ -1,21 +1,22 @@
-//! How finely the viewer draws, by the size of the teeth.
+//! Precision of the viewer, by the size of the teeth.
 
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::{rounded, two_digits_up};
 
-/// Chordal error of an outline, in modules: 0.05 µm at module 3, so that a backlash of a few micrometres can be looked
-/// at and the dot of a contact stands on both outlines.
+/// Chordal error of an outline, in modules: 0.05 µm at module 3. A backlash of a few micrometres is then visible, and the dot of
+/// a contact is on both outlines.
 const CHORD: f64 = 1.0 / 60_000.0;
-/// Teeth of both gears together up to which the chord holds. Beyond it grows with their square, for points
-/// go with teeth/√chord: the outlines of a material stay some 500 kB.
+/// Teeth of both gears together up to which the chord holds. Above it the chord grows with their square, because the number of
+/// points is proportional to teeth/√chord: the outlines of a material stay at some 500 kB.
 const TEETH: f64 = 130.0;
-/// Coarsest chord, in modules: teeth still look like teeth.
+/// Coarsest chord, in modules; teeth still look like teeth.
 const COARSEST: f64 = 1.0 / 50.0;
-/// A place is given to the power of ten below this part of a module, 0.01 µm at module 3, or, for large gears, the finest that stays exact in a browser.
+/// Coordinates have the decimals of the power of ten below this share of a module, 0.01 µm at module 3. For large gears, they
+/// have as many as stay exact in a browser.
 const PLACE: f64 = 1.0 / 150_000.0;
-/// Whole numbers below it are exact in the single precision browsers draw with: 24 bits.
+/// Whole numbers below it are exact in the single precision of browsers: 24 bits.
 const EXACT: f64 = 16_777_216.0;
-/// Pixels that a chord may lie off its curve in the narrowest view, of a picture so many pixels wide.
+/// Greatest distance of a chord from its curve in the narrowest view, pixels, for a picture `PIXELS` wide.
 const OFF: f64 = 2.0;
 const PIXELS: f64 = 800.0;
 /// Decimals of a rotation in degrees: 2 nm at a radius of 130 mm.
@@ -26,12 +27,12 @@ pub const DEGREES: usize = 6;
 pub struct Precision {
     /// Chordal error of outlines, mm.
     pub chord: f64,
-    /// Decimals of a place in mm.
+    /// Decimals of a coordinate in mm.
     pub decimals: usize,
 }
 
 impl Precision {
-    /// What suits the gears of `assembly`.
+    /// The precision for the gears of `assembly`.
     pub fn of(assembly: &GearPair) -> Precision {
         let basic_data = |member| *assembly.gear(member).gear().basic_data();
         let (wheel, pinion) = (basic_data(Member::Wheel), basic_data(Member::Pinion));
@@ -42,12 +43,12 @@ impl Precision {
         let many = f64::from(wheel.teeth() + pinion.teeth()) / TEETH;
         Precision {
             chord: module * (CHORD * many.max(1.0).powi(2)).min(COARSEST),
-            // From 0 to 8; `ceil` of a negative is 0.
+            // Between 0 and 8; `ceil` of a negative is 0.
             decimals: (-(PLACE * module).log10()).ceil().min(exact).max(0.0) as usize,
         }
     }
 
-    /// Width of the narrowest view, mm: nearer, chords would show.
+    /// Width of the narrowest view, mm; a narrower one would show chords.
     pub fn narrowest(&self) -> f64 {
         self.chord * PIXELS / OFF
     }
@@ -70,13 +71,13 @@ impl Precision {
         two_digits_up(self.chord * 1e3)
     }
 
-    /// The last decimal, µm.
+    /// The last decimal of a coordinate, µm.
     pub fn place_um(&self) -> f64 {
         rounded(10f64.powi(3 - self.decimals as i32), 6)
     }
 }
 
-/// A rotation, rad, in degrees as shown.
+/// A rotation, rad, in displayed degrees.
 pub fn degrees(rotation: f64) -> f64 {
     rounded(rotation.to_degrees(), DEGREES)
 }

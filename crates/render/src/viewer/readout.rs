@@ -1,4 +1,4 @@
-//! The text beside the picture of a pose. `viewer.js` writes the same of the others.
+//! The text beside the picture of a pose. `viewer.js` writes equal texts for the others.
 
 use super::contacts::touching;
 use super::viewed::{Shown, Viewed};
@@ -14,7 +14,7 @@ pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points
     Red and large: teeth have passed each other there. Blue: normals at the contacts, between involutes the line of action. \
     Red, where teeth overlap: metal of both gears. Dash-dotted: operating pitch circles.";
 
-/// A run by centre distance, material and phase.
+/// The name of a run: centre distance, material and phase.
 pub fn run(shown: &Shown) -> String {
     let run = shown.run;
     let distance = trimmed(run.run.assembly.center_distance(), 3, 6);
@@ -25,9 +25,10 @@ pub fn run(shown: &Shown) -> String {
     };
     let phase = run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    let beyond = match shown.is_beyond {
-        true => ", worst of the whole mesh cycle",
-        false => "",
+    let beyond = if shown.is_beyond {
+        ", worst of the whole mesh cycle"
+    } else {
+        ""
     };
     format!("a = {distance} mm{material}{phase}{beyond}")
 }

@@ -1,4 +1,4 @@
-//! Which section of helical gears the viewer shows.
+//! The section of helical gears in the viewer.
 
 use super::contacts::touching;
 use super::precision::{DEGREES, degrees};
@@ -9,22 +9,22 @@ use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, trimmed};
 use serde::Serialize;
 
-/// Decimals of a place along the face, mm.
+/// Decimals of a position along the face, mm.
 const PLACE: usize = 6;
 
-/// What the script knows of helical gears.
+/// Data of helical gears for the script.
 #[derive(Serialize)]
 pub struct HelicalColumns {
     /// Ends of the common face.
     face_mm: [f64; 2],
-    /// How far the teeth of wheel and pinion wind a mm.
+    /// Twist of the teeth of wheel and pinion per mm.
     twist_deg_a_mm: [f64; 2],
     /// The section shown first.
     start_mm: f64,
 }
 
 impl HelicalColumns {
-    /// Those of `assembly`, first shown in the section of `pose`; `None` of spur gears.
+    /// The columns of `assembly`, with the section of `pose` shown first; `None` for spur gears.
     pub fn of(assembly: &AssembledPair, pose: &PoseResult) -> Option<HelicalColumns> {
         let start_mm = first(assembly, pose)?;
         let pair = assembly.data()?;
@@ -40,7 +40,8 @@ impl HelicalColumns {
     }
 }
 
-/// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` of spur gears.
+/// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` for spur
+/// gears.
 pub fn first(assembly: &AssembledPair, pose: &PoseResult) -> Option<f64> {
     let [from, to] = assembly.data()?.face();
     let touching = touching(pose, Side::Right).map(|contact| contact.section);
@@ -49,19 +50,19 @@ pub fn first(assembly: &AssembledPair, pose: &PoseResult) -> Option<f64> {
         .then(|| touching.unwrap_or(0.5 * (from + to)))
 }
 
-/// A gear in the section that is drawn first: what the script turns, and how far.
+/// The start position of a gear in the first section, for the script.
 #[derive(Debug, Clone, Copy)]
 pub struct Winding {
     /// `wheel` or `pinion`.
     pub name: &'static str,
-    /// How far its teeth stand turned there, degrees.
+    /// Rotation of its teeth in the section, degrees.
     pub turned: f64,
-    /// Its own centre off its axis, mm.
+    /// Offset of its centre from its axis, mm.
     pub centre: [f64; 2],
 }
 
 impl Winding {
-    /// That of the gear `placed` on the origin at `section`, mm.
+    /// The start position of the gear `placed` at the origin, in `section`, mm.
     pub fn new(placed: &Placed, member: Member, section: f64, decimals: usize) -> Winding {
         let centre = placed.centre();
         let data = placed.as_built().gear().basic_data();
@@ -72,14 +73,14 @@ impl Winding {
         }
     }
 
-    /// Its centre as the script reads it.
+    /// Its centre, formatted for the script.
     pub fn centre(&self) -> String {
         let [x, y] = self.centre;
         format!("{x} {y}")
     }
 }
 
-/// What is said below the picture.
+/// The note below the picture.
 pub fn note(assembly: &AssembledPair, pose: &PoseResult) -> String {
     let Some(section) = first(assembly, pose) else {
         return String::new();

@@ -1,4 +1,4 @@
-//! The poses that a page holds: all of whole revolutions, or at most a number of them, and the worst of the mesh cycle.
+//! The poses of a page: all of whole revolutions, or a limited number of them, and the worst of the mesh cycle.
 
 use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
@@ -14,15 +14,15 @@ use std::collections::BTreeSet;
 pub struct Shown<'a> {
     /// The run.
     pub run: &'a ComparedRun,
-    /// Whether it is the worst pose of the mesh cycle, beside the even poses of the revolutions.
+    /// Whether it is the worst pose of the mesh cycle, in addition to the even poses of the revolutions.
     pub is_beyond: bool,
 }
 
-/// A run, and which of its poses the page holds.
+/// A run, and the selection of its poses.
 pub struct Viewed<'a> {
     /// The run.
     pub shown: Shown<'a>,
-    /// Their numbers, from 0, ascending.
+    /// Indices of the selected poses, ascending.
     pub numbers: Vec<usize>,
 }
 
@@ -34,9 +34,9 @@ impl<'a> Viewed<'a> {
     }
 }
 
-/// Every run of `runs` with every n-th of its poses, `n` (the second value) the least with which they are `most`
-/// together; where `n` is above 1, with its least and its greatest backlash and its first jammed, unmeshed and unproven
-/// pose beside them. The pose at `start` (run and number) is among them.
+/// Selects every n-th pose of every run of `runs`. `n`, the second value, is the least with at most `most` poses in all. Where
+/// `n` is above 1, each run also has its least and its greatest backlash and its first jammed, unmeshed and unproven pose. The
+/// pose at `start` (index of run and pose) is always selected.
 pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Viewed<'a>>, usize) {
     let all: usize = runs.iter().map(|shown| shown.run.poses.len()).sum();
     let every = all.div_ceil(most.max(1)).max(1);
@@ -52,7 +52,7 @@ pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Vi
     (runs.collect(), every)
 }
 
-/// A run of the worst pose of the whole mesh cycle, where it is none of the revolutions' own.
+/// A run with the worst pose of the whole mesh cycle, where it is outside the revolutions' runs.
 pub fn beyond(analysis: &Analysis) -> Option<ComparedRun> {
     let verdict = analysis.verdict();
     let (extremes, pair, pose) = verdict.worst()?;
@@ -74,15 +74,15 @@ pub fn beyond(analysis: &Analysis) -> Option<ComparedRun> {
     })
 }
 
-/// The number of `pose` of `pair` in a run.
+/// The index of `pose` of `pair` in a run.
 fn number_of(run: &ComparedRun, pair: &AssembledPair, pose: &ComparedPose) -> Option<usize> {
     let is_it = |own: &ComparedPose| own.simulated.pose == pose.simulated.pose;
     let number = run.poses.iter().position(is_it)?;
     (run.run.assembly == *pair).then_some(number)
 }
 
-/// Run and number, from 0, of the worst pose of the whole mesh cycle; without one the worst of `runs` as [`worst_pose`] chooses
-/// it, or the first where none is in mesh.
+/// Indices of run and pose of the worst pose of the whole mesh cycle; without one, of the worst of `runs` by [`worst_pose`], or
+/// the first where none is in mesh.
 pub fn start(runs: &[Shown], analysis: &Analysis) -> Option<[usize; 2]> {
     let verdict = analysis.verdict();
     let proven = verdict.worst().and_then(|(_, pair, pose)| {
@@ -111,13 +111,13 @@ pub fn outlines<'a>(runs: &[Shown<'a>]) -> Vec<[&'a AsBuilt; 2]> {
     outlines
 }
 
-/// Wheel and pinion of a run; `None` where one is drawn.
+/// Wheel and pinion of a run; `None` for a drawn pair.
 pub fn gears(run: &ComparedRun) -> Option<[&AsBuilt; 2]> {
     let pair = run.run.assembly.data()?;
     Some(Member::BOTH.map(|member| pair.gear(member)))
 }
 
-/// The poses of a run that must not be left out.
+/// The poses of a run that must be selected.
 fn extremes(run: &ComparedRun) -> impl Iterator<Item = usize> {
     let numbered = || run.poses.iter().map(|pose| &pose.simulated).enumerate();
     let extreme = |sign: f64| {

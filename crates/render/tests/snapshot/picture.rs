@@ -56,9 +56,10 @@ pub fn read(svg: &str) -> Picture {
                     .collect();
                 assert!(points.iter().flatten().all(|x| x.is_finite()));
                 let turns = matches!(node.attribute("id"), Some("wheel" | "pinion"));
-                let lines = match turns {
-                    true => &mut picture.turning,
-                    false => &mut picture.lines,
+                let lines = if turns {
+                    &mut picture.turning
+                } else {
+                    &mut picture.lines
                 };
                 lines.extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
             }

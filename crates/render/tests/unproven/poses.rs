@@ -23,19 +23,18 @@ fn a_refused_certificate_leaves_its_pose_alone_unproven() {
     assert_eq!(certified.len(), 160);
     let mut refused = 0;
     for ((pose, own), other) in certified.iter().zip(&own).zip(&other) {
-        match differ(own, other) {
-            true => {
-                refused += 1;
-                let doubt = unproven(pose).unwrap();
-                assert!(doubt.reason.starts_with("the certificate failed: on the "));
-                assert!(doubt.reason.contains("nothing touches at the rotation"));
-                assert_eq!((doubt.exact, doubt.polygon), (own.backlash, None));
-                assert_eq!(pose.status(), Status::Unproven);
-                assert_eq!((pose.backlash, pose.error_bound), (None, None));
-                assert_eq!(pose.range(), [None; 2]);
-                assert!(!pose.interferes() && !pose.just_touches());
-            }
-            false => assert_eq!(pose.found, own.found),
+        if differ(own, other) {
+            refused += 1;
+            let doubt = unproven(pose).unwrap();
+            assert!(doubt.reason.starts_with("the certificate failed: on the "));
+            assert!(doubt.reason.contains("nothing touches at the rotation"));
+            assert_eq!((doubt.exact, doubt.polygon), (own.backlash, None));
+            assert_eq!(pose.status(), Status::Unproven);
+            assert_eq!((pose.backlash, pose.error_bound), (None, None));
+            assert_eq!(pose.range(), [None; 2]);
+            assert!(!pose.interferes() && !pose.just_touches());
+        } else {
+            assert_eq!(pose.found, own.found)
         }
     }
     // Where tooth 5 comes into contact and leaves it, on either side.
@@ -52,18 +51,17 @@ fn two_methods_that_differ_beyond_both_bounds_leave_both_values_in_doubt() {
             panic!("{pose:?}");
         };
         assert!((difference - (polygon - exact)).abs() < 1e-9);
-        match differ(own, other) {
-            true => {
-                let doubt = unproven(pose).unwrap();
-                assert_eq!(doubt.exact, Some(exact));
-                assert!((doubt.polygon.unwrap() - polygon).abs() < 1e-9);
-                assert!(
-                    doubt.reason.contains("more than both error bounds"),
-                    "{doubt:?}"
-                );
-                assert_eq!(pose.backlash, None);
-            }
-            false => assert_eq!((pose.proven(), pose.backlash), (own.proven(), own.backlash)),
+        if differ(own, other) {
+            let doubt = unproven(pose).unwrap();
+            assert_eq!(doubt.exact, Some(exact));
+            assert!((doubt.polygon.unwrap() - polygon).abs() < 1e-9);
+            assert!(
+                doubt.reason.contains("more than both error bounds"),
+                "{doubt:?}"
+            );
+            assert_eq!(pose.backlash, None);
+        } else {
+            assert_eq!((pose.proven(), pose.backlash), (own.proven(), own.backlash))
         }
     }
     // The sum of what each pose is judged by: those beyond are the unproven ones.

@@ -11,11 +11,11 @@ use gearlash_files::characters;
 use gearlash_files::spec::GearSpec;
 use serde_json::{Value, json};
 
-/// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is
-/// `{ "not_measured": reason }`.
+/// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is `{ "not_measured":
+/// reason }`.
 ///
 /// # Errors
-/// None that readings can cause; the writer's otherwise.
+/// None caused by readings; an error of serde_json otherwise.
 pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Error> {
     let gears: Vec<Value> = gears.iter().map(gear).collect();
     let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
@@ -98,8 +98,8 @@ fn gear(gauged: &GaugedGear) -> Value {
     shown
 }
 
-/// Adds the keys of helical gears: the section or direction of lengths, dimensions over pins that lie along the spaces, thickness in the normal
-/// section.
+/// Adds the keys of helical gears: the section or direction of lengths, dimensions over pins that lie along the spaces, thickness
+/// in the normal section.
 fn of_helix(read: &Gauged, spec: &GearSpec, hand: Hand, shown: &mut Value) {
     shown["helix_angle_deg"] = json!(spec.helix_angle_deg);
     shown["hand"] = json!(hand.name());
@@ -122,7 +122,7 @@ fn of_helix(read: &Gauged, spec: &GearSpec, hand: Hand, shown: &mut Value) {
     }
 }
 
-/// A reading as `shown`, or the reason why there is none.
+/// A reading as `shown`, or the reason why it was not taken.
 fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
     match read {
         Ok(read) => shown(read),
@@ -161,7 +161,7 @@ fn over(list: &[OverPins]) -> Value {
     list.iter().map(row).collect()
 }
 
-/// The teeth and curves that a gauge touches.
+/// The teeth and curves touched by a gauge.
 fn touched(touches: &[Touch]) -> Value {
     let one = |touch: &Touch| json!({ "tooth": touch.tooth, "curve": touch.curve.name(), "radius_mm": touch.radius });
     touches.iter().map(one).collect()
@@ -199,7 +199,7 @@ fn pitch(found: &PitchReadings) -> Value {
     })
 }
 
-/// Values by tooth, and each curve that differs from the others, with its first tooth.
+/// Values by tooth, and each distinct curve with its first tooth.
 fn profiles(flank: &FlankProfiles) -> Value {
     let um = |of: fn(&ProfileReading) -> f64| {
         let values = flank.by_tooth(of).into_iter();
@@ -225,7 +225,7 @@ fn profiles(flank: &FlankProfiles) -> Value {
     })
 }
 
-/// `grade` is null beyond the last one; the tolerance is then the last one's.
+/// A grade; null beyond the last one, with the tolerance of the last one.
 fn grade(one: &GradedReading) -> Value {
     let (grade, tolerance) = match one.grade {
         Grade::Within { grade, tolerance } => (Some(grade), tolerance),

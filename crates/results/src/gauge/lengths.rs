@@ -1,4 +1,4 @@
-//! Lengths with their least, mean and greatest reading: the rows of the text, the charts of each less its mean.
+//! Lengths with their least, mean and greatest reading: the rows of the text, and the charts of each less its mean.
 
 use super::{Chart, GaugedGear};
 use crate::column::{Columns, Row, Value, columns};
@@ -19,7 +19,7 @@ pub struct Length {
     error: f64,
     /// The value by formula at the mean thickness.
     pub formula: Option<f64>,
-    /// Each tooth's own length.
+    /// The length at each tooth, where it varies.
     pub by_tooth: Option<ByTooth>,
     is_drawn: bool,
 }
@@ -32,12 +32,12 @@ pub struct ByTooth {
     pub values: Vec<f64>,
     /// Its symbol.
     pub symbol: String,
-    /// The place of the tooth in a reading.
+    /// The position of the tooth in a reading.
     pub tooth: &'static str,
 }
 
 impl Length {
-    /// The tooth of an end, where the readings differ by more than their bound.
+    /// The tooth of an end, where the readings differ by more than their error bound.
     fn tooth(&self, end: usize) -> Value {
         let range = self.ends[1] - self.ends[0];
         let values = self.by_tooth.iter().filter(|_| range > self.error);
@@ -45,7 +45,7 @@ impl Length {
         Value::optional(place.map(|place| place + 1).next())
     }
 
-    /// `cell`, which tables of drawn gears do not have.
+    /// `cell`, which is absent in tables of drawn gears.
     fn by_formula(&self, cell: impl FnOnce(Option<f64>) -> String) -> Value {
         Value::optional((!self.is_drawn).then(|| cell(self.formula)))
     }
@@ -80,7 +80,7 @@ pub fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
     }
 }
 
-/// Every length that was measured.
+/// Every measured length.
 pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let read = &gauged.gauged;
     let formula = &read.formula;
@@ -88,9 +88,10 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     let mut rows = Vec::new();
     if let Ok(spans) = &read.spans {
         rows.push(Length {
-            name: match wound {
-                true => format!("span W_{}, normal", spans.teeth),
-                false => format!("span W_{}", spans.teeth),
+            name: if wound {
+                format!("span W_{}, normal", spans.teeth)
+            } else {
+                format!("span W_{}", spans.teeth)
             },
             ends: spans.ends(),
             mean: spans.mean(),
@@ -109,9 +110,10 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
         let two = (&pins.two, formula.over_two, Chart::PINS);
         let three = (&pins.three, formula.over_three, Chart::THREE_PINS);
         let lying = (&pins.lying, formula.over_lying, Chart::LYING_PINS);
-        let [twice, thrice] = match wound {
-            true => ["two balls", "three balls"],
-            false => ["two pins", "three pins"],
+        let [twice, thrice] = if wound {
+            ["two balls", "three balls"]
+        } else {
+            ["two pins", "three pins"]
         };
         for ((list, formula, chart), what, symbol, tooth) in [
             (two, twice, "M_dK", "tooth before the first pin"),
@@ -143,9 +145,10 @@ pub fn lengths(gauged: &GaugedGear) -> Vec<Length> {
     }
     if let Ok(thickness) = &read.thickness {
         rows.push(Length {
-            name: match wound {
-                true => "thickness s_t, transverse".to_owned(),
-                false => "thickness s".to_owned(),
+            name: if wound {
+                "thickness s_t, transverse".to_owned()
+            } else {
+                "thickness s".to_owned()
             },
             ends: thickness.ends(),
             mean: thickness.mean(),

@@ -16,7 +16,7 @@ pub use json::json;
 pub use lengths::{ByTooth, Length, length_table, lengths};
 pub use readings::{Chart, position_table, teeth_csv};
 
-/// A gear on the gauge: given by data, or drawn.
+/// The source of a gear on the gauge: data, or a drawing.
 #[derive(Debug, Clone, Copy)]
 pub enum GearSource<'a> {
     /// A gear by its data, and its table as understood.
@@ -25,14 +25,14 @@ pub enum GearSource<'a> {
     Drawn(&'a OutlineGear),
 }
 
-/// One gear in one material and what the gauges read on it.
+/// One gear in one material, and the gauges' readings.
 #[derive(Debug)]
 pub struct GaugedGear<'a> {
     /// Title of the file.
     pub title: &'a str,
     /// `wheel`, `pinion` or `gear`.
     pub name: &'static str,
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
     /// The gear.
     pub gear: GearSource<'a>,
@@ -41,15 +41,15 @@ pub struct GaugedGear<'a> {
 }
 
 impl GaugedGear<'_> {
-    /// How its files begin: `gauge_wheel`, with the material where there are two.
+    /// The start of its file names: `gauge_wheel`, with the material where there are two.
     pub fn stem(&self) -> String {
         stem(self.name, self.material)
     }
 
-    /// Its gear file: name and content; `None` of a drawn gear.
+    /// Its gear file: name and content; `None` for a drawn gear.
     ///
     /// # Errors
-    /// Where the readings do not say enough for one.
+    /// The readings are incomplete.
     pub fn gear_file(&self) -> Result<Option<(String, String)>, NoGearFile> {
         let GearSource::Data(_, spec) = self.gear else {
             return Ok(None);
@@ -58,7 +58,7 @@ impl GaugedGear<'_> {
         Ok(Some((gear_file_name(&self.stem()), text)))
     }
 
-    /// Its basic data; `None` of a drawn gear.
+    /// Its basic data; `None` for a drawn gear.
     pub fn basic_data(&self) -> Option<&BasicGearData> {
         match self.gear {
             GearSource::Data(gear, _) => Some(gear.gear().basic_data()),
@@ -74,7 +74,7 @@ impl GaugedGear<'_> {
         }
     }
 
-    /// Whether its teeth wind about the axis.
+    /// Whether its teeth are helical.
     pub fn is_helical(&self) -> bool {
         self.basic_data().is_some_and(|data| data.hand().is_some())
     }
@@ -92,7 +92,7 @@ impl GaugedGear<'_> {
         }
     }
 
-    /// Helix angle and hand, after a comma; empty of a spur gear.
+    /// Helix angle and hand, after a comma; empty for a spur gear.
     pub fn helix(&self) -> String {
         let GearSource::Data(gear, spec) = self.gear else {
             return String::new();
@@ -103,7 +103,7 @@ impl GaugedGear<'_> {
         }
     }
 
-    /// A warning where the face of a helical gear is too short for the spans read, and the file itself did not warn.
+    /// A warning where the face of a helical gear is too short for its spans, and the file itself did not warn.
     pub fn short_face(&self) -> Option<String> {
         let GearSource::Data(gear, spec) = self.gear else {
             return None;
@@ -115,7 +115,7 @@ impl GaugedGear<'_> {
         short_for_span(spec.face(), self.name, gear, k)
     }
 
-    /// The readings that were not taken, a line for each reason.
+    /// The readings that were not taken, one line per reason.
     pub fn unmeasured(&self) -> Vec<String> {
         let read = &self.gauged;
         let each = [
@@ -144,12 +144,12 @@ impl GaugedGear<'_> {
     }
 }
 
-/// The table of all readings of the gear of `stem`.
+/// The file name of the table of all readings, for the gear of `stem`.
 pub fn table_name(stem: &str) -> String {
     format!("{stem}.csv")
 }
 
-/// How the files of the gear called `name` begin: `gauge_wheel`, with the material where there are two.
+/// The start of the file names of the gear called `name`: `gauge_wheel`, with the material where there are two.
 pub fn stem(name: &str, material: Material) -> String {
     match material {
         Material::AsMeasured => format!("gauge_{name}"),
@@ -157,17 +157,17 @@ pub fn stem(name: &str, material: Material) -> String {
     }
 }
 
-/// The gear file of the gear of `stem`.
+/// The file name of the gear file, for the gear of `stem`.
 pub fn gear_file_name(stem: &str) -> String {
     format!("{stem}.toml")
 }
 
-/// The page of all charts of the gear of `stem`.
+/// The file name of the page of all charts, for the gear of `stem`.
 pub fn page_name(stem: &str) -> String {
     format!("{stem}.html")
 }
 
-/// Every name that a run could write for the gear of `stem`.
+/// Every file name that a run can write for the gear of `stem`.
 pub fn possible_files(stem: &str) -> Vec<String> {
     let charts = Chart::ALL.into_iter().map(|chart| chart.svg(stem));
     charts

@@ -7,7 +7,7 @@ use gearlash::gear::{Flank, PitchAxis};
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::ascii;
 
-/// A column: its name in CSV, its heading for people, their decimals, and its values, a tooth each.
+/// A column: its name in CSV, its heading for people, their decimals, and its values, one per tooth.
 struct Column {
     name: &'static str,
     heading: &'static str,
@@ -43,10 +43,10 @@ const fn um(
     }
 }
 
-/// The column that only helical gears fill: spur gears do not have it.
+/// The column for helical gears only.
 const LYING: &str = "over_lying_pins_mm";
 
-/// Every reading that belongs to a tooth.
+/// Every reading per tooth.
 #[rustfmt::skip]
 const COLUMNS: [Column; 20] = [
     mm("span_mm", "W_k mm", spans),
@@ -96,7 +96,7 @@ fn cumulative(read: &Gauged, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> 
     in_um(pitch(read, axis)?.cumulative.flank(flank))
 }
 
-/// Profile deviations; none where no flank deviates.
+/// Profile deviations; `None` where no flank deviates.
 fn profile(read: &Gauged, flank: Flank, of: fn(&ProfileReading) -> f64) -> Option<Vec<f64>> {
     let found = read.profile.as_ref().ok()?;
     found
@@ -114,7 +114,7 @@ fn columns(gauged: &Gauged) -> impl Iterator<Item = (&'static Column, Option<Vec
     columns.map(move |column| (column, (column.values)(gauged)))
 }
 
-/// A row a tooth for people; a column without values is left out.
+/// A table for people, one row per tooth; a column without values is left out.
 pub fn position_table(gear: &GaugedGear) -> String {
     let shown: Vec<(&Column, Vec<f64>)> = columns(&gear.gauged)
         .filter_map(|(column, values)| Some((column, values?)))
@@ -132,10 +132,10 @@ pub fn position_table(gear: &GaugedGear) -> String {
     table.text(&Screen::default())
 }
 
-/// The readings of several gears as CSV, a row a tooth; a value that was not measured is left empty.
+/// The readings of several gears as CSV, one row per tooth; a reading that was not taken is empty.
 ///
 /// # Errors
-/// None: it is written to memory.
+/// None: the text is in memory.
 pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
     let each: Vec<Vec<_>> = gears
         .iter()
@@ -168,7 +168,7 @@ pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
     csv_text(writer)
 }
 
-/// A reading that has a chart; the stem of the gear (`gauge_wheel`, `gauge_wheel_most`) comes before its name in the name of the file.
+/// A reading with a chart. The name of the chart's file begins with the stem of the gear (`gauge_wheel`, `gauge_wheel_most`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Chart(&'static str);
 
@@ -207,12 +207,12 @@ impl Chart {
         Chart::PROFILE,
     ];
 
-    /// Name of its file of the gear of `stem`, without an ending.
+    /// Its file name without extension, for the gear of `stem`.
     pub fn file_stem(self, stem: &str) -> String {
         format!("{stem}_{}", self.0)
     }
 
-    /// Name of its file.
+    /// Its file name.
     pub fn svg(self, stem: &str) -> String {
         format!("{}.svg", self.file_stem(stem))
     }

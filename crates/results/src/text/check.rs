@@ -14,7 +14,7 @@ use gearlash_files::AnyPair;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
-/// As text on `screen`: each check once, at its worst centre distance and material.
+/// The checks as text on `screen`: each once, at its worst centre distance and material.
 pub fn text(
     file: &AnyPair,
     verdict: &CycleVerdict,
@@ -47,7 +47,7 @@ pub fn text(
     screen.fold(&text)
 }
 
-/// A row for each check, of its worst centre distance and material.
+/// One row per check, for its worst centre distance and material.
 fn rows(diagnosis: &Diagnosis) -> Vec<CheckRow> {
     let several = diagnosis.groups.len() > 1;
     let rows = governing(diagnosis).into_iter();
@@ -60,7 +60,7 @@ pub fn shown(diagnosis: &Diagnosis) -> Vec<Shown> {
     CheckRow::columns().shown(&rows(diagnosis), |_| f64::NAN, BacklashUnit::Um)
 }
 
-/// Each check of the gravest verdict, then of the least margin, the first of equals.
+/// The worst occurrence of each check: worst verdict, then least margin, then the first.
 pub(crate) fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
     let mut governing: Vec<(&Group, &Check)> = Vec::new();
     for group in &diagnosis.groups {
@@ -101,7 +101,7 @@ fn contact(diagnosis: &Diagnosis) -> String {
             um_ascii(loss.mean, 3),
             um_ascii(worst.loss, 3),
         );
-        // What shows as 0.000 µm is no loss.
+        // A loss that prints as 0.000 µm does not count.
         if worst.loss >= 5e-7 {
             let _ = writeln!(
                 text,
@@ -127,7 +127,7 @@ fn contact(diagnosis: &Diagnosis) -> String {
     text + &format!("{}\n", outcome(diagnosis))
 }
 
-/// The short titles of the checks with this verdict, each once.
+/// The distinct short titles of the checks with this verdict.
 pub fn titles(diagnosis: &Diagnosis, verdict: Verdict) -> Vec<&'static str> {
     let mut titles: Vec<&str> = Vec::new();
     for (_, check) in governing(diagnosis) {
@@ -139,7 +139,7 @@ pub fn titles(diagnosis: &Diagnosis, verdict: Verdict) -> Vec<&'static str> {
     titles
 }
 
-/// The number of checks that fail, or are unproven, and their titles.
+/// The number of failing or unproven checks, and their titles.
 pub(crate) fn outcome(diagnosis: &Diagnosis) -> String {
     let checks = governing(diagnosis);
     let all = each_title(&checks);
@@ -160,7 +160,7 @@ pub(crate) fn outcome(diagnosis: &Diagnosis) -> String {
     }
 }
 
-/// How many checks there are, those of both gears counted once.
+/// The number of checks; those of both gears count once.
 fn each_title(checks: &[(&Group, &Check)]) -> usize {
     let mut titles: Vec<&str> = checks.iter().map(|(_, check)| check.title).collect();
     titles.sort_unstable();
@@ -168,7 +168,7 @@ fn each_title(checks: &[(&Group, &Check)]) -> usize {
     titles.len()
 }
 
-/// Why checks are not proven, each reason once.
+/// The distinct reasons why checks are not proven.
 pub fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
     let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
     let mut doubts = Vec::new();

@@ -1,4 +1,4 @@
-//! How far two outlines of one gear differ, as text.
+//! The difference of two outlines of one gear, as text.
 
 use crate::difference::{difference_sentence, turn_words};
 use crate::layout::{Column, Screen, Table, Tone};
@@ -7,18 +7,21 @@ use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, bound_um, signed_um, um_ascii};
 use gearlash_files::outlines::ComparedOutlines;
 
-/// As text on `screen`, judged by `tolerance_um` where there is one.
+/// The difference as text on `screen`, judged by `tolerance_um` if there is one.
 pub fn text(compared: &ComparedOutlines, tolerance_um: Option<f64>, screen: &Screen) -> String {
     let [a, b] = &compared.files;
-    let verdict = tolerance_um.map(|tolerance| match compared.passes(tolerance_um) {
-        true => (
-            Tone::Good,
-            format!("Agree within {tolerance} µm + error bound"),
-        ),
-        false => (
-            Tone::Bad,
-            format!("DIFFER by more than {tolerance} µm + error bound"),
-        ),
+    let verdict = tolerance_um.map(|tolerance| {
+        if compared.passes(tolerance_um) {
+            (
+                Tone::Good,
+                format!("Agree within {tolerance} µm + error bound"),
+            )
+        } else {
+            (
+                Tone::Bad,
+                format!("DIFFER by more than {tolerance} µm + error bound"),
+            )
+        }
     });
     let verdict = verdict.map_or(String::new(), |(tone, words)| {
         format!("{}: ", screen.toned(tone, &words))

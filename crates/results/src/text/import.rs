@@ -1,4 +1,4 @@
-//! What was understood of a file, as text.
+//! The understood content of a file, as text.
 
 use crate::layout::{Column, Screen, Table};
 use gearlash_files::characters::line;
@@ -18,11 +18,11 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
         text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
     }
     let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
-    // Not folded: it is to be copied.
+    // Not folded, because users copy it.
     text + "\n" + &imported.toml
 }
 
-/// Its name, where it stands, and what was left out.
+/// The name and place of a table, and the parts that were left out.
 fn origin(table: &ImportedTable) -> String {
     let sheet = table
         .sheet
@@ -62,7 +62,7 @@ fn values(table: &ImportedTable) -> Table {
     for row in 0..table.rows() {
         let cell = |value: Option<&Value>| match value {
             Some(Value::Whole(tooth)) => tooth.to_string(),
-            // A nanometre's thousandth; no sign of a zero.
+            // Rounded to a thousandth of a nanometre, without the sign of zero.
             Some(Value::Number(number)) => rounded(*number, 6).to_string(),
             Some(Value::Word(word)) => (*word).to_owned(),
             Some(Value::None) | None => String::new(),

@@ -1,4 +1,4 @@
-//! A rig's measurements beside the bands they should lie in.
+//! Measurements of a rig, compared with their bands.
 
 use crate::column::{Columns, Row, Shown, Value, columns};
 use crate::layout::{self, Screen};
@@ -10,10 +10,10 @@ use gearlash_files::numbers::{backlash_ascii, stated_distance};
 use std::fmt::Write;
 use std::sync::LazyLock;
 
-/// A mating that was measured.
+/// A measured mating.
 struct MeasuredRow {
     mating: MeasuredMating,
-    /// The band that the measured values are set against.
+    /// The band that the measured values are compared with.
     beside: Option<Band>,
     unit: BacklashUnit,
     /// Whether the band with bearing clearance is a column.
@@ -31,7 +31,7 @@ impl MeasuredRow {
         ends.map_or(Value::Null, Value::Band)
     }
 
-    /// A measured value, and whether it lies above or below its band.
+    /// A measured value, with a mark above or below its band.
     fn marked(&self, um: f64) -> String {
         let mark = match self.beside.map_or(0, |band| band.side_of(um)) {
             0 => ' ',
@@ -67,7 +67,7 @@ impl Row for MeasuredRow {
     }
 }
 
-/// The measured matings for a page, set against the simulated bands.
+/// The measured matings for a page, compared with the simulated bands.
 pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<Shown> {
     let row = |mating: &MeasuredMating| MeasuredRow {
         beside: mating.simulated,
@@ -79,7 +79,7 @@ pub fn measured_shown(study: &Study, measured: &[MeasuredMating]) -> Vec<Shown> 
     MeasuredRow::columns().shown(&rows, MeasuredRow::center_distance, BacklashUnit::Um)
 }
 
-/// The measured matings for a terminal, set against the printed bands.
+/// The measured matings for a terminal, compared with the printed bands.
 pub fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
     let row = |mating: &MeasuredMating| MeasuredRow {
         beside: Some(mating.printed),

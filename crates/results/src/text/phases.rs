@@ -1,4 +1,4 @@
-//! Assembly phases, and which teeth to mark together.
+//! Assembly phases, and the teeth to mark.
 
 use crate::layout::{Column, Screen, Table, where_it_is};
 use crate::unit;

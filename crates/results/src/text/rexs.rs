@@ -1,10 +1,10 @@
-//! What was understood of a REXS file, as text.
+//! The understood content of a REXS file, as text.
 
 use crate::layout::{Column, Screen, Table};
 use gearlash_files::characters::plain;
 use gearlash_files::rexs::{RexsFile, RexsPair};
 
-/// The stages of the file called `name` and what each became, and what was left out.
+/// The stages of the file called `name` with their results, and the parts that were left out.
 pub fn text(name: &str, file: &RexsFile, screen: &Screen) -> String {
     let mut stages = Table::new([
         Column::new("stage"),
@@ -47,7 +47,7 @@ pub fn text(name: &str, file: &RexsFile, screen: &Screen) -> String {
     screen.fold(&text)
 }
 
-/// What the pair file of a stage takes from the file and what it does not.
+/// The used and unused data of a stage.
 pub fn pair(pair: &RexsPair, screen: &Screen) -> String {
     let mut text = String::new();
     for (component, ids) in &pair.unused {

@@ -19,7 +19,7 @@ use gearlash::gear::Hand;
 use gearlash::pair::{BacklashUnit, Member};
 use gearlash_files::numbers::{stated_distance, trimmed};
 
-/// The text `simulate` prints on `screen`, backlash in `unit`.
+/// The text that `simulate` prints on `screen`, backlash in `unit`.
 pub fn simulation(
     study: &Study,
     verdict: &Verdict,
@@ -62,7 +62,7 @@ pub fn simulation(
     screen.fold(&text)
 }
 
-/// Of helical gears: which section each of their data is of, and over which face the result holds.
+/// A note on helical gears: the section of each value, and the face of the result.
 fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
     let helical = |run: &RunTally| Some(run.assembly.data()?.gear(Member::Wheel).gear().clone());
     let wheel = runs.iter().find(|run| run.assembly.is_helical());
@@ -82,11 +82,12 @@ fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
     ))
 }
 
-/// What the rows below are of, where it could be taken for the whole cycle.
+/// A note on the poses of the rows below, where they could be mistaken for the whole cycle.
 fn listed(study: &Study) -> String {
-    let of = match study.sweeps() {
-        true => "Of the poses swept",
-        false => "Of the listed poses",
+    let of = if study.sweeps() {
+        "Of the poses swept"
+    } else {
+        "Of the listed poses"
     };
     format!("{of} (the verdict above is of the whole mesh cycle):\n")
 }
@@ -130,10 +131,10 @@ fn off_line_note(runs: &[RunTally]) -> String {
     text
 }
 
-/// Poses up to this many are listed one by one (tuned: a screen).
+/// Most poses that are listed individually (tuned: a screen).
 const MOST_NAMED: usize = 10;
 
-/// How many poses of `runs` are not proven, and the first of them, each on a line; nothing where all are proven.
+/// The number of unproven poses of `runs`, and the first of them, one per line; empty where all are proven.
 fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
     let poses: usize = runs.iter().map(|run| run.poses).sum();
     let count: usize = runs.iter().map(|run| run.unproven).sum();

@@ -5,7 +5,7 @@ use crate::verdict::VerdictLines;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash_files::characters::plain;
 
-/// The title, and below it the verdict, its first line coloured on a terminal.
+/// The title, and below it the verdict; its first line is coloured on a terminal.
 pub(crate) fn heading(title: &str, lines: &VerdictLines, screen: &Screen) -> String {
     let tone = match lines.state {
         Verdict::Pass => Tone::Good,

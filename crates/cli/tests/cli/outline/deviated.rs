@@ -130,9 +130,10 @@ pub fn beside_fillet([x, y]: Point) -> f64 {
     let (mut low, mut high) = (near - 5e-3, near + 5e-3);
     while high - low > 1e-9 {
         let third = (high - low) / 3.0;
-        match distance(low + third) < distance(high - third) {
-            true => high -= third,
-            false => low += third,
+        if distance(low + third) < distance(high - third) {
+            high -= third
+        } else {
+            low += third
         }
     }
     (distance(low) - 0.38 * MODULE).abs()

@@ -51,9 +51,10 @@ pub fn read(data: &str, map: &Affine) -> Result<Vec<Path>, String> {
 impl Pen<'_> {
     /// The point of a command.
     fn to(&self, abs: bool, x: f64, y: f64) -> Point2<f64> {
-        match abs {
-            true => Point2::new(x, y),
-            false => self.at + Vector2::new(x, y),
+        if abs {
+            Point2::new(x, y)
+        } else {
+            self.at + Vector2::new(x, y)
         }
     }
 
@@ -179,9 +180,10 @@ impl Pen<'_> {
         // From the middle of the chord to the centre.
         let middle = Vector2::new(chord.y, -chord.x) / chord.norm() * (side * away);
         let [from, to] = [-chord - middle, chord - middle].map(|ray| ray.y.atan2(ray.x));
-        let sweep = match growing {
-            true => (to - from).rem_euclid(TAU),
-            false => -(from - to).rem_euclid(TAU),
+        let sweep = if growing {
+            (to - from).rem_euclid(TAU)
+        } else {
+            -(from - to).rem_euclid(TAU)
         };
         let centre = self.at + half + turned * Vector2::new(middle.x * rx, middle.y * ry);
         let axes = [Vector2::new(rx, 0.0), Vector2::new(0.0, ry)];

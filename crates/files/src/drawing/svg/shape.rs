@@ -94,20 +94,22 @@ fn rectangle(node: Node) -> Result<Data, String> {
     }
     let (x, y) = (or_zero(node, "x")?, or_zero(node, "y")?);
     let (width, height) = (needed(node, "width")?, needed(node, "height")?);
-    match width > 0.0 && height > 0.0 {
-        true => Ok(Data::Path(format!(
+    if width > 0.0 && height > 0.0 {
+        Ok(Data::Path(format!(
             "M {x},{y} h {width} v {height} h {} Z",
             -width
-        ))),
-        false => Err("width or height is not above 0".to_owned()),
+        )))
+    } else {
+        Err("width or height is not above 0".to_owned())
     }
 }
 
 fn round(node: Node, names: [&str; 2]) -> Result<Data, String> {
     let centre = [or_zero(node, "cx")?, or_zero(node, "cy")?];
     let radii = [needed(node, names[0])?, needed(node, names[1])?];
-    match radii.iter().all(|&radius| radius > 0.0) {
-        true => Ok(Data::Round(centre, radii)),
-        false => Err(format!("{} is not above 0", names.join(" or "))),
+    if radii.iter().all(|&radius| radius > 0.0) {
+        Ok(Data::Round(centre, radii))
+    } else {
+        Err(format!("{} is not above 0", names.join(" or ")))
     }
 }

@@ -26,7 +26,7 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
-    /// Centre distance a, mm; with measured and no sweep its rows give it.
+    /// Centre distance a, mm; with measured and no sweep its rows decide.
     #[serde(default = "of_rows", alias = "centre_distance_mm")]
     pub center_distance_mm: CenterDistanceSpec,
     /// The gear that stands still, "wheel" or "pinion"; the other is turned.

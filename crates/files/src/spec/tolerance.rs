@@ -27,7 +27,7 @@ pub struct ToleranceSpec {
     /// Rows of the samples for the contributions; 0: no contributions.
     #[schemars(transform = whole(0, 10_000_000))]
     pub contribution_rows: u32,
-    /// Difference of the centre distance from the stated one.
+    /// Amount by which the centre distance is greater than stated.
     pub center_distance: Option<ScatterSpec>,
     /// Radial play of both bearings together, in place of the assembly's.
     pub bearing_play: Option<ScatterSpec>,
@@ -77,13 +77,13 @@ pub enum PhaseName {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = gear_keys)]
 pub struct GearToleranceSpec {
-    /// Difference of all teeth from the stated thickness (the middle of a band), at the reference circle.
+    /// Amount by which all teeth are thicker than stated (than the middle of a band), at the reference circle.
     pub thickness: Option<ScatterSpec>,
     /// Runout F_r in place of the gear's; its direction is any.
     pub runout: Option<ScatterSpec>,
     /// Single pitch deviations of every tooth, on top of the gear's.
     pub pitch: Option<PitchScatterSpec>,
-    /// Thickness of each tooth, on top of the gear's.
+    /// Amount by which each tooth is thicker, on top of the gear's.
     pub per_tooth: Option<ScatterSpec>,
     /// Measured gears, one of which is drawn: gear files or pair files, by name; * stands for any letters of a file's name.
     #[serde(default, deserialize_with = "names")]

@@ -1,24 +1,24 @@
-//! What the two methods come to at many poses.
+//! Agreement of the two methods over many poses.
 
 use super::pose_result::{PolygonDifference, PoseResult};
 
-/// How far both methods agree at some poses. Whether one of them is off is judged pose by pose, by what is allowed there:
-/// such a pose is [`super::Unproven`].
+/// Agreement of both methods over some poses. Each pose is judged by its own allowance; one that exceeds it is
+/// [`super::Unproven`].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MethodAgreement {
-    /// Poses at which both have a value, or end alike.
+    /// Poses at which both methods have a value or the same status.
     pub compared: usize,
-    /// Of these the largest amount of `j_wt` on polygons minus the exact one, mm.
+    /// Largest amount among them of `j_wt` on polygons minus the exact one, mm.
     pub largest: f64,
-    /// At how many of these it is more than is allowed there.
+    /// How many of them exceed their allowance.
     pub beyond: usize,
-    /// At how many poses only one method has a contact, or they end differently.
+    /// Poses at which only one method has a contact, or the status differs.
     pub one_alone: usize,
 }
 
 impl MethodAgreement {
-    /// Takes the next pose in; one that was asked of one method alone changes nothing.
+    /// Adds the next pose. A pose of one method alone changes nothing.
     pub fn add(&mut self, pose: &PoseResult) {
         match pose.polygon_difference {
             None => {}
@@ -31,14 +31,14 @@ impl MethodAgreement {
         }
     }
 
-    /// Of `poses`.
+    /// The agreement over `poses`.
     pub fn of<'a>(poses: impl IntoIterator<Item = &'a PoseResult>) -> MethodAgreement {
         let mut of = MethodAgreement::default();
         poses.into_iter().for_each(|pose| of.add(pose));
         of
     }
 
-    /// Of these poses and `others`.
+    /// The agreement over these poses and `others`.
     pub fn and(self, others: MethodAgreement) -> MethodAgreement {
         MethodAgreement {
             compared: self.compared + others.compared,
@@ -48,7 +48,7 @@ impl MethodAgreement {
         }
     }
 
-    /// Whether no pose was asked of both methods, or neither found a contact at any.
+    /// Whether no pose had both methods, or neither found a contact at any.
     pub fn is_empty(&self) -> bool {
         self.compared + self.one_alone == 0
     }

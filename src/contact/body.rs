@@ -1,28 +1,28 @@
-//! Teeth in the solid body of the mate: a pose that no rotation of the free gear frees, whatever touches first.
+//! Teeth in the solid body of the mate: a pose that no rotation of the free gear can free.
 //!
-//! Below its root circle a gear is solid, and its shaft stands in its axis. Two things are enough each of an overlap, and need no
-//! contact:
+//! Below its root circle a gear is solid, and its axis is a shaft. Either of two conditions suffices for an overlap,
+//! without any contact:
 //!
-//! 1. a tip land of the locked gear comes nearer to the free axis than `r_f − e`, `e` the free gear's eccentricity:
-//!    there is metal at every rotation;
-//! 2. the locked gear's root circle, seen from the free outline's centre, is wider on a circle of that outline than the free gear's
-//!    widest space there: a free tooth stands in it at every rotation.
+//! 1. A tip land of the locked gear is nearer to the free axis than `r_f − e`, with the free gear's eccentricity `e`. There
+//!    is metal at every rotation.
+//! 2. Seen from the centre of the free outline, on one circle of that outline, the locked gear's root circle is wider than
+//!    the free gear's widest space. A free tooth is in it at every rotation.
 //!
-//! And where a tip circle reaches over the mate's axis, as it may with three or four long teeth whose root circle is next to
-//! nothing, no pose of the pair can be assembled ([`reaches_over_an_axis`]).
+//! A tip circle can also reach over the mate's axis, with three or four long teeth and a very small root circle. Then
+//! no pose of the pair can be assembled ([`reaches_over_an_axis`]).
 //!
-//! For 2, the circle of radius `ρ` about a centre `d` away lies within the disc of radius `r_f` over
-//! `2 acos((d² + ρ² − r_f²)/(2 d ρ))`, at most where `ρ² = d² − r_f²`; between form and tip circle a tooth is at least as wide,
-//! in angle, as its tip land.
+//! For condition 2, the circle of radius `ρ` about a centre `d` away is inside the disc of radius `r_f` over `2
+//! acos((d² + ρ² − r_f²)/(2 d ρ))`. This is greatest at `ρ² = d² − r_f²`. Between form and tip circle a tooth is at
+//! least as wide, in angle, as its tip land.
 //!
-//! Where none holds a pose may still be jammed: what touches then says so ([`super::LostMotion::status`]).
+//! Without these conditions a pose can still be jammed; its contacts show that ([`super::LostMotion::status`]).
 
 use crate::gear::{AsBuilt, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use std::f64::consts::PI;
 
-/// Whether teeth of one gear reach to where the mate's outline has its centre, and its shaft stands: all poses are jammed. What
-/// turned there would meet teeth from all sides, and no pair of them would come first.
+/// Whether teeth of one gear reach the centre of the mate's outline, where its shaft is. Then all poses are jammed: a
+/// turning gear would meet teeth from all sides, and no pair of them would be first.
 pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
     Member::BOTH.into_iter().any(|member| {
         let (gear, mate) = (assembly.gear(member), assembly.gear(member.mate()));
@@ -30,11 +30,12 @@ pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
     })
 }
 
-/// Whether a free flank may touch a locked tooth's far flank: the flank of the tooth it faces that it does not face.
+/// Whether a free flank can touch the far flank of the locked tooth that it faces.
 ///
-/// Only gears of three or four teeth do. Both base circles then lie on one side of the contact normal, which is their outer tangent. The flanks'
-/// lengths along it, `T = r_b ξ`, have the sum `√(B² − (r_b1 − r_b2)²)`, with `B` the distance of both outlines' centres. No flank has more than at
-/// its tip. A free gear's far flank is never met first: a force on it turns the gear the other way.
+/// Only gears of three or four teeth can. Both base circles then lie on one side of the contact normal, which is their
+/// outer tangent. The lengths of the flanks along it, `T = r_b ξ`, have the sum `√(B² − (r_b1 − r_b2)²)`, where `B` is
+/// the distance of the outlines' centres. A flank is longest at its tip. A free gear's far flank is never met first,
+/// because a force on it turns the gear the other way.
 pub(super) fn may_meet_far_flanks(assembly: &GearPair) -> bool {
     let gears = Member::BOTH.map(|member| assembly.gear(member));
     let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
@@ -45,7 +46,7 @@ pub(super) fn may_meet_far_flanks(assembly: &GearPair) -> bool {
     (tips[0] + tips[1]).powi(2) >= nearest * nearest - between * between
 }
 
-/// Whether there may be a pose of which [`is_solid`] is true: nearly never.
+/// Whether [`is_solid`] can be true at some pose, which is rare.
 pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
     let locked = assembly.gear(assembly.locked());
     let free = assembly.gear(assembly.free());
@@ -59,7 +60,7 @@ pub(super) fn solid_radius(gear: &AsBuilt) -> f64 {
     gear.gear().root_radius() - gear.eccentricity()
 }
 
-/// Whether teeth of one gear stand in the body of the other at every rotation of the free gear.
+/// Whether teeth of one gear are in the body of the other at every rotation of the free gear.
 pub(super) fn is_solid(assembly: &GearPair, pose: &Pose) -> bool {
     let locked = assembly.gear(assembly.locked());
     let free = assembly.gear(assembly.free());
@@ -100,8 +101,8 @@ fn land_distance(placed: &Placed, tooth: u32, point: nalgebra::Point2<f64>) -> f
     (d * d + tip * tip - 2.0 * d * tip * off.cos()).sqrt()
 }
 
-/// Angle of the widest arc about the free outline's centre, between its form and tip circle, that lies within the locked root
-/// circle of radius `root`, its centre `distance` away.
+/// Angle of the widest arc about the centre of the free outline, between its form and tip circle, inside the locked
+/// root circle of radius `root` at `distance`.
 fn seen(distance: f64, root: f64, free: &AsBuilt) -> f64 {
     let gear = free.gear();
     if !(distance > root) {
@@ -133,7 +134,7 @@ mod tests {
     use crate::pair::Mating;
     use nalgebra::{Point2, Vector2};
 
-    /// Module 3, 20 teeth, every tooth of its own thickness.
+    /// Module 3, 20 teeth, each tooth with a different thickness.
     fn gear(face: Face, tip_diameter: Option<f64>, eccentricity: f64) -> AsBuilt {
         let design = GearDesign {
             basic_data: BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap(),
@@ -155,7 +156,7 @@ mod tests {
         Vector2::new(angle.cos(), angle.sin())
     }
 
-    /// Where the free outline's centre may stand.
+    /// Possible positions of the free outline's centre.
     fn free_centres(assembly: &GearPair) -> impl Iterator<Item = Point2<f64>> + Clone {
         let (axis, off) = (
             assembly.axis(assembly.free()),
@@ -164,8 +165,8 @@ mod tests {
         (0..120).map(move |k| axis + off * towards(f64::from(k) * PI / 60.0))
     }
 
-    /// How deep in the free root circle some point of a locked land stands wherever that circle turns to; negative where the best
-    /// point comes out of it, by so much. Dense points of all lands, no case told apart.
+    /// Depth of the deepest point of a locked land inside the free root circle, for any turn of that circle. Negative
+    /// if that point is outside. Source: dense points of all lands, without special cases.
     fn land_in_root(assembly: &GearPair, placed: &Placed) -> f64 {
         let locked = placed.as_built();
         let tip = locked.gear().tip_radius();
@@ -188,8 +189,9 @@ mod tests {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// By how much, in angle, the locked root circle takes more of a circle between the free form and tip circle than its widest
-    /// space, wherever the free gear turns to. Circles are walked from the direction of the locked centre until out of the root circle.
+    /// Excess angle of the locked root circle over the widest space, on circles between the free form and tip circle,
+    /// for any turn of the free gear. Source: a walk along the circles from the direction of the locked centre until
+    /// outside the root circle.
     fn space_filled(assembly: &GearPair, placed: &Placed) -> f64 {
         let (root, free) = (
             placed.as_built().gear().root_radius(),
@@ -233,15 +235,15 @@ mod tests {
         seen - space
     }
 
-    /// Teeth are in the mate's body exactly where points of theirs are at every rotation, and such a pose is jammed by both methods.
-    /// Source: points of the lands and of the root circle, walked; ±1e-3 mm or rad, where walking decides nothing, is left out.
+    /// Teeth are in the mate's body exactly if some of their points are at every rotation, and both methods find such a
+    /// pose jammed. Source: points of the lands and of the root circle; cases within ±1e-3 mm or rad are omitted.
     #[test]
-    fn teeth_in_the_body_are_those_whose_points_are() {
+    fn teeth_are_in_the_body_if_their_points_are() {
         let mut met = [0; 3];
         for (tips, off, distances) in [
             ([None; 2], [0.0, 0.0], [58.5, 58.9, 59.15, 59.3]),
             ([None; 2], [0.3, 0.5], [58.3, 58.6, 58.9, 59.2]),
-            // The pinion's long teeth find a space filled that the wheel's short ones do not reach the bottom of.
+            // The pinion's long teeth fill a space whose bottom the wheel's short teeth do not reach.
             (
                 [Some(61.0), Some(67.5)],
                 [0.4, 0.2],
@@ -305,8 +307,8 @@ mod tests {
         assert!(met.iter().all(|&count| count >= 30), "{met:?}");
     }
 
-    /// Outlines that are off their axes by `e_1` and `e_2` come nearest at `a − e_1 − e_2`: a tip circle of that radius just reaches
-    /// the mate's centre.
+    /// Outlines that are off their axes by `e_1` and `e_2` have the least distance `a − e_1 − e_2`. A tip circle of
+    /// that radius just reaches the mate's centre.
     #[test]
     fn an_axis_is_reached_over_by_both_eccentricities() {
         let built = |teeth, face, tip_diameter, eccentricity| {

@@ -1,7 +1,7 @@
-//! Polygons of a helical pair, section by section.
+//! The polygon method for a helical pair, section by section.
 //!
-//! A witness beside [`super::ExactKernel`]: in the sections that hold the tightest of all pairs of involutes, and in those in which a contact or a
-//! jam was found. (A tip may stand in the mate's body over a short stretch between them, where nothing touches first.)
+//! It checks [`super::ExactKernel`] in the sections that hold the tightest of all pairs of involutes, and in those with
+//! a contact or a jam. (Between them a tip can be in the mate's body over a short stretch where nothing touches first.)
 
 use super::effort::Effort;
 use super::lost_motion::{Contact, LostMotion, Status};
@@ -11,23 +11,23 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose};
 
-/// What a section takes beside its polygons, in units of effort (tuned: some 0.5 µs).
+/// Effort of a section besides its polygons, in units (tuned: about 0.5 µs).
 const SECTION: u64 = 2;
 
 /// A helical pair, its gears cut into polygons.
 pub(super) struct Sections<'a> {
     pub assembly: &'a GearPair,
     pub cut: [&'a CutGear; 2],
-    /// Where along the face, mm.
+    /// Places along the face, mm.
     pub places: Vec<f64>,
 }
 
 impl Sections<'_> {
-    /// Both contacts at `pose` by the polygon method, with what `effort` allows for all sections; `found` is what another method found, whose
-    /// sections are looked at, too.
+    /// Both contacts at `pose` by the polygon method, within the budget `effort` for all sections. It also examines the
+    /// sections of `found`, the result of another method.
     ///
     /// # Errors
-    /// As the polygon method.
+    /// Those of the polygon method.
     pub fn lost_motion(
         &self,
         pose: &Pose,
@@ -52,7 +52,7 @@ impl Sections<'_> {
         Ok(over.found(pose.free_rotation(), pitch).lost_motion)
     }
 
-    /// Both contacts in the section at `b`, mm, at the pose that `pose` is there.
+    /// Both contacts in the section at `b`, mm, at that section's pose of `pose`.
     fn in_section(
         &self,
         pose: &Pose,
@@ -68,11 +68,11 @@ impl Sections<'_> {
         Ok((here, found))
     }
 
-    /// Bears out both contacts of `found`: each touches in its section, and all other sections are clear. Of a jammed pose it is enough that one
-    /// jams by itself, and where `found` says so of one, that one must.
+    /// Confirms both contacts of `found`: each touches in its section, and all other sections are clear. For a jammed
+    /// pose it is enough that one section jams. If `found` reports a jammed section, that section must jam.
     ///
     /// # Errors
-    /// As [`Certifier::check`].
+    /// Those of [`Certifier::check`].
     pub fn check(&self, pose: &Pose, found: &FoundOverFace, effort: &Effort) -> Result<(), Error> {
         let lost_motion = &found.lost_motion;
         if lost_motion.status() == Status::Jammed {
@@ -84,7 +84,7 @@ impl Sections<'_> {
         if let Some(b) = found.jam.filter(|_| lost_motion.solid) {
             let section = self.assembly.section(b);
             let (here, own) = self.in_section(pose, b, effort)?;
-            // What is known of the overlap may not be its sign.
+            // The sign of the overlap may be uncertain.
             let is_open = own.angle().zip(own.error());
             if is_open.is_none_or(|(angle, bound)| angle.abs() > bound) {
                 let [wheel, pinion] = self.cut;
@@ -105,7 +105,7 @@ impl Sections<'_> {
                 let [wheel, pinion] = self.cut;
                 let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
                 effort.spend(SECTION);
-                // As far from the nominal rotation there as here.
+                // The distance from the nominal rotation there is the same as here.
                 let turned = here.free_rotation() - pose.free_rotation();
                 let contact = contact.map(|contact| Contact {
                     rotation: contact.rotation + turned,
@@ -130,7 +130,8 @@ mod tests {
     use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Hand};
     use crate::pair::Mating;
 
-    /// All sections of a face share one effort: where it is spent neither method nor certificate says anything, and both say why.
+    /// All sections of a face share one budget. If it is spent, neither method nor certificate has a result, and both
+    /// report why.
     #[test]
     fn polygons_of_a_wide_face_end_by_the_effort_of_a_pose() {
         let gear = |hand, face| {

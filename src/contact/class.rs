@@ -1,18 +1,17 @@
-//! What kind of contact a contact is: on the line of action, or what met what beside it.
+//! The class of a contact: on the line of action, or the parts that meet off it.
 //!
-//! The formulas know involutes that touch on the line of action. Everything else has a name here, in
-//! order of how much it means: a tip corner on a flank comes with any deviation near hand-over, a
-//! fillet or a root must not be touched at all.
+//! The formulas cover only involutes on the line of action. Every other contact has a kind, in order of severity. A tip
+//! corner on a flank comes with any deviation near hand-over; a contact on a fillet or a root must not happen at all.
 
 use super::lost_motion::{Contact, LostMotion, Status, Touch};
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
 
-/// A contact this near to the form circle of an undercut flank, mm, is its edge's: the width within
-/// which results name a tip corner, too.
+/// Distance from the form circle of an undercut flank, mm, within which a contact is on its edge. Results use the same
+/// width for tip corners.
 const EDGE_MM: f64 = 1e-7;
 
-/// The curves that meet, in order of gravity.
+/// The curves that meet, in order of severity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -45,7 +44,7 @@ impl ContactKind {
         ContactKind::Root,
     ];
 
-    /// The name results use.
+    /// Its name in results.
     pub fn name(self) -> &'static str {
         match self {
             ContactKind::Involute => "involute-involute",
@@ -58,13 +57,13 @@ impl ContactKind {
         }
     }
 
-    /// Whether it reaches below an involute: what K (8) is to exclude.
+    /// Whether the contact is below an involute, which K (8) excludes.
     pub fn is_non_involute(self) -> bool {
         self >= ContactKind::Edge
     }
 }
 
-/// When in the mesh of its teeth a tip corner touches, the gears turning as in a sweep.
+/// The time in the mesh of its teeth at which a tip corner touches, with the gears turning as in a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -84,11 +83,11 @@ impl Moment {
         }
     }
 
-    /// When the tip of `member` touches in `side` contact.
+    /// The time at which the tip of `member` touches in `side` contact.
     ///
-    /// A right flank faces clockwise. Turning counter-clockwise its gear is pushed
-    /// by the mate and comes into mesh tip first; turning clockwise it pushes, and its tip is the last to leave.
-    /// In a sweep the locked gear turns so that ascending teeth come into mesh, against the sense in which they ascend.
+    /// A right flank faces clockwise. If its gear turns counter-clockwise, the mate pushes it, and it comes into mesh
+    /// tip first. If it turns clockwise, it pushes, and its tip leaves last. In a sweep the locked gear turns so that
+    /// ascending teeth come into mesh, against their direction of ascent.
     pub fn of(assembly: &GearPair, side: Side, member: Member) -> Moment {
         let locked = -assembly.gear(assembly.locked()).face().ascending();
         let sense = if member == assembly.locked() {
@@ -108,11 +107,11 @@ impl Moment {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactClass {
-    /// What meets.
+    /// The kind of the contact.
     pub kind: ContactKind,
-    /// The gear whose tip touches, where just one does.
+    /// The gear whose tip touches, if exactly one does.
     pub tip: Option<Member>,
-    /// When that tip touches; known of a tip alone.
+    /// When that tip touches; only known for a single tip.
     pub moment: Option<Moment>,
 }
 
@@ -159,7 +158,7 @@ impl ContactClass {
     }
 }
 
-/// Whether a touch is of the edge between fillet and involute, which only undercut leaves.
+/// Whether the edge between fillet and involute touches, which only undercut leaves.
 fn is_edge(assembly: &GearPair, member: Member, touch: &Touch) -> bool {
     let gear = assembly.gear(member).gear();
     gear.is_undercut()
@@ -167,18 +166,18 @@ fn is_edge(assembly: &GearPair, member: Member, touch: &Touch) -> bool {
         && touch.radius <= gear.form_radius() + EDGE_MM
 }
 
-/// The class of a pose: the graver of its two contacts, or why it has none.
+/// The class of a pose: the more severe of its two contacts, or the reason why it has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum PoseClass {
     /// Out of mesh.
     NoContact,
-    /// Both sides touch; this is the graver contact.
+    /// Both sides touch; this is the more severe contact.
     Contact(ContactKind),
-    /// A tip sits in a root.
+    /// A tip is in a root.
     Jammed,
-    /// Nothing vouches for what was found; see [`super::Unproven`].
+    /// Not proven; see [`super::Unproven`].
     Unproven,
 }
 
@@ -200,7 +199,7 @@ impl PoseClass {
         }
     }
 
-    /// The name results use: the kind's, `jammed`, `no-contact` or `unproven`.
+    /// Its name in results: that of the kind, `jammed`, `no-contact` or `unproven`.
     pub fn name(self) -> &'static str {
         match self {
             PoseClass::NoContact => "no-contact",
@@ -210,7 +209,7 @@ impl PoseClass {
         }
     }
 
-    /// Whether something below an involute is touched.
+    /// Whether a contact is below an involute.
     pub fn is_non_involute(self) -> bool {
         match self {
             PoseClass::NoContact | PoseClass::Unproven => false,

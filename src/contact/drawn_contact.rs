@@ -1,4 +1,4 @@
-//! The two points of a contact, where the gears stand in a picture.
+//! The two points of a contact at the gears' positions in a picture.
 
 use super::{Contact, ToothPlace, Touch};
 use crate::gear::Side;
@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 /// The two points of a contact, apart unless the gears are drawn in that contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawnContact {
-    /// The flanks that meet.
+    /// The flanks that touch.
     pub side: Side,
     /// The contact they meet in.
     pub contact: Contact,

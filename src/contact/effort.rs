@@ -1,15 +1,16 @@
-//! Work, counted: so a search that is cut short ends at the same place on any machine and on any number of threads.
+//! Counted work. An interrupted search ends at the same place on any machine and with any number of threads.
 //!
-//! A unit is a node of the branch and bound over pairs of curves ([`super::gap`]), some 0.3 µs. What else takes time counts as many units as it takes
-//! nodes' time.
+//! The unit is a node of the branch and bound over pairs of curves ([`super::gap`]), about 0.3 µs. Other work counts as
+//! the number of nodes that take as long.
 
 use crate::pair::GearPair;
 use std::cell::Cell;
 
-/// Of one pose (tuned): below 0.1 s where the costliest units take up to 0.6 µs, those of helical pairs on a busy machine.
+/// Budget of one pose (tuned): under 0.1 s, since the most expensive units take up to 0.6 µs for helical pairs on a
+/// busy machine.
 const OF_POSE: u64 = 150_000;
 
-/// What a search may still do.
+/// The remaining budget of a search.
 #[derive(Debug)]
 pub(crate) struct Effort {
     most: u64,
@@ -17,7 +18,7 @@ pub(crate) struct Effort {
 }
 
 impl Effort {
-    /// So many units.
+    /// A budget of `most` units.
     pub fn new(most: u64) -> Effort {
         Effort {
             most,
@@ -25,13 +26,14 @@ impl Effort {
         }
     }
 
-    /// Of one pose, by all methods it is found and checked by, over all sections of a face.
+    /// The budget of one pose, for all methods that find and check it in all sections of a face.
     pub fn of_pose() -> Effort {
         Effort::new(OF_POSE)
     }
 
-    /// Of the extremes of a pair over one mesh cycle, with the distance up to which it is in mesh, and of helical pairs that from which it
-    /// assembles (tuned: some 2 s of spur pairs, 5 to 10 s of helical ones).
+    /// The budget of the extremes of a pair over one mesh cycle. It includes the distance up to which the pair is in
+    /// mesh, and for helical pairs the distance from which it assembles (tuned: about 2 s for spur pairs, 5 to 10 s for
+    /// helical ones).
     pub fn of_extremes(assembly: &GearPair) -> Effort {
         Effort::new(if assembly.is_helical() {
             9_000_000
@@ -40,17 +42,17 @@ impl Effort {
         })
     }
 
-    /// Of what is left, one part in `parts`; what is used of it has still to be spent of the whole.
+    /// One part in `parts` of the remaining budget. The caller must charge its use to the whole.
     pub fn part(&self, parts: u64) -> Effort {
         Effort::new(self.left() / parts)
     }
 
-    /// Without end: to check others by.
+    /// An unlimited budget, for reference methods.
     pub fn endless() -> Effort {
         Effort::new(u64::MAX)
     }
 
-    /// Takes `units`, or all that is left.
+    /// Subtracts `units`, or all that is left.
     pub fn spend(&self, units: u64) {
         self.left.set(self.left().saturating_sub(units));
     }
@@ -63,7 +65,7 @@ impl Effort {
         self.most - self.left()
     }
 
-    /// Whether so little is left that another search would find nothing more: a hundredth.
+    /// Whether less than a hundredth is left, too little for another search to find more.
     pub fn is_nearly_spent(&self) -> bool {
         self.left() <= self.most / 100
     }
@@ -77,9 +79,9 @@ impl Effort {
 mod tests {
     use super::Effort;
 
-    /// What is used of a part is not taken twice, and nothing falls below none.
+    /// The use of a part is not charged twice, and the budget never falls below zero.
     #[test]
-    fn effort_ends_at_none() {
+    fn effort_ends_at_zero() {
         let whole = Effort::new(100);
         let part = whole.part(4);
         part.spend(20);

@@ -1,24 +1,24 @@
-//! Deviations made large enough to see: each gear with its deviations multiplied, beside the perfect one.
+//! Gears with multiplied deviations, large enough to see, beside the perfect ones.
 //!
-//! A picture only. The gears stand at a pose's nominal rotations; their outlines are not in contact.
+//! For pictures only. The gears are at a pose's nominal rotations, and their outlines are not in contact.
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, HalfTooth, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::Point2;
 
-/// What was measured on one gear. Lengths in mm.
+/// The measured deviations of one gear. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredOnGear {
-    /// Eccentricity `e`, and the tooth it points to.
+    /// Eccentricity `e`, and the tooth in its direction.
     pub eccentricity: (f64, f64),
-    /// Least and greatest place of any flank off the perfect gear's, along the reference circle, plus = more metal.
+    /// Least and greatest offset of any flank from the perfect gear, along the reference circle, plus = more metal.
     pub flanks: [f64; 2],
-    /// Least and greatest profile deviation of any flank, plus = more metal; `None` where the flanks are involutes.
+    /// Least and greatest profile deviation of any flank, plus = more metal; `None` for involutes.
     pub profile: Option<[f64; 2]>,
 }
 
-/// Both gears exaggerated, and as they should be.
+/// Both gears, exaggerated and perfect.
 #[derive(Debug, Clone)]
 pub struct Exaggeration<'a> {
     assembly: &'a GearPair,
@@ -45,7 +45,7 @@ impl<'a> Exaggeration<'a> {
         })
     }
 
-    /// How many times as large deviations are.
+    /// The factor of the deviations.
     pub fn factor(&self) -> f64 {
         self.factor
     }
@@ -59,8 +59,8 @@ impl<'a> Exaggeration<'a> {
             .map(|gear| Placed::new(gear, self.assembly.axis(member), tooth_1))
     }
 
-    /// The outline of a gear of [`Exaggeration::placed`] as [`Placed::outline_near`] has it, without the loops that
-    /// neighbouring fillets make where exaggeration lets them cross.
+    /// The outline of a gear of [`Exaggeration::placed`], as [`Placed::outline_near`], without the loops where
+    /// exaggerated neighbouring fillets cross.
     pub fn outline_near(
         placed: &Placed,
         place: Point2<f64>,
@@ -76,7 +76,7 @@ impl<'a> Exaggeration<'a> {
         without_loops(outline, half.points().len())
     }
 
-    /// What was found on one gear.
+    /// The measured deviations of one gear.
     pub fn found(&self, member: Member) -> MeasuredOnGear {
         let teeth = 1..=self.assembly.teeth(member);
         let places = teeth.flat_map(|tooth| self.flanks_of(member, tooth));
@@ -91,8 +91,8 @@ impl<'a> Exaggeration<'a> {
         }
     }
 
-    /// How far a tooth's right and left flank lie off their perfect places, mm along the reference
-    /// circle, plus = more metal.
+    /// Offsets of a tooth's right and left flank from their perfect places, mm along the reference circle, plus = more
+    /// metal.
     pub fn flanks_of(&self, member: Member, tooth: u32) -> [f64; 2] {
         let drawn = &self.drawn[usize::from(member == Member::Pinion)];
         let radius = drawn.gear().basic_data().reference_radius();
@@ -100,14 +100,14 @@ impl<'a> Exaggeration<'a> {
     }
 }
 
-/// Least and greatest profile deviation of `gear`, mm; `None` where its flanks are involutes.
+/// Least and greatest profile deviation of `gear`, mm; `None` for involutes.
 fn profile(gear: &AsBuilt) -> Option<[f64; 2]> {
     let all = Side::BOTH.iter().flat_map(|side| gear.deviations(*side));
     let both = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
     gear.is_modified().then(|| all.reduce(both))?
 }
 
-/// `points` without the loops of up to `longest` chords that an open line through them makes.
+/// `points` without the loops of up to `longest` chords in the open line through them.
 fn without_loops(points: Vec<Point2<f64>>, longest: usize) -> Vec<Point2<f64>> {
     let mut kept = Vec::with_capacity(points.len());
     let mut from = 0;
@@ -115,7 +115,7 @@ fn without_loops(points: Vec<Point2<f64>>, longest: usize) -> Vec<Point2<f64>> {
         kept.push(points[from]);
         let here = [points[from], points[from + 1]];
         let last = (from + longest).min(points.len() - 2);
-        // The far end first: the loop of a loop goes with it.
+        // The far end first: it removes the inner loops too.
         let crossing = (from + 2..=last)
             .rev()
             .find_map(|to| Some((to, crossing(here, [points[to], points[to + 1]])?)));
@@ -131,7 +131,7 @@ fn without_loops(points: Vec<Point2<f64>>, longest: usize) -> Vec<Point2<f64>> {
     kept
 }
 
-/// Where two segments cross, ends not counted.
+/// The intersection of two segments, excluding their ends.
 fn crossing(a: [Point2<f64>; 2], b: [Point2<f64>; 2]) -> Option<Point2<f64>> {
     let beside =
         |line: &[Point2<f64>; 2], point: Point2<f64>| (line[1] - line[0]).perp(&(point - line[0]));

@@ -1,4 +1,4 @@
-//! The result of one pose: right- and left-flank contact, and the lost motion between.
+//! The result of one pose: right- and left-flank contact, and the lost motion between them.
 
 use super::gap::C;
 use crate::gear::{ProfilePart, Side};
@@ -11,20 +11,20 @@ use std::f64::consts::{PI, TAU};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ToothPlace {
-    /// The tip corner or the tip land; of a drawn tooth the upper hundredth of its height.
+    /// The tip corner or the tip land; on a drawn tooth the upper hundredth of its height.
     Tip,
     /// The involute of a gear by its data.
     Involute,
     /// The fillet of a gear by its data.
     Fillet,
-    /// The root land; of a drawn tooth the lower hundredth of its height.
+    /// The root land; on a drawn tooth the lower hundredth of its height.
     Root,
-    /// A drawn tooth between tip and root.
+    /// The part of a drawn tooth between tip and root.
     Flank,
 }
 
 impl ToothPlace {
-    /// The name results use.
+    /// Its name in results.
     pub fn name(self) -> &'static str {
         match self.part() {
             Some(part) => part.name(),
@@ -37,7 +37,7 @@ impl ToothPlace {
         matches!(self, ToothPlace::Tip | ToothPlace::Root)
     }
 
-    /// The part of the profile of a gear by its data; `None` of a drawn flank.
+    /// The part of the profile of a gear by its data; `None` for a drawn flank.
     pub fn part(self) -> Option<ProfilePart> {
         match self {
             ToothPlace::Tip => Some(ProfilePart::Tip),
@@ -66,13 +66,13 @@ impl PartialEq<ProfilePart> for ToothPlace {
     }
 }
 
-/// What one gear brings to a contact.
+/// One gear's side of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Touch {
     /// Tooth number, `1..=z`.
     pub tooth: u32,
-    /// Where on the tooth.
+    /// Place on the tooth.
     pub curve: ToothPlace,
     /// Radius about the gear's own geometric centre, mm.
     pub radius: f64,
@@ -84,18 +84,18 @@ pub struct Touch {
 pub struct Contact {
     /// Rotation of the free gear at contact, rad, counted as in [`crate::pair::Pose`].
     pub rotation: f64,
-    /// The true rotation of the outlines lies within `rotation ± error`, rad. Of drawn outlines: rounding, what the search left out, and, to
-    /// first order, how far they may lie from what was drawn.
+    /// Error bound, rad: the true rotation of the outlines is within `rotation ± error`. For drawn outlines it consists
+    /// of rounding, the error of the search, and, to first order, the uncertainty of the drawing.
     pub error: f64,
-    /// The wheel's part.
+    /// The wheel's side.
     pub wheel: Touch,
-    /// The pinion's part.
+    /// The pinion's side.
     pub pinion: Touch,
     /// Point of contact in the picture frame, mm.
     pub point: Point2<f64>,
     /// Unit normal at the contact, out of the wheel's metal.
     pub normal: Vector2<f64>,
-    /// Where along the axes it is `b`, mm from the measuring plane away from the viewer; 0 of spur gears.
+    /// Its position `b` along the axes, mm from the measuring plane away from the viewer; 0 for spur gears.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_measuring_plane"))]
     pub section: f64,
 }
@@ -105,8 +105,8 @@ fn is_measuring_plane(section: &f64) -> bool {
     *section == 0.0
 }
 
-/// What a search found, in the frame of the exact method and of outlines: the free gear's axis at the origin, the locked one's at `(a, 0)`, the left
-/// side mirrored.
+/// The result of a search in the frame of the exact method and of outlines. The free gear's axis is at the origin and
+/// the locked one's at `(a, 0)`; the left side is mirrored.
 pub(super) struct Framed {
     pub side: Side,
     pub free: Member,
@@ -128,7 +128,7 @@ impl Framed {
             Side::Right => z,
             Side::Left => z.conj(),
         };
-        // The frame is the picture with a free wheel, the picture turned half round with a free pinion.
+        // With a free wheel the frame is the picture; with a free pinion it is the picture turned by half a turn.
         let (point, normal) = (mirror(self.point), -mirror(self.normal));
         let (wheel, pinion, point) = match self.free {
             Member::Pinion => (
@@ -150,26 +150,26 @@ impl Framed {
     }
 }
 
-/// What a lost motion says about the pair at this pose, or that nothing vouches for it.
+/// The state of the pair at a pose according to its lost motion, or unproven.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Status {
-    /// Lost motion ≥ 0: the free gear has room to turn.
+    /// Lost motion ≥ 0: the free gear can turn.
     Clear,
-    /// Lost motion < 0: the teeth overlap by that much, the pair cannot be assembled here.
+    /// Lost motion < 0: the teeth overlap by that amount, and the pair cannot be assembled here.
     Interference,
-    /// A tip sits in a root: no rotation of the free gear is free of overlap.
+    /// A tip is in a root: every rotation of the free gear overlaps.
     Jammed,
-    /// Out of mesh: nothing to touch on one side at least.
+    /// Out of mesh: at least one side has nothing to touch.
     NoContact,
-    /// Nothing vouches for what was found: a certificate failed, a contact was lost or two methods differ. Never of a
-    /// [`LostMotion`] itself.
+    /// Unproven: a certificate failed, a contact was lost or two methods differ. A [`LostMotion`] never has this
+    /// status.
     Unproven,
 }
 
 impl Status {
-    /// All, each at the place that is its number.
+    /// All, each at the index of its number.
     pub const ALL: [Status; 5] = [
         Status::Clear,
         Status::Interference,
@@ -178,7 +178,7 @@ impl Status {
         Status::Unproven,
     ];
 
-    /// The name results use.
+    /// Its name in results.
     pub const fn name(self) -> &'static str {
         match self {
             Status::Clear => "clear",
@@ -198,21 +198,23 @@ pub struct LostMotion {
     pub right: Option<Contact>,
     /// Limit of counter-clockwise rotation.
     pub left: Option<Contact>,
-    /// Whether no rotation of the free gear can free it, whatever touches: teeth stand in the solid body of the mate, or reach
-    /// over its axis, or overlap by a pitch or more, so that turning on only brings the next tooth into the place.
+    /// Whether no rotation can free the free gear, independent of the contacts. Teeth are in the solid body of the
+    /// mate, or reach over its axis, or overlap by a pitch or more, so that a further turn only brings the next tooth
+    /// to the same place.
     pub solid: bool,
 }
 
 impl LostMotion {
-    /// Jammed whatever touches, so nothing was turned.
+    /// Jammed independent of contacts, so nothing was turned.
     pub(super) const JAMMED: LostMotion = LostMotion {
         right: None,
         left: None,
         solid: true,
     };
 
-    /// Right into (−π, π]; left as many turns on as the two lie apart, each counted from the `nominal` rotation, rad: gears of three
-    /// teeth that hardly reach each other may turn by more than half a turn.
+    /// Shifts the right rotation into (−π, π], and the left one by whole turns so that both keep their distance, each
+    /// counted from the `nominal` rotation, rad. Gears of three teeth that barely reach each other can turn by more
+    /// than half a turn.
     pub(super) fn normalised(mut self, nominal: f64) -> LostMotion {
         let turns = |angle: f64| (angle / TAU).round();
         let whole = |contact: &Contact| turns(contact.rotation - nominal);
@@ -234,7 +236,7 @@ impl LostMotion {
         self
     }
 
-    /// The same, solid only with an overlap, and surely where that is a `pitch` of the free gear (rad) or more.
+    /// Clears `solid` without an overlap, and sets it for an overlap of a `pitch` of the free gear (rad) or more.
     pub(super) fn within(self, pitch: f64) -> LostMotion {
         let overlap = self.right.zip(self.left);
         let overlap = overlap.map_or(0.0, |(right, left)| right.rotation - left.rotation);
@@ -244,10 +246,10 @@ impl LostMotion {
         }
     }
 
-    /// How the pose ended.
+    /// The status of the pose.
     ///
-    /// Teeth in the mate's body, or an overlap in which a root land (of an outline a root region) takes part, are a tip in a root: turning
-    /// cannot free it, and its angle means nothing.
+    /// A tip is in a root if teeth are in the mate's body, or if a root land (of an outline a root region) touches in
+    /// an overlap. Turning cannot free it, and its angle has no meaning.
     pub fn status(&self) -> Status {
         if self.solid {
             return Status::Jammed;
@@ -287,7 +289,7 @@ impl LostMotion {
 mod tests {
     use super::Status;
 
-    /// A status that had no place left its entry out, and every later pose of the run had its neighbour's.
+    /// A status without an entry shifted every later pose of the run by one.
     #[test]
     fn every_status_has_its_place() {
         for (place, status) in Status::ALL.into_iter().enumerate() {

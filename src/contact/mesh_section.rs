@@ -1,6 +1,7 @@
-//! One transverse section of helical gears, as they stand in contact over their common face: what pictures of helical pairs draw.
+//! One transverse section of helical gears at their contact over the common face, for pictures of helical pairs.
 //!
-//! Where over the face teeth touch is [`Field`](crate::analysis::curves::Field), what the width costs [`crate::analysis::face_width`].
+//! [`Field`](crate::analysis::curves::Field) shows where over the face teeth touch, and [`crate::analysis::face_width`]
+//! the effect of the face width.
 
 use super::lost_motion::LostMotion;
 use super::pose_result::PoseResult;
@@ -10,9 +11,9 @@ use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Pose};
 use std::f64::consts::TAU;
 
-/// The teeth of a helical pair in one transverse section, at a pose whose contacts over the common face are known.
+/// The teeth of a helical pair in one transverse section, at a pose with known contacts over the common face.
 ///
-/// The free gear stands where it is held over the whole face: in a section where nothing touches a gap is left.
+/// The whole face determines the rotation of the free gear. In a section without contact there is a gap.
 #[derive(Debug, Clone)]
 pub struct MeshSection {
     at: f64,
@@ -23,11 +24,11 @@ pub struct MeshSection {
 }
 
 impl MeshSection {
-    /// The section of `assembly` at `at`, mm along the axis from the measuring plane, at `pose`; `over_face` is what was found at
-    /// it over the common face, `None` where that is not proven.
+    /// The section of `assembly` at `at`, mm along the axis from the measuring plane, at `pose`. `over_face` is the
+    /// result over the common face, `None` if unproven.
     ///
     /// # Errors
-    /// [`GearError::OutsideFace`] beyond the common face.
+    /// [`GearError::OutsideFace`] outside the common face.
     pub fn new(
         assembly: &GearPair,
         pose: &Pose,
@@ -54,7 +55,7 @@ impl MeshSection {
         };
         let contact = over_face.and_then(|found| found.angle().and(on(found)));
         let held = contact.map(|contact| {
-            // As far from the nominal rotation there as here.
+            // The distance from the nominal rotation there is the same as here.
             let rotation = here.free_rotation() + (contact.rotation - pose.free_rotation());
             let touching = alone.as_ref().and_then(on).map(|alone| {
                 let off = rotation - alone.rotation;
@@ -75,10 +76,11 @@ impl MeshSection {
         })
     }
 
-    /// The section in which the flank of a pose of `assembly` touches; `None` of spur gears, whose sections are all alike.
+    /// The section in which the flank of a pose of `assembly` touches; `None` for spur gears, whose sections are all
+    /// equal.
     ///
     /// # Errors
-    /// None: it lies on the common face.
+    /// None: the section is on the common face.
     pub fn binding(assembly: &GearPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
         if !assembly.is_helical() {
             return Ok(None);
@@ -88,7 +90,8 @@ impl MeshSection {
         MeshSection::new(assembly, &pose.pose, found, at).map(Some)
     }
 
-    /// Where the flank of `pose` touches over the face of `assembly`, mm; without contact the place of the face nearest to the measuring plane.
+    /// Place over the face of `assembly` where the flank of `pose` touches, mm; without contact the place nearest to
+    /// the measuring plane.
     pub fn of_contact(assembly: &GearPair, pose: &Pose, over_face: Option<&LostMotion>) -> f64 {
         let contact = over_face.and_then(|found| match pose.mating().flank {
             Side::Right => found.right,
@@ -98,7 +101,7 @@ impl MeshSection {
         contact.map_or(0f64.clamp(from, to), |contact| contact.section)
     }
 
-    /// Where it is, mm along the axis from the measuring plane, away from the viewer.
+    /// Its place along the axis from the measuring plane, mm, away from the viewer.
     pub fn at(&self) -> f64 {
         self.at
     }
@@ -108,17 +111,18 @@ impl MeshSection {
         &self.pair
     }
 
-    /// The pose in it, which names the teeth that are in mesh there.
+    /// The pose in this section, which names the teeth in mesh there.
     pub fn pose(&self) -> &Pose {
         &self.pose
     }
 
-    /// What the teeth of this section would allow by themselves; `None` where it is not proven.
+    /// The lost motion of this section alone; `None` if unproven.
     pub fn alone(&self) -> Option<&LostMotion> {
         self.alone.as_ref()
     }
 
-    /// Rotation of the free gear, rad, at which some section holds it on the pose's flank; `None` without a lost motion.
+    /// Rotation of the free gear, rad, at which some section stops it on the pose's flank; `None` without a lost
+    /// motion.
     pub fn held(&self) -> Option<f64> {
         self.held
     }

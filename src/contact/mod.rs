@@ -1,4 +1,4 @@
-//! What two gears do: contact of their outlines, lost motion, sweeps of poses.
+//! Two gears in contact: contact of their outlines, lost motion, sweeps of poses.
 
 mod agreement;
 mod body;

@@ -1,6 +1,6 @@
-//! Why a pose of outlines is not proven.
+//! The reasons why a pose of outlines is unproven.
 
-/// A pose that was not settled within the effort that it may take.
+/// A pose that was not settled within its effort.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
     "the search for the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} on {flank} flanks did not end"
@@ -20,6 +20,6 @@ pub struct SearchExhausted {
 pub struct NotBorneOut {
     /// `right` or `left`.
     pub flank: &'static str,
-    /// What they show in its place.
+    /// The finding of the polygons.
     pub reason: &'static str,
 }

@@ -5,30 +5,30 @@ use crate::gear::Side;
 use crate::pair::Pose;
 use std::f64::consts::{PI, TAU};
 
-/// What the sections seen so far leave of the free gear's play, from its nominal rotation.
+/// The play of the free gear over the sections examined so far, from its nominal rotation.
 #[derive(Debug, Default)]
 pub(super) struct OverFace {
     right: Option<(f64, Contact)>,
     left: Option<(f64, Contact)>,
-    /// The first section that is surely jammed, mm: nothing turns then, whatever touches first elsewhere, and what touches there is named.
+    /// The first section that is certainly jammed, mm. Nothing turns then, and its contacts are the result.
     jam: Option<f64>,
-    /// The first that may only seem to be, of an overlap within its bound, mm.
+    /// The first section whose overlap is within its error bound, so that it may be jammed, mm.
     seems_jammed: Option<f64>,
 }
 
-/// What was found at a pose over a face.
+/// The result of a pose over a face.
 #[derive(Debug)]
 pub(super) struct FoundOverFace {
     pub lost_motion: LostMotion,
-    /// A section that jams the gears by itself, mm, whatever touches first elsewhere.
+    /// A section that jams the gears by itself, mm.
     pub jam: Option<f64>,
 }
 
 impl OverFace {
-    /// Takes what was found in the section at `b`, mm, at the pose `here` of it.
+    /// Adds the result of the section at `b`, mm, at its pose `here`.
     pub fn take(&mut self, b: f64, here: &Pose, found: LostMotion) {
         let nominal = here.free_rotation();
-        // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
+        // Rounding of the twist: a few ulps of both rotations, including whole turns.
         let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
         if self.is_solid() {
             return;
@@ -45,7 +45,7 @@ impl OverFace {
         }
         let turns = |angle: f64| angle - TAU * (angle / TAU).round();
         let right = found.right.map(|contact| turns(contact.rotation - nominal));
-        // The left one continues from the right one.
+        // The left rotation continues from the right one.
         let left = found.left.map(|contact| match found.right.zip(right) {
             Some((first, beyond)) => beyond + (contact.rotation - first.rotation),
             None => turns(contact.rotation - nominal),
@@ -67,9 +67,9 @@ impl OverFace {
         }
     }
 
-    /// How far beyond its nominal rotation the free gear stops at least, rad, by the right and by the left side, of what another section has
-    /// to be asked for: what lets it farther is not tighter. Where a section `may_jam` by itself, and none does yet, what lets it farther than
-    /// both sides do: that does not overlap either.
+    /// The limits that another section has to exceed: the rotations beyond nominal, rad, at which the right and the
+    /// left side stop the free gear at least. Looser contacts need not be found. If a section `may_jam` and none does
+    /// yet, the limits include every contact that could overlap.
     pub fn known(&self, may_jam: bool) -> [f64; 2] {
         match (self.right, self.left) {
             (Some((right, _)), Some((left, _))) if !may_jam => [right, left],
@@ -78,14 +78,14 @@ impl OverFace {
         }
     }
 
-    /// Whether contacts that another section has beyond `known` might overlap with those that were `found` there, at the pose `here` of it.
+    /// Whether contacts of another section beyond `known` could overlap with those `found` there, at its pose `here`.
     pub fn may_overlap(here: &Pose, found: &LostMotion, [right, left]: [f64; 2]) -> bool {
         let nominal = here.free_rotation();
         let turns = |angle: f64| angle - TAU * (angle / TAU).round();
         let beyond =
             |contact: Option<Contact>| contact.map(|contact| turns(contact.rotation - nominal));
         let (one, other) = (beyond(found.right), beyond(found.left));
-        // Of a contact that is known for certain nothing is left open.
+        // A contact that is known exactly leaves nothing open.
         let open = [
             one.is_none_or(|one| one <= right),
             other.is_none_or(|other| other >= left),
@@ -95,12 +95,12 @@ impl OverFace {
         open.contains(&true) && one > other
     }
 
-    /// Whether a section is surely jammed.
+    /// Whether a section is certainly jammed.
     pub fn is_solid(&self) -> bool {
         self.jam.is_some()
     }
 
-    /// How far beyond its nominal rotation the free gear stops, rad.
+    /// Rotation beyond nominal at which the free gear stops, rad.
     pub fn beyond(&self, side: Side) -> Option<f64> {
         match side {
             Side::Right => self.right,
@@ -109,10 +109,11 @@ impl OverFace {
         .map(|(beyond, _)| beyond)
     }
 
-    /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear; `pitch` is its angular pitch, rad.
+    /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear, whose angular pitch
+    /// is `pitch`, rad.
     pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
         let jam = self.jam.or(self.seems_jammed);
-        // Jammed whatever touches, so that nothing was turned in that section.
+        // A jam independent of contacts: nothing was turned in that section.
         if self.jam.is_some() && self.right.is_none() {
             let lost_motion = LostMotion::JAMMED;
             return FoundOverFace { lost_motion, jam };

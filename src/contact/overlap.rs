@@ -1,12 +1,12 @@
-//! Where two outlines overlap: the pieces two polygons have in common.
+//! The overlap of two outlines: the common pieces of two polygons.
 //!
-//! Weiler and Atherton's walk (1977): from every point at which the first boundary enters the second
-//! polygon, along the first to where it leaves, along the second to where the first enters again.
-//! Polygons that touch in a vertex may give a piece without area or lose one; nested ones give nothing.
+//! Method: Weiler and Atherton (1977). From every point at which the first boundary enters the second polygon, walk
+//! along the first boundary to its exit, then along the second to the next entry. Polygons that touch in a vertex may
+//! give a piece without area or lose one; nested ones give nothing.
 
 use nalgebra::Point2;
 
-/// One piece of metal both gears claim.
+/// One piece of metal in both gears.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlap {
     /// Its boundary, mm, counter-clockwise.
@@ -17,7 +17,7 @@ pub struct Overlap {
 
 impl Overlap {
     fn new(outline: Vec<Point2<f64>>) -> Overlap {
-        // From the first vertex: coordinates of metres would cost the digits of a thin piece.
+        // Relative to the first vertex: coordinates of metres would lose the digits of a thin piece.
         let from = outline[0];
         let next = outline.iter().cycle().skip(1);
         let twice: f64 = outline
@@ -50,10 +50,10 @@ impl Overlap {
     }
 }
 
-/// Where the boundaries of both polygons cross.
+/// An intersection of both boundaries.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
-    /// Edge of each polygon, and the part of it before the crossing.
+    /// Edge of each polygon, and the part of it before the intersection.
     edges: [usize; 2],
     parts: [f64; 2],
     at: Point2<f64>,
@@ -61,7 +61,7 @@ struct Crossing {
     enters: bool,
 }
 
-/// The pieces two closed counter-clockwise polygons have in common.
+/// The common pieces of two closed counter-clockwise polygons.
 pub fn overlaps(first: &[Point2<f64>], second: &[Point2<f64>]) -> Vec<Overlap> {
     let crossings = crossings(first, second);
     let next = [0, 1].map(|which| following(&crossings, which));
@@ -92,7 +92,7 @@ pub fn overlaps(first: &[Point2<f64>], second: &[Point2<f64>]) -> Vec<Overlap> {
     pieces
 }
 
-/// Adds the boundary of `polygon`, the one numbered `which`, from one crossing up to the next.
+/// Adds the boundary of `polygon` number `which`, from one crossing to the next.
 fn walk(
     polygon: &[Point2<f64>],
     crossings: &[Crossing],
@@ -113,7 +113,7 @@ fn walk(
     outline.extend(vertices);
 }
 
-/// For each crossing the next along one boundary.
+/// The next crossing along one boundary, for each crossing.
 fn following(crossings: &[Crossing], which: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..crossings.len()).collect();
     order.sort_by(|&i, &j| {
@@ -162,7 +162,7 @@ fn crossing(a: [Point2<f64>; 2], b: [Point2<f64>; 2], edges: [usize; 2]) -> Opti
         |line: &[Point2<f64>; 2], point: Point2<f64>| (line[1] - line[0]).perp(&(point - line[0]));
     let of_a = a.map(|end| left_of(&b, end));
     let of_b = b.map(|end| left_of(&a, end));
-    // An end on the other line counts as on its left, so that a boundary crosses once there.
+    // An end on the other line counts as left of it, so that a boundary crosses once there.
     let parted = |[from, to]: [f64; 2]| (from >= 0.0) != (to >= 0.0);
     if !(parted(of_a) && parted(of_b)) {
         return None;
@@ -184,7 +184,7 @@ mod tests {
         points.iter().map(|[x, y]| Point2::new(*x, *y)).collect()
     }
 
-    /// Two unit squares a quarter apart both ways share 9/16; a comb and a bar share a piece a tooth.
+    /// Two unit squares offset by a quarter in both directions share 9/16; a comb and a bar share one piece per tooth.
     #[test]
     fn pieces_have_the_area_of_elementary_geometry() {
         let square = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);

@@ -1,4 +1,4 @@
-//! A pair on a bench whose centre distance can be moved.
+//! A pair with adjustable centre distance.
 
 use super::class::PoseClass;
 use super::exact::ExactKernel;
@@ -22,7 +22,7 @@ impl PairAtDistance {
         }
     }
 
-    /// The same gears at `distance`, mm, in a time that does not depend on the number of teeth.
+    /// The pair of these gears at `distance`, mm, in a time independent of the number of teeth.
     ///
     /// # Errors
     /// Base circles that overlap.
@@ -34,7 +34,7 @@ impl PairAtDistance {
         })
     }
 
-    /// The pair where it stands.
+    /// The pair at its centre distance.
     pub fn assembly(&self) -> &GearPair {
         &self.assembly
     }
@@ -42,7 +42,7 @@ impl PairAtDistance {
     /// Right- and left-flank contact of `mating`.
     ///
     /// # Errors
-    /// A contact that was lost.
+    /// A lost contact.
     pub fn lost_motion(&self, mating: &Mating) -> Result<LostMotion, Error> {
         self.kernel.lost_motion(&Pose::new(&self.assembly, *mating))
     }
@@ -73,8 +73,8 @@ impl PairAtDistance {
     }
 }
 
-/// Centre distances between which two gears can touch at all, mm: from touching base circles (a
-/// millionth of them apart) to tips that do not reach each other.
+/// Centre distances between which two gears can touch, mm: from touching base circles (plus a millionth) to tips that
+/// do not reach each other.
 pub(crate) fn reach(assembly: &GearPair) -> [f64; 2] {
     let members = Member::BOTH;
     let base: f64 = members

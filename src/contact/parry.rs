@@ -1,8 +1,8 @@
 //! Distances between chords, and from a point to them. The only file that names parry.
 //!
-//! parry gives the projection of a point on a segment. It does not give the distance of two segments: that one compares with an absolute
-//! epsilon and takes short, nearly parallel segments for parallel. In the plane
-//! the distance of two segments is that of an end of one to the other, so four
+//! parry gives the projection of a point on a segment. Its distance of two segments is not used: it compares with an
+//! absolute epsilon and takes short, nearly parallel segments for parallel. In the plane the distance of two segments
+//! is that of an end of one to the other, so four projections suffice, or it is zero where they cross.
 //! projections do, or zero where they cross.
 
 use nalgebra::Point2;
@@ -11,7 +11,7 @@ use parry2d_f64::query::PointQueryWithLocation;
 use parry2d_f64::shape::Segment;
 use std::ops::Range;
 
-/// A polyline ready to be asked for what is nearest to a point.
+/// A polyline prepared for finding the place nearest to a point.
 pub struct PolylineShape {
     segments: Vec<Segment>,
 }
@@ -19,7 +19,7 @@ pub struct PolylineShape {
 /// The place of a shape nearest to a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearest {
-    /// Distance, in the unit of the shape. Right to the rounding of the coordinates.
+    /// Distance, in the unit of the shape, accurate to the rounding of the coordinates.
     pub distance: f64,
     /// Segment `i` runs from vertex `i` to `i + 1`.
     pub segment: usize,
@@ -30,13 +30,13 @@ pub struct Nearest {
 /// The closest approach of two chords; at the distance zero where they cross.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closest {
-    /// Distance, in the unit of the chords. Right to the rounding of the coordinates.
+    /// Distance, in the unit of the chords, accurate to the rounding of the coordinates.
     pub distance: f64,
     /// The closest points, on the first and on the second.
     pub points: [Point2<f64>; 2],
 }
 
-/// Closest approach of two chords, each from one end to the other, in one frame.
+/// Closest approach of two chords in one frame, each given by its ends.
 pub fn closest(first: &[Point2<f64>; 2], second: &[Point2<f64>; 2]) -> Closest {
     let [first, second] = [first, second].map(|[a, b]| Segment::new(vector(a), vector(b)));
     let candidates = [
@@ -77,9 +77,9 @@ impl PolylineShape {
         }
     }
 
-    /// The place of `self` nearest to `point`, which may stand on either side of it; of several the first.
+    /// The place of `self` nearest to `point` on either side; the first of several.
     ///
-    /// Goes through all segments: for coarse polygons and short stretches.
+    /// It examines all segments: for coarse polygons and short stretches.
     pub fn nearest(&self, point: &Point2<f64>) -> Nearest {
         let mut best = self.to_segment(0, point);
         for segment in 1..self.segments.len() {
@@ -91,7 +91,7 @@ impl PolylineShape {
         best
     }
 
-    /// The stretch of segments outside which nothing is within `margin` of `point`; empty when nothing is.
+    /// The range of segments outside which nothing is within `margin` of `point`; empty if there are none.
     pub fn near_point(&self, point: &Point2<f64>, margin: f64) -> Range<usize> {
         let near = |segment: &usize| self.to_segment(*segment, point).distance <= margin;
         let mut within = (0..self.segments.len()).filter(near);

@@ -1,4 +1,4 @@
-//! What a sweep found at a pose, and which pose of several is the worst.
+//! The result of a sweep at a pose, and the worst of several poses.
 
 use super::class::PoseClass;
 use super::kernel::Proof;
@@ -6,48 +6,49 @@ use super::lost_motion::{LostMotion, Status};
 use crate::pair::{GearPair, Pose};
 use std::collections::VecDeque;
 
-/// One pose of a sweep and what was found there.
+/// One pose of a sweep and its result.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PoseResult {
-    /// Where the gears stand.
+    /// Positions of the gears.
     pub pose: Pose,
-    /// Contacts of the free gear; or why there is nothing to vouch for.
+    /// Contacts of the free gear, or why they are unproven.
     pub found: Result<LostMotion, Unproven>,
     /// `j_wt`, mm; `None` when jammed, out of mesh or unproven.
     pub backlash: Option<f64>,
     /// Bound on the error of `backlash`, mm.
     pub error_bound: Option<f64>,
-    /// `j_wt`, mm, at `a − c` and at `a + c`, `c` the sum of both bearing clearances, or why it is not proven there;
-    /// `None` without clearance.
+    /// `j_wt`, mm, at `a − c` and at `a + c`, where `c` is the sum of both bearing clearances, or why it is not proven
+    /// there; `None` without clearance.
     pub with_clearance: Option<[Result<Option<f64>, Unproven>; 2]>,
-    /// With [`super::Method::Both`]: how the polygon method lies off the exact one; `None` where neither found contacts.
+    /// With [`super::Method::Both`]: the difference of the polygon method; `None` if neither found contacts.
     pub polygon_difference: Option<PolygonDifference>,
     /// Whether polygons found or checked the contacts.
     pub polygon_checked: bool,
-    /// With [`super::Method::Both`], and of [`GearPair::lost_motion`]: what proves the contacts, where directions do.
+    /// With [`super::Method::Both`] and [`GearPair::lost_motion`]: the proof of the contacts by directions, if there is
+    /// one.
     pub proof: Option<Box<Proof>>,
 }
 
-/// How the polygon method lies off the exact one at a pose.
+/// The difference between the polygon method and the exact one at a pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum PolygonDifference {
     /// `j_wt` on polygons minus the exact one, mm; 0 where both are jammed, or both out of mesh.
     Value(f64),
-    /// Only one of them has contacts, or they end differently.
+    /// Only one of them has contacts, or their status differs.
     OneAlone,
 }
 
-/// Why a pose is not proven, and the values that nothing vouches for. They are never more than something to look into.
+/// The reason why a pose is unproven, and the unverified values. Use them only to investigate.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Unproven {
-    /// In words: which method or certificate saw what.
+    /// The method or certificate, and its finding, in words.
     pub reason: String,
-    /// `j_wt` of the exact method, mm; `None` where it has none.
+    /// `j_wt` of the exact method, mm; `None` if it has none.
     pub exact: Option<f64>,
-    /// `j_wt` of the polygon method, mm; `None` where it has none or was not asked.
+    /// `j_wt` of the polygon method, mm; `None` if it has none or was not used.
     pub polygon: Option<f64>,
 }
 
@@ -58,35 +59,35 @@ impl PoseResult {
         self.backlash
     }
 
-    /// How the pose ended.
+    /// The status of the pose.
     pub fn status(&self) -> Status {
         self.proven().map_or(Status::Unproven, LostMotion::status)
     }
 
-    /// The class of the pose, which is of `assembly`.
+    /// The class of the pose on `assembly`.
     pub fn class(&self, assembly: &GearPair) -> PoseClass {
         self.proven()
             .map_or(PoseClass::Unproven, |found| PoseClass::of(assembly, found))
     }
 
-    /// The contacts; `None` where they are not proven.
+    /// The contacts; `None` if they are unproven.
     pub fn proven(&self) -> Option<&LostMotion> {
         self.found.as_ref().ok()
     }
 
-    /// What is not proven: the pose itself, or what the ends of the bearing clearance come to.
+    /// The unproven parts: the pose itself, or the ends of the bearing clearance.
     pub fn unproven(&self) -> impl Iterator<Item = &Unproven> {
         let ends = self.with_clearance.iter().flatten();
         let ends = ends.filter_map(|end| end.as_ref().err());
         self.found.as_ref().err().into_iter().chain(ends)
     }
 
-    /// Whether anything of the pose is not proven, the ends of the bearing clearance included.
+    /// Whether any part of the pose is unproven, including the ends of the bearing clearance.
     pub fn is_unproven(&self) -> bool {
         self.unproven().next().is_some()
     }
 
-    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice where there is none.
+    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice without clearance.
     pub fn range(&self) -> [Option<f64>; 2] {
         match &self.with_clearance {
             None => [self.backlash; 2],
@@ -104,21 +105,21 @@ impl PoseResult {
         }
     }
 
-    /// Whether `backlash` is negative beyond its error bound: rounding alone makes no interference.
+    /// Whether `backlash` is negative by more than its error bound: rounding alone is no interference.
     pub fn interferes(&self) -> bool {
         let surely = |(backlash, bound): (f64, f64)| backlash < -bound;
         self.backlash.zip(self.error_bound).is_some_and(surely)
     }
 
-    /// Whether `backlash` cannot be told from none.
+    /// Whether `backlash` cannot be distinguished from zero.
     pub fn just_touches(&self) -> bool {
         let none = |(backlash, bound): (f64, f64)| backlash.abs() <= bound;
         self.backlash.zip(self.error_bound).is_some_and(none)
     }
 }
 
-/// The worst of `poses`: the first that is jammed, or else the one with the least backlash, of several within their
-/// error bounds the first; `None` when none is in mesh. Of an unproven pose nobody knows.
+/// The worst of `poses`: the first that is jammed, otherwise the one with the least backlash. Of several within their
+/// error bounds it is the first. `None` if none is in mesh; unproven poses are excluded.
 pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a PoseResult)> + Clone) -> Option<T> {
     let jammed = |pose: &PoseResult| pose.status() == Status::Jammed;
     if let Some((first, _)) = poses.clone().find(|(_, pose)| jammed(pose)) {
@@ -127,7 +128,7 @@ pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a PoseResult)> + Clon
     first_least(poses.filter_map(|(item, pose)| Some((item, pose.backlash?, pose.error_bound?))))
 }
 
-/// The first of `items` (each with a value and a bound on its error) that cannot be told from the least.
+/// The first of `items` (each with a value and a bound on its error) that cannot be distinguished from the least.
 pub fn first_least<T>(items: impl Iterator<Item = (T, f64, f64)>) -> Option<T> {
     let mut least = FirstLeast::default();
     for (item, value, bound) in items {
@@ -136,15 +137,15 @@ pub fn first_least<T>(items: impl Iterator<Item = (T, f64, f64)>) -> Option<T> {
     least.open.pop_front().map(|(item, _)| item)
 }
 
-/// [`first_least`] of items that come one by one, without keeping all of them.
+/// [`first_least`] of items that arrive one by one, without keeping all of them.
 ///
-/// Kept are those that may still turn out to be the first: none before them may lie as low, and none is surely higher than
-/// another. These are few: they fall all the way, and within two error bounds.
+/// It keeps the items that can still be the first: none before them can be as low, and none is certainly higher than
+/// another. These are few, because their values fall and stay within two error bounds.
 #[derive(Debug, Clone)]
 pub struct FirstLeast<T> {
-    /// The least that a value may at most be.
+    /// Upper bound of the least value.
     limit: f64,
-    /// In order, each with the least that its value may be, ever lower.
+    /// In order, each with its lower bound, which falls from one to the next.
     open: VecDeque<(T, f64)>,
 }
 
@@ -158,7 +159,7 @@ impl<T> Default for FirstLeast<T> {
 }
 
 impl<T> FirstLeast<T> {
-    /// Takes the next item in, which has this `value` within this `bound`.
+    /// Adds the next item, whose `value` is within `bound`.
     pub fn add(&mut self, value: f64, bound: f64, item: impl FnOnce() -> T) {
         self.limit = self.limit.min(value + bound);
         while self.open.front().is_some_and(|(_, low)| *low > self.limit) {
@@ -170,7 +171,7 @@ impl<T> FirstLeast<T> {
         }
     }
 
-    /// The first of all so far that cannot be told from the least.
+    /// The first of all items so far that cannot be distinguished from the least.
     pub fn first(&self) -> Option<&T> {
         self.open.front().map(|(item, _)| item)
     }
@@ -181,7 +182,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The definition, in two passes: the first that may lie as low as the least that a value may at most be.
+    /// The definition, in two passes: the first item that can be as low as the upper bound of the least.
     fn by_definition(items: &[(usize, f64, f64)]) -> Option<usize> {
         let highest = items.iter().map(|(_, value, bound)| value + bound);
         let limit = highest.reduce(f64::min)?;

@@ -1,8 +1,7 @@
-//! What a picture of one pose shows, in mm of the picture frame: both gears where they stand,
-//! their contacts, the lines of action.
+//! The content of a picture of one pose, in mm of the picture frame: both gears, their contacts, the lines of action.
 //!
-//! The free gear is drawn in contact on the mating's flank, so that all of the
-//! lost motion lies open on the other side. A pose without lost motion is drawn at the nominal rotation.
+//! The free gear is drawn in contact on the mating's flank, so that the whole lost motion is open on the other side. A
+//! pose without lost motion is drawn at the nominal rotation.
 
 use super::overlap::{Overlap, overlaps};
 use super::{Contact, DrawnContact, LostMotion, MeshSection, Status};
@@ -12,29 +11,29 @@ use crate::pair::{Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
 use std::f64::consts::TAU;
 
-/// Where the free gear is drawn.
+/// The position in which the free gear is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FreePlacement {
     /// In contact on this flank.
     AtContact(Side),
-    /// At the pose's nominal rotation, for want of a lost motion.
+    /// At the pose's nominal rotation, without a lost motion.
     Nominal,
 }
 
 /// The line on which involutes touch on one side: the common tangent of both base circles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineOfAction {
-    /// Its flanks.
+    /// The flanks that touch on it.
     pub side: Side,
-    /// Where it touches the wheel's and the pinion's base circle, mm.
+    /// Its tangent points on the wheel's and the pinion's base circle, mm.
     pub ends: [Point2<f64>; 2],
     /// The path of contact, between the tip circles; `None` out of mesh.
     pub path: Option<[Point2<f64>; 2]>,
 }
 
-/// Chordal error of an overlap's outline, in depths.
+/// Chordal error of the outline of an overlap, as a part of the tooth depth.
 const FINE: f64 = 1.0 / 2000.0;
-/// How far round a contact its overlap is looked for, modules: a tooth is 2.25 deep.
+/// Distance around a contact within which its overlap is searched, modules: a tooth is 2.25 deep.
 const REACH: f64 = 3.0;
 
 /// The contact on one side.
@@ -45,7 +44,7 @@ fn contact(found: &LostMotion, side: Side) -> Option<Contact> {
     }
 }
 
-/// A gear where it stands.
+/// A gear at its position.
 #[derive(Debug, Clone, Copy)]
 pub enum PlacedGear<'a> {
     /// A gear by its data.
@@ -55,7 +54,7 @@ pub enum PlacedGear<'a> {
 }
 
 impl<'a> PlacedGear<'a> {
-    /// The gear by its data; `None` of a drawn pair.
+    /// The gear by its data; `None` for a drawn pair.
     pub fn data(&self) -> Option<&Placed<'a>> {
         match self {
             PlacedGear::Data(placed) => Some(placed),
@@ -79,7 +78,7 @@ impl<'a> PlacedGear<'a> {
         }
     }
 
-    /// The outline within `reach` of `place` and more, mm, with chords within `chordal_error` mm.
+    /// The outline within at least `reach` of `place`, mm, with chords within `chordal_error` mm.
     pub fn outline_near(
         &self,
         place: Point2<f64>,
@@ -123,7 +122,7 @@ impl<'a> PlacedGear<'a> {
         }
     }
 
-    /// Base radius, mm; `None` of a drawn pair.
+    /// Base radius, mm; `None` for a drawn pair.
     pub fn base_radius(&self) -> Option<f64> {
         Some(self.data()?.as_built().gear().base_radius())
     }
@@ -146,12 +145,13 @@ impl<'a> Scene<'a> {
         Scene::of(assembly, pose, Some(lost_motion))
     }
 
-    /// The scene of a `pose` whose contacts are not proven: both gears, and nothing that touches.
+    /// The scene of a `pose` whose contacts are unproven: both gears without contacts.
     pub fn unproven(assembly: &'a AssembledPair, pose: &Pose) -> Scene<'a> {
         Scene::of(assembly, pose, None)
     }
 
-    /// The scene of one section of helical gears: the free gear where the whole face holds it, and how far the teeth of the section are from contact.
+    /// The scene of one section of helical gears. The whole face determines the free gear's rotation; the teeth of the
+    /// section may be apart.
     pub fn in_section(section: &'a MeshSection) -> Scene<'a> {
         let flank = section.pose().mating().flank;
         let held = match section.held() {
@@ -217,7 +217,7 @@ impl<'a> Scene<'a> {
         self.assembly
     }
 
-    /// One of the gears as it stands.
+    /// One of the gears at its position.
     pub fn placed(&self, member: Member) -> &PlacedGear<'a> {
         match member {
             Member::Wheel => &self.wheel,
@@ -225,7 +225,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Module of the gears, mm; of a drawn pair that of its operating pitch circles.
+    /// Module of the gears, mm; for a drawn pair that of its operating pitch circles.
     pub fn module(&self) -> f64 {
         match self.assembly {
             AssembledPair::Data(pair) => pair.gear(Member::Wheel).gear().basic_data().module(),
@@ -236,20 +236,20 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Where the free gear is drawn.
+    /// The position in which the free gear is drawn.
     pub fn drawn(&self) -> FreePlacement {
         self.drawn
     }
 
-    /// The contacts there are, right first.
+    /// The contacts, right first.
     pub fn contacts(&self) -> &[DrawnContact] {
         &self.contacts
     }
 
-    /// The room between the two flanks of `contact`, a closed polygon in mm with chords within
-    /// `chordal_error` mm; empty where they overlap, and of a drawn pair.
+    /// The space between the two flanks of `contact`, a closed polygon in mm with chords within `chordal_error` mm. It
+    /// is empty if they overlap, and for a drawn pair.
     ///
-    /// Of each flank it takes what lies inside the mate's tip circle once they are in contact.
+    /// It includes the part of each flank that is inside the mate's tip circle at contact.
     pub fn room_between(&self, contact: &DrawnContact, chordal_error: f64) -> Vec<Point2<f64>> {
         if contact.gap <= 0.0 {
             return Vec::new();
@@ -277,16 +277,16 @@ impl<'a> Scene<'a> {
                 .map(|(drawn, _)| drawn)
                 .collect::<Vec<_>>()
         };
-        // Both run from tip to root, and each one's tip is near the other's root.
+        // Both run from tip to root, and the tip of each is near the root of the other.
         let mut room = flank(Member::Wheel, contact.contact.wheel.tooth);
         room.extend(flank(Member::Pinion, contact.contact.pinion.tooth));
         room
     }
 
-    /// The metal both gears claim at `contact`, nearest its points; `None` where they do not overlap there.
+    /// The metal in both gears at `contact`, nearest its points; `None` if they do not overlap there.
     ///
-    /// Of outlines with chords within a two-thousandth of the depth, which leaves the area of a thin
-    /// piece right to a few thousandths.
+    /// The outlines have chords within a two-thousandth of the depth, which keeps the area of a thin piece accurate to
+    /// a few thousandths.
     pub fn overlap(&self, contact: &DrawnContact) -> Option<Overlap> {
         if contact.gap >= 0.0 {
             return None;
@@ -304,7 +304,7 @@ impl<'a> Scene<'a> {
         real.min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))
     }
 
-    /// How the pose ended.
+    /// The status of the pose.
     pub fn status(&self) -> Status {
         self.lost_motion
             .map_or(Status::Unproven, LostMotion::status)
@@ -324,11 +324,11 @@ impl<'a> Scene<'a> {
         Point2::new(self.assembly.operating_pitch_radius(Member::Wheel), 0.0)
     }
 
-    /// The line of action of `side`; `None` where eccentric base circles overlap, and of flanks that are no involutes.
+    /// The line of action of `side`; `None` if eccentric base circles overlap, and for flanks other than involutes.
     ///
-    /// The centres lie `D` apart; the tangent that crosses between the circles leaves each at
-    /// the angle `acos((r_b1 + r_b2)/D)` from the centres' line: towards +y on the wheel for
-    /// right flanks, whose normal out of the wheel points clockwise. A tip circle cuts it `√(r_a² − r_b²)` from its own end.
+    /// The centres are `D` apart. The tangent that crosses between the circles leaves each at the angle `acos((r_b1 +
+    /// r_b2)/D)` from the line of centres: towards +y on the wheel for right flanks, whose normal out of the wheel
+    /// points clockwise. A tip circle cuts it at `√(r_a² − r_b²)` from its own end.
     pub fn line_of_action(&self, side: Side) -> Option<LineOfAction> {
         let wheel = self.wheel.data()?.as_built().gear();
         let gears = [wheel, self.pinion.data()?.as_built().gear()];

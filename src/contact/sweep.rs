@@ -16,35 +16,36 @@ use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
 use std::ops::ControlFlow;
 
-/// How lost motion is found.
+/// The method that finds lost motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// On the smooth curves.
     Exact {
-        /// Whether each pose is proven by directions. Polygons check one pose in [`POLYGONS_EVERY`], and each pose that directions do not prove.
+        /// Whether directions prove each pose. Polygons check one pose in [`POLYGONS_EVERY`], and each pose without
+        /// such a proof.
         certify: bool,
     },
     /// On the smooth curves. Each pose is proven by directions and checked by polygons.
     Checked,
-    /// On polygons cut ever finer round each contact.
+    /// On polygons that are cut finer around each contact.
     Polygon,
-    /// By both; the exact result is kept, and how far the other lies off: a pose at which they differ by more than
-    /// [`METHODS_AGREE_WITHIN`] and more than both error bounds is [`Unproven`].
+    /// By both methods. The result is the exact one, with the difference of the other. A pose is [`Unproven`] if they
+    /// differ by more than [`METHODS_AGREE_WITHIN`] and more than both error bounds.
     Both,
 }
 
-/// Chordal error, in modules, of the polygons that a certificate starts from (tuned for speed: it is as
-/// good from any; a tenth of this takes 8 % longer, ten times of it 2 %).
+/// Chordal error, in modules, of the polygons from which a certificate starts. Any value gives equal results; this one
+/// is tuned for speed (a tenth takes 8 % longer, ten times as much 2 %).
 const CERTIFICATE_CHORDAL_ERROR: f64 = 3e-4;
 
-/// How far both methods may differ, mm, whatever their error bounds: 1e-6 µm of `j_wt`.
+/// Difference of both methods, mm, that is always allowed: 1e-6 µm of `j_wt`.
 pub const METHODS_AGREE_WITHIN: f64 = 1e-9;
 
-/// Polygons check the first of so many poses of a sweep.
+/// Polygons check one pose in this many, starting with the first of a sweep.
 pub const POLYGONS_EVERY: usize = 64;
 
 impl Method {
-    /// The method for poses of extremes, which polygons check too.
+    /// The method for poses of extremes, which polygons also check.
     pub fn of_extremes(self) -> Method {
         if self == (Method::Exact { certify: true }) {
             Method::Checked
@@ -59,7 +60,7 @@ impl Method {
     }
 }
 
-/// The gears of one material, cut once for all centre distances.
+/// Both gears, cut into chords once for all centre distances.
 pub struct CutPair {
     wheel: CutGear,
     pinion: CutGear,
@@ -74,7 +75,7 @@ impl CutPair {
         }
     }
 
-    /// Cuts both gears as coarsely as suits certificates.
+    /// Cuts both gears as coarsely as is best for certificates.
     pub fn for_certificates(wheel: &AsBuilt, pinion: &AsBuilt) -> CutPair {
         CutPair::new(
             wheel,
@@ -83,28 +84,27 @@ impl CutPair {
         )
     }
 
-    /// The polygon method on `assembly`, which must be of these gears.
+    /// The polygon method on `assembly`, which must consist of these gears.
     pub fn kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
         PolygonKernel::new(assembly, &self.wheel, &self.pinion)
     }
 
-    /// The same, cut finer round each contact: right to about a picometre.
+    /// The polygon method, cut finer around each contact: accurate to about a picometre.
     pub fn refined_kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
         PolygonKernel::refined(assembly, &self.wheel, &self.pinion)
     }
 }
 
-/// One assembly, ready to be asked for poses.
+/// The methods for one assembly.
 struct Solver<'a> {
     assembly: &'a GearPair,
     kernel: Option<ExactKernel>,
-    /// Whether the kernel only says where along the face of helical gears polygons have to look: what touches first between other sections is
-    /// for it to say.
+    /// Whether the kernel only tells polygons which sections of helical gears to examine.
     guides: bool,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
     prover: Option<Prover<'a>>,
-    /// In place of polygon method and certifier, of helical gears.
+    /// Replaces polygon method and certifier for helical gears.
     sections: Option<Sections<'a>>,
     method: Method,
 }
@@ -137,15 +137,16 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The contacts at `pose`, and how far the polygon method lies off where both are asked for. `index` counts the poses of a sweep.
+    /// The contacts at `pose`, and the difference of the polygon method if both are used. `index` counts the poses of a
+    /// sweep.
     fn find(&self, pose: &Pose, index: usize) -> Result<SolvedPose, Error> {
-        // One for all that is done at this pose.
+        // One budget for all work at this pose.
         let effort = Effort::of_pose();
         let kernel = self.kernel.as_ref();
         let found = kernel.map(|kernel| kernel.found_within(pose, &effort));
         let seen = found.as_ref().and_then(|found| found.as_ref().ok());
         let polygon = match (&self.sections, &self.polygon) {
-            // Without a guide polygons do not know where to look.
+            // Without a guide the sections are unknown.
             (Some(sections), _) if !self.method.proves() && (seen.is_some() || !self.guides) => {
                 Some(sections.lost_motion(pose, seen, &effort))
             }
@@ -161,7 +162,7 @@ impl<'a> Solver<'a> {
         } else {
             (found, polygon)
         };
-        // What was lost is kept as its reason; anything else ends the sweep.
+        // A lost contact is kept as its reason; any other error ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
         let jam = exact.as_ref().and_then(|found| found.as_ref().ok()?.jam);
         let exact = exact.map(|found| found.map(|found| found.lost_motion));
@@ -221,7 +222,7 @@ impl<'a> Solver<'a> {
         })
     }
 
-    /// The exact result, where the polygons' lies within what is allowed of it.
+    /// The exact result, if the polygons' result is within the allowed difference.
     fn of_both(&self, pose: &Pose, exact: LostMotion, polygon: &LostMotion) -> SolvedPose {
         let values = [self.backlash(&exact), self.backlash(polygon)];
         let bound = |found: &LostMotion| Some(found.error()? * self.pitch_radius());
@@ -271,7 +272,7 @@ impl<'a> Solver<'a> {
         proof.ok().map(Box::new)
     }
 
-    /// Why the certificate of `found` fails; `None` where it holds.
+    /// The reason why the certificate of `found` fails; `None` if it holds.
     fn certificate(
         &self,
         pose: &Pose,
@@ -297,7 +298,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// What a solver found at a pose.
+/// The result of a solver at a pose.
 struct SolvedPose {
     lost_motion: Result<LostMotion, Unproven>,
     polygon_difference: Option<PolygonDifference>,
@@ -305,7 +306,7 @@ struct SolvedPose {
     proof: Option<Box<Proof>>,
 }
 
-/// What was tried, with the reason where it is of this pose alone; else the error.
+/// A result, or its reason if the failure concerns this pose alone; otherwise the error.
 fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>>, Error> {
     match tried {
         None => Ok(None),
@@ -317,13 +318,13 @@ fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>
     }
 }
 
-/// The lost motion of `assembly` at each of `matings`, in their order, whatever the number of threads.
+/// The lost motion of `assembly` at each of `matings`, in their order, with any number of threads.
 ///
-/// `cut` are the gears of `assembly`; `clearance` is the sum `c` of both radial
-/// bearing clearances, mm. `tick` is called as each pose begins, from any thread; a break ends the sweep.
+/// `cut` are the gears of `assembly`; `clearance` is the sum `c` of both radial bearing clearances, mm. `tick` is
+/// called as each pose begins, from any thread; a break ends the sweep.
 ///
-/// A pose whose contact is lost, whose certificate fails or on which both methods disagree is [`Unproven`]; the others
-/// are found all the same.
+/// A pose is [`Unproven`] if its contact is lost, its certificate fails or both methods disagree. The other poses are
+/// still found.
 ///
 /// # Errors
 /// [`Error::Interrupted`] after a break; a centre distance `a − c` at which the base circles overlap.
@@ -344,13 +345,13 @@ pub fn sweep(
     Ok(all)
 }
 
-/// Poses found before they are delivered (tuned: 2 MB of them; blocks of a tenth leave threads idle at their ends).
+/// Poses that are found before delivery (tuned: 2 MB; blocks of a tenth leave threads idle).
 pub const BLOCK: usize = 4096;
 
-/// As [`sweep`], the poses delivered to `each` in blocks of [`BLOCK`], so that they need not be kept.
+/// [`sweep`] that delivers the poses to `each` in blocks of [`BLOCK`], so that they need not be kept.
 ///
 /// # Errors
-/// As [`sweep`], and of `each`.
+/// Those of [`sweep`] and of `each`.
 pub fn sweep_blocks<E: From<Error>>(
     assembly: &GearPair,
     cut: &CutPair,
@@ -375,10 +376,10 @@ pub fn sweep_blocks<E: From<Error>>(
     each_pose(&here, ends.as_ref(), matings, tick, each)
 }
 
-/// As [`sweep_blocks`], of a pair with a drawn gear; where `certify`, polygons check each pose.
+/// [`sweep_blocks`] for a pair with a drawn gear. With `certify`, polygons check each pose.
 ///
 /// # Errors
-/// As [`sweep`], and of `each`.
+/// Those of [`sweep`] and of `each`.
 pub fn sweep_outlines<E: From<Error>>(
     pair: &OutlinePair,
     certify: bool,
@@ -407,7 +408,7 @@ pub fn sweep_outlines<E: From<Error>>(
     each_pose(&here, ends.as_ref(), matings, tick, each)
 }
 
-/// A pair with a drawn gear, ready to be asked for poses.
+/// The solver of a pair with a drawn gear.
 struct OutlineSolver<'a> {
     pair: &'a OutlinePair,
     kernel: &'a OutlineKernel<'a>,
@@ -431,9 +432,9 @@ impl<'a> OutlineSolver<'a> {
 
 /// Finds the lost motion at poses of one pair.
 trait FindPose: Sync {
-    /// The pose of `mating` and what is found there. `index` counts the poses of a sweep.
+    /// The pose of `mating` and its result. `index` counts the poses of a sweep.
     fn find_at(&self, mating: &Mating, index: usize) -> Result<(Pose, SolvedPose), Error>;
-    /// Of the free gear, mm.
+    /// Operating pitch radius of the free gear, mm.
     fn pitch_radius(&self) -> f64;
 }
 
@@ -479,7 +480,7 @@ impl FindPose for OutlineSolver<'_> {
     }
 }
 
-/// Delivers what `here` finds at `matings` to `each`, with the solvers at both `ends` of the bearing clearance.
+/// Delivers to `each` the results of `here` at `matings`, with those at both `ends` of the bearing clearance.
 fn each_pose<S: FindPose, E: From<Error>>(
     here: &S,
     ends: Option<&[S; 2]>,
@@ -498,7 +499,7 @@ fn each_pose<S: FindPose, E: From<Error>>(
     Ok(())
 }
 
-/// What `here` finds at `mating`, and the solvers at both `ends` of the bearing clearance.
+/// The result of `here` at `mating`, with those at both `ends` of the bearing clearance.
 fn pose_result<S: FindPose>(
     here: &S,
     ends: Option<&[S; 2]>,
@@ -531,10 +532,11 @@ fn pose_result<S: FindPose>(
 }
 
 impl AssembledPair {
-    /// Lost motion where the teeth of `mating` meet, checked by polygons. For many poses use [`sweep_blocks`] or [`sweep_outlines`].
+    /// Lost motion where the teeth of `mating` meet, checked by polygons. For many poses use [`sweep_blocks`] or
+    /// [`sweep_outlines`].
     ///
     /// # Errors
-    /// None for a pose: one that nothing vouches for is [`Unproven`] in the result.
+    /// None for a pose: an unproven one is [`Unproven`] in the result.
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
         match self {
             AssembledPair::Data(pair) => pair.lost_motion(mating),
@@ -552,7 +554,7 @@ impl GearPair {
     /// A pose that is not proven is [`Unproven`] in the result. The result keeps its proof by directions.
     ///
     /// # Errors
-    /// As [`sweep`]: none here.
+    /// Those of [`sweep`]; a single pose without clearance has none.
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
         let cut = CutPair::for_certificates(self.gear(Member::Wheel), self.gear(Member::Pinion));
         let here = Solver::new(self, &cut, Method::Checked);

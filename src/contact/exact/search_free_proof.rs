@@ -20,7 +20,6 @@
 //!
 //! The check holds for all poses, with the centre of the locked outline anywhere within its eccentricity `e_L` of its
 //! axis. Pairs of curves that fail are *open*: branch and bound searches them.
-//! eccentricity `e_L` of its axis. Pairs of curves that fail are *open*: left to branch and bound.
 
 use super::curves::Curves;
 use super::flank_problem::lens_half;

@@ -1,4 +1,4 @@
-//! What is taken of sections, of contacts put together by hand: expected is what their rotations are made of.
+//! The combination of sections, with contacts put together by hand. Expected values follow from their rotations.
 
 use super::OverFace;
 use crate::contact::{Contact, LostMotion, Status, ToothPlace, Touch};
@@ -7,10 +7,10 @@ use crate::pair::{GearPair, Mating, Pose};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::TAU;
 
-/// Bound of a contact, rad.
+/// Error bound of a contact, rad.
 const ERROR: f64 = 1e-9;
 
-/// So many pitches beyond tooth 1.
+/// A pose some pitches beyond tooth 1.
 fn pose(pitches: f64) -> Pose {
     let gear = |teeth| {
         let data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
@@ -27,7 +27,7 @@ fn pose(pitches: f64) -> Pose {
     Pose::new(&pair, mating)
 }
 
-/// A contact so far beyond the nominal rotation of `pose`, rad, counted some turns on.
+/// A contact `beyond` the nominal rotation of `pose`, rad, counted some turns on.
 fn contact(pose: &Pose, beyond: f64, turns: f64) -> Contact {
     let touch = Touch {
         tooth: 1,
@@ -45,7 +45,7 @@ fn contact(pose: &Pose, beyond: f64, turns: f64) -> Contact {
     }
 }
 
-/// Both contacts, as far beyond the nominal rotation, each counted so many turns on.
+/// Both contacts `beyond` the nominal rotation, each counted some turns on.
 fn found(pose: &Pose, beyond: [Option<f64>; 2], turns: f64) -> LostMotion {
     let [right, left] = beyond.map(|beyond| beyond.map(|beyond| contact(pose, beyond, turns)));
     LostMotion {
@@ -55,7 +55,7 @@ fn found(pose: &Pose, beyond: [Option<f64>; 2], turns: f64) -> LostMotion {
     }
 }
 
-/// The same, jammed by itself.
+/// Both contacts of a section that is jammed.
 fn jammed(pose: &Pose, beyond: [f64; 2]) -> LostMotion {
     LostMotion {
         solid: true,
@@ -63,12 +63,12 @@ fn jammed(pose: &Pose, beyond: [f64; 2]) -> LostMotion {
     }
 }
 
-/// A rotation to within the rounding of one of some turns.
+/// Equality of rotations to within the rounding of a few turns.
 fn is_near(one: f64, other: f64) -> bool {
     (one - other).abs() < 1e-12
 }
 
-/// Each side is that of the section that is tightest there, wherever the sections' own rotations begin to count.
+/// Each side is that of the section that is tightest there, wherever the rotations of the sections start to count.
 #[test]
 fn each_side_stops_where_its_tightest_section_does() {
     let mut over = OverFace::default();
@@ -98,7 +98,8 @@ fn each_side_stops_where_its_tightest_section_does() {
     assert!(all.jam.is_none() && all.lost_motion.status() == Status::Clear);
 }
 
-/// Of gears of few teeth the left contact may be more than half a turn from the nominal rotation: it is as far from the right one as in its section.
+/// In gears of few teeth the left contact can be more than half a turn from the nominal rotation. It keeps its distance
+/// from the right one.
 #[test]
 fn the_left_side_counts_on_from_the_right_one() {
     let here = pose(0.3);
@@ -106,7 +107,7 @@ fn the_left_side_counts_on_from_the_right_one() {
     over.take(1.0, &here, found(&here, [Some(2.9), Some(3.5)], 0.0));
     assert!(is_near(over.beyond(Side::Right).unwrap(), 2.9));
     assert!(is_near(over.beyond(Side::Left).unwrap(), 3.5));
-    // Alone it is the nearer way round.
+    // Without a right contact it is the nearer way round.
     let mut over = OverFace::default();
     over.take(1.0, &here, found(&here, [None, Some(3.5)], 1.0));
     assert!(is_near(over.beyond(Side::Left).unwrap(), 3.5 - TAU));
@@ -116,9 +117,9 @@ fn the_left_side_counts_on_from_the_right_one() {
     assert_eq!(all.status(), Status::NoContact);
 }
 
-/// What is no tighter than the bound of what is held says nothing: the section that was first remains.
+/// A section that is tighter by less than the error bound changes nothing: the first one remains.
 #[test]
-fn the_first_of_sections_as_tight_as_each_other_is_named() {
+fn the_first_of_equally_tight_sections_is_reported() {
     let here = pose(0.3);
     let mut over = OverFace::default();
     let within = 0.5 * ERROR;
@@ -138,7 +139,8 @@ fn the_first_of_sections_as_tight_as_each_other_is_named() {
     assert_eq!(sections, [1.0, 1.0]);
 }
 
-/// The twist of a section is rounded as the rotations are that it is added to: some ulps of both, and of a turn, are beside the contact's own bound.
+/// The twist of a section is rounded like the rotations to which it is added. A few ulps of both, and of a turn,
+/// increase the contact's own bound.
 #[test]
 fn a_bound_grows_by_the_rounding_of_both_rotations() {
     for pitches in [0.0, 3e5] {
@@ -155,10 +157,10 @@ fn a_bound_grows_by_the_rounding_of_both_rotations() {
     }
 }
 
-/// A section that jams by itself is all that counts, whatever touches before or after it.
+/// A jammed section is the only result, whatever touches before or after it.
 #[test]
-fn a_section_that_jams_is_named_alone() {
-    // Apart, both behind the nominal rotation, and on either side of it.
+fn a_section_that_jams_is_reported_alone() {
+    // Clear, both behind the nominal rotation, and on either side of it.
     for beyond in [[0.3, 0.1], [-0.1, -0.3], [0.1, -0.1]] {
         let here = pose(0.3);
         let mut over = OverFace::default();
@@ -182,7 +184,8 @@ fn a_section_that_jams_is_named_alone() {
     assert_eq!((all.jam, all.lost_motion), (Some(2.0), LostMotion::JAMMED));
 }
 
-/// An overlap within its own bound may be none: further sections count, and the first of them is named where nothing surely jams.
+/// An overlap within its own bound may be none. Further sections count, and the first of them is reported if none is
+/// certainly jammed.
 #[test]
 fn an_overlap_within_its_bound_only_seems_to_jam() {
     let here = pose(0.3);
@@ -198,9 +201,9 @@ fn an_overlap_within_its_bound_only_seems_to_jam() {
     assert_eq!(all.lost_motion.status(), Status::Jammed);
 }
 
-/// What further sections are asked for: what is tighter; where one may jam by itself, all that two sides as near to each other as these could hide.
+/// The limits for further sections: tighter contacts, and if one may jam, all that two sides this close could hide.
 #[test]
-fn known_is_what_holds_both_sides() {
+fn known_limits_hold_for_both_sides() {
     let here = pose(0.3);
     let taken = |beyond| {
         let mut over = OverFace::default();
@@ -223,23 +226,24 @@ fn known_is_what_holds_both_sides() {
     assert!(is_known(overlapping(), true, [0.1, 0.4]));
 }
 
-/// A section of which only what is tighter than `known` was asked for: the rest of it touches somewhere on the far side of that.
+/// A section in which only contacts tighter than `known` were requested: its other contacts are on the far side of
+/// that.
 #[test]
-fn what_was_not_asked_for_may_overlap_with_what_was_found() {
+fn unrequested_contacts_may_overlap_with_found_ones() {
     let known = [0.0, 0.3];
     for (beyond, expected) in [
-        // Nothing tighter: no nearer than what is known.
+        // No contact tighter than the known ones.
         ([None, None], false),
         ([Some(0.1), None], false),
         ([None, Some(0.2)], false),
-        // Beyond the other side.
+        // On the other side of the left contact.
         ([Some(0.4), None], true),
         ([None, Some(-0.1)], true),
-        // No tighter than what is known, so the tightest may be another.
+        // No tighter than the known one, so the tightest may be another.
         ([Some(-0.2), Some(-0.1)], true),
         ([Some(0.4), Some(0.5)], true),
         ([Some(-0.2), Some(0.2)], false),
-        // Both are the tightest there, and do overlap or not: nothing is open.
+        // Both are the tightest there, with or without overlap: nothing is open.
         ([Some(0.4), Some(0.2)], false),
         ([Some(0.1), Some(0.2)], false),
     ] {

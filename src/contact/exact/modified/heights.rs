@@ -12,8 +12,9 @@
 //! the normals of both involutes
 //!
 //! ```text
-//! y' = −(s cos η + δ_L' sin η)/s_F;    η' = 1 − y'; s_F' = s sin η − δ_L' cos η + r_F y'; D' = δ_L' cos η − s sin η +
-//! δ_F' y', D'' = δ_L'' cos η − δ_L' sin η η' + δ_F'' y'² + δ_F' y'' − (r_L + δ_L') sin η − s cos η η'.
+//! y' = −(s cos η + δ_L' sin η)/s_F;    η' = 1 − y';    s_F' = s sin η − δ_L' cos η + r_F y';
+//! D' = δ_L' cos η − s sin η + δ_F' y';
+//! D'' = δ_L'' cos η − δ_L' sin η η' + δ_F'' y'² + δ_F' y'' − (r_L + δ_L') sin η − s cos η η'.
 //! ```
 //!
 //! Along a locked involute with a constant deviation `q`, the length `a` has the slope `s sin η`, and `η` rises. From

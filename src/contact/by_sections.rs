@@ -27,7 +27,7 @@ impl Sections<'_> {
     /// sections of `found`, the result of another method.
     ///
     /// # Errors
-    /// Those of the polygon method.
+    /// As the polygon method.
     pub fn lost_motion(
         &self,
         pose: &Pose,
@@ -72,7 +72,7 @@ impl Sections<'_> {
     /// pose it is enough that one section jams. If `found` reports a jammed section, that section must jam.
     ///
     /// # Errors
-    /// Those of [`Certifier::check`].
+    /// As [`Certifier::check`].
     pub fn check(&self, pose: &Pose, found: &FoundOverFace, effort: &Effort) -> Result<(), Error> {
         let lost_motion = &found.lost_motion;
         if lost_motion.status() == Status::Jammed {

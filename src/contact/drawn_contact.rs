@@ -22,10 +22,11 @@ pub struct DrawnContact {
     pub normal: Vector2<f64>,
     /// Turn of the free gear from here to the contact, rad, counter-clockwise; 0 when drawn in it.
     pub turn: f64,
-    /// The same as a length along the free gear's base circle, of a drawn pair along the contact's normal, mm; negative where the flanks overlap.
+    /// That turn as a length along the free gear's base circle, or for a drawn pair along the contact's normal, mm;
+    /// negative where the flanks overlap.
     pub gap: f64,
-    /// The same along the contact's normal, mm: the turn times the normal's distance from the free gear's
-    /// axis. `gap` where involutes without eccentricity meet, whose normals touch the base circle.
+    /// That turn as a length along the contact's normal, mm: the turn times the normal's distance from the free gear's
+    /// axis. It equals `gap` for involutes without eccentricity, whose normals touch the base circle.
     pub along_normal: f64,
 }
 
@@ -62,7 +63,7 @@ impl DrawnContact {
         }
     }
 
-    /// What one gear brings to the contact.
+    /// One gear's side of the contact.
     pub fn touch(&self, member: Member) -> &Touch {
         match member {
             Member::Wheel => &self.contact.wheel,

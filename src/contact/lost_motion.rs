@@ -128,7 +128,7 @@ impl Framed {
             Side::Right => z,
             Side::Left => z.conj(),
         };
-        // With a free wheel the frame is the picture; with a free pinion it is the picture turned by half a turn.
+        // The frame is the picture if the wheel is free, and the picture turned by half a turn if the pinion is.
         let (point, normal) = (mirror(self.point), -mirror(self.normal));
         let (wheel, pinion, point) = match self.free {
             Member::Pinion => (
@@ -199,8 +199,8 @@ pub struct LostMotion {
     /// Limit of counter-clockwise rotation.
     pub left: Option<Contact>,
     /// Whether no rotation can free the free gear, independent of the contacts. Teeth are in the solid body of the
-    /// mate, or reach over its axis, or overlap by a pitch or more, so that a further turn only brings the next tooth
-    /// to the same place.
+    /// mate, or reach over its axis, or overlap by a pitch or more. A further turn would only bring the next tooth to
+    /// the same place.
     pub solid: bool,
 }
 

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 /// The teeth of a helical pair in one transverse section, at a pose with known contacts over the common face.
 ///
-/// The whole face determines the rotation of the free gear. In a section without contact there is a gap.
+/// The whole face determines the rotation of the free gear. A section without contact has a gap.
 #[derive(Debug, Clone)]
 pub struct MeshSection {
     at: f64,

@@ -16,7 +16,7 @@ pub struct SearchExhausted {
 
 /// A contact that polygons do not confirm.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("polygons do not bear out the contact on {flank} flanks: {reason}")]
+#[error("polygons do not confirm the contact on {flank} flanks: {reason}")]
 pub struct NotBorneOut {
     /// `right` or `left`.
     pub flank: &'static str,

@@ -3,7 +3,6 @@
 //! parry gives the projection of a point on a segment. Its distance of two segments is not used: it compares with an
 //! absolute epsilon and takes short, nearly parallel segments for parallel. In the plane the distance of two segments
 //! is that of an end of one to the other, so four projections suffice, or it is zero where they cross.
-//! projections do, or zero where they cross.
 
 use nalgebra::Point2;
 use parry2d_f64::math::Vector;

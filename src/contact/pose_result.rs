@@ -118,8 +118,8 @@ impl PoseResult {
     }
 }
 
-/// The worst of `poses`: the first that is jammed, otherwise the one with the least backlash. Of several within their
-/// error bounds it is the first. `None` if none is in mesh; unproven poses are excluded.
+/// The worst of `poses`: the first that is jammed, otherwise the one with the least backlash. If several are within
+/// their error bounds, it is the first. `None` if none is in mesh; unproven poses are excluded.
 pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a PoseResult)> + Clone) -> Option<T> {
     let jammed = |pose: &PoseResult| pose.status() == Status::Jammed;
     if let Some((first, _)) = poses.clone().find(|(_, pose)| jammed(pose)) {

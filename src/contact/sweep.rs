@@ -351,7 +351,7 @@ pub const BLOCK: usize = 4096;
 /// [`sweep`] that delivers the poses to `each` in blocks of [`BLOCK`], so that they need not be kept.
 ///
 /// # Errors
-/// Those of [`sweep`] and of `each`.
+/// As [`sweep`], and of `each`.
 pub fn sweep_blocks<E: From<Error>>(
     assembly: &GearPair,
     cut: &CutPair,
@@ -379,7 +379,7 @@ pub fn sweep_blocks<E: From<Error>>(
 /// [`sweep_blocks`] for a pair with a drawn gear. With `certify`, polygons check each pose.
 ///
 /// # Errors
-/// Those of [`sweep`] and of `each`.
+/// As [`sweep`], and of `each`.
 pub fn sweep_outlines<E: From<Error>>(
     pair: &OutlinePair,
     certify: bool,
@@ -554,7 +554,7 @@ impl GearPair {
     /// A pose that is not proven is [`Unproven`] in the result. The result keeps its proof by directions.
     ///
     /// # Errors
-    /// Those of [`sweep`]; a single pose without clearance has none.
+    /// As [`sweep`]: none here.
     pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
         let cut = CutPair::for_certificates(self.gear(Member::Wheel), self.gear(Member::Pinion));
         let here = Solver::new(self, &cut, Method::Checked);

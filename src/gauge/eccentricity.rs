@@ -1,9 +1,9 @@
-//! Eccentricity, as the tip lands show it.
+//! Eccentricity, measured on the tip lands.
 //!
-//! All tip lands lie on one circle about the gear's own centre, wherever the flanks stand. The
-//! circle through the middles `p_i` of all of them is found by least squares. With `ρ_0` the radius of the first of them and
-//! `u_i = p_i/ρ_0`, a circle about `c` has `(|p_i|² − ρ_0²)/(2 ρ_0) = c·u_i + k`, linear in `c` and `k`: on points of one
-//! circle it is exact. Rows `(u_i, 1)` are of the size 1, so that nothing is lost in the normal matrix `N`.
+//! All tip lands lie on one circle about the gear's own centre, independent of the flanks. A least-squares circle goes
+//! through the middles `p_i` of all tip lands. With the radius `ρ_0` of the first of them and `u_i = p_i/ρ_0`, a circle
+//! about `c` has `(|p_i|² − ρ_0²)/(2 ρ_0) = c·u_i + k`, linear in `c` and `k`. For points of one circle it is exact.
+//! The rows `(u_i, 1)` are of order 1, so the normal matrix `N` loses no digits.
 
 use super::workpiece::Workpiece;
 use crate::gear::Side;
@@ -13,22 +13,22 @@ use nalgebra::{Matrix3, Point2, UnitComplex, Vector2, Vector3};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Eccentricity {
-    /// `e`, mm; 0 where it is no more than its error.
+    /// `e`, mm; 0 if it is not above its error.
     pub amount: f64,
-    /// The tooth (fractional, `1 ≤ … < z + 1`) it points to; 1 where there is none.
+    /// The high tooth (fractional, `1 ≤ … < z + 1`); 1 without eccentricity.
     pub high_tooth: f64,
-    /// Whether no direction is stated of it: the tooth is one of many that may be the high one.
+    /// Whether the high tooth is only one of many possible ones.
     pub any_direction: bool,
     /// Bound on the error of `amount`, mm.
     pub error: f64,
 }
 
-/// The centre of the circle through `points`, and how many times the error of a point comes into it.
+/// The centre of the circle through `points`, and the factor from the error of a point to that of the centre.
 ///
-/// A point that stands `δ_i` off its place changes its left side by `u_i·δ_i` and its row by `δ_i/ρ_0`, which
-/// times the unknown `c` is `c/ρ_0` as much: in all at most `(1 + |c|/ρ_0) |δ_i|`. The solution is `N⁻¹ Σ row_i side_i`,
-/// so the centre moves by at most `Σ ‖(N⁻¹ row_i)_xy‖ (1 + |c|/ρ_0) |δ_i|`. (For `z` points
-/// evenly round `N` is diagonal with `z/2`, and the sum is 2.)
+/// A point that is off by `δ_i` changes its left side by `u_i·δ_i`. It changes its row by `δ_i/ρ_0`, which times the
+/// unknown `c` is `c/ρ_0` as much. The sum is at most `(1 + |c|/ρ_0) |δ_i|`. The solution is `N⁻¹ Σ row_i side_i`, so
+/// the centre moves by at most `Σ ‖(N⁻¹ row_i)_xy‖ (1 + |c|/ρ_0) |δ_i|`. (For `z` points evenly around, `N` is diagonal
+/// with `z/2`, and the sum is 2.)
 fn centre(points: &[Point2<f64>]) -> Option<(Vector2<f64>, f64)> {
     let first = points.first()?.coords.norm();
     let row = |point: &Point2<f64>| Vector3::new(point.x / first, point.y / first, 1.0);
@@ -59,7 +59,7 @@ pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
         turn * work.tip_land(Side::Right, tooth) + displacement
     };
     let points: Vec<Point2<f64>> = (1..=teeth).map(land).collect();
-    // Tip lands all round are never in line: there is a centre.
+    // Tip lands all round are never in line, so there is a centre.
     let (found, growth) = centre(&points).unwrap_or((Vector2::zeros(), f64::INFINITY));
     let amount = found.norm();
     let error = growth * work.bound();
@@ -85,10 +85,11 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// The bound is reached: every point moved by δ along its part of the solution moves the centre by the sum, and
-    /// for points evenly round that is 2 (closed form: N = diag(z/2, z/2, z)). Half of them in a bunch know their centre less well.
+    /// The bound is reached: if every point moves by δ along its part of the solution, the centre moves by the sum. For
+    /// points evenly around that is 2 (closed form: N = diag(z/2, z/2, z)). If half of them are bunched, the centre is
+    /// less certain.
     #[test]
-    fn errors_of_points_come_into_the_centre_as_bounded() {
+    fn errors_of_points_reach_the_bound_of_the_centre() {
         let circle = |place: fn(f64) -> f64| -> Vec<Point2<f64>> {
             let angles = (0..24).map(|i| TAU * place(f64::from(i) / 24.0));
             let at = |angle: f64| Point2::new(50.0 * angle.cos() + 0.2, 50.0 * angle.sin() - 0.1);
@@ -97,13 +98,13 @@ mod tests {
         let even = circle(|part| part);
         let (found, growth) = centre(&even).unwrap();
         assert!((found - Vector2::new(0.2, -0.1)).norm() < 1e-13, "{found}");
-        // Its own eccentricity of 0.22 on 50 mm shifts the points' directions by as much.
+        // Its own eccentricity of 0.22 on 50 mm shifts the directions of the points by that ratio.
         assert!((growth - 2.0).abs() < 2.0 * 0.23 / 50.0 * 2.0, "{growth}");
         for points in [even, circle(|part| 0.3 * part)] {
             let (found, growth) = centre(&points).unwrap();
             let mut most: f64 = 0.0;
             for direction in 0..12 {
-                // Outwards where that moves the centre along `along`, inwards elsewhere.
+                // Outwards if that moves the centre along `along`, otherwise inwards.
                 let along = Vector2::new(
                     (TAU * f64::from(direction) / 12.0).cos(),
                     (TAU * f64::from(direction) / 12.0).sin(),
@@ -119,7 +120,8 @@ mod tests {
                 most = most.max(sum / delta);
             }
             assert!(most <= growth * (1.0 + 1e-6), "{most} {growth}");
-            // The bound adds lengths, the worst case only their parts along one direction: 2/π of them for even points.
+            // The bound adds lengths, the worst case only their components along one direction: 2/π of them for even
+            // points.
             assert!(most > 0.6 * growth, "{most} {growth}");
         }
     }

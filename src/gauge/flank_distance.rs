@@ -1,19 +1,20 @@
-//! How far a point of the measuring plane lies from a flank.
+//! The distance of a point of the measuring plane from a flank.
 //!
-//! The sections of a helical flank turn by `t` a mm along the face. In the section `b` the point `p(b)` is nearest to a point
-//! `c`, at the distance `d(b)`. The distance of the flank is the least `D = √(d² + b²)`. Turning moves `p` by `t ẑ × p`, so that
-//! `(D²)'/2 = b − t (c − p)·(ẑ × p)`, linear in `b` along an involute, whose arm `n·(ẑ × p)` is the base radius. The gradient of `D` within the plane is
-//! `(c − p)/D`.
+//! The sections of a helical flank turn by `t` per mm along the face. In the section `b` the point `p(b)` is nearest to
+//! a point `c`, at the distance `d(b)`. The distance of the flank is the least `D = √(d² + b²)`. Turning moves `p` by
+//! `t ẑ × p`, so `(D²)'/2 = b − t (c − p)·(ẑ × p)`. Along an involute this is linear in `b`, because its arm `n·(ẑ ×
+//! p)` is the base radius. The gradient of `D` within the plane is `(c − p)/D`.
 
 use super::workpiece::{Place, Workpiece};
 use crate::gear::Side;
 use nalgebra::{Point2, UnitComplex, Vector2};
 
-/// Sections on each side of the measuring plane that are looked at before the nearest is closed in on: at an involute one would do.
+/// Sections on each side of the measuring plane that are compared before the search for the nearest. For an involute
+/// one would suffice.
 const SECTIONS: i32 = 3;
-/// Steps towards the nearest section: false position and halving by turns.
+/// Limit of steps towards the nearest section: alternately false position and halving.
 const MOST_STEPS: usize = 60;
-/// Parts of √(bound · distance) within which the section is found: its square comes into the distance.
+/// Accuracy of the section, in parts of √(bound · distance): its square enters the distance.
 const SECTION: f64 = 0.1;
 
 /// One flank of a tooth: its side, tooth and rotation in the measuring plane, in the frame of the point.
@@ -27,20 +28,20 @@ pub(super) struct OneFlank {
 /// The nearest point of a flank.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Nearest {
-    /// In the frame of the half tooth.
+    /// Place in the frame of the half tooth.
     pub place: Place,
-    /// How far from the measuring plane, mm.
+    /// Position of its section from the measuring plane, mm.
     pub section: f64,
-    /// mm.
+    /// Distance, mm.
     pub distance: f64,
-    /// How the distance grows within the measuring plane.
+    /// Gradient of the distance within the measuring plane.
     pub gradient: Vector2<f64>,
 }
 
 /// The point of `flank` that is nearest to `point` of the measuring plane.
 pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) -> Nearest {
     let twist = work.as_built.gear().basic_data().twist();
-    // With half the slope of D² along the face.
+    // Also returns half the slope of D² along the face.
     let in_section = |b: f64| {
         let turn = if b == 0.0 {
             flank.turn
@@ -64,7 +65,7 @@ pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) ->
     if twist == 0.0 {
         return plane.0;
     }
-    // Points farther along the face than this are not nearer than the one of the plane.
+    // Points further along the face are not nearer than the one in the plane.
     let apart = plane.0.distance / f64::from(SECTIONS);
     let others = (-SECTIONS..=SECTIONS).filter(|&step| step != 0);
     let others = others.map(|step| in_section(f64::from(step) * apart));
@@ -77,7 +78,7 @@ pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) ->
     });
     let close = SECTION * (work.bound() * best.0.distance).sqrt();
     let at = |best: &(Nearest, f64)| (best.0.section, best.1);
-    // The distance falls towards the nearest from both ends.
+    // The distance falls towards the nearest point from both ends.
     let [mut low, mut high] =
         [-apart, apart].map(|beyond| at(&in_section(best.0.section + beyond)));
     for step in 0..MOST_STEPS {

@@ -1,8 +1,7 @@
-//! Where the flanks cross the measuring circle: pitch of both flanks and tooth thickness.
+//! The flanks on the measuring circle: pitch of both flanks and tooth thickness.
 //!
-//! The measuring circle is the reference circle. About the gear's own centre it shows the gear's own pitch
-//! deviation; about the rotation axis, as a machine does that holds the gear by its datum,
-//! the eccentricity as well.
+//! The measuring circle is the reference circle. About the gear's own centre it shows the gear's own pitch deviation.
+//! About the rotation axis, as on a machine that holds the gear by its datum, it also shows the eccentricity.
 
 use super::Unmeasured;
 use super::spread::{ends, mean, range};
@@ -10,7 +9,7 @@ use super::workpiece::Workpiece;
 use crate::gear::{Flank, Pitch, PitchAxis, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
 
-/// Pitch deviation of both of a gear's own flanks as read on the measuring circle.
+/// Pitch deviation of both flanks of a gear, read on the measuring circle.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PitchReadings {
@@ -43,7 +42,8 @@ impl PitchReadings {
         differences.fold(0.0, f64::max)
     }
 
-    /// Greatest cumulative deviation over an eighth of the teeth, `F_p(z/8)`, mm: over the whole number of pitches next to it.
+    /// Greatest cumulative deviation over an eighth of the teeth, `F_p(z/8)`, mm, over the nearest whole number of
+    /// pitches.
     pub fn eighth(&self, own: Flank) -> f64 {
         let curve = self.cumulative.flank(own);
         let pitches = usize::max(1, (curve.len() + 4) / 8);
@@ -69,9 +69,10 @@ impl PitchReadings {
 pub struct ThicknessReadings {
     /// Radius of the measuring circle, mm.
     pub radius: f64,
-    /// Thickness of each tooth, mm, an arc of that circle about the gear's own centre, not a chord; of a helical gear in the transverse section.
+    /// Thickness of each tooth, mm: an arc of that circle about the gear's own centre, not a chord. In a helical gear
+    /// it is in the transverse section.
     pub arcs: Vec<f64>,
-    /// `cos β`: what part of an arc the thickness in the normal section is.
+    /// `cos β`: ratio of the thickness in the normal section to the arc.
     pub normal: f64,
     /// Bound on the error of each, mm.
     pub error: f64,
@@ -97,8 +98,8 @@ impl ThicknessReadings {
     }
 }
 
-/// Polar angles of every flank's crossing about the circle's centre, each from its tooth's
-/// undisturbed centre line, and the greatest error as an arc.
+/// Polar angles of every flank's intersection with the circle, from the undisturbed centre line of its tooth, and the
+/// greatest error as an arc.
 struct Crossings {
     angles: [Vec<f64>; 2],
     error: f64,
@@ -119,7 +120,7 @@ pub(super) fn pitch(work: &Workpiece, axis: PitchAxis) -> Result<PitchReadings, 
     Ok(PitchReadings {
         axis,
         cumulative: Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left)),
-        // The value's own, and that of the mean.
+        // The error of the value plus that of the mean.
         error: 2.0 * crossings.error,
     })
 }
@@ -156,7 +157,7 @@ fn crossings(work: &Workpiece, axis: PitchAxis) -> Result<Crossings, Unmeasured>
         error: 0.0,
     };
     for tooth in 1..=gear.gear().basic_data().teeth() {
-        // Seen along the tooth's undisturbed centre line.
+        // From the tooth's undisturbed centre line.
         let along = UnitComplex::new(-gear.tooth_angle(f64::from(tooth)));
         let centre = Point2::from(along * -displacement);
         for (side, angles) in Side::BOTH.into_iter().zip(&mut found.angles) {

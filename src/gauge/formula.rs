@@ -1,21 +1,21 @@
-//! Closed formulas of a gear of the mean thickness without deviations, to compare with the readings.
+//! Closed formulas for a gear of the mean thickness without deviations, for comparison with the readings.
 
 use super::roll::Roll;
 use crate::analytic::InvolutePair;
 use crate::gear::{AsBuilt, thickness};
 use std::f64::consts::PI;
 
-/// Values by formula, lengths in mm; none of an outline.
+/// Values by formula, lengths in mm; all `None` for an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Formula {
     /// `W_k = ((k − 1) p_bt + s_bt) cos β_b`.
     pub span: Option<f64>,
-    /// `M_dK` over two pins, of a helical gear over two balls.
+    /// `M_dK` over two pins; for a helical gear over two balls.
     pub over_two: Option<f64>,
-    /// `M_dK = r_K (1 + cos(π/z)) + D_M` over three pins: the two stand `π/z` beside the opposite direction.
+    /// `M_dK = r_K (1 + cos(π/z)) + D_M` over three pins: the two are `π/z` beside the opposite direction.
     pub over_three: Option<f64>,
-    /// `M_dR = 2 r_K + D_M` over two cylindrical pins along the spaces of a helical gear; `None` of a spur gear.
+    /// `M_dR = 2 r_K + D_M` over two cylindrical pins along the spaces of a helical gear; `None` for a spur gear.
     pub over_lying: Option<f64>,
     /// Radius `r_K` of the ball's centre.
     pub ball_centre: Option<f64>,
@@ -25,7 +25,7 @@ pub struct Formula {
     pub thickness: Option<f64>,
     /// Centre distance without play against the master.
     pub distance: Option<f64>,
-    /// `F_r = F_i'' = 2 e`: to first order what a pure eccentricity makes.
+    /// `F_r = F_i'' = 2 e`: the first-order effect of a pure eccentricity.
     pub runout: Option<f64>,
 }
 

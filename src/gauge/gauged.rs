@@ -18,7 +18,7 @@ use crate::error::Error;
 use crate::gear::{AsBuilt, Gear, PitchAxis, ProfilePart, involute, thickness as formula};
 use std::ops::ControlFlow;
 
-/// How to measure; what is `None` follows from the gear.
+/// The choices of a measurement. `None` selects a default that depends on the gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// `k`, teeth spanned; default: contact near mid-height.
@@ -29,11 +29,12 @@ pub struct Settings {
     pub ball: Option<f64>,
     /// Teeth of the master gear.
     pub master_teeth: Option<u32>,
-    /// Poses a pitch of the roll test.
+    /// Poses per pitch of the roll test.
     pub steps_per_pitch: u32,
-    /// Ends of the face of a helical gear, mm along the axis from its measuring plane: what the master rolls on.
+    /// Ends of the face of a helical gear, mm along the axis from its measuring plane, on which the master rolls.
     pub face: [f64; 2],
-    /// Evaluation range of the profiles of the gear's own right flanks and of its left ones, radii, mm; default: root form circle to tip circle.
+    /// Evaluation ranges of the profiles of the own right flanks and the own left ones, as radii in mm; default: root
+    /// form circle to tip circle.
     pub evaluation: [Option<[f64; 2]>; 2],
 }
 
@@ -63,7 +64,7 @@ pub struct Gauged {
     pub runout: Result<RunoutReadings, Unmeasured>,
     /// The gear's own pitch deviation.
     pub pitch_own: Result<PitchReadings, Unmeasured>,
-    /// The same about the rotation axis.
+    /// The pitch deviation about the rotation axis.
     pub pitch_datum: Result<PitchReadings, Unmeasured>,
     /// Tooth thickness at the reference circle.
     pub thickness: Result<ThicknessReadings, Unmeasured>,
@@ -75,21 +76,21 @@ pub struct Gauged {
     pub roll: Result<Roll, Unmeasured>,
     /// The root circle.
     pub root: Result<RootReading, Unmeasured>,
-    /// How a gear file states the tooth thickness; why there can be none otherwise.
+    /// The tooth thickness as a gear file states it, or the reason why it cannot.
     pub stated: Result<StatedThickness, Unmeasured>,
-    /// Pitch and runout against the accuracy grades, as many as were measured.
+    /// Pitch and runout with their accuracy grades, as far as they were measured.
     pub grades: Result<Vec<GradedReading>, Unmeasured>,
     /// Values by formula.
     pub formula: Formula,
 }
 
-/// How many poses evenly round [`gauge`] will take, beside those that `more` tells of.
+/// Number of even poses that [`gauge`] takes, without those reported by `more`.
 pub fn pose_count(gear: &AsBuilt, settings: &Settings) -> u64 {
     u64::from(gear.gear().basic_data().teeth()) * u64::from(settings.steps_per_pitch)
 }
 
 /// Measures `gear`. `tick` is called as each pose of the roll test begins, from any thread; a break ends the work.
-/// `more` is called with the number of poses that are about to be taken beyond those of [`pose_count`].
+/// `more` is called with the number of further poses, in addition to [`pose_count`].
 ///
 /// # Errors
 /// A contact that the exact kernel lost; [`Error::Interrupted`].
@@ -154,17 +155,18 @@ pub fn gauge(
     })
 }
 
-/// Pitch of `gear` as [`gauge`] reads it, about the datum axis and about the gear's own centre, where it can be read.
+/// The pitch readings of [`gauge`] for `gear`, about the datum axis and about the gear's own centre, as far as
+/// possible.
 pub fn pitches(gear: &AsBuilt) -> Vec<PitchReadings> {
     let work = Workpiece::new(gear);
     let read = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
     read.into_iter().flatten().collect()
 }
 
-/// Profiles of `gear` as [`gauge`] reads them, evaluated as in [`Settings::evaluation`].
+/// The profile readings of [`gauge`] for `gear`, evaluated as in [`Settings::evaluation`].
 ///
 /// # Errors
-/// Where a flank is no involute or the stylus leaves it.
+/// A flank that is no involute, or that the stylus leaves.
 pub fn profiles(
     gear: &AsBuilt,
     evaluation: [Option<[f64; 2]>; 2],
@@ -172,11 +174,11 @@ pub fn profiles(
     profile(&Workpiece::new(gear), evaluation)
 }
 
-/// Pitch and runout of `gear` as [`gauge`] reads them, with a ball in every space (`ball`, mm; default as in
-/// [`Settings`]), against the accuracy grades.
+/// Accuracy grades of the pitch and runout readings of [`gauge`] for `gear`. The runout uses a ball of `ball` mm in
+/// every space (default as in [`Settings`]).
 ///
 /// # Errors
-/// Where the formulas of the grades do not hold for this gear.
+/// A gear outside the validity of the grades' formulas.
 pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, Unmeasured> {
     let work = Workpiece::new(gear);
     let pitches = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
@@ -188,10 +190,10 @@ pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, U
     )
 }
 
-/// The least and greatest diameters of pins, mm, that touch the involutes of every space of `gear` and stand out of it. They are found around
-/// the usual pin and rounded inwards to 0.01 mm. `None`: the usual pin does not touch them.
+/// The least and greatest pin diameters, mm, that touch the involutes of every space of `gear` and protrude from it.
+/// They are searched around the usual pin and rounded inwards to 0.01 mm. `None`: the usual pin does not touch them.
 pub fn pin_sizes(gear: &AsBuilt) -> Option<[f64; 2]> {
-    /// Enough for 0.001 of a diameter.
+    /// Sufficient for 0.001 of a diameter.
     const HALVINGS: usize = 12;
     let work = Workpiece::new(gear);
     let fits = |pin| {
@@ -207,7 +209,7 @@ pub fn pin_sizes(gear: &AsBuilt) -> Option<[f64; 2]> {
     }
     let end = |factor: f64| {
         let (mut inner, mut outer) = (usual, usual * factor);
-        // A pin of a thousand usual ones touches no involute.
+        // A pin of a thousand times the usual size touches no involute.
         for _ in 0..10 {
             if !fits(outer) {
                 break;
@@ -238,13 +240,13 @@ fn mid_roll(gear: &Gear) -> f64 {
     )
 }
 
-/// `k` whose symmetric contact, `W_k cos β_b = ((k − 1) p_bt + s_bt) cos² β_b = 2 r_b ξ`, lies nearest to mid-height
-/// (for a gear without shift the usual `z α/π + 0.5`).
+/// The `k` whose symmetric contact, `W_k cos β_b = ((k − 1) p_bt + s_bt) cos² β_b = 2 r_b ξ`, is nearest to mid-height
+/// (for a gear without profile shift the usual `z α/π + 0.5`).
 fn usual_span(gear: &Gear) -> u32 {
     let leaning = gear.basic_data().base_helix_angle().cos();
     let line = 2.0 * gear.base_radius() * mid_roll(gear) / (leaning * leaning);
     let steps = (line - gear.base_thickness()) / gear.basic_data().base_pitch();
-    // A count of steps far below 2^32; the cast takes what is negative as 0.
+    // Far below 2^32; the cast turns negative values into 0.
     (steps.round() as u32 + 1).clamp(1, gear.basic_data().teeth() / 2)
 }
 
@@ -255,7 +257,7 @@ fn usual_pin(gear: &Gear) -> f64 {
     // Whole quarters over a power of ten: the decimal number as one would write it.
     let places = 10f64.powf(2.0 - gear.basic_data().module().log10().floor());
     let rounded = 25.0 * (touching * places / 25.0).ceil() / places;
-    // No pin touches there where the space's flanks run parallel or open inwards.
+    // No pin touches there if the flanks of the space are parallel or open inwards.
     if rounded.is_finite() && rounded > 0.0 {
         rounded
     } else {

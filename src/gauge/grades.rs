@@ -1,4 +1,4 @@
-//! Pitch and runout as read, against the accuracy grades.
+//! Accuracy grades of the pitch and runout readings.
 
 use super::Unmeasured;
 use super::flanks::PitchReadings;
@@ -18,11 +18,11 @@ pub struct GradedReading {
     pub measured: f64,
     /// Bound on the error of `measured`, mm.
     pub error: f64,
-    /// The finest grade that admits it.
+    /// The finest grade that the value meets.
     pub grade: Grade,
 }
 
-/// Grades what was measured: about the datum axis, as a standard counts, about the gear's own, and the runout.
+/// The grades of the readings: about the datum axis, as in the standard, about the gear's own axis, and of the runout.
 pub(super) fn grades<'a>(
     basic_data: &BasicGearData,
     pitches: impl Iterator<Item = &'a PitchReadings>,

@@ -6,20 +6,20 @@ use crate::error::GearError;
 use crate::gear::{AsBuilt, BasicGearData, BasicRack, Gear, GearDesign, involute};
 use std::f64::consts::FRAC_PI_4;
 
-/// Teeth of a master that the user does not choose: the least number from here on whose involute
-/// reaches as deep as the gear's tips (a usual size of master gears; below it undercut comes near).
+/// Least number of teeth of a default master. From here up, the first one is taken whose involute reaches as deep as
+/// the gear's tips (a usual size of master gears; smaller ones are nearly undercut).
 const FEWEST: u32 = 30;
-/// The number at which that search ends: a larger master hardly reaches deeper.
+/// Greatest number of teeth of a default master: a larger one hardly reaches deeper.
 const MOST: u32 = 200;
-/// Part of the module by which tips keep off the ends of involutes, beside the eccentricity.
+/// Distance of tips from the ends of involutes, in modules, in addition to the eccentricity.
 const MARGIN: f64 = 0.05;
-/// Parts of the greatest dedendum a pointed tool would cut.
+/// Greatest dedendum, in parts of that of a pointed tool.
 const POINTED: f64 = 0.95;
 
-/// A master for `gear`: of its module and pressure angle, `x = 0`, of nominal thickness.
+/// A master for `gear` with its module and pressure angle, `x = 0` and nominal thickness.
 ///
-/// Its tips reach just down to the gear's active flank at tight mesh, one module beyond its reference circle at most;
-/// the tool that cuts it has no tip round and is deep enough for the gear's tips.
+/// At tight mesh its tips reach exactly to the gear's active flank, at most one module outside its reference circle.
+/// The tool that cuts it has no tip radius and is deep enough for the gear's tips.
 pub(super) fn master(gear: &AsBuilt, teeth: Option<u32>) -> Result<Gear, Unmeasured> {
     let failed = |error: GearError| Unmeasured(format!("no master gear: {error}"));
     if let Some(teeth) = teeth {
@@ -64,7 +64,7 @@ fn with_teeth(as_built: &AsBuilt, teeth: u32) -> Result<(Gear, bool), GearError>
         value: gear.base_thickness(),
         allowed: "thick enough to mesh with a master gear without play",
     };
-    // The line of action between both base circles; each tip cuts it from its own end.
+    // The line of action between both base circles; each tip circle cuts it from its own end.
     let line = bases * involute::roll_at(distance.ok_or(no_mesh)?, bases);
     let margin = MARGIN * module + 2.0 * as_built.eccentricity();
     let reach = line - gear.base_radius() * gear.form_roll() - margin;

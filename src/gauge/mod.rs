@@ -1,15 +1,16 @@
-//! The gauge on the model: measures a gear as built as the shop does.
+//! The virtual gauge: it measures a model of a gear as a shop measures the gear.
 //!
-//! Anvils, pins, balls, measuring circles and a master gear are brought to the outline itself, polygons cut
-//! ever finer round each contact; no reading is computed from the gear's deviations. The tests
-//! compare the readings with the deviations that were put in.
+//! Anvils, pins, balls, measuring circles and a master gear touch the outline itself, on polygons that are cut finer
+//! around each contact. No reading is computed from the gear's deviations. The tests compare the readings with the
+//! deviations of the model.
 //!
-//! A gear by its outline alone has no reference circle and no master: spans and pins alone are read on it ([`gauge_outline`]).
+//! A gear given by its outline alone has no reference circle and no master: only spans and pins are measured
+//! ([`gauge_outline`]).
 //!
-//! A helical gear is read in the measuring plane. A ball touches the flanks beside that plane, and a span lies along the normal of the
-//! helix, so both also use the sections in which they touch.
+//! A helical gear is measured in the measuring plane. A ball touches the flanks beside that plane, and a span is
+//! measured along the normal of the helix, so both also use the sections in which they touch.
 //!
-//! Readings are in mm and named as the gear's own: teeth by number, flanks seen on the reference face.
+//! Readings are in mm and use the gear's own names: teeth by number, flanks as seen on the reference face.
 
 mod eccentricity;
 mod flank_distance;
@@ -47,7 +48,7 @@ pub use seat::Seat;
 pub use span::{Span, Spans};
 pub use stated::StatedThickness;
 
-/// Why a gauge has no reading: a measurement that this gear does not allow. A result, not a fault: the other gauges still read.
+/// The reason why a gauge has no reading on this gear. It is a result, not a fault: the other gauges still measure.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{0}")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

@@ -1,13 +1,13 @@
-//! Dimension over pins `M_dK`: over two in opposite spaces, and for odd tooth numbers over three.
+//! Dimension over pins `M_dK`: over two in opposite spaces, and for odd tooth numbers also over three.
 //!
-//! Over two pins the anvils read the distance of the pins' centres and one diameter more. With an odd number of
-//! teeth no two spaces are opposite: two pins take the space after tooth `i` and the one `(z − 1)/2`
-//! further on; three pins take a second one beside it, `(z + 1)/2` further on, and
-//! one anvil lies on both.
+//! Over two pins the anvils measure the distance of the pins' centres plus one diameter. With an odd number of teeth no
+//! two spaces are opposite. Two pins then use the space after tooth `i` and the one `(z − 1)/2` further on. Three pins
+//! add the space `(z + 1)/2` further on, and one anvil touches both.
 //!
-//! On a helical gear these are dimensions over balls, with their centres in the measuring plane. A cylindrical pin lies along its space,
-//! on the helix through the centre of a ball. It touches where that ball does, and its middle is as far from the axis. Pins slide along their spaces until they stand
-//! opposite each other, so that the anvils read `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
+//! On a helical gear these are dimensions over balls with their centres in the measuring plane. A cylindrical pin lies
+//! along its space, on the helix through the centre of a ball. It touches where that ball does, and its middle has the
+//! ball's distance from the axis. Pins slide along their spaces until they are opposite each other. So the anvils
+//! measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
 use super::Unmeasured;
 use super::seat::Seat;
@@ -19,9 +19,9 @@ use nalgebra::Point2;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OverPins {
-    /// The first pin lies in the space after this tooth.
+    /// The first pin is in the space after this tooth.
     pub tooth: u32,
-    /// The second one in the space after this tooth.
+    /// The second pin is in the space after this tooth.
     pub opposite: u32,
     /// `M_dK`, mm.
     pub length: f64,
@@ -35,23 +35,23 @@ pub struct OverPins {
 pub struct Pins {
     /// Pin diameter `D_M`, mm.
     pub diameter: f64,
-    /// The pins where they lie, by the tooth before the space.
+    /// The pins at rest, by the tooth before the space.
     pub seats: Vec<Seat>,
-    /// Over two pins, by the tooth before the first one. With an even number of teeth each diameter stands there twice.
+    /// Over two pins, by the tooth before the first one. With an even number of teeth each diameter occurs twice.
     pub two: Vec<OverPins>,
     /// Over three pins, by the tooth before the single one; empty for an even number of teeth.
     pub three: Vec<OverPins>,
-    /// Over two cylindrical pins that lie along the spaces, as `two`; empty for a spur gear, on which `two` is the same.
+    /// Over two cylindrical pins along the spaces, as `two`; empty for a spur gear, where `two` has the same values.
     pub lying: Vec<OverPins>,
 }
 
 impl OverPins {
-    /// Mean of `list`, mm; not of an empty one.
+    /// Mean of `list`, mm; `list` must not be empty.
     pub fn mean(list: &[OverPins]) -> f64 {
         mean(list.iter().map(|over| over.length))
     }
 
-    /// Least and greatest of `list`, mm; not of an empty one.
+    /// Least and greatest of `list`, mm; `list` must not be empty.
     pub fn ends(list: &[OverPins]) -> [f64; 2] {
         ends(list.iter().map(|over| over.length))
     }
@@ -115,8 +115,8 @@ fn lying(
     (1..=teeth).map(one).collect()
 }
 
-/// Over two pins and over three, `at` each tooth the centre of the pin in the space after it and the bound on its error, mm; `rounding` that of
-/// what follows, mm.
+/// Over two pins and over three. `at` has for each tooth the centre of the pin in the space after it and its error
+/// bound, mm; `rounding` is the rounding of the sums, mm.
 pub(super) fn over(
     teeth: u32,
     diameter: f64,
@@ -145,7 +145,7 @@ pub(super) fn over(
                 tooth,
                 opposite,
                 length: along.perp(&(one - pair[0].0)).abs() + diameter,
-                // The single pin stands between the two, seen along the anvil: their errors do not grow.
+                // Along the anvil the single pin is between the two, so their errors do not grow.
                 error: error + pair[0].1.max(pair[1].1) + rounding,
             }
         });

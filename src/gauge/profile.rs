@@ -1,9 +1,11 @@
 //! Profile deviation: a stylus along the tangents of the base circle, roll by roll.
 //!
-//! The tangent at a roll `ξ` crosses an involute at `r_b ξ` from its point on the base circle. The distance of the flank beyond that is its
-//! deviation, plus = more material. The reference is the involute of the mean thickness in its undisturbed place: pitch is no part of a
-//! profile. Over the evaluation range, with the mean line by least squares over the roll (ISO 1328-1, the design profile being the involute): `f_Hα` is what the mean line
-//! rises from the range's start to its end, `f_fα` the range of the deviation about the mean line, `F_α` the range of the deviation itself.
+//! The tangent at a roll `ξ` crosses an involute at `r_b ξ` from its point on the base circle. The further distance of
+//! the flank is its deviation, plus = more material. The reference is the involute of the mean thickness in its
+//! undisturbed place, so the pitch is no part of a profile. The evaluation follows ISO 1328-1 with the involute as
+//! design profile. Over the evaluation range a least-squares mean line is fitted over the roll. `f_Hα` is the rise of
+//! the mean line over the range, `f_fα` the range of the deviation about the mean line, and `F_α` the range of the
+//! deviation itself.
 
 use super::Unmeasured;
 use super::spread::{ends, mean, range};
@@ -11,11 +13,11 @@ use super::workpiece::Workpiece;
 use crate::gear::{Flank, involute};
 use crate::parallel;
 
-/// Points over a range. Tuned: a parabola's range is found to some 1e-5 of it.
+/// Points over a range (tuned: the range of a parabola is accurate to about 1e-5).
 const POINTS: usize = 201;
-/// Roll that is left out at the ends of the flank, rad: more than rounding, and far below the distance of two points.
+/// Roll omitted at the ends of the flank, rad: more than rounding, and far below the distance of two points.
 const INSIDE: f64 = 1e-9;
-/// Relative to its bound, what of a deviation is more than rounding.
+/// Multiple of its bound above which a deviation is more than rounding.
 const LEVEL: f64 = 100.0;
 
 /// Profiles of all flanks.
@@ -81,7 +83,7 @@ impl FlankProfiles {
         &self.shapes[self.of_tooth[tooth as usize - 1]]
     }
 
-    /// `of` each tooth, tooth 1 first.
+    /// `of` for each tooth, tooth 1 first.
     pub fn by_tooth(&self, of: impl Fn(&ProfileReading) -> f64) -> Vec<f64> {
         let teeth = self.of_tooth.iter();
         teeth.map(|&shape| of(&self.shapes[shape])).collect()
@@ -92,7 +94,7 @@ impl FlankProfiles {
         mean(self.by_tooth(of).into_iter())
     }
 
-    /// The greatest by amount, with its sign, and its tooth.
+    /// The value of greatest amount, with its sign, and its tooth.
     pub fn worst(&self, of: impl Fn(&ProfileReading) -> f64) -> (u32, f64) {
         let teeth = (1..).zip(self.by_tooth(of));
         let greater = |worst: (u32, f64), (tooth, value): (u32, f64)| {
@@ -111,7 +113,8 @@ impl FlankProfiles {
     }
 }
 
-/// Reads the profile of every flank, evaluated between the `radii` of the own right and the own left flanks; of none over the whole flank.
+/// Measures the profile of every flank. It is evaluated between the `radii` of the own right and left flanks, or over
+/// the whole flank.
 pub(super) fn profile(
     work: &Workpiece,
     radii: [Option<[f64; 2]>; 2],
@@ -190,8 +193,8 @@ fn of_flank(
     Ok((profiles, error))
 }
 
-/// The deviations of the points `within` the evaluation range, evenly spread: each stands for the stretch half way to its neighbours, the
-/// first and the last for half of one.
+/// The evaluation of the points `within` the range, which are evenly spread. Each represents the stretch half way to
+/// its neighbours, the first and the last half of that.
 fn evaluate(points: Vec<(f64, f64)>, within: &[(f64, f64)]) -> ProfileReading {
     let last = within.len() - 1;
     let weight = |k: usize| if k == 0 || k == last { 0.5 } else { 1.0 };

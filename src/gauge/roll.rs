@@ -1,8 +1,8 @@
-//! Double-flank roll test: the gear rolled without play against a perfect master gear.
+//! Double-flank roll test: the gear rolls without play against a perfect master gear.
 //!
-//! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion,
-//! bracketed to 1e-10 mm. Poses an even part of a pitch apart give the curve. More poses are added where it may have
-//! its extremes (see [`super::roll_extremes`]).
+//! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion, bracketed to 1e-10
+//! mm. Poses an even part of a pitch apart give the curve. More poses are added where extremes are possible (see
+//! [`super::roll_extremes`]).
 
 use super::Unmeasured;
 use super::master::master;
@@ -17,18 +17,18 @@ use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// A whole roll test.
+/// The result of a roll test.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Roll {
     /// The master gear.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub master: Gear,
-    /// Poses a pitch.
+    /// Poses per pitch.
     pub steps_per_pitch: u32,
-    /// One revolution of the gear, evenly.
+    /// Even poses over one revolution of the gear.
     pub poses: Vec<RollPose>,
-    /// Poses added between for the extremes, in the order of the revolution.
+    /// Additional poses for the extremes, in the order of the revolution.
     pub between: Vec<RollPose>,
     total: RollRange,
     tooth_to_tooth: RollRange,
@@ -63,7 +63,8 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` once round, over its `face`; `tick` is called as each pose begins, `more` with how many are to come beyond the even ones.
+/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of
+/// further poses.
 pub(super) fn roll(
     gear: &AsBuilt,
     master_teeth: Option<u32>,
@@ -119,8 +120,8 @@ pub(super) fn roll(
 
 /// The pose of `mating` at `guess`, rolled without play.
 ///
-/// A mating stands for a rotation that hardly depends on the distance; it is turned back by what it does, so that poses stand
-/// evenly in rotation.
+/// The rotation of a mating depends slightly on the centre distance. The pose is turned back by that, so that poses are
+/// even in rotation.
 fn sample(
     bench: &PairAtDistance,
     guess: f64,
@@ -142,7 +143,7 @@ fn sample(
     let at = there.assembly();
     let left = Pose::new(at, mating_there).locked_rotation() - rotation;
     let found = there.lost_motion(&mating_there)?;
-    // Play changes by 2 sin α_wt a unit of distance; the kernel's own error shifts the zero by as much the other way.
+    // Play changes by 2 sin α_wt per distance; the kernel's own error shifts the zero in proportion.
     let slope = 2.0 * at.operating_pressure_angle().sin();
     let play = found.error().unwrap_or(0.0) * at.gear(Member::Pinion).gear().base_radius();
     Ok(Some(RollSample {
@@ -152,7 +153,7 @@ fn sample(
         }),
         pose: RollPose {
             mating: *mating,
-            // Rest of turning back. The mating there may count from the previous tooth, a revolution off.
+            // The rest of the turn back. The mating there may count from the previous tooth, a revolution off.
             rotation: rotation + left - TAU * (left / TAU).round(),
             distance: 0.5 * (low + high),
             error: 0.5 * (high - low) + play / slope,
@@ -161,11 +162,11 @@ fn sample(
     }))
 }
 
-/// `|da''/dφ|`, mm a radian, while what touches goes on touching.
+/// `|da''/dφ|`, mm/rad, while the contacts stay the same.
 ///
-/// The gear turns by `dφ`, the master by `dθ`, and its axis moves by `da`. A contact at `p` with the normal `n` stays closed if
-/// `(q × n) dθ + n_x da = (p × n) dφ`, with `q` from the master's axis. Right and left contact are two such equations
-/// for `dθ` and `da`.
+/// The gear turns by `dφ`, the master by `dθ`, and its axis moves by `da`. A contact at `p` with the normal `n` stays
+/// closed if `(q × n) dθ + n_x da = (p × n) dφ`, with `q` from the master's axis. Right and left contact give two such
+/// equations for `dθ` and `da`.
 fn slope(found: &LostMotion, distance: f64) -> f64 {
     let (Some(right), Some(left)) = (&found.right, &found.left) else {
         return f64::INFINITY;

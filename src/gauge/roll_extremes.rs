@@ -1,20 +1,20 @@
 //! Extremes of the curve `a''` of a roll test between its poses.
 //!
-//! `a''` is the greatest of the distances at which single pairs of contacts are closed, so between smooth stretches it
-//! has kinks where what touches changes. Even poses meet neither the kinks nor the tops. Three steps:
+//! `a''` is the greatest of the distances at which single pairs of contacts are closed. So it has kinks between smooth
+//! stretches where the contacts change. Even poses hit neither the kinks nor the maxima. Three steps find them:
 //!
-//! 1. Between two even poses that touch different teeth or curves the step is halved [`HALVINGS`] times: a dip between two
-//!    level stretches, where one pair has left and the next has not come, would not show otherwise.
-//! 2. Over a piece of length `h` with the values `f_0, f_1` and slopes `m_0, m_1` at its ends (the slope of each pose is
-//!    known from its contacts), `f` is taken to be no steeper than `L = max(m_0, m_1, 2 |f_1 − f_0|/h) + |m_1 − m_0|`.
-//!    Such a function stays within `(f_0 + f_1)/2 ± L h/2`. (A smooth stretch needs `max(m_0, m_1)` and half their difference; a
-//!    ramp between two level stretches needs what it climbs, doubled in case it takes half of the piece.)
-//! 3. Pieces that may reach beyond an extreme found are halved, until none may by more than [`TOTAL`] for the range of
-//!    the revolution and [`WITHIN_PITCH`] for that within a pitch, for the
-//!    one before the other, or poses have become [`MOST`] times as many. What is left is reported.
+//! 1. Between two even poses with different teeth or curves in contact, the step is halved [`HALVINGS`] times. This finds a
+//!    minimum between two level stretches, where one pair has left and the next has not come.
+//! 2. A piece of length `h` has the values `f_0, f_1` and slopes `m_0, m_1` at its ends; the contacts of a pose give its slope.
+//!    The slope of `f` between them is assumed to be at most `L = max(m_0, m_1, 2 |f_1 − f_0|/h) + |m_1 − m_0|`.
+//!    The function then stays within `(f_0 + f_1)/2 ± L h/2`. (A smooth stretch needs `max(m_0, m_1)` and half their difference.
+//!    A ramp between two level stretches needs its own slope, doubled in case it takes half of the piece.)
+//! 3. Pieces that may exceed a known extreme are halved until none may by more than the accepted error. That is [`TOTAL`] for
+//!    the range of the revolution and then [`WITHIN_PITCH`] for that within a pitch. The number of poses is limited to [`MOST`]
+//!    times the even ones. The remaining uncertainty is reported.
 //!
-//! The assumption is `L`; with it the bracket is proven. The slopes between the poses are not proven
-//! beforehand: something narrower than a halved step that no pose touches would be missed.
+//! With the assumed `L` the bracket is proven. The slopes between the poses are not: a feature narrower than a halved
+//! step that no pose touches would be missed.
 
 use crate::contact::{PoseClass, ToothPlace};
 use crate::error::Error;
@@ -22,14 +22,14 @@ use crate::pair::Mating;
 use crate::parallel;
 use std::collections::BTreeMap;
 
-/// Error that is accepted of F_i'', mm: a thousandth of a micrometre, far below what roll testers resolve.
+/// Accepted error of F_i'', mm: a thousandth of a micrometre, far below the resolution of roll testers.
 const TOTAL: f64 = 1e-6;
-/// Error that is accepted of f_i'', mm. A window of one pitch has two free ends on the steepest part of the curve, so a smaller error
-/// would cost many poses.
+/// Accepted error of f_i'', mm. A window of one pitch has two free ends on the steepest part of the curve, so a smaller
+/// error would need many poses.
 const WITHIN_PITCH: f64 = 1e-5;
 /// Halvings of steps in which the contact changes (tuned: a hundredth of a pitch at the usual 16 poses).
 const HALVINGS: u32 = 3;
-/// Poses in all, times the even ones (tuned: the usual gear takes twice as many).
+/// Limit of all poses, as a multiple of the even ones (tuned: the usual gear takes twice as many).
 const MOST: usize = 8;
 /// Parts of an even step: places are whole numbers of them.
 const PARTS: u64 = 1 << 30;
@@ -50,13 +50,13 @@ pub struct RollPose {
     pub class: PoseClass,
 }
 
-/// A range of `a''`, bracketed: between `found` and `found + missed`, but for twice the error of a pose.
+/// A range of `a''`, between `found` and `found + missed`, except for twice the error of a pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RollRange {
-    /// Over the poses taken, mm.
+    /// Range over the poses, mm.
     pub found: f64,
-    /// Bound on what lies beyond between poses, mm.
+    /// Bound on the part of the range between poses, mm.
     pub missed: f64,
 }
 
@@ -69,17 +69,17 @@ pub(super) struct RollCurve {
     pub step: f64,
 }
 
-/// A pose, and how the curve goes on from it.
+/// A pose with the slope of the curve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RollSample {
     pub pose: RollPose,
-    /// Amount, mm a radian.
+    /// Amount of the slope, mm/rad.
     pub slope: f64,
     /// Right and left contact: teeth and curves of the gear and of the master.
     pub touched: [Option<[(u32, ToothPlace); 2]>; 2],
 }
 
-/// The poses taken and what they come to.
+/// The poses of a test, and its ranges.
 pub(super) struct Bracketed {
     pub even: Vec<RollPose>,
     pub between: Vec<RollPose>,
@@ -94,7 +94,7 @@ struct Piece {
     to: u64,
     /// Values at its ends, the lesser first.
     ends: [f64; 2],
-    /// Between which the curve stays.
+    /// Bounds of the curve.
     within: [f64; 2],
     /// Whether both ends have contacts of one class.
     same_contacts: bool,
@@ -106,10 +106,10 @@ impl Piece {
     }
 }
 
-/// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need;
-/// `more` is called with the number of each round of those.
+/// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need.
+/// `more` is called with the number of each further round.
 ///
-/// `None` where a pose has no distance.
+/// `None` if a pose has no distance.
 pub(super) fn bracketed(
     curve: &RollCurve,
     more: &dyn Fn(usize),
@@ -136,7 +136,7 @@ pub(super) fn bracketed(
             ranges.open(&pieces)
         };
         halved.retain(|piece| piece.to - piece.from > 1);
-        // Farthest-reaching pieces first, as their number is limited.
+        // The pieces with the greatest possible excess first, because their number is limited.
         halved.sort_by(|one, other| other.slack().total_cmp(&one.slack()));
         halved.truncate((MOST * curve.steps).saturating_sub(samples.len()));
         wanted = halved
@@ -185,11 +185,11 @@ fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Piece> 
     samples.iter().zip(next).map(piece).collect()
 }
 
-/// Both ranges, and which pieces leave them open.
+/// Both ranges, and the pieces that leave them uncertain.
 struct Ranges {
     total: RollRange,
     tooth_to_tooth: RollRange,
-    /// By piece: whether it must be halved for the one or for the other.
+    /// Whether each piece must be halved, for the one and the other range.
     open: [Vec<bool>; 2],
 }
 
@@ -206,7 +206,7 @@ impl Ranges {
             .collect();
         let pitch = curve.steps_per_pitch as u64 * PARTS;
         let round = curve.steps as u64 * PARTS;
-        // Pieces from `first` on that a window of one pitch can reach which begins within piece `first`.
+        // Pieces from `first` on that a window of one pitch starting within piece `first` can reach.
         let reached = |first: usize| {
             let end = pieces[first].to + pitch;
             (first..first + pieces.len())
@@ -219,7 +219,7 @@ impl Ranges {
         let mut found: f64 = 0.0;
         let mut windows = Vec::with_capacity(pieces.len());
         for (first, piece) in pieces.iter().enumerate() {
-            // Poses of the window that begins at the piece's start.
+            // Poses of the window that starts with the piece.
             let last = piece.from + pitch;
             let inside = reached(first)
                 .filter(|(index, lap)| pieces[*index].to + lap <= last)
@@ -234,7 +234,7 @@ impl Ranges {
             if reach <= found + WITHIN_PITCH {
                 continue;
             }
-            // The pieces that may hold the window's extremes, and its two free ends, make it appear wide.
+            // Pieces with the possible extremes of the window, and its two free ends, increase its possible range.
             let mut last = first;
             for (index, _) in reached(first) {
                 let piece = &pieces[index];
@@ -261,7 +261,7 @@ impl Ranges {
         }
     }
 
-    /// The pieces to halve: for the revolution first, which takes few.
+    /// The pieces to halve. The few pieces of the revolution are first.
     fn open<'a>(&self, pieces: &'a [Piece]) -> Vec<&'a Piece> {
         let of = |open: &[bool]| -> Vec<&'a Piece> {
             let marked = pieces.iter().zip(open);
@@ -272,7 +272,7 @@ impl Ranges {
     }
 }
 
-/// Least and greatest of some pieces: found, and possible.
+/// Least and greatest value of some pieces: found, and possible.
 struct Span {
     found: [f64; 2],
     within: [f64; 2],

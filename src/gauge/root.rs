@@ -1,8 +1,8 @@
-//! Radius of the root circle: a stylus set down on the bottom of every tooth space.
+//! Radius of the root circle: a stylus on the bottom of every tooth space.
 //!
-//! The bottom of a space belongs to the two half teeth beside it, each from the end of its fillet to the middle of its
-//! space, turned with its flank. Where flanks stand so far out that one half's fillet covers the other's bottom
-//! the root circle does not show; that space is left out.
+//! The bottom of a space belongs to the two half teeth beside it. Each extends from the end of its fillet to the middle
+//! of its space, turned with its flank. If one half's fillet covers the other's bottom, because flanks deviate
+//! outwards, the root circle is hidden, and that space is omitted.
 
 use super::Unmeasured;
 use super::workpiece::Workpiece;
@@ -12,18 +12,18 @@ use crate::gear::{Flank, GearDesign};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RootReading {
-    /// `r_f`, mm: mean over the spaces where it shows.
+    /// `r_f`, mm: mean over the spaces in which it is visible.
     pub radius: f64,
     /// Bound on its error, mm.
     pub error: f64,
-    /// Thickness by the depth of the tool that cut the teeth: `s = m (π/2 + 2 x_E tan α)` at the reference circle, mm,
-    /// `x_E` from `r_f = r − m (h_fP* − x_E)` with the rack of the drawing.
+    /// Thickness from the depth of the tool, mm: `s = m (π/2 + 2 x_E tan α)` at the reference circle. `x_E` follows
+    /// from `r_f = r − m (h_fP* − x_E)` with the rack of the drawing.
     pub thickness: f64,
     /// Bound on the error of `thickness`, mm.
     pub thickness_error: f64,
 }
 
-/// Reads the root circle.
+/// Measures the root circle.
 pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
     let gear = work.as_built;
     let ascending = gear.face().ascending();
@@ -32,12 +32,12 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
     for tooth in 1..=gear.gear().basic_data().teeth() {
         let next = work.after(tooth, 1);
         let ends = [(Flank::Right, tooth, half), (Flank::Left, next, -half)];
-        // Seen from the middle of the space.
+        // From the middle of the space.
         let [from, to] = ends.map(|(own, tooth, pitches)| {
             let side = gear.face().seen_from_front(own);
             work.turn(side, tooth, pitches) * work.root_end(side, tooth)
         });
-        // The cross product of both, over r_f²: the angle of bottom between them.
+        // The cross product of both, over r_f²: the angle of the bottom between them.
         let shown = ascending * from.coords.perp(&to.coords) / from.coords.norm();
         if shown >= -work.bound() {
             sum += from.coords.norm();
@@ -63,7 +63,7 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
             ..*design
         }
         .nominal_thickness(),
-        // Rounding of r and of the shift is some ulps of r, far within the bound.
+        // The rounding of r and of the shift is a few ulps of r, far within the bound.
         thickness_error: 2.0 * (2.0 * work.bound()) * tan,
     })
 }

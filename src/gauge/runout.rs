@@ -1,4 +1,4 @@
-//! Runout `F_r`: a ball in every space, read from the rotation axis.
+//! Runout `F_r`: a ball in every space, measured from the rotation axis.
 
 use super::Unmeasured;
 use super::seat::{Seat, seats};
@@ -9,7 +9,7 @@ use super::workpiece::Workpiece;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BallReading {
-    /// How it lies: the space after this seat's tooth, and what it touches.
+    /// The ball at rest: the space after this seat's tooth, and its contacts.
     pub seat: Seat,
     /// Distance of its centre from the rotation axis, mm.
     pub radius: f64,
@@ -21,7 +21,7 @@ pub struct BallReading {
 pub struct RunoutReadings {
     /// Ball diameter, mm.
     pub diameter: f64,
-    /// By the tooth before the space.
+    /// Readings by the tooth before the space.
     pub readings: Vec<BallReading>,
 }
 
@@ -31,7 +31,7 @@ impl RunoutReadings {
         range(self.readings.iter().map(|reading| reading.radius))
     }
 
-    /// Bound on the error of `F_r`, mm: of a difference of two readings.
+    /// Bound on the error of `F_r`, mm, for a difference of two readings.
     pub fn error(&self) -> f64 {
         2.0 * self.reading_error()
     }
@@ -60,7 +60,7 @@ impl RunoutReadings {
     }
 }
 
-/// Reads balls of `diameter` in every space.
+/// Measures balls of `diameter` in every space.
 pub(super) fn runout(work: &Workpiece, diameter: f64) -> Result<RunoutReadings, Unmeasured> {
     let seats = seats(work, diameter)?;
     let displacement = work.as_built.displacement(0.0);

@@ -1,9 +1,9 @@
-//! Where a pin or ball rests in a tooth space.
+//! The position of a pin or ball at rest in a tooth space.
 //!
-//! Its centre stands half its diameter from both flanks of the space, in the measuring plane of a helical gear. The distance of a point to an outline
-//! has the unit vector from the nearest place as its gradient, so Newton's method on the two distances
-//! converges squarely; it starts on the tip circle, in the middle of the space. Fillets, root and tip corners are part of the
-//! half teeth that are asked; a ball that is stopped there says so.
+//! Its centre is half its diameter from both flanks of the space, in the measuring plane of a helical gear. The
+//! gradient of the distance from an outline is the unit vector from the nearest place. So Newton's method on the two
+//! distances converges quadratically. It starts on the tip circle in the middle of the space. The half teeth include
+//! fillets, root and tip corners; a ball that stops there reports it.
 
 use super::Unmeasured;
 use super::flank_distance::{Nearest, OneFlank, nearest};
@@ -29,16 +29,16 @@ pub struct Seat {
     pub sections: [f64; 2],
 }
 
-/// Newton steps: a dozen are many.
+/// Limit of Newton steps; a dozen is already much.
 const MOST_STEPS: usize = 60;
-/// Longest step, modules: distances have no sign, so a step must not pass through a tooth.
+/// Longest step, modules. Distances have no sign, so a step must not pass through a tooth.
 const LONGEST: f64 = 0.25;
 
 /// Lays a pin of `diameter` into every space.
 pub(super) fn seats(work: &Workpiece, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
     let teeth = 1..=work.as_built.gear().basic_data().teeth();
     let seats = parallel::map(teeth, |tooth| seat(work, tooth, diameter));
-    // In order: of several faults the first is reported, whatever the threads.
+    // In order, so that the first of several faults is reported with any number of threads.
     seats.into_iter().collect()
 }
 
@@ -56,7 +56,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
             -half,
         ),
     ];
-    // Seen from the middle of the space.
+    // From the middle of the space.
     let flanks = ends.map(|(side, tooth, pitches)| OneFlank {
         side,
         tooth,
@@ -77,7 +77,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
             sections: found.map(|one| one.section),
         }
     };
-    // A ball that reaches the root land with room on both sides rests on that alone.
+    // A ball that reaches the root land with room on both sides rests on the root alone.
     let on_root = Point2::new(gear.root_radius() + radius, 0.0);
     let mut found = query(on_root);
     if found.iter().all(|f| f.distance >= radius - work.bound()) {
@@ -101,8 +101,8 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
         }
         centre += step * (longest / length).min(1.0);
         if length <= work.bound() {
-            // Each distance is within the bound, and a centre between two gradients of the determinant D moves
-            // by at most √2 · √2/|D| as much.
+            // Each distance is within the bound. A centre between two gradients of the determinant D moves by at most
+            // √2 · √2/|D| as much.
             let error = length + 2.0 * work.bound() / gradients.determinant().abs();
             return Ok(seated(centre, error, found));
         }

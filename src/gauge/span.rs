@@ -1,17 +1,18 @@
 //! Span `W_k`: two parallel anvils closed on the flanks of `k` teeth.
 //!
-//! Both anvils are plane and reach down to the form circle; a space is narrow, so only the flank that bounds the
-//! teeth spanned can touch an anvil. Closed, they read the distance between the two places touched, along
-//! their common normal. Rocking them leaves that distance alone while both touch involutes (the contacts move
-//! along one line of action), and lets it fall once an anvil tilts over a tip corner or leaves the involute's lower end: the
-//! reading is the greatest, and the anvils stand in the middle of the plateau.
+//! Both anvils are plane and reach down to the form circle. A space is narrow, so an anvil can touch only the flank
+//! that bounds the spanned teeth. The closed anvils measure the distance of the two contacts along their common normal.
+//! Rocking keeps that distance while both touch involutes, because the contacts move along one line of action. It falls
+//! once an anvil tilts over a tip corner or leaves the involute's lower end. The reading is the greatest distance, with
+//! the anvils in the middle of the plateau.
 //!
-//! Flanks whose profiles deviate have no plateau: with a slope on one of them the distance grows all the way to its end. There the anvils
-//! stand square to the middle of the teeth spanned, so that both touch at the same height, as a shop reads them; the thickness that is stated
-//! by a span means that reading ([`crate::metrology`]).
+//! Flanks whose profiles deviate have no plateau: with a slope on one of them the distance grows to its end. Then the
+//! anvils are perpendicular to the middle of the spanned teeth, so that both touch at the same height, as a shop reads
+//! them. A span in a gear file means that reading ([`crate::metrology`]).
 //!
-//! On helical teeth the anvils lean by the base helix angle, along the straight lines of the flanks: their normal is that of the helix, and the
-//! places touched, on one such normal, stand in sections `W_k sin β_b` apart, the measuring plane in the middle.
+//! On helical teeth the anvils are tilted by the base helix angle, parallel to the straight lines of the flanks. Their
+//! normal is that of the helix. Both contacts are on one such normal, in sections `W_k sin β_b` apart, with the
+//! measuring plane in the middle.
 
 use super::Unmeasured;
 use super::spread::{ends, mean};
@@ -25,15 +26,15 @@ use nalgebra::{UnitComplex, Vector2};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Span {
-    /// First of the teeth spanned, in ascending numbers.
+    /// First of the spanned teeth, in ascending numbers.
     pub first_tooth: u32,
     /// `W_k`, mm; both anvils touch involutes.
     pub length: f64,
     /// Bound on its error, mm.
     pub error: f64,
-    /// Where the anvils touched: the first tooth's own left flank, the last one's own right flank.
+    /// Contacts of the anvils: the first tooth's own left flank, the last one's own right flank.
     pub touched: [Touch; 2],
-    /// Where along the face, mm from the measuring plane; 0 on a spur gear.
+    /// Axial positions of the contacts, mm from the measuring plane; 0 on a spur gear.
     pub sections: [f64; 2],
 }
 
@@ -43,7 +44,7 @@ pub struct Span {
 pub struct Spans {
     /// `k`.
     pub teeth: u32,
-    /// By first tooth, from tooth 1.
+    /// Readings by first tooth, from tooth 1.
     pub readings: Vec<Span>,
 }
 
@@ -66,7 +67,7 @@ impl Spans {
     }
 }
 
-/// Rocking steps; the first direction is right by symmetry unless a flank is not the other's mirror image.
+/// Limit of rocking steps. By symmetry the first direction is right, except for flanks that do not mirror each other.
 const MOST_ROCKS: usize = 20;
 
 /// Measures the span over `k` teeth all round.
@@ -89,7 +90,8 @@ pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
     }
 }
 
-/// Why `spans` are none: a span is measured where both anvils touch involutes between the form circle and the tip corner.
+/// The reason why `spans` are not valid: a span needs both anvils on involutes between the form circle and the tip
+/// corner.
 fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
     let gear = work.as_built.gear();
     let off = |ends: fn(&Workpiece, &Touch) -> bool| {
@@ -123,7 +125,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     let face = work.as_built.face();
     let last_tooth = work.after(first_tooth, k - 1);
     let half = 0.5 * f64::from(k - 1) * face.ascending();
-    // Seen from the middle of the teeth spanned; the flanks' sides are the picture's.
+    // From the middle of the spanned teeth; sides of flanks are those of the picture.
     let ends = [
         (face.seen_from_front(Flank::Left), first_tooth, half),
         (face.seen_from_front(Flank::Right), last_tooth, -half),
@@ -131,7 +133,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
     let data = work.as_built.gear().basic_data();
     let (sin, cos) = data.base_helix_angle().sin_cos();
-    // The places touched stand `apart` mm along the face, `along` within it.
+    // The contacts are `apart` mm apart along the face and `along` within it.
     let read = |along: Vector2<f64>, apart: f64| {
         let sections = [0.5 * apart, -0.5 * apart];
         let turned = |i: usize| {
@@ -154,7 +156,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
             curve: placed[i].0.curve.into(),
             radius: placed[i].0.at.coords.norm(),
         };
-        // Where turning sections bring the first flank back along its normal, the helix's normal leads.
+        // If turning sections bring the first flank back along its normal, the normal of the helix leads.
         let ahead = -(data.twist() * one.coords.perp(&along)).signum();
         let span = Span {
             first_tooth,
@@ -182,12 +184,13 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
         let corner = profile.point(ProfilePart::Involute, tip, ends[i].0);
         turns[i] * corner
     };
-    // Anvils square to the line between the tip corners touch two mirrored flanks at mirrored places.
+    // Anvils perpendicular to the line between the tip corners touch two mirrored flanks at mirrored places.
     let mut along = (corner(0) - corner(1)).normalize();
     let mut apart = 0.0;
     for _ in 0..MOST_ROCKS {
         let (span, join, ahead) = read(along, apart);
-        // Each place is at most a chord behind its curve. No direction reads more than the distance of the places it touches.
+        // Each place is at most a chord behind its curve. No direction gives more than the distance of its two
+        // contacts.
         if join.norm().hypot(apart) - span.length <= work.bound() {
             return Ok(span);
         }

@@ -1,11 +1,10 @@
-//! The tooth thickness that a gear file states after the readings.
+//! The tooth thickness that a gear file states for these readings.
 //!
-//! Mean thickness is what `[thickness]` states, and it alone sets pose, root and fillet; per-tooth thickness is added flank
-//! by flank, its mean not removed. At the flanks the two cannot be told apart: teeth of −20 µm with −40 µm on every one
-//! and teeth of −60 µm have the same spans. The root can tell: the tool was fed for the mean
-//! thickness, so the root circle's radius has `x_E` in it. The thickness that goes with the root is the mean;
-//! what the flanks are thicker or thinner all round is stated tooth by tooth. How thickness varies from tooth
-//! to tooth is in the pitch of both flanks.
+//! `[thickness]` states the mean thickness, which alone determines pose, root and fillet. Thickness by tooth is added
+//! flank by flank, and its mean is kept. The flanks cannot distinguish the two: teeth of −20 µm with −40 µm on every
+//! one have the same spans as teeth of −60 µm. The root can: the tool was fed for the mean thickness, so the radius of
+//! the root circle contains `x_E`. The thickness that matches the root is the mean; a further offset of all flanks is
+//! stated tooth by tooth. The variation from tooth to tooth is in the pitch of both flanks.
 
 use super::Unmeasured;
 use super::flanks::{PitchReadings, ThicknessReadings};
@@ -13,25 +12,25 @@ use super::root::RootReading;
 use super::span::Spans;
 use crate::gear::{AsBuilt, Gear, thickness};
 
-/// The thickness as a gear file states it. Lengths in mm.
+/// The thickness in a gear file. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum StatedThickness {
-    /// The spans as read; no tooth is thicker or thinner than the root says.
+    /// The measured spans; no tooth differs from the thickness by the root.
     Spans,
-    /// `A_sn`, in the normal section at the reference circle, and what every tooth is thicker beside.
+    /// `A_sn`, in the normal section at the reference circle, and an additional thickness of every tooth.
     Allowance {
         /// Allowance of the mean thickness.
         allowance: f64,
-        /// Mean of the thickness by tooth: 0 where it lies within the error of the readings.
+        /// Mean of the thickness by tooth; 0 within the error of the readings.
         per_tooth: f64,
-        /// Whether a reader of the file can hold the spans against it.
+        /// Whether the spans can confirm it when the file is read.
         cross_check: bool,
     },
 }
 
-/// The readings a statement may rest on.
+/// The readings for a statement.
 pub(super) struct Readings<'a> {
     pub spans: &'a Result<Spans, Unmeasured>,
     pub thickness: &'a Result<ThicknessReadings, Unmeasured>,
@@ -39,10 +38,11 @@ pub(super) struct Readings<'a> {
     pub root: &'a Result<RootReading, Unmeasured>,
 }
 
-/// States the thickness of `gear`, or says why no gear file can.
+/// The thickness of `gear` for a gear file, or the reason why none can state it.
 ///
-/// Spans are stated only where a reader of the file finds the same: `k` whose contact lies on the involute of a
-/// gear of that thickness. An allowance is that of the involutes: what the profiles of `as_built` add at the reference circle is no part of it.
+/// Spans are stated only if reading the file gives the same spans: `k` must have its contact on the involute of a gear
+/// of that thickness. An allowance is that of the involutes, without the contribution of `as_built`'s profiles at the
+/// reference circle.
 pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickness, Unmeasured> {
     let gear = as_built.gear();
     if let Err(reason) = read.pitch {
@@ -65,7 +65,7 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
         (Err(reason), None) => return Err(reason.clone()),
     };
     let allowance = thickness::allowance_from_base(basic_data, nominal, base);
-    // Thickness by the root, where it shows.
+    // Thickness by the root, if it is visible.
     let beyond = read.root.as_ref().map_or(0.0, |root| {
         let beyond = allowance - (root.thickness - design.nominal_thickness());
         if beyond.abs() <= error + root.thickness_error {

@@ -1,38 +1,39 @@
-//! The gear under the gauges: its outline cut coarsely, and again ever finer where something touches.
+//! The gear on the bench: its outline, cut coarsely, and finer where something touches.
 //!
-//! Equal teeth share two half teeth. A query is in the frame of the half tooth (see [`HalfTooth`]), to which its caller has turned it.
-//! A coarse polygon selects the stretch that may touch. That stretch is cut again until chords are as near their curve as f64 allows.
+//! Equal teeth share two half teeth. A query uses the frame of the half tooth (see [`HalfTooth`]); the caller turns it
+//! there. A coarse polygon selects the stretch that can touch. That stretch is cut again until chords are as near their
+//! curve as f64 allows.
 
 use crate::contact::PolylineShape;
 use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side, involute};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::ops::Range;
 
-/// Chordal error of the first polygons, modules (tuned: some thirty chords a half tooth).
+/// Chordal error of the first polygons, modules (tuned: about thirty chords per half tooth).
 const COARSE: f64 = 1e-3;
-/// Each re-cut is this much finer: some thirty chords over the stretch in question (tuned, as in the polygon method).
+/// Factor of each finer cut: about thirty chords over the stretch (tuned, as in the polygon method).
 const FINER: f64 = 1e-3;
-/// A radius this near the tip circle, mm, is the tip corner, and this near the form circle the involute's end: the width
-/// that results elsewhere use, too.
+/// Distance from the tip circle, mm, within which a place is the tip corner, and from the form circle, within which it
+/// is the end of the involute. Other results use the same width.
 const CORNER: f64 = 1e-7;
 
-/// A place of the outline that something touched, in the frame of its half tooth.
+/// A contact on the outline, in the frame of its half tooth.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub at: Point2<f64>,
     pub curve: ProfilePart,
 }
 
-/// A gear as built on the bench.
+/// A gear as built, on the bench.
 pub(super) struct Workpiece<'a> {
     pub as_built: &'a AsBuilt,
-    /// Right and left, whole, by shape ([`AsBuilt::shape_of`]).
+    /// Right and left half teeth, by shape ([`AsBuilt::shape_of`]).
     halves: [Vec<Cut>; 2],
 }
 
 struct Cut {
     whole: Polygon,
-    /// Its tip land and involute alone.
+    /// Only its tip land and involute.
     flank: HalfTooth,
 }
 
@@ -77,29 +78,29 @@ impl<'a> Workpiece<'a> {
         &self.halves[index(side)][self.as_built.shape_of(side, tooth)]
     }
 
-    /// Chordal error, mm, of the finest polygons: 64 ulps of the greatest radius, below which points are not known better.
+    /// Chordal error of the finest polygons, mm: 64 ulps of the greatest radius, below which points are uncertain.
     fn finest(&self) -> f64 {
         64.0 * f64::EPSILON * self.as_built.reach()
     }
 
-    /// Bound, mm, on the error of a place: the finest chords, and as much for the rounding of coordinates and turns.
+    /// Bound on the error of a place, mm: the finest chords plus the same for the rounding of coordinates and turns.
     pub fn bound(&self) -> f64 {
         2.0 * self.finest()
     }
 
-    /// Rotation of the half tooth of `side` of `tooth` in a frame whose +x points `pitches` counter-clockwise
-    /// of the undisturbed centre of `tooth`.
+    /// Rotation of the half tooth on `side` of `tooth` in a frame whose +x is `pitches` counter-clockwise of the
+    /// undisturbed centre of `tooth`.
     pub fn turn(&self, side: Side, tooth: u32, pitches: f64) -> UnitComplex<f64> {
         let pitch = self.as_built.gear().basic_data().angular_pitch();
         UnitComplex::new(self.as_built.flank_offset(side, tooth) - pitches * pitch)
     }
 
-    /// The middle of the tip land, in the frame of the half tooth of `side`.
+    /// The middle of the tip land, in the frame of the half tooth on `side`.
     pub fn tip_land(&self, side: Side, tooth: u32) -> Point2<f64> {
         self.cut(side, tooth).whole.half.points()[0]
     }
 
-    /// Where the root land of the half tooth of `side` begins, in its frame; the end of the fillet where there is no land.
+    /// Start of the root land of the half tooth on `side`, in its frame; the end of the fillet without a land.
     pub fn root_end(&self, side: Side, tooth: u32) -> Point2<f64> {
         let polygon = &self.cut(side, tooth).whole.half;
         let mut segments = polygon.segments().iter();
@@ -113,10 +114,11 @@ impl<'a> Workpiece<'a> {
         (tooth - 1 + steps) % teeth + 1
     }
 
-    /// Where a plane face of outward normal `along` that closes on the flank of `side` of `tooth` touches it: tip land or involute.
+    /// Contact of a plane face of outward normal `along` that closes on the flank of `side` of `tooth`: tip land or
+    /// involute.
     ///
-    /// The face ends at the form circle. Vertices lie on their curve, and chords within `δ` of it. A chord with both ends more than `δ`
-    /// behind the foremost vertex is not in contact.
+    /// The face ends at the form circle. Vertices are on their curve, and chords within `δ` of it. A chord with both
+    /// ends more than `δ` behind the foremost vertex is not in contact.
     pub fn foremost(&self, side: Side, tooth: u32, along: Vector2<f64>) -> Place {
         let profile = self.as_built.profile(side, tooth);
         let mut cut: Option<HalfTooth> = None;
@@ -146,7 +148,7 @@ impl<'a> Workpiece<'a> {
         }
     }
 
-    /// The place of the half tooth of `side` of `tooth` nearest to `point`, and its distance, mm.
+    /// The nearest place to `point` on the half tooth of `side` of `tooth`, and its distance, mm.
     pub fn nearest(&self, side: Side, tooth: u32, point: Point2<f64>) -> (Place, f64) {
         let profile = self.as_built.profile(side, tooth);
         let mut cut: Option<Polygon> = None;
@@ -158,7 +160,8 @@ impl<'a> Workpiece<'a> {
                 let (curve, _) = on.half.locate(found.segment, &found.at);
                 return (self.place(found.at, curve), found.distance);
             }
-            // The curve is at most δ farther than its nearest chord, and any chord at most δ farther than its curve.
+            // The curve is at most δ further away than its nearest chord, and any chord at most δ further than its
+            // curve.
             let window = on
                 .shape
                 .near_point(&point, found.distance + 2.0 * chordal_error);
@@ -167,11 +170,12 @@ impl<'a> Workpiece<'a> {
         }
     }
 
-    /// Where the involute of `side` of `tooth` crosses the circle of `radius` about `centre`, and the bound on the
-    /// error along that circle, mm; `None` where it does not cross.
+    /// Intersection of the involute of `side` of `tooth` with the circle of `radius` about `centre`, and the error
+    /// bound along that circle, mm; `None` if they do not intersect.
     ///
-    /// Along the circle the crossing moves by `δ/cos` when its chord moves by `δ` across, `cos` between the chord's normal
-    /// and the circle. On a chord of length `h` the squared distance is taken as linear: off by `h²/(8 radius)`, far below `δ`.
+    /// If the chord moves by `δ` across, the intersection moves by `δ/cos` along the circle, where `cos` is between the
+    /// chord's normal and the circle. On a chord of length `h` the squared distance is taken as linear: off by `h²/(8
+    /// radius)`, far below `δ`.
     pub fn crossing(
         &self,
         side: Side,
@@ -183,14 +187,14 @@ impl<'a> Workpiece<'a> {
             let distance = (p - centre).norm();
             (distance - radius) * (distance + radius)
         };
-        let (at, along) = self.where_it_crosses(side, tooth, excess)?;
+        let (at, along) = self.crossing_on_flank(side, tooth, excess)?;
         let cos = along.dot(&(at - centre).normalize()).abs();
         Some((at, self.bound() / cos))
     }
 
-    /// Where `excess`, all but linear along a chord, falls below 0 from the tip to the root on the flank of `side` of `tooth`, and the direction of the
-    /// finest chord there; `None` where it does not.
-    fn where_it_crosses(
+    /// The place on the flank of `side` of `tooth`, from tip to root, at which `excess` falls below 0, and the
+    /// direction of the finest chord there. `excess` must be almost linear along a chord. `None` if there is none.
+    fn crossing_on_flank(
         &self,
         side: Side,
         tooth: u32,
@@ -218,10 +222,11 @@ impl<'a> Workpiece<'a> {
         }
     }
 
-    /// Position of the flank of `side` of `tooth` along the tangent to the base circle at the roll `xi`, mm from the point of tangency,
-    /// and the bound on its error; `None` where the tangent does not cross the flank.
+    /// Position of the flank of `side` of `tooth` on the tangent to the base circle at the roll `xi`, mm from the point
+    /// of tangency, with its error bound. `None` if the tangent does not meet the flank.
     ///
-    /// An involute of the mean thickness in its undisturbed place is at `r_b ξ`. The tangent is nearly normal to the flank.
+    /// An involute of the mean thickness in its undisturbed place is at `r_b ξ`. The tangent is nearly normal to the
+    /// flank.
     pub fn along_tangent(&self, side: Side, tooth: u32, xi: f64) -> Option<(f64, f64)> {
         let gear = self.as_built.gear();
         let angle = xi - gear.half_base_angle();
@@ -230,14 +235,14 @@ impl<'a> Workpiece<'a> {
         let outward = Vector2::new(angle.cos(), mirror * angle.sin());
         let along = Vector2::new(angle.sin(), -mirror * angle.cos());
         let excess = |p: &Point2<f64>| outward.dot(&p.coords) - gear.base_radius();
-        let (at, chord) = self.where_it_crosses(side, tooth, excess)?;
+        let (at, chord) = self.crossing_on_flank(side, tooth, excess)?;
         Some((
             along.dot(&at.coords),
             self.bound() / chord.dot(&outward).abs(),
         ))
     }
 
-    /// Rolls of the ends of the flank of `side` of `tooth`, lower one first: those of the tangents through them.
+    /// Rolls of the ends of the flank of `side` of `tooth`, the lower first: those of the tangents through the ends.
     pub fn flank_rolls(&self, side: Side, tooth: u32) -> [f64; 2] {
         let polygon = &self.cut(side, tooth).flank;
         let gear = self.as_built.gear();
@@ -251,7 +256,7 @@ impl<'a> Workpiece<'a> {
         })
     }
 
-    /// Whether a place of the involute at `radius`, mm, is its lower end, at the form circle.
+    /// Whether a place of the involute at `radius`, mm, is its lower end at the form circle.
     pub fn ends_involute(&self, radius: f64) -> bool {
         radius <= self.as_built.gear().form_radius() + CORNER
     }

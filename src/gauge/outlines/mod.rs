@@ -1,7 +1,7 @@
-//! Spans and pins on a gear by its outline: anvils and pins brought to the curves as drawn.
+//! Spans and pins on a gear given by its outline: anvils and pins touch the curves as drawn.
 //!
-//! Nothing is guessed: there is no form circle, so the anvils reach down to a stated share of the depth, and what touches the tip or the root
-//! says so. Readings have the meaning of those of a gear by its data ([`super::Spans`], [`super::Pins`]).
+//! There is no form circle, so the anvils reach down to a stated share of the depth, and a contact at tip or root is
+//! reported. Readings mean the same as those of a gear by its data ([`super::Spans`], [`super::Pins`]).
 
 mod place;
 mod seat;
@@ -11,7 +11,8 @@ use super::pins::{Pins, over};
 use super::{Formula, Gauged, Unmeasured};
 use crate::outline::OutlineGear;
 
-/// Measures spans over `span_teeth` teeth and over pins of the diameter `pin`, mm (> 0), on `gear`. All else needs an involute.
+/// Measures spans over `span_teeth` teeth and over pins of the diameter `pin`, mm (> 0), on `gear`. Other gauges need
+/// an involute.
 ///
 /// ```
 /// # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};

@@ -1,8 +1,8 @@
 //! The place of a half tooth that is foremost in a direction, or nearest to a point.
 //!
-//! Branch and bound over the pieces as drawn. `PartCurve::spread` bounds how far points and normals of a stretch stray from its middle:
-//! where the normals cannot point the way sought, the best place is an end; elsewhere what a stretch may gain falls with the square of its
-//! length, so some twenty halvings reach the last bits.
+//! Branch and bound over the pieces as drawn. `PartCurve::spread` bounds how far points and normals of a stretch are
+//! from those of its middle. If the normals cannot have the required direction, the best place is an end. Otherwise the
+//! possible gain of a stretch falls with the square of its length, so about twenty halvings reach the last bits.
 
 use crate::contact::{ToothPlace, Touch};
 use crate::gear::Side;
@@ -12,14 +12,14 @@ use std::f64::consts::FRAC_PI_2;
 
 type C = Complex<f64>;
 
-/// Stretches looked at before the rest is left to the error bound (tuned: a seat needs some hundred; a pin of the very radius of the arc it
-/// lies in would need millions).
+/// Limit of stretches; the rest goes into the error bound (tuned: a seat needs about a hundred; a pin with exactly the
+/// radius of the arc in which it lies would need millions).
 const MOST_STRETCHES: usize = 20_000;
 
-/// A normal that may turn so far, rad, bounds nothing yet.
+/// Range of a normal's direction, rad, that is too wide for a bound.
 const WIDE: f64 = 1.0;
 
-/// What is sought, in the gear's own frame.
+/// The target, in the gear's own frame.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Sought {
     /// Foremost in the direction of this unit vector.
@@ -28,14 +28,14 @@ pub(super) enum Sought {
     Nearest(C),
 }
 
-/// What was found.
+/// The place found.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
-    /// In the gear's own frame.
+    /// Position in the gear's own frame.
     pub at: C,
-    /// How far behind the line through the origin, or the distance, mm.
+    /// Distance behind the line through the origin, or from the point, mm.
     pub value: f64,
-    /// The least value is not below `value` by more, mm.
+    /// The least value is at most this much below `value`, mm.
     pub missed: f64,
 }
 
@@ -45,7 +45,7 @@ pub(super) fn rounding(gear: &OutlineGear) -> f64 {
 }
 
 impl Sought {
-    /// What is to be least, mm.
+    /// The quantity to minimise, mm.
     fn value(self, point: C) -> f64 {
         match self {
             Sought::Foremost(along) => -(along.conj() * point).re,
@@ -53,7 +53,8 @@ impl Sought {
         }
     }
 
-    /// The direction, a unit vector, in which it falls fastest at `point`, and how far that turns within `d` mm of it, rad.
+    /// The direction in which it falls fastest at `point`, a unit vector, and the turn of that direction within `d` mm,
+    /// rad.
     fn falls(self, point: C, d: f64) -> (C, f64) {
         match self {
             Sought::Foremost(along) => (along, 0.0),
@@ -104,8 +105,8 @@ impl Sought {
                 take(&mut best, piece.point(high));
                 continue;
             }
-            // A stretch is at most d/cos w long on either side of its middle; along it the value falls by no more than the sine of the
-            // angle between what falls and the normal.
+            // On either side of its middle a stretch is at most d/cos w long. Along it the value falls by at most the
+            // sine of the angle between the direction of fall and the normal.
             let gain = if off + slack < WIDE {
                 d.min(d / turned.cos() * (off + slack).sin())
             } else {
@@ -128,7 +129,7 @@ impl Sought {
 }
 
 impl Place {
-    /// As it is reported, on `tooth`.
+    /// The reported contact, on `tooth`.
     pub fn touch(&self, half: &HalfOutline, tooth: u32) -> Touch {
         let radius = self.at.norm();
         Touch {
@@ -143,7 +144,7 @@ impl Place {
     }
 }
 
-/// Between the gear's own frame and that of a half tooth of `side`.
+/// Converts between the gear's own frame and that of a half tooth of `side`.
 fn mirrored(point: C, side: Side) -> C {
     match side {
         Side::Right => point,

@@ -1,8 +1,9 @@
-//! Where a pin rests in a space of an outline.
+//! The position of a pin at rest in a space of an outline.
 //!
-//! As on a gear by its data (`src/gauge/seat.rs`) its centre stands half its diameter from both flanks, and Newton's method on the two
-//! distances finds it. It comes from outside, above the middle of the space; no step is longer than the way to the nearest metal, so it goes through
-//! none. The half teeth reach to the middle of the space's root: a pin that touches neither flank first, or the root alone, has no seat.
+//! As on a gear by its data (`src/gauge/seat.rs`) its centre is half its diameter from both flanks, and Newton's method
+//! on the two distances finds it. It comes from outside, above the middle of the space. No step is longer than the
+//! distance to the nearest metal, so it passes through none. The half teeth reach to the middle of the root: a pin that
+//! touches no flank first, or the root alone, has no seat.
 
 use super::after;
 use super::place::{Place, Sought, rounding};
@@ -12,13 +13,13 @@ use crate::outline::OutlineGear;
 use crate::parallel;
 use nalgebra::{Complex, Matrix2, Point2, Vector2};
 
-/// Newton steps: a dozen are many.
+/// Limit of Newton steps; a dozen is already much.
 const MOST_STEPS: usize = 60;
 
-/// Share of the way to the nearest metal that a step may go.
+/// Longest step, as a part of the distance to the nearest metal.
 const SHARE: f64 = 0.9;
 
-/// Flanks that push a pin in directions whose sine is less hold it no better than one of them.
+/// Least sine of the angle between two flanks that hold a pin better than one.
 const HOLD: f64 = 1e-3;
 
 /// Lays a pin of `diameter` into every space.
@@ -58,7 +59,8 @@ fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<Seat, Unmeasure
             break;
         };
         if lack.amax() <= 4.0 * fine {
-            // Each distance is within its bound, and a centre between two gradients of the determinant D moves by at most √2 · √2/|D| as much.
+            // Each distance is within its bound. A centre between two gradients of the determinant D moves by at most
+            // √2 · √2/|D| as much.
             let missed = found[0].missed.max(found[1].missed);
             let distance = lack.amax() + missed + fine + gear.bound();
             return Ok(Seat {

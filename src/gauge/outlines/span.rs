@@ -1,9 +1,10 @@
 //! Two parallel anvils closed on the outer flanks of `k` teeth.
 //!
-//! Both are plane and reach from beyond the tips down to a third of the depth above the root: an outline has no form circle, and a fillet is no
-//! flank. Closed in the direction `u` they stand `W(u)` apart, the sum of how far either flank stands out; rocking changes
-//! that by the part across `u` of the join of the two places touched. The reading is `W` where it is stationary, nearest to the direction square
-//! to the middle of the teeth spanned: on involutes anywhere on the plateau, on round flanks the greatest, on flat parallel ones the least.
+//! Both are plane and reach from outside the tips down to a third of the depth above the root. An outline has no form
+//! circle, and a fillet is no flank. Closed in the direction `u` they are `W(u)` apart, the sum of the extents of both
+//! flanks. Rocking changes that by the component across `u` of the line between the two contacts. The reading is the
+//! stationary `W` nearest to the direction perpendicular to the middle of the spanned teeth. On involutes that is
+//! anywhere on the plateau, on round flanks the greatest, on flat parallel ones the least.
 
 use super::after;
 use super::place::{Place, Sought, rounding};
@@ -15,17 +16,17 @@ use nalgebra::Complex;
 
 type C = Complex<f64>;
 
-/// The anvils end this share of the depth above the root: where a tooth begins, as teeth are found.
+/// Height of the anvils' end above the root, as a part of the depth: the height at which teeth are found.
 const REACH: f64 = 1.0 / 3.0;
 
-/// Share of the depth that is the anvils' end.
+/// Part of the depth that counts as the anvils' end.
 const END: f64 = 0.01;
 
-/// An anvil that would stand back by no more than this, mm, without its end lies flat on the flank: far below what is read off a gauge, far above
-/// rounding.
+/// Retreat without its end, mm, up to which an anvil counts as flat on the flank: far below the resolution of a gauge,
+/// far above rounding.
 const LEVEL: f64 = 1e-6;
 
-/// Directions tried on either side within half a pitch (tuned: the joins of neighbouring ones differ by little).
+/// Directions on either side within half a pitch (tuned: neighbouring ones differ little).
 const ROCKS: u32 = 32;
 
 /// Measures the span over `k` teeth all round.
@@ -54,20 +55,20 @@ pub(super) fn spans(gear: &OutlineGear, k: u32) -> Result<Spans, Unmeasured> {
     })
 }
 
-/// What one anvil closes on.
+/// The flank on which one anvil closes.
 struct Outer<'a> {
     side: Side,
     tooth: u32,
     half: &'a HalfOutline,
-    /// Down to the anvil's end, and to a little above it.
+    /// The pieces down to the anvil's end, and to slightly above it.
     pieces: [Vec<HalfPiece>; 2],
 }
 
 struct Anvils<'a> {
     gear: &'a OutlineGear,
-    /// Of the first tooth, and of the last.
+    /// One for the first tooth and one for the last.
     outer: [Outer<'a>; 2],
-    /// Square to the middle of the teeth spanned, out of the first one.
+    /// Perpendicular to the middle of the spanned teeth, outwards from the first one.
     square: C,
 }
 
@@ -75,7 +76,7 @@ struct Anvils<'a> {
 struct Closed {
     places: [Place; 2],
     length: f64,
-    /// How the length changes with the direction, mm/rad.
+    /// Change of the length with the direction, mm/rad.
     slope: f64,
 }
 
@@ -102,7 +103,7 @@ impl<'a> Anvils<'a> {
         }
     }
 
-    /// The places foremost when rocked by `angle`, rad; with the anvils' ends cut off where `cut`.
+    /// The foremost places when rocked by `angle`, rad, with the anvils' ends cut off if `cut`.
     fn places(&self, angle: f64, cut: bool) -> [Place; 2] {
         let along = self.square * Complex::from_polar(1.0, angle);
         [(0, along), (1, -along)].map(|(end, out): (usize, C)| {
@@ -122,10 +123,10 @@ impl<'a> Anvils<'a> {
         }
     }
 
-    /// The reading, and whether an anvil's end alone touches.
+    /// The reading, and whether only an anvil's end touches.
     fn close(&self) -> Result<(Span, bool), Unmeasured> {
         let step = 0.5 * self.gear.pitch() / f64::from(ROCKS);
-        // The last one tried on either side.
+        // The last direction on either side.
         let mut last = [(0.0, self.closed(0.0).slope); 2];
         for rock in 1..=ROCKS {
             for (which, sign) in [1.0, -1.0].into_iter().enumerate() {

@@ -54,7 +54,7 @@ pub(super) struct Args {
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst or --greatest both]
     #[arg(long, value_enum)]
     material: Option<MaterialName>,
-    /// Of helical gears, the transverse section to draw, mm along the axis from the measuring plane [default: where the flank of the pose touches]
+    /// The transverse section of helical gears to draw, mm along the axis from the measuring plane [default: where the flank of the pose touches]
     #[arg(long, value_name = "Z_MM", allow_negative_numbers = true)]
     section: Option<f64>,
     /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, in front of perfect teeth

@@ -1,5 +1,5 @@
-//! What is wrong with a pair file before its first line, and a measured file that is good however it is written. `tests/corpus/bad` holds
-//! the other bad files.
+//! Faults of a pair file before its first line, and a measured file in other notations. `tests/corpus/bad` holds the other bad
+//! files.
 
 use gearlash_files::read;
 use std::fs;

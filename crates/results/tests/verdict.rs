@@ -71,7 +71,7 @@ fn a_search_that_stopped_is_no_proof_and_says_between_what_the_least_lies() {
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
-    // Of both ends one reason, once.
+    // Both ends have one reason, which is printed once.
     for run in &mut runs {
         let greatest = run.greatest.as_mut().unwrap();
         (greatest.low, greatest.high, greatest.doubt) = (0.21, 0.22, Some(Doubt::Effort));

@@ -1,8 +1,8 @@
 //! A headless Chromium, spoken to over its DevTools protocol.
 //!
-//! By a plain WebSocket (`tungstenite`), not a browser library: `headless_chrome` brings 141 crates and compiles the whole
-//! protocol as of its release, `chromiumoxide` and `fantoccini` an async runtime (and a second program); the
-//! dozen commands used here have been the same for years.
+//! It uses a plain WebSocket (`tungstenite`), not a browser library. `headless_chrome` brings 141 crates and compiles the whole
+//! protocol as of its release; `chromiumoxide` and `fantoccini` bring an async runtime (and a second program). The dozen commands
+//! used here have been stable for years.
 
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader};
@@ -192,7 +192,7 @@ impl Tab {
         answer["result"]["value"].clone()
     }
 
-    /// The number an expression is worth.
+    /// The number that an expression evaluates to.
     pub fn number(&mut self, expression: &str) -> f64 {
         let value = self.eval(expression);
         value
@@ -200,7 +200,7 @@ impl Tab {
             .unwrap_or_else(|| panic!("{expression} is {value}, no number"))
     }
 
-    /// The text an expression is worth.
+    /// The text that an expression evaluates to.
     pub fn text(&mut self, expression: &str) -> String {
         let value = self.eval(expression);
         let text = value.as_str().map(str::to_owned);

@@ -1,6 +1,7 @@
 //! The report's page in a real browser: headless Chromium, started once, a tab a test.
 //!
-//! Where none is found these tests are shown as ignored, with a line that says why; `CHROME` names one that is not on the path.
+//! Without a browser these tests are shown as ignored, with a line that states the reason. `CHROME` names one that is not on the
+//! path.
 
 mod chromium;
 mod mesh;
@@ -14,7 +15,7 @@ use libtest_mimic::{Arguments, Trial};
 use page::Site;
 use std::sync::{Arc, OnceLock};
 
-/// What every test gets: the browser and the pages, made when the first test asks.
+/// The arguments of every test: the browser and the pages, made for the first test.
 type Test = fn(&Chromium, &Site);
 
 const TESTS: [(&str, Test); 23] = [

@@ -1,4 +1,4 @@
-//! The mesh: what the page shows is what the result says, and every control does its work.
+//! The mesh: the page shows the values of the result, and every control works.
 
 use crate::chromium::{Chromium, Tab};
 use crate::page::{Site, open, shown_text, unfold};
@@ -169,7 +169,7 @@ pub fn the_cursor_is_where_it_can_be_seen(browser: &Chromium, site: &Site) {
     }
 }
 
-/// Poses without a number: the page says which kind, the gears still stand and turn, nothing goes wrong.
+/// Poses without a number: the page names the kind, and the gears are still drawn and turn.
 pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
     let mut tab = browser.tab(1280, 900);
     tab.open(&site.stuck);

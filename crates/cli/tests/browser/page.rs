@@ -21,11 +21,11 @@ const HELICAL: &str = concat!(
 /// A report on disk, and the result of the same pair.
 pub struct Site {
     pub page: PathBuf,
-    /// What `simulate --format json` says.
+    /// The output of `simulate --format json`.
     pub result: Value,
     /// A report on a pair that is jammed at its first centre distance and out of mesh at its second.
     pub stuck: PathBuf,
-    /// A report on a helical pair, and what `simulate --format json` says.
+    /// A report on a helical pair, and the output of `simulate --format json`.
     pub helical: PathBuf,
     pub helical_result: Value,
     _folder: tempfile::TempDir,
@@ -90,7 +90,7 @@ pub fn unfold(tab: &mut Tab) {
     tab.eval("document.querySelectorAll('details').forEach((details) => { details.open = true; })");
 }
 
-/// What an element of the viewer says.
+/// The text of an element of the viewer.
 pub fn shown_text(tab: &mut Tab, name: &str) -> String {
     tab.text(&format!(
         "document.getElementById('viewer-{name}').textContent"
@@ -124,8 +124,8 @@ pub fn opens_from_disk_without_errors(browser: &Chromium, site: &Site) {
     );
 }
 
-/// The picture and the texts of the first pose come from Rust, those after from the script: one must not
-/// differ from the other. (Of the dash-dotted lines the script draws no more than is seen.)
+/// The picture and the texts of the first pose come from Rust, the later ones from the script. Both must be equal. (The script
+/// draws only the visible part of dash-dotted lines.)
 pub fn says_the_same_without_script(browser: &Chromium, site: &Site) {
     let parts = "JSON.stringify([...document.querySelectorAll('#viewer-picture [transform], #viewer-picture [d], .viewer dd, #viewer-backlash')]\
                  .filter((e) => !e.closest('defs path') && !e.matches('[stroke-dasharray]'))\

@@ -9,8 +9,8 @@ use std::path::Path;
 /// A4 in points, as PDF counts: 210 × 297 mm.
 const A4: [f64; 2] = [595.3, 841.9];
 
-/// What is checked: every page of the PDF is A4 upright; and, laid out for paper at the width of a page, each figure is
-/// lower than a page and asks not to be broken, so that none is cut.
+/// Every page of the PDF is A4 upright. Laid out for paper at the width of a page, each figure is lower than a page and must not
+/// be broken, so none is cut.
 pub fn prints_whole_figures_on_a4(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
     let printed = tab.call(

@@ -1,11 +1,11 @@
-//! Zooming: what keeps its place, how far it goes, and that the page stays alive all the way.
+//! Zooming: the fixed place, the limits, and a responsive page throughout.
 
 use crate::chromium::{Chromium, Tab};
 use crate::mesh::{go, number_shown, view};
 use crate::page::{Site, open};
 use serde_json::json;
 
-/// Where the contact on a side stands in the view, parts of its width and height from the upper left corner.
+/// The place of the contact on a side in the view, as shares of its width and height from the upper left corner.
 fn contact(tab: &mut Tab, side: &str) -> [f64; 2] {
     let place = tab.text(&format!(
         "document.querySelector('#viewer-locked-{side} path').getAttribute('transform')"
@@ -172,7 +172,7 @@ pub fn two_fingers_pinch(browser: &Chromium, site: &Site) {
         json!({ "enabled": true, "maxTouchPoints": 2 }),
     );
     let home = view(&mut tab);
-    // With the focus every touch is the picture's.
+    // A focused picture receives every touch.
     tab.eval("document.getElementById('viewer-picture').focus()");
     let [x, y] = tab.middle("#viewer-picture");
     let touch = |tab: &mut Tab, kind: &str, distances: &[f64]| {
@@ -265,7 +265,7 @@ pub fn buttons_wheel_and_keys_zoom(browser: &Chromium, site: &Site) {
     ));
     tab.click("#viewer-whole");
     let whole = view(&mut tab);
-    // Tip radii of 22 and 32 mm and what the gears stand off their axes.
+    // Tip radii of 22 and 32 mm, plus the eccentricities.
     assert!(whole[0] < -22.0 && whole[0] + whole[2] > 50.0 + 32.0 && whole[3] > 64.0);
     tab.click("#viewer-home");
     assert_eq!(view(&mut tab), home);

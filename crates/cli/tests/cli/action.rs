@@ -1,4 +1,4 @@
-//! What `action.yml` runs, without GitHub.
+//! The script of `action.yml`, without GitHub.
 
 use super::{empty_folder, fixture};
 use std::fs;
@@ -60,7 +60,7 @@ fn the_action_gates_on_pair_files() {
         !message.contains("good one.toml") && !message.contains("::notice"),
         "{message}"
     );
-    // What is no file or no command is reported where it is looked for: in the log.
+    // A missing file or an unknown command is reported in the log.
     assert_eq!(code(act(at, "check", "none/*.toml", false, "")), Some(2));
     assert_eq!(code(act(at, "rm", "pairs/*.toml", false, "")), Some(2));
 
@@ -78,7 +78,7 @@ fn the_action_gates_on_pair_files() {
     assert_eq!(unchanged.stdout, b"No pair file has changed.\n");
 }
 
-/// A pair whose table changes, whatever it is called, is looked at, and no other.
+/// A pair with a changed table is checked, whatever the table is called; others are not.
 #[test]
 fn a_changed_table_is_looked_at() {
     for table in ["WHEEL.CSV", "wheel.dat", "a b.txt"] {
@@ -116,7 +116,7 @@ fn a_changed_table_is_looked_at() {
     }
 }
 
-/// One file changed: it alone is looked at.
+/// Only the changed file is checked.
 #[test]
 fn only_what_has_changed_is_looked_at() {
     let folder = empty_folder();

@@ -16,13 +16,13 @@ const RELATIONS: &str = "http://schemas.openxmlformats.org/officeDocument/2006/r
 const PACKAGE: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
 const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
 
-/// What a bomb is made of.
+/// The parts of a bomb.
 struct Parts {
-    /// The start of the list of shared texts, and what stands in it.
+    /// The start of the list of shared texts, and its content.
     texts: (String, String),
-    /// What stands in each sheet's data, and that many such sheets.
+    /// The data of each sheet, and the number of such sheets.
     sheet: (String, usize),
-    /// Other parts: so many of so many bytes.
+    /// The number and size of other parts, bytes.
     others: (usize, usize),
 }
 
@@ -103,7 +103,7 @@ fn attributes(count: usize) -> String {
     (0..count).map(|i| format!(" a{i}=\"1\"")).collect()
 }
 
-/// Runs the binary on `pair` beside `table`, within so many MB; what it says.
+/// Runs the binary on `pair` beside `table`, within `most_mb` MB; returns its message.
 fn refused(what: &str, table: (&str, &[u8]), pair: (&str, &[u8]), most_mb: usize) -> String {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join(table.0), table.1).unwrap();

@@ -60,7 +60,7 @@ fn each_kind_has_its_file() {
             .stdout(format!("{path}\n"));
         let svg = std::fs::read_to_string(folder.path().join(path)).unwrap();
         assert!(roxmltree::Document::parse(&svg).is_ok());
-        // The same, elsewhere, and the same again on standard output.
+        // The chart goes to another file, and once more to standard output.
         chart(&folder, &pair, arguments)
             .args(["-o", "new/chart.svg"])
             .assert()

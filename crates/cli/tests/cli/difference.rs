@@ -26,8 +26,8 @@ const PLAIN: &str = "[gear.thickness]\nallowance_um = -60.0\n";
 /// Tooth 7 is 180 µm thicker on the reference circle.
 const THICK: &str = "[gear.thickness]\nallowance_um = -60.0\nper_tooth_um = [0, 0, 0, 0, 0, 0, 180, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]\n";
 
-/// Both flanks of tooth 7 stand 90 µm out on the reference circle, along their normals 90 µm cos 20° = 84.57 µm (an involute that is
-/// turned by φ moves by φ r_b).
+/// Both flanks of tooth 7 are displaced by 90 µm on the reference circle: along their normals by 90 µm cos 20° = 84.57 µm. (An
+/// involute that is turned by φ moves by φ r_b.)
 #[test]
 fn a_thicker_tooth_is_found_with_its_size() {
     let folder = tempfile::tempdir().unwrap();
@@ -40,7 +40,7 @@ fn a_thicker_tooth_is_found_with_its_size() {
     let found: Value = serde_json::from_str(&json).unwrap();
     let off = found["greatest"]["deviation_um"].as_f64().unwrap() - known;
     let bound = found["error_bound_um"].as_f64().unwrap();
-    // What was drawn is within 0.01 µm of the curves, twice.
+    // Both outlines are within 0.01 µm of the curves.
     assert!(off.abs() <= bound + 0.02 && bound < 0.1, "{off} {bound}");
     assert!(found["least"]["deviation_um"].as_f64().unwrap() > -0.1);
     assert_eq!(found["greatest"]["a_tooth"], 7);

@@ -1,17 +1,17 @@
-//! The pairs of `fixtures/reference/hard` by every method through the built binary: how each pose ends, and the exit code.
+//! The pairs of `fixtures/reference/hard` by every method through the built binary: the status of each pose, and the exit code.
 
 use super::{fixture, run};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// How many poses end how.
+/// The number of poses by status.
 type Ends = &'static [(&'static str, u64)];
 
 const CLEAR: Ends = &[("clear", 2)];
 const CLEAR_AND_JAMMED: Ends = &[("clear", 1), ("jammed", 1)];
 const TIGHT_AND_JAMMED: Ends = &[("interference", 1), ("jammed", 1)];
 
-/// Of each pair, as `tests/contact/hard_pairs.rs` has them proven.
+/// The statuses of each pair, as proven in `tests/contact/hard_pairs.rs`.
 const PAIRS: [(&str, Ends); 13] = [
     ("far_land_5_30", TIGHT_AND_JAMMED),
     ("fine_fillet_3_387", TIGHT_AND_JAMMED),

@@ -117,7 +117,7 @@ fn simulate_draws_sections() {
     }
 }
 
-/// What binds is named as `snapshot --worst` and the verdict name it.
+/// The binding contact has the name that `snapshot --worst` and the verdict use.
 #[test]
 fn a_chart_shows_the_field_of_action() {
     let folder = folder();
@@ -180,7 +180,7 @@ fn every_chart_is_drawn_of_helical_pairs() {
     }
 }
 
-/// The first screen as of a spur pair; what the face costs as the library has it, j_n with its formula.
+/// The first screen is that of a spur pair. The loss by the face is that of the library, and j_n has its formula.
 #[test]
 fn a_page_tells_what_the_face_width_costs() {
     let folder = folder();

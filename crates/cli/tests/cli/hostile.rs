@@ -247,7 +247,7 @@ fn hostile_file_names() {
     }
 }
 
-/// What a bad file holds is quoted on one line, escaped: keys, values, cells, headers, sheet names.
+/// Content of a bad file is quoted on one line, escaped: keys, values, cells, headers, sheet names.
 #[test]
 fn hostile_contents_of_bad_files() {
     for hostile in TITLES {

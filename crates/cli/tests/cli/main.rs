@@ -99,7 +99,7 @@ fn small(folder: &Path) -> PathBuf {
     file
 }
 
-/// What `simulate FILE --format json` prints, and the same parsed.
+/// The output of `simulate FILE --format json`, as text and parsed.
 fn simulated(folder: &Path, arguments: &[&str]) -> (String, Value) {
     let text = output(
         gearlash(folder)

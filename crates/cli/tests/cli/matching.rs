@@ -153,8 +153,8 @@ fn a_gear_seen_from_behind_is_its_sheet_turned_over() {
     assert_ne!(matched("asis", "front")["least_um"], behind["least_um"]);
 }
 
-/// At `a = d_1/2 + d_2/2` perfect gears have `j_wt = j_t`, `j_bn = j_wt cos 20°`: what is required of `j_bn` decides as of `j_wt`, and the middle of it is
-/// wanted. It was a warning, and any pair met it.
+/// At `a = d_1/2 + d_2/2` perfect gears have `j_wt = j_t`, `j_bn = j_wt cos 20°`. A limit of `j_bn` thus decides like one of
+/// `j_wt`, and its middle is the target. It was a warning, and any pair met it.
 #[test]
 fn every_requirement_decides_which_gears_go_together() {
     let folder = tempfile::tempdir().unwrap();

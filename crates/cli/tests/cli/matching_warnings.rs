@@ -4,7 +4,7 @@ use super::matching::{MATCH, gear, matched, pair};
 use super::*;
 use std::fs;
 
-/// What the gears' own files warn of, as `gauge` tells it, once for all that say the same: single pitches that do not close.
+/// Warnings of the gears' own files, as `gauge` prints them, one line for equal ones: single pitches that do not close.
 #[test]
 fn warnings_of_the_gear_files_are_reported() {
     let folder = tempfile::tempdir().unwrap();
@@ -40,7 +40,7 @@ fn warnings_of_the_gear_files_are_reported() {
             "{line}: {message}"
         );
     }
-    // Of gears that are drawn whole, too.
+    // Gears that are drawn as a whole have them, too.
     let pair = fs::read_to_string(here.join("pair.toml")).unwrap();
     let drawn = "[tolerance]\nassemblies = 20\n[tolerance.wheel]\ngears = \"w/*.toml\"\n";
     fs::write(here.join("drawn.toml"), pair + drawn).unwrap();

@@ -262,8 +262,9 @@ fn small_outlines() {
     }
 }
 
-/// A section of a right-hand gear at `b` is that of the measuring plane turned by `b tan β/r`, clockwise from the front, about the centre of its
-/// outline, which stands off the axis in the same place. From the back that is counter-clockwise.
+/// A section of a right-hand gear at `b` is that of the measuring plane, turned by `b tan β/r` clockwise seen from the front. It
+/// turns about the centre of its outline, whose offset from the axis is constant. Seen from the back the sense is
+/// counter-clockwise.
 #[test]
 fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
     let folder = empty_folder();
@@ -286,7 +287,7 @@ fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
         let radius = 21.0 / beta.cos();
         let (sin, cos) = (sense * 10.0 * beta.tan() / radius).sin_cos();
         assert_eq!(plane.len(), section.len());
-        // Half the runout up, where tooth 1 stands in the measuring plane.
+        // Half the runout up: tooth 1 points up in the measuring plane.
         for (p, q) in plane.iter().zip(&section) {
             let [x, y] = [p[0], p[1] - 0.2];
             let turned = [x * cos - y * sin, x * sin + y * cos + 0.2];

@@ -42,7 +42,7 @@ fn two_drawings_need_no_pair_file() {
     let (_, of_file, _) = run(folder.path(), &["check", "drawn_20x20.toml"]);
     let after_title = |text: &str| text.split_once("\n\n").unwrap().1.to_owned();
     assert_eq!((code, after_title(&text)), (Some(1), after_title(&of_file)));
-    // Their axes may be found by the tips, which stand on circles about 0,0.
+    // `fit` finds their axes by the tips, which are on circles about 0,0.
     let fitted = [&drawings[..], &["--center", "fit", "--verbose"]].concat();
     let (code, text, notes) = run(folder.path(), &fitted);
     assert!(
@@ -108,8 +108,8 @@ fn simulate_writes_what_it_found() {
     );
 }
 
-/// What was drawn from a gear looks like it: module, pressure angle, and the shift that its allowance comes to, −60 µm / (2 m tan 20°); a
-/// gear of module 1.9 like no standard one, by its m cos 20°. A gear by its data is known and not guessed.
+/// An outline drawn from a gear gets its involute: module, pressure angle, and the shift of its allowance, −60 µm / (2 m tan
+/// 20°). A gear of module 1.9 matches no standard one and gets its m cos 20°. A gear by its data is not fitted.
 #[test]
 fn an_outline_looks_like_what_it_was_drawn_from() {
     let folder = tempfile::tempdir().unwrap();
@@ -157,7 +157,7 @@ fn an_outline_looks_like_what_it_was_drawn_from() {
     );
 }
 
-/// Polygons bear out every pose, and leave it where that is not wanted: the same numbers.
+/// Polygons confirm every pose, and can be switched off: the numbers are equal.
 #[test]
 fn polygons_bear_out_every_pose() {
     let folder = copied();

@@ -45,7 +45,7 @@ fn snapshots_of_outlines() {
     ] {
         assert!(picture.contains(words), "{words}");
     }
-    // Nothing of what only involutes have.
+    // Nothing that only involutes have.
     for words in ["base circle", "line of action"] {
         assert!(!picture.contains(words), "{words}");
     }
@@ -88,7 +88,7 @@ fn a_chart_marks_where_it_binds() {
     ] {
         assert!(svg.contains(text), "{text}");
     }
-    // Farther apart it turns: nothing below zero.
+    // At a greater distance it turns: nothing below zero.
     let far = [&chart[..], &["--center-distance", "40.2", "-o", "far.svg"]].concat();
     assert_eq!(run(folder.path(), &far).0, Some(0));
     let svg = std::fs::read_to_string(folder.path().join("far.svg")).unwrap();

@@ -5,7 +5,7 @@ use predicates::prelude::*;
 use std::path::Path;
 use tempfile::TempDir;
 
-/// Of mirrored poses, which perfect gears have, the first counts.
+/// The first of several equal poses counts, as perfect gears have mirrored ones.
 ///
 /// Issue 4: 86/21, m 3, nominal, 24 phases of a pitch, at a = 160.2 the worst has −238.948 µm.
 fn pair_file(folder: &Path) -> String {
@@ -43,7 +43,7 @@ fn the_worst_pose_is_found_and_named() {
         .assert()
         .success()
         .stdout("out/pair/worst_a160.2_as-measured.svg\n")
-        // Of the 24 phases of the file the least is −238.948; between them it falls a little lower.
+        // The least of the 24 phases of the file is −238.948; between them it falls a little lower.
         .stderr(predicate::str::contains(
             "Does not assemble at both distances.",
         ))

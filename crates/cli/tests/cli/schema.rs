@@ -1,4 +1,4 @@
-//! `gearlash schema` and `gearlash init`: what editors are told is what the reader accepts.
+//! `gearlash schema` and `gearlash init`: the schema for editors matches the reader.
 
 use assert_cmd::Command;
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ pub(super) fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// What `gearlash schema` prints with these further arguments.
+/// The output of `gearlash schema` with these further arguments.
 pub(super) fn schema(files: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
     let arguments = [&["schema"], files].concat();
@@ -69,11 +69,11 @@ fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     for (path, keys) in found {
         let mut pair = smallest.clone();
-        // The other spelling stands there already, and not both may.
+        // The other spelling is already present, and both together are not allowed.
         if path == "assembly.centre_distance_mm" {
             pair["assembly"] = json!({});
         }
-        // An outline stands in place of the gear's data.
+        // An outline replaces the gear's data.
         if let Some((gear, _)) = path.split_once('.').or(Some((&path, "")))
             && (path.contains(".outline") || keys.contains("outline"))
         {

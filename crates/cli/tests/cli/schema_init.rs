@@ -1,10 +1,10 @@
-//! What `init` writes explains every key of the schema, and runs.
+//! The files of `init` explain every key of the schema, and run.
 
 use super::schema::{gearlash, schema, tables, value};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-/// What `init` writes of a key: its path, its value, and the words behind it; commented lines count.
+/// The keys in a file of `init`: path, value, and explanation; commented lines count.
 fn explained(text: &str) -> Vec<(String, Value, String)> {
     let mut table = String::new();
     let mut found = Vec::new();

@@ -70,7 +70,7 @@ fn a_drawing_of_ten_lines_has_its_band() {
     }
 }
 
-/// What was stated stands in the echo, which is a pair file again.
+/// The echo has the stated values, and is a pair file again.
 #[test]
 fn the_echo_says_what_was_stated() {
     let folder = empty_folder();
@@ -91,7 +91,8 @@ fn the_echo_says_what_was_stated() {
     assert_eq!(again["files"][0]["verdict"], result["verdict"]);
 }
 
-/// Source: gears and housing scaled alike turn alike; a cold pair at the distance of the warm housing in lengths of the warm gears is the same picture.
+/// Source: gears and housing with one scale turn as before; a cold pair at the distance of the warm housing in lengths of the
+/// warm gears is the same picture.
 #[test]
 fn a_warm_pair_is_a_cold_one_at_another_distance() {
     let folder = empty_folder();

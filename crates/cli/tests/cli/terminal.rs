@@ -1,9 +1,9 @@
-//! What a terminal shows: tables that fit it, verdicts in colour. `script` makes the terminal.
+//! Output on a terminal: tables that fit it, verdicts in colour. `script` makes the terminal.
 
 use super::*;
 use unicode_width::UnicodeWidthStr;
 
-/// What a terminal of so many columns is sent by `gearlash WORDS`, with variables as for `env`.
+/// The output of `gearlash WORDS` on a terminal of `columns` columns, with `variables` as for `env`.
 fn on_terminal(folder: &Path, columns: u32, words: &str, variables: &str) -> Option<String> {
     let program = env!("CARGO_BIN_EXE_gearlash");
     let line = format!("stty cols {columns} rows 40; env {variables} {program} --quiet {words}");
@@ -88,7 +88,7 @@ fn no_line_is_wider_than_the_terminal() {
     }
 }
 
-/// `--wide` shows on a terminal what a pipe gets, and a wide terminal has no need of it.
+/// `--wide` prints on a terminal the tables of a pipe, and a wide terminal does so without it.
 #[test]
 fn wide_tables_are_those_of_a_pipe() {
     let folder = folder();
@@ -110,7 +110,7 @@ fn wide_tables_are_those_of_a_pipe() {
     }
 }
 
-/// What is left out is named; what is needed to read a row stays.
+/// A narrow table lists the columns it leaves out; the columns that identify a row stay.
 #[test]
 fn a_narrow_table_says_what_it_leaves_out() {
     let folder = folder();

@@ -242,7 +242,7 @@ fn helical_gears_are_matched_over_their_face() {
         let (code, _, message) = run(here, &words);
         assert!(code == Some(2) && message.contains(wanted), "{message}");
     }
-    // Of gears that are drawn whole, too.
+    // Gears that are drawn as a whole are checked, too.
     std::fs::write(w.join("3.toml"), third.replace("\"right\"", "\"left\"")).unwrap();
     let text = pair().split("[tolerance.wheel]").next().unwrap().to_owned()
         + "[tolerance.wheel]\ngears = \"w/*.toml\"\n";

@@ -133,7 +133,7 @@ fn check_and_verdict_have_one_zero_backlash_distance() {
     }
 }
 
-/// So far apart that tips pass: up to where the pair is in mesh.
+/// At a distance at which tips pass, the verdict states up to where the pair is in mesh.
 #[test]
 fn out_of_mesh_says_up_to_where_it_is_in_mesh() {
     let folder = tempfile::tempdir().unwrap();
@@ -188,7 +188,7 @@ fn junit_has_what_was_noticed_as_output() {
     );
 }
 
-/// The corpus holds what some sixty pairs come to: spur, helical, drawn, jammed, out of mesh.
+/// The corpus holds the verdicts of some sixty pairs: spur, helical, drawn, jammed, out of mesh.
 #[test]
 fn every_verdict_of_the_corpus_has_six_short_lines_at_most() {
     let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/corpus/expected");

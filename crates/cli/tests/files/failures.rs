@@ -12,7 +12,7 @@ fn an_injected_failure_leaves_whole_files() {
     }
     let sets = Sets::new();
     let mut refused = 0;
-    // Of each kind of call the first, some in the middle and the last.
+    // The first call of each kind, some in the middle and the last.
     for (call, whens) in [
         ("fdatasync", [1, 2, 8, 14, 15]),
         ("rename", [1, 2, 8, 14, 15]),

@@ -1,4 +1,4 @@
-//! No result takes the place of a file that was read, by whatever name.
+//! No result replaces a file that was read, under any name.
 
 use super::*;
 use std::os::unix::fs::symlink;
@@ -129,7 +129,7 @@ fn streams_do_not_go_into_a_file_that_was_read() {
         command.current_dir(folder.path()).args(["-c", &script]);
         assert_eq!(command.status().unwrap().code(), Some(2), "{redirected}");
         let after = contents(folder.path());
-        // What standard error is told goes there all the same: nothing of it is lost.
+        // Standard error is still appended there; the old content stays.
         let kept = after[Path::new("p.toml")].starts_with(&before[Path::new("p.toml")]);
         assert!(kept, "{redirected}");
         assert!(redirected.contains("2>>") || after == before);

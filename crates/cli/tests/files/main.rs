@@ -90,7 +90,7 @@ fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
         .collect()
 }
 
-/// What a run has not taken away below `folder`.
+/// The temporary files that a run left below `folder`.
 fn temporary(folder: &Path) -> Vec<PathBuf> {
     let below = |path: PathBuf| path.strip_prefix(folder).unwrap().to_path_buf();
     let found = paths(folder).into_iter().map(|(path, _)| below(path));

@@ -1,4 +1,4 @@
-//! Standard output and standard error that take nothing.
+//! Standard output and standard error that accept nothing.
 
 use super::*;
 use std::fs::File;
@@ -46,7 +46,7 @@ fn a_full_standard_output_is_reported_and_ends_with_2() {
     }
 }
 
-/// As under `| head -c 1`: the reader has what it wants. What the command found still counts.
+/// As under `| head -c 1`: the reader has enough. The result of the command still counts.
 #[test]
 fn a_closed_pipe_is_quiet() {
     let folder = folder();

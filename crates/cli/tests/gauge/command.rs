@@ -160,14 +160,13 @@ fn writes_readings_charts_and_a_gear_file() {
     .success();
 }
 
-/// Issue 5, item 6, at m = 3, z = 40 (d = 120): at grade 5 f_pT = 0.12 + 1.2 + 5 = 6.32 and
-/// F_pT = 0.24 + 0.55 √120 + 2.1 + 12 = 20.36, so at grade 6 8.94 → 9.0 and 28.80 → 29, F_rT = 25.92 → 26 µm;
-/// at grade 11 f_pT = 6.32 · 8 = 50.56 → 51 and F_pT = 162.9 → 163 µm.
+/// Issue 5, item 6, at m = 3, z = 40 (d = 120). Grade 5: f_pT = 0.12 + 1.2 + 5 = 6.32, F_pT = 0.24 + 0.55 √120 + 2.1 + 12 =
+/// 20.36. Grade 6: 8.94 → 9.0, 28.80 → 29, F_rT = 25.92 → 26 µm. Grade 11: f_pT = 6.32 · 8 = 50.56 → 51, F_pT = 162.9 → 163 µm.
 #[test]
 fn grades_pitch_and_runout() {
     let folder = folder();
     let graded = |teeth: u32, module: f64, step: f64, total: f64| -> Value {
-        // One tooth's flanks stand off by `step`: f_p and F_p are that, about any axis there is.
+        // The flanks of one tooth are displaced by `step`: f_p and F_p equal it, about any axis.
         let curve = (1..=teeth)
             .map(|i| if i == 7 { step } else { 0.0 })
             .collect::<Vec<_>>();
@@ -219,13 +218,13 @@ fn grades_pitch_and_runout() {
     assert!((runout["measured_um"].as_f64().unwrap() - 25.9).abs() < 1e-3);
     assert_eq!(runout["grade"], 6);
     assert!((runout["tolerance_um"].as_f64().unwrap() - 26.0).abs() < 1e-9);
-    // Outside the formulas' range the reason stands there.
+    // Outside the formulas' range the reason is printed.
     let none = graded(40, 0.4, 0.0, 0.0);
     let reason = none["not_measured"].as_str().unwrap();
     assert!(reason.contains("0.5 … 70 mm"), "{reason}");
 }
 
-/// On a terminal (as `script` is one) a bar tells how many poses are to come and how long they will take; a pipe is told nothing.
+/// On a terminal (as `script` is one) a bar shows the number of poses and the remaining time; a pipe gets nothing.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_bar_tells_how_long_it_will_take() {

@@ -1,4 +1,4 @@
-//! The files `gearlash gauge` writes: each is read again as what it is, and none is left of another gear.
+//! The files of `gearlash gauge`: each is readable as its kind, and none of another gear stays.
 
 use super::command::{folder, gauge, stdout};
 use gearlash_files as input;
@@ -25,8 +25,8 @@ fn names(folder: &Path) -> BTreeSet<String> {
         .collect()
 }
 
-/// Whatever span is asked for, the gear file is read and has the base thickness of the gear:
-/// s_b = cos α (m π/2 + A_s + m z inv α) by its allowance A_s. W_20 at z 100 touches the tip, as W_12 does at z 44, W_1 and W_2 the form circle.
+/// The gear file can be read for every span, and gives the base thickness of the gear by its allowance A_s: s_b = cos α (m π/2 +
+/// A_s + m z inv α). W_20 at z 100 touches the tip, as W_12 does at z 44, W_1 and W_2 the form circle.
 #[test]
 fn a_gear_file_is_never_refused_and_never_wrong() {
     for (teeth, requested) in [
@@ -95,14 +95,14 @@ fn three_pins_are_not_read_as_two() {
     );
 }
 
-/// Pitch of both flanks, as uneven on the one as on the other but not alike: every gauge tells it. Single pitches up to 3 µm.
+/// Pitch deviations of both flanks, equally large but different, which every gauge detects. Single pitches are up to 3 µm.
 fn uneven(teeth: u32) -> String {
     let right: Vec<f64> = (0..teeth).map(|i| f64::from(i % 4)).collect();
     let left: Vec<f64> = right.iter().rev().copied().collect();
     format!("pitch = {{ kind = \"cumulative\", right_um = {right:?}, left_um = {left:?} }}")
 }
 
-/// Files of our own names that belong to the gear before go; everything else stays, and a failed run takes nothing.
+/// Files of our own names that belong to the gear before are removed; all others stay, and a failed run removes nothing.
 #[test]
 fn files_of_another_gear_do_not_stay() {
     let folder = folder();
@@ -359,7 +359,7 @@ fn report_and_gauge_grade_alike() {
     assert_eq!(graded.len(), 9);
     let table = &page[page.find("Accuracy grades").unwrap()..];
     let table = &table[..table.find("</table>").unwrap()];
-    // Those that the standard's formulas grade.
+    // The grades by the standard's formulas.
     let graded_row = |row: &&str| !row.contains("<td class=\"n\">–</td>");
     let rows: Vec<&str> = table.split("<tr>").skip(2).filter(graded_row).collect();
     assert_eq!(rows.len(), 9, "the perfect pinion has none: {table}");
@@ -371,7 +371,7 @@ fn report_and_gauge_grade_alike() {
         );
         assert!(row.contains(&cells), "{row} {cells}");
     }
-    // What a ball reads is not twice the eccentricity.
+    // The runout by a ball is not twice the eccentricity.
     let runout = graded.last().unwrap()["measured_um"].as_f64().unwrap();
     assert!(
         graded.last().unwrap()["symbol"] == "F_r" && runout > 7.5,

@@ -5,7 +5,7 @@ use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
 
-/// What `gauge` reads, as JSON.
+/// The readings of `gauge`, as JSON.
 fn json(folder: &Path, arguments: &[&str]) -> Value {
     let all = [arguments, &["--format", "json"]].concat();
     serde_json::from_str(&stdout(&mut gauge(folder, &all))).unwrap()
@@ -35,8 +35,8 @@ fn draw(folder: &Path, name: &str) {
     command.current_dir(folder).args(outline).assert().success();
 }
 
-/// Source: the gauge on the gear itself. Each anvil and each flank of a space moves by 0.1 µm at most, and a pin between flanks at some 20°
-/// of either side of its way by 1/sin 20° as much.
+/// Source: the gauge on the gear itself. Each anvil and each flank of a space moves by 0.1 µm at most. A pin touches flanks at
+/// some 20° on both sides of its path, and moves by 1/sin 20° as much.
 #[test]
 fn a_drawing_reads_as_the_gear_it_was_drawn_from() {
     const TOLERANCE: f64 = 1e-4;
@@ -80,8 +80,8 @@ fn a_drawing_reads_as_the_gear_it_was_drawn_from() {
     }
 }
 
-/// The drawings of the fixtures: the wheel's seventh tooth is 180 µm thicker (`wheel_20.toml`), so that the two spans over 3 teeth that it ends are greater by
-/// half of that times cos 20°, within four times their chords' 20 µm.
+/// The drawings of the fixtures: the wheel's seventh tooth is 180 µm thicker (`wheel_20.toml`). The two spans over 3 teeth that
+/// end at it are greater by half of that times cos 20°, within four times their chords' 20 µm.
 #[test]
 fn a_pair_of_outlines_and_a_gear_file() {
     let folder = folder();

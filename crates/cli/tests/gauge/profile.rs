@@ -18,8 +18,8 @@ fn json(folder: &Path, file: &str) -> Value {
     serde_json::from_str(&text).unwrap()
 }
 
-/// The spans are those that the fixture states, the slope of the wheel's right flanks 3 µm more than that of its left ones, and tooth by tooth the
-/// pinion's traces lie where the table has them.
+/// The spans are those of the fixture. The slope of the wheel's right flanks is 3 µm more than that of its left ones. The
+/// pinion's traces agree with the table, tooth by tooth.
 #[test]
 fn the_gauge_reads_what_the_file_states() {
     let folder = tempfile::tempdir().unwrap();
@@ -89,7 +89,7 @@ fn the_gauge_reads_what_the_file_states() {
     assert!(seen > 80, "{seen}");
 }
 
-/// Charts, a table, and a gear file that gauges alike: spans, thickness, pitch and profile.
+/// Charts, a table, and a gear file that gives equal readings: spans, thickness, pitch and profile.
 #[test]
 fn what_was_gauged_gauges_alike() {
     let folder = tempfile::tempdir().unwrap();

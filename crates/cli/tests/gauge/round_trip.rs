@@ -66,7 +66,7 @@ fn wound(table: String, hand: &str) -> String {
     table.replace("module_mm = 3.0\n", &helix)
 }
 
-/// The same of helical gears: pitch, runout and thickness of the measuring plane, spans along the normal of the helix.
+/// The round trip of helical gears: pitch, runout and thickness of the measuring plane, spans along the normal of the helix.
 #[test]
 fn helical_gears_that_were_gauged_simulate_alike() {
     for mean_um in [0.0, -30.0] {
@@ -124,8 +124,8 @@ fn thickness_by_tooth_with_a_mean_comes_back() {
     }
 }
 
-/// A gear file of the gauge once was accused: thickness by tooth alone moves the flanks against each other, and the file states that
-/// as pitch. Of few teeth, too, and where the teeth have no mean beside the allowance.
+/// A gear file of the gauge once caused a false warning: thickness by tooth alone moves the flanks against each other, and the
+/// file states that as pitch. Gears with few teeth are included, and teeth with no mean beside the allowance.
 #[test]
 fn thickness_by_tooth_alone_is_no_reversed_left_flank() {
     for mean_um in [0.0, 2.4] {
@@ -164,7 +164,7 @@ fn round_trip(gears: [String; 2], assembly: String) -> RoundTrip {
     round_trip_by(gears, assembly, None)
 }
 
-/// The same with the readings of a `ball`, mm, in place of the stated runout.
+/// The round trip with the readings of a `ball`, mm, in place of the stated runout.
 fn round_trip_by(gears: [String; 2], assembly: String, ball: Option<f64>) -> RoundTrip {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("pair.toml");
@@ -183,7 +183,7 @@ fn round_trip_by(gears: [String; 2], assembly: String, ball: Option<f64>) -> Rou
             Some(ball) => by_readings(&table, name, ball),
         }
     });
-    // Beside the readings it names.
+    // The pair file is beside the readings it names.
     let again = folder.path().join("out/again.toml");
     std::fs::write(&again, back.concat() + &assembly).unwrap();
     let (before, after) = (input::read(&file).unwrap(), input::read(&again).unwrap());
@@ -211,7 +211,7 @@ fn by_readings(table: &str, name: &str, ball: f64) -> String {
     lines.collect()
 }
 
-/// A gear file is read by itself, and reads the same again.
+/// A gear file is read alone, and gives equal readings.
 #[test]
 fn a_gauged_gear_gauges_alike() {
     let folder = tempfile::tempdir().unwrap();

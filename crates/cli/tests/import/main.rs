@@ -69,8 +69,8 @@ impl Shop {
         Shop { folder, name }
     }
 
-    /// What `check` finds of the pair whose wheel has `keys` in its table and `below` behind the other tables, and what it tells of the files; else
-    /// the errors.
+    /// The findings of `check` for the pair with `keys` in the wheel's table and `below` after the other tables, and its warnings
+    /// on the files; else the errors.
     fn check(&self, keys: &str, below: &str) -> Result<(Value, String), String> {
         let text = pair(TEETH, keys) + below;
         fs::write(self.folder.path().join("pair.toml"), text).unwrap();
@@ -115,7 +115,7 @@ impl Shop {
         told
     }
 
-    /// What `import --format json` prints.
+    /// The output of `import --format json`.
     fn import(&self, options: &[&str]) -> Value {
         let mut command = gearlash(self.folder.path());
         command

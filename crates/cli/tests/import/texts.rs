@@ -6,7 +6,7 @@ fn comma(value: f64) -> String {
     format!("{value:.1}").replace('.', ",")
 }
 
-/// What German Excel saves of a machine's export: `sep=;`, comments, decimal commas, Windows-1252.
+/// A machine's export as German Excel saves it: `sep=;`, comments, decimal commas, Windows-1252.
 #[test]
 fn german_csv_with_comments() {
     let (left, right) = (cumulative(LEFT), cumulative(RIGHT));

@@ -1,4 +1,4 @@
-//! 20 and 20 teeth can be put together in 20 ways: the page says of which its numbers are.
+//! 20 and 20 teeth can be assembled in 20 ways: the page states the ones of its numbers.
 
 use crate::command::{folder, gearlash, page};
 use crate::two_thick_teeth::two_thick_teeth;
@@ -10,7 +10,7 @@ fn twenty(sweep: &str) -> String {
     two_thick_teeth(20, 2.0, &format!("[sweep]\n{sweep}\n"))
 }
 
-/// What `simulate` says of each phase: its teeth, least backlash and least zero.
+/// The phases by `simulate`: teeth and least backlash.
 fn phases() -> Vec<(String, f64)> {
     let folder = folder(&twenty("phases = \"all\""));
     let output = gearlash(&folder)

@@ -114,7 +114,7 @@ fn the_page_of_drawings_is_the_same_twice() {
     assert!(first == second);
 }
 
-/// Tips reach 22 mm, roots 17.42: below a = 39.42 a tip stands in a root, above 44 tips pass each other.
+/// Tips reach 22 mm, roots 17.42: below a = 39.42 a tip sits in a root, above 44 tips pass each other.
 #[test]
 fn drawings_that_jam_are_out_of_mesh_or_turn() {
     let jammed = page(&drawn(&at("39.3")));

@@ -43,7 +43,7 @@ fn all(document: &Html, selector: &str, name: &str) -> Vec<String> {
         .collect()
 }
 
-/// What `href="#…"`, `url(#…)` and `aria-labelledby` refer to.
+/// The targets of `href="#…"`, `url(#…)` and `aria-labelledby`.
 fn references(document: &Html) -> Vec<String> {
     let mut found = all(document, "[aria-labelledby]", "aria-labelledby");
     let every = Selector::parse("*").unwrap();
@@ -61,7 +61,7 @@ fn references(document: &Html) -> Vec<String> {
     found
 }
 
-/// Each picture as it stands in the page.
+/// Each picture of the page, as text.
 fn svgs(page: &str) -> Vec<&str> {
     page.match_indices("<svg")
         .map(|(start, _)| {
@@ -75,7 +75,7 @@ fn svgs(page: &str) -> Vec<&str> {
 fn every_kind_of_deviation() {
     let page = page(SMALL);
     let document = checked(&page);
-    // The title is text, in head, heading and pictures; a control character, which no page may hold, is a space.
+    // The title is text in head, heading and pictures. A control character, which pages cannot contain, becomes a space.
     let heading = Selector::parse("h1").unwrap();
     let heading: String = document.select(&heading).next().unwrap().text().collect();
     assert_eq!(heading, "<script>alert(\"1\")</script> & a  bell");
@@ -137,7 +137,7 @@ fn a_jammed_pair_and_one_out_of_mesh() {
         out_of_mesh
             .contains("Left out: over these centre distances the gears are jammed or out of mesh")
     );
-    // No heading stands over nothing.
+    // Every heading has content.
     assert!(out_of_mesh.contains("No pose is in mesh: there is nothing to draw."));
     assert!(!out_of_mesh.contains("Scale bars are correct"));
 }

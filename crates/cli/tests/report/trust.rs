@@ -1,4 +1,4 @@
-//! Whether to trust the numbers: what was compared, and what was not.
+//! Reliability of the numbers: the compared values, and the others.
 
 use crate::command::{fixture, page};
 use crate::page::plain;
@@ -25,8 +25,8 @@ fn what_has_no_value_is_not_said_to_agree() {
     }
 }
 
-/// 640 poses of whole revolutions and 2 of the file at each centre distance, and of the mesh cycle the least
-/// and the greatest, or the one pose that has none and, jammed, what binds where the pair begins to assemble.
+/// Each centre distance has 640 poses of whole revolutions and 2 of the file. The mesh cycle adds the least and the greatest. A
+/// cycle without them adds the one pose that has none; a jammed one, what binds where the pair begins to assemble.
 #[test]
 fn only_poses_with_both_values_are_counted() {
     for (a, others, what) in [
@@ -65,7 +65,7 @@ fn a_formula_that_is_wrong_about_the_pair_is_called_so() {
         trust.contains("the largest difference is −22.53"),
         "{trust}"
     );
-    // The poses at which the formula is wrong, and those that touch off the line at all, are told apart.
+    // The page distinguishes poses at which the formula is wrong from those that merely touch off the line.
     let number = |after: &str| -> usize {
         let (_, rest) = trust.split_once(after).unwrap();
         rest.split_whitespace().next().unwrap().parse().unwrap()

@@ -1,4 +1,4 @@
-//! What the page says, beside published values.
+//! Values on the page, compared with published ones.
 
 use crate::command::{SMALL, fixture, page};
 use scraper::{ElementRef, Html, Selector};

@@ -30,7 +30,7 @@ fn a_reversed_left_flank_is_reported() {
     }
 }
 
-/// Flanks that go against each other on purpose: spans bear out the one sign or the other.
+/// Flanks that vary opposite to each other on purpose: spans confirm one sign or the other.
 /// W_6 = 15π cos α + s_b + cos α (F_R,i+5 − F_L,i), 1 µm of noise.
 #[test]
 fn spans_say_which_sign_is_meant() {
@@ -105,7 +105,7 @@ fn thickness_that_is_said_twice() {
     }
 }
 
-/// What the one line says, by hand: R − L is 6, −2, −2, −2 µm, … of four teeth, 8 µm of variation, the list 0, 3, 0, 1: about its
+/// The warning's numbers by hand: R − L is 6, −2, −2, −2 µm, … of four teeth, 8 µm of variation, the list 0, 3, 0, 1: about its
 /// mean −1, 2, −1, 0, farthest from the pitch at tooth 1, by 7 µm.
 #[test]
 fn thickness_beside_pitch_is_reported_in_micrometres() {
@@ -145,7 +145,7 @@ fn own_axis_pitch_that_holds_the_runout_is_reported() {
     assert!(!warning("total_um = 60, high_tooth = 33"));
     assert!(!warning("total_um = 40, high_tooth = 35.2"));
     assert!(!warning("total_um = 40, high_tooth = 11"));
-    // A wave that moves both flanks of a tooth alike, in any direction, is no eccentricity (a fixture once warned).
+    // A wave that moves both flanks of a tooth equally, in any direction, is no eccentricity (a fixture once warned).
     for high in 0..44 {
         let wave = |i: i32| 20.0 * (TAU * f64::from(i - high) / 44.0).cos();
         let flank: Vec<f64> = (0..44).map(wave).collect();
@@ -196,8 +196,8 @@ fn about_axis(list: &[String], words: &str) -> usize {
 
 const NOT_ALONE: &str = "the first harmonic is not that of an eccentricity alone";
 
-/// The reviewers' file (z 40: 20 µm · sin(2πi/z) in both columns) was accused of a reversed left flank. Such a wave leaves sin²(α − π/(2z))
-/// of its energy to no eccentricity, 9 % at z 40.
+/// The reviewers' file (z 40: 20 µm · sin(2πi/z) in both columns) was suspected of a reversed left flank. A share sin²(α −
+/// π/(2z)) of the energy of the wave belongs to no eccentricity, 9 % at z 40.
 #[test]
 fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {
     for z in [7, 20, 40, 101] {
@@ -218,8 +218,8 @@ fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {
     }
 }
 
-/// How many of 200 sheets are told to hold more than an eccentricity. Of white deviations e^−8 = 3e-4 are; flanks of a walk have a first
-/// harmonic of their own beside a small eccentricity, which does make it uncertain.
+/// The number of 200 sheets with a warning of more than an eccentricity. White deviations cause one with e^−8 = 3e-4. Flanks of a
+/// walk have a first harmonic of their own beside a small eccentricity, which does make it uncertain.
 #[test]
 fn an_eccentricity_alone_is_not_doubted() {
     let mut dice = Dice(TestRunner::deterministic());

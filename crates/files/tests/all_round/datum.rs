@@ -35,8 +35,8 @@ impl Drawn {
         TAU * f64::from(index) / f64::from(self.z) + ahead * PI / (2.0 * f64::from(self.z))
     }
 
-    /// What a machine reads: where the flank, off its place by `own`, crosses the reference circle about the axis when
-    /// its centre is displaced by `e`. The involute's points are `r_b e^{i(o ∓ ξ)}(1 ± iξ)`; bisection in ξ.
+    /// A machine's reading: the place where the flank, displaced by `own`, crosses the reference circle about the axis when its
+    /// centre is displaced by `e`. The involute's points are `r_b e^{i(o ∓ ξ)}(1 ± iξ)`; bisection in ξ.
     fn read(&self, index: u32, ahead: f64, own: f64, e: Complex<f64>) -> f64 {
         let alpha = ALPHA_DEG.to_radians();
         let (r, base) = (self.r(), self.r() * alpha.cos());
@@ -154,9 +154,9 @@ fn eccentricity_comes_back_whatever_else_the_pitch_holds() {
     assert!(worst_own_um < 1e-6, "{worst_own_um}");
 }
 
-/// A first harmonic of the gear's own counts as eccentricity. For F_R = A sin(iτ), F_L = 0 the part of the
-/// pattern is, from Σ sin x sin(x + c) = z cos c/2 and Σ sin x cos(x + c) = −z sin c/2, with c = π/(2z) − α:
-/// (A cos α/2)(−cos c, −sin c). The rest is of second order in lengths over r.
+/// A first harmonic of the gear's own counts as eccentricity. Take F_R = A sin(iτ), F_L = 0 and c = π/(2z) − α. The sums are `Σ
+/// sin x sin(x + c) = z cos c/2` and `Σ sin x cos(x + c) = −z sin c/2`. The part of the pattern is thus `(A cos α/2)(−cos c, −sin
+/// c)`; the rest is of second order in lengths over r.
 #[test]
 fn a_first_harmonic_of_the_own_pitch_biases_by_its_closed_form() {
     for (z, e, a) in [
@@ -245,7 +245,7 @@ fn the_file_says_which_eccentricity_counts() {
         "{}",
         study.warnings[0]
     );
-    // Beside nothing it says what happens anyway.
+    // The key changes nothing without a runout: the pitch counts anyway.
     let alone = pair(&keys);
     assert_eq!(wheel(&alone), wheel(&study));
     assert_eq!(alone.study.notes[0].eccentricity.unwrap().stated, None);
@@ -277,7 +277,7 @@ fn an_eccentricity_counts_once() {
 fn some_spans_beside_datum_axis_pitch() {
     let (keys, own) = sheet("eccentricity = \"runout\",");
     let cos = ALPHA_DEG.to_radians().cos();
-    // Of nominal teeth, so that the readings above are theirs: s_b = cos α (π m/2 + 2 r inv α).
+    // The teeth are nominal, as for the readings above: s_b = cos α (π m/2 + 2 r inv α).
     let alpha = ALPHA_DEG.to_radians();
     let base = cos * (1.5 * PI + 132.0 * (alpha.tan() - alpha));
     let span = |first: usize| 15.0 * PI * cos + base + cos * (own[first + 4] - own[first - 1]);

@@ -67,7 +67,7 @@ fn wheel(study: &PairFile) -> &AsBuilt {
     &study.study.materials[0].1
 }
 
-/// Where a flank really stands on the base circle from its tooth's undisturbed centre line, as an arc, mm, counter-clockwise.
+/// The actual place of a flank on the base circle from its tooth's undisturbed centre line, as an arc, mm, counter-clockwise.
 fn place(gear: &AsBuilt, side: Side, tooth: u32) -> f64 {
     let angle = side.sense() * gear.gear().half_base_angle() + gear.flank_offset(side, tooth);
     gear.gear().base_radius() * angle

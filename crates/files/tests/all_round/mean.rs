@@ -1,9 +1,10 @@
-//! Thickness by tooth whose mean says the stated thickness once more.
+//! Thickness by tooth whose mean repeats the stated thickness.
 
 use super::*;
 
-/// The reviewers' list from the nominal thickness, −52 … −47 µm, beside the same −50 µm said once more; a list about the mean, one
-/// value for all, and one beside nothing or beside spans all round (whose mean it does not move) are what they are meant to be.
+/// The reviewers' list from the nominal thickness, −52 … −47 µm, beside the stated −50 µm repeats it. No warning comes for a list
+/// about the mean, or for one value for all teeth. Nor does one come for a list without a statement, or beside spans all round,
+/// whose mean it does not move.
 #[test]
 fn a_mean_of_the_list_that_adds_to_the_stated_one_is_reported() {
     let list = [-52, -48, -49, -53, -50, -47, -51, -50, -49, -51];

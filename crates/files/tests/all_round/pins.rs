@@ -6,9 +6,9 @@ use gearlash::gear::{Face, thickness};
 use nalgebra::{Complex, Matrix2, Vector2};
 use proptest::prelude::*;
 
-/// The centre of the circle of `radius` between two involutes of the base circle `base`, one that starts at the
-/// angle `low` and winds back from there, one that starts at `high` and winds on: points
-/// `r_b e^{i(o ∓ ξ)}(1 ± iξ)`, normals along the base tangent. Newton in both rolls.
+/// The centre of the circle of `radius` between two involutes of the base circle `base`. One starts at the angle `low` and winds
+/// back, the other starts at `high` and winds on. Points are `r_b e^{i(o ∓ ξ)}(1 ± iξ)`, normals along the base tangent. Newton
+/// in both rolls.
 pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64> {
     let beside = |origin: f64, sense: f64, roll: f64| {
         let tangent = Complex::from_polar(base, origin - sense * roll);
@@ -29,7 +29,7 @@ pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64
     (beside(low, 1.0, rolls.x) + beside(high, -1.0, rolls.y)) / Complex::new(2.0, 0.0)
 }
 
-/// The dimension over pins at each space: in the space after tooth i and in the one z/2 (rounded down) farther on.
+/// The dimension over pins at each space: in the space after tooth i and in the one z/2 (rounded down) beyond it.
 fn over_pins(gear: &AsBuilt, pin: f64) -> Vec<f64> {
     let basic_data = gear.gear().basic_data();
     let (z, base) = (basic_data.teeth(), gear.gear().base_radius());
@@ -86,8 +86,8 @@ proptest! {
     }
 }
 
-/// Without deviations every reading is M = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z, and so the base thickness
-/// s_b = d_b inv α_K − D_M + p_b with cos α_K = r_b/r_K (ISO 21771): by a list and by a single dimension.
+/// Without deviations every reading is M = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z. With cos α_K = r_b/r_K the base
+/// thickness is s_b = d_b inv α_K − D_M + p_b (ISO 21771): by a list and by a single dimension.
 #[test]
 fn even_readings_give_the_closed_form() {
     for (teeth, over) in [(20, 67.34917010670293), (21, 70.65919178333365)] {

@@ -1,4 +1,4 @@
-//! Left flanks whose sign is reversed: found as often as is stated, and told.
+//! Left flanks with reversed sign: found at the stated rate, and reported.
 
 use super::*;
 use gearlash::gear::{BasicGearData, BasicRack, Gear, GearDesign, Pitch};

@@ -20,7 +20,7 @@ fn import(text: &str, only: Option<Kind>) -> Result<Imported, String> {
     })
 }
 
-/// Every table with what it leaves unused.
+/// Every table, with the parts it leaves unused.
 #[test]
 fn all_that_a_curve_file_has() {
     let found = import(&Made::new(17).text(), None).unwrap();
@@ -41,7 +41,7 @@ fn all_that_a_curve_file_has() {
     assert!(!found.toml.contains("thickness"), "{}", found.toml);
 }
 
-/// What it offers, a pair file takes.
+/// A pair file accepts the offered lines.
 #[test]
 fn the_lines_are_good() {
     let made = Made::new(17);

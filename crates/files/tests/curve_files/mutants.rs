@@ -7,11 +7,11 @@ use gearlash_files::read;
 use std::fs;
 use tempfile::TempDir;
 
-/// What the lines of a file say of pitch and of the profiles, read leniently.
+/// The pitch and profile values of a file, read leniently.
 fn values_of(bytes: &[u8]) -> Option<Vec<Vec<f64>>> {
     let text = String::from_utf8_lossy(bytes);
     let mut lists = vec![Vec::new(), Vec::new(), Vec::new(), Vec::new()];
-    // What stands for nothing: by its digits, that of the preamble beside those that are known.
+    // The numbers for missing values, by their digits: that of the preamble, and the known ones.
     let preamble = text.lines().take_while(|line| !line.contains(':'));
     let mut undefined = vec![-2147483.648, -9999.0];
     for line in preamble.filter(|line| line.starts_with("UNDEFINED ")) {
@@ -75,7 +75,7 @@ fn ten_thousand_mutants_of_each() {
         "has no profile trace",
         "is a value file (.mew)",
         "no rows below the header",
-        // With another first line it is a table of cells.
+        // A changed first line makes it a table of cells.
         "no line names the columns",
     ];
     for (name, good) in [("mka", Made::new(17).text()), ("mew", MEW.to_owned())] {

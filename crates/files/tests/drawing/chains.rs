@@ -4,7 +4,7 @@ use super::*;
 use made::{corners, dxf, line, lines};
 use std::time::Instant;
 
-/// Whatever the order and direction of the lines, the loop has the same corners.
+/// The loop has the same corners for any order and direction of the lines.
 #[test]
 fn lines_in_any_order_make_the_loop() {
     let corners = corners(9);
@@ -125,7 +125,7 @@ fn construction_lines_are_left_out() {
     assert!(error.to_string().starts_with("line "), "{error}");
 }
 
-/// What is drawn twice, in either direction, counts once.
+/// Pieces drawn twice, in either direction, count once.
 #[test]
 fn what_is_drawn_twice_counts_once() {
     let mut entities = lines(&corners(9));

@@ -68,7 +68,7 @@ fn flat_bulges_keep_their_ends_and_their_sagitta() {
             let one = loop_of("dxf", &text);
             // A bulge is positive where the arc turns left: it lies right of its chord.
             let sagitta = 1.0 - one.segments[0].at(0.5).y;
-            // Of a point at such a distance from the centre: 10 / bulge, where it is an arc.
+            // The rounding of a point at this distance from the centre: 10 / bulge, where it is an arc.
             let rounding = if bulge < 1e-3 {
                 2e-14
             } else {
@@ -231,7 +231,7 @@ fn arc_radius(one: &Loop) -> f64 {
     }
 }
 
-/// Of the whole file with every kind of entity: its corners, which are typed there.
+/// The whole file with every kind of entity: its corners, which are typed there.
 #[test]
 fn a_mixed_outline_and_its_bore() {
     let drawing = drawn("dxf", &made::mixed_dxf(), &Options::default()).unwrap();

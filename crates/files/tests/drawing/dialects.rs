@@ -82,7 +82,8 @@ fn one_tooth_and_blanks_show_the_gear_of_the_whole_drawing() {
     assert!(error.contains("one of 40 teeth has 9.000°"), "{error}");
 }
 
-/// Of several outlines the one that is named is read: 16 teeth round the origin, 24 about (40, 0). Source: the drawing of the first gear alone.
+/// The named one of several outlines is read: 16 teeth round the origin, 24 about (40, 0). Source: the drawing of the first gear
+/// alone.
 #[test]
 fn one_of_several_outlines_is_chosen() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawing/dialects/two_gears.dxf");

@@ -1,9 +1,9 @@
-//! Each fault: what, where, and the way out.
+//! Faults of drawings: place, reason and remedy.
 
 use super::*;
 use made::{dxf, in_units, line, polyline, spline, svg};
 
-/// A fault and its way out, a line each.
+/// A fault and its remedy, one line each.
 fn fault(ending: &str, text: &str, options: &Options) -> String {
     let error = drawn(ending, text, options).unwrap_err();
     format!("{error}\n  {}\n", error.help)
@@ -71,7 +71,7 @@ fn what_is_not_read_is_refused_by_name() {
     assert!(error.reason.starts_with("a.dwg: unknown kind"), "{error}");
 }
 
-/// What the crate would take for zero, or pass over.
+/// Values that the crate would read as zero, or skip.
 #[test]
 fn entities_must_be_whole() {
     let square = polyline(

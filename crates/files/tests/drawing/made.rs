@@ -8,7 +8,7 @@ pub fn dxf(entities: &[String]) -> String {
     in_units(Some(4), entities)
 }
 
-/// The same with `$INSUNITS`, or without.
+/// A DXF of these entities with `$INSUNITS`, or without.
 pub fn in_units(insunits: Option<i32>, entities: &[String]) -> String {
     let mut text =
         "999\nmade by a formula\n  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1015\n"

@@ -1,4 +1,4 @@
-//! Drawn outlines: what other readers and closed forms say of them, each fault with its place and way out, mutants.
+//! Drawn outlines against other readers and closed forms; each fault with its place and remedy; mutants.
 
 mod chains;
 mod curves;
@@ -48,7 +48,7 @@ fn loop_of(ending: &str, text: &str) -> Loop {
     one.clone()
 }
 
-/// What every drawing promises: loops that are closed, of finite numbers.
+/// Checks an invariant of every drawing: its loops are closed and have finite numbers.
 fn check_sound(drawing: &Drawing) {
     assert!(!drawing.loops.is_empty());
     for one in &drawing.loops {

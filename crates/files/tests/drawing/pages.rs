@@ -188,7 +188,7 @@ fn a_nested_page_lies_in_its_window() {
     assert_eq!(one.segments[1].end(), Point2::new(17.0, -7.0));
 }
 
-/// What is not drawn, hidden or words is left out; `id` picks an element or a group.
+/// Undrawn and hidden elements and text are left out; `id` selects an element or a group.
 #[test]
 fn what_is_no_outline_is_left_out() {
     let page = svg(concat!(

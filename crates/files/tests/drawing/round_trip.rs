@@ -8,7 +8,7 @@ use gearlash::pair::{GearPair, Mating, Member, Pose};
 use gearlash_files::{OutlineFile, OutlineFormat, read, read_any};
 use std::path::Path;
 
-/// What the files state, µm.
+/// The tolerance stated by the files, µm.
 const TOLERANCE_UM: f64 = 0.1;
 
 /// The rig's pair as DXF, SVG and CSV at 0.1 µm: at 88 poses, every tooth at both flanks, the lost motion of the curves within the bound

@@ -46,7 +46,7 @@ fn hand_and_face_are_read() {
     assert_eq!(study(&off).study.face, [-15.0, 15.0]);
 }
 
-/// Of a spur pair hand, face and a helix angle of 0 change nothing.
+/// Hand, face and a helix angle of 0 change nothing for a spur pair.
 #[test]
 fn a_helix_angle_of_0_is_a_spur_gear() {
     let spur = HELICAL.replace("helix_angle_deg = 15", "helix_angle_deg = 0");
@@ -105,7 +105,7 @@ fn warm([wheel, pinion, housing]: [f64; 3]) -> String {
         )
 }
 
-/// Where all parts expand alike, all lengths of the result do, those along the axis too.
+/// Where all parts expand equally, all lengths of the result do, including those along the axis.
 #[test]
 fn a_pair_that_expands_evenly_has_all_its_lengths_times_the_same() {
     let backlash = |text: &str| {
@@ -255,7 +255,7 @@ fn a_dimension_is_over_balls_or_over_pins() {
     assert!(thin < right - 0.05, "{thin} {right}");
 }
 
-/// Of a spur gear both are the same, and the echo says what was written.
+/// Both are equal for a spur gear, and the echo has the stated one.
 #[test]
 fn of_a_spur_gear_balls_and_pins_are_the_same() {
     let spur = HELICAL

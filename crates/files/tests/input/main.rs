@@ -1,4 +1,4 @@
-//! Good pair files: what is read is what they say, in either format.
+//! Good pair files: the content as read is the content as written, in either format.
 
 mod deviations;
 mod helical;
@@ -228,7 +228,7 @@ fn the_pair_file_of_the_docs_is_one() {
     assert!(!study.warnings.iter().any(is_slip), "{:?}", study.warnings);
 }
 
-/// Prose says centre, keys say center: both spellings are read alike, but not together.
+/// Prose says centre, keys say center: either spelling is read, but not both together.
 #[test]
 fn either_spelling_of_the_centre_distance() {
     let american = study(PAIR);

@@ -170,7 +170,7 @@ fn check(path: &Path) {
                 .map(|run| run.matings.len())
                 .sum();
             assert!(poses > 0);
-            // What was understood is a good pair file.
+            // The understood content is a good pair file.
             let echo = path.with_file_name("echo.json");
             fs::write(&echo, serde_json::to_string(&study.spec).unwrap()).unwrap();
             let again = read(&echo).unwrap_or_else(|error| panic!("{error}"));

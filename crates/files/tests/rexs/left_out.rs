@@ -1,4 +1,4 @@
-//! What becomes no pair, and what is wrong with a file.
+//! Stages that become no pair, and faults of a file.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What a model says, read a second way: XML event by event, JSON as a tree of values; and what the pair of a stage must be by that.
+//! A second reading of a model: XML event by event, JSON as a tree of values; and the pair that a stage must give.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -94,7 +94,7 @@ impl Model {
         self.text(id, name).map(|text| text.parse().unwrap())
     }
 
-    /// Who is `wanted` in the relations of `kind` in which `id` is `role`.
+    /// The components `wanted` in the relations of `kind` in which `id` is `role`.
     fn related(&self, kind: &str, role: &str, id: i64, wanted: &str) -> Vec<i64> {
         let relations = self.relations.iter();
         let relations = relations.filter(|(k, refs)| {
@@ -147,7 +147,7 @@ impl Model {
             _ => -angle,
         });
         assert_eq!(signed.unwrap_or(0.0), helix);
-        // Of a spur gear it is not asked for.
+        // A spur gear does not need it.
         let width = (helix != 0.0).then(|| self.number(gear, "face_width").unwrap());
         assert_eq!(float("face_width_mm"), width);
         let teeth = self.number(gear, "number_of_teeth");
@@ -223,7 +223,7 @@ impl Model {
             "tooth_thickness_deviation_tolerance_series_din_3967_1978",
         );
         let designation = stated.get("designation").map(|text| text.as_str().unwrap());
-        // The letters stand before the digits in one, behind them in the other.
+        // The digits follow the letters in one notation and precede them in the other.
         let turned = series.map(|series| {
             let (mut letters, mut digits) = (String::new(), String::new());
             for c in series.chars().filter(|c| !c.is_whitespace()) {

@@ -1,4 +1,4 @@
-//! What stages become.
+//! The pairs of stages.
 
 use super::oracle::Model;
 use super::*;

@@ -1,4 +1,4 @@
-//! Sheets as shops write them, each of which was refused once.
+//! Sheets as shops write them; each was once refused.
 
 use super::*;
 use gearlash_files::import::{Imported, Kind, Options, Value, tables};
@@ -21,8 +21,8 @@ fn columns(imported: &Imported) -> Vec<Vec<Value>> {
     columns.map(|column| column.values.clone()).collect()
 }
 
-/// Below the last tooth stand statistics, "Fp ges." with numbers, and a span of all teeth. `pruef2.xlsx` is the same book without the
-/// last two.
+/// The lines after the last tooth are statistics, "Fp ges." with numbers, and a span of all teeth. `pruef2.xlsx` is the same book
+/// without the last two.
 #[test]
 fn words_below_the_last_tooth_are_left_out() {
     for (sheet, teeth) in [("Rad z25", 25), ("Ritzel z18", 18)] {

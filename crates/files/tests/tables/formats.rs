@@ -1,4 +1,4 @@
-//! The formats of text tables, and what is right of each.
+//! The formats of text tables, and their correct content.
 
 use super::*;
 use oracle::{Rows, column, delimited, protocol, shop};
@@ -6,15 +6,15 @@ use oracle::{Rows, column, delimited, protocol, shop};
 /// The right data of a table for a number of teeth: a list a column; `None` where it is malformed.
 pub type Oracle = fn(&[u8], u32) -> Option<Vec<Vec<f64>>>;
 
-/// A format: the file's name, the keys that name it, a table of so many teeth, and what its rows say.
+/// A format: the file's name, the keys that name it, a table for a number of teeth, and the content of its rows.
 pub struct Format {
     pub name: &'static str,
     pub keys: &'static str,
     pub table: fn(u32) -> Vec<u8>,
     pub oracle: Oracle,
-    /// What gearlash understood, in the same order.
+    /// The understood values, in the same order.
     pub understood: fn(&PairFile) -> Vec<Vec<f64>>,
-    /// How far the two may lie apart of a value and of so many teeth: nothing where values are taken over as they stand.
+    /// The allowed difference of both for a value and a number of teeth: 0 where values are copied.
     pub tolerance: fn(f64, u32) -> f64,
 }
 
@@ -36,7 +36,7 @@ pub fn tenths(tooth: u32) -> f64 {
     f64::from((tooth * 7) % 31) / 10.0 - 1.5
 }
 
-/// That of the tooth's other flank, which goes with it as on real gears.
+/// The deviation of the tooth's other flank, which is correlated as on real gears.
 pub fn others(tooth: u32) -> f64 {
     tenths(tooth) + f64::from(tooth % 3) / 10.0
 }
@@ -139,8 +139,8 @@ pub const FORMATS: [Format; 6] = [
             Some(vec![vec![total]])
         },
         understood: |study| vec![vec![study.spec.wheel.runout.total_um]],
-        // What a sum of 10 000 floats leaves, µm; and the harmonic is that of a small e: readings go as √(r² − e² sin²), of
-        // third order in e; of module 3 mm, r is 3 z/2.
+        // The rounding of a sum of 10 000 floats, µm; and the harmonic for a small e. Readings go as √(r² − e² sin²), of third
+        // order in e; r is 3 z/2 for module 3 mm.
         tolerance: |total, teeth| {
             let e_to_r = total / 1000.0 / (3.0 * f64::from(teeth));
             1e-6 + total * e_to_r * e_to_r

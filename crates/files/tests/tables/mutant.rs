@@ -14,7 +14,7 @@ impl Choice {
     }
 }
 
-/// What is typed or lost by mistake, a line end of old Macs, NUL, half of a UTF-8 character and a byte order mark among it.
+/// Typing mistakes and losses, including a line end of old Macs, NUL, half of a UTF-8 character and a byte order mark.
 const GARBAGE: &[&[u8]] = &[
     b"0",
     b"7",

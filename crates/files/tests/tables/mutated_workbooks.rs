@@ -61,7 +61,7 @@ fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
         }
         let numbers = places.map(|place| match row.get(place) {
             Some(Number(number)) => Some(*number),
-            // Of the texts that are typed by mistake.
+            // A text that is typed by mistake.
             Some(Text("0,5")) => Some(0.5),
             Some(Text("7")) => Some(7.0),
             _ => None,

@@ -1,6 +1,6 @@
 //! Garbled tables: an error that says where, or exactly what the rows say. Never a panic, never a silent change.
 //!
-//! What a mutant says is read by the tests' own [`oracle`]. The mutants are seeded: every run sees the same.
+//! The tests' own [`oracle`] reads the mutants. They are seeded: every run sees the same ones.
 
 use super::*;
 use formats::{FORMATS, Format, pitch_lists};
@@ -49,7 +49,7 @@ fn run(format: &Format, teeth: u32, count: usize) -> (usize, usize) {
     (errors, right)
 }
 
-/// What may be wrong of a whole text file; everything else is in a line.
+/// Faults of a whole text file; every other fault is in a line.
 const OF_THE_FILE: &[&str] = &[
     "no line names the columns ",
     "is empty",
@@ -58,7 +58,7 @@ const OF_THE_FILE: &[&str] = &[
     "has no block rechte Zahnflanke",
 ];
 
-/// What may be wrong of a workbook: the container, its sheets.
+/// Faults of a workbook: the container, its sheets.
 pub const OF_THE_WORKBOOK: &[&str] = &[
     "no line names the columns ",
     "cannot be read as an .xlsx workbook: ",

@@ -1,11 +1,11 @@
-//! The tests' own, lenient reading of a table: what its rows say, whatever gearlash makes of it.
+//! The tests' own, lenient reading of a table, independent of gearlash.
 
 use std::collections::BTreeMap;
 
 /// Values by tooth; `None` when a line makes no sense or a tooth is not there exactly once.
 pub type Rows = BTreeMap<u32, Vec<f64>>;
 
-/// The columns of a delimited text whose headings contain one of each of `words`; the header may stand in any line.
+/// The columns of a delimited text whose headings contain one of each of `words`; the header can be in any line.
 pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> {
     let header = |names: &[String]| {
         let names: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
@@ -71,7 +71,7 @@ fn below(
     })
 }
 
-/// What `lines` say, if all of them make sense.
+/// The content of `lines`, if all of them make sense.
 fn rows(
     lines: &[&str],
     delimiter: char,
@@ -103,7 +103,7 @@ fn rows(
     };
     while let Some(last) = rows.last() {
         let first = last.get(tooth).map_or("", String::as_str);
-        // Words and dates are no teeth, whatever stands beside them.
+        // Words and dates are no teeth, whatever is beside them.
         let letters = first.chars().filter(|c| c.is_alphabetic()).count();
         let is_word = first.starts_with(char::is_alphabetic) && letters > 1;
         let is_date = first.split('.').map(str::len).eq([2, 2, 4])

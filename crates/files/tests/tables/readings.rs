@@ -34,7 +34,7 @@ fn same(statement: &str, place_key: &str, headings: [&str; 2], mm: f64) {
     let (mut places, mut values) = (Vec::new(), Vec::new());
     for (place, mm) in readings.iter().rev() {
         places.push(*place);
-        // What three decimals say.
+        // The value in three decimals.
         values.push(format!("{mm:.3}").parse::<f64>().unwrap());
     }
     let rounded: Vec<(u32, f64)> = places

@@ -1,4 +1,4 @@
-//! The made sheets tell of one gear: it is built from their pitch and gauged, by contact, and each file has what is read there.
+//! The made sheets describe one gear: it is built from their pitch and gauged, by contact, and each file has the readings.
 
 use super::*;
 use gearlash::gauge::{Settings, gauge};

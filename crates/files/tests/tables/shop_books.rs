@@ -9,7 +9,7 @@ use rust_xlsxwriter::Workbook;
 const TEETH: u32 = 17;
 const KEYS: &str = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
 
-/// What stands in a cell.
+/// The content of a cell.
 #[derive(Clone, Debug, PartialEq)]
 enum Cell {
     Nothing,
@@ -78,7 +78,7 @@ fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
     heads.find_map(|head| below(cells, head))
 }
 
-/// The same of the rows below the line `head`.
+/// The values in the rows below the line `head`.
 fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
     let is = |cell: &Cell, word: &str| *cell == Text(word.to_owned());
     let tooth = cells[head].iter().position(|cell| is(cell, "Zahn-Nr."))?;
@@ -105,13 +105,13 @@ fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
         .iter()
         .filter(|row| !left_out(row))
         .collect();
-    // Below the last row stand words.
+    // Words follow the last row.
     let is_words = |row: &Vec<Cell>| match row.get(tooth).unwrap_or(&Nothing) {
         Nothing => [right, left]
             .iter()
             .all(|place| row.get(*place).unwrap_or(&Nothing) == &Nothing),
         Text(text) => {
-            // Two letters are no tooth, whatever stands beside them.
+            // Two letters are no tooth, whatever is beside them.
             text.chars().take(2).filter(|c| c.is_alphabetic()).count() == 2
                 || !text.contains(|c: char| c.is_ascii_digit())
                     && [right, left]

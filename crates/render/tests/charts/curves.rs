@@ -60,7 +60,7 @@ fn over_the_distance_the_printed_limits_are_met() {
             assert!((end(|band| band.min_um, of, a) - row.predicted_min_um).abs() < PRINTED);
             assert!((end(|band| band.max_um, of, a) - row.predicted_max_um).abs() < PRINTED);
         }
-        // With clearance: the same curve 0.01 mm nearer and farther.
+        // With clearance: the same curve at distances 0.01 mm smaller and greater.
         let with = |bands: &Bands| bands.with_clearance;
         let here = end(|band| band.min_um, with, a);
         let nearer = end(|band| band.min_um, |bands| bands.simulated, a - 0.01);

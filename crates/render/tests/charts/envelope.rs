@@ -1,4 +1,4 @@
-//! What is drawn of a line with many swings: nothing but its data, their extremes, and their period.
+//! The drawing of a line with many swings shows only its data, their extremes, and their period.
 //!
 //! Issue 14: 24/8 over a revolution, 16 poses a pitch, was irregular triangles and blocks; windows of the thinning beat with
 //! the pitch. Expected places are the data's own.
@@ -17,7 +17,7 @@ type Spot = (f64, f64);
 /// Half the window of an envelope (whole pitches, the next above a swing of less than 7 units), and a column.
 const NEAR: f64 = 0.5 * (7.0 + 14.0) + 1.0;
 
-/// The pair of the issue over so many pitches: a line up to a hundred or so, then an envelope.
+/// The pair of the issue over `pitches`: a line up to a hundred or so, then an envelope.
 fn periodic(pitches: u64) -> Course {
     let gear = |name: &str, teeth: u32| {
         format!(
@@ -38,7 +38,7 @@ fn periodic(pitches: u64) -> Course {
     courses(&runs).remove(0)
 }
 
-/// What a chart draws: its colour, and the flank and the value of the data behind it.
+/// A drawn line of a chart: its colour, and the flank and the value of the data.
 type Drawn = (&'static str, Side, fn(&CoursePoint) -> Option<f64>);
 
 const REVOLUTION: [Drawn; 2] = [

@@ -1,4 +1,4 @@
-//! What goes into a gear comes out of its inspection.
+//! The deviations of a gear come back from its inspection.
 
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Inspection, Pitch,

@@ -121,7 +121,7 @@ fn no_label_of_any_kind_crosses_a_line() {
     }
 }
 
-/// What a report draws of pairs of many kinds: the label of the least stood on the dashed line of the mesh cycle.
+/// The charts of a report for pairs of many kinds: the label of the least was on the dashed line of the mesh cycle.
 #[test]
 fn no_label_of_a_report_crosses_a_line() {
     for fixture in [

@@ -1,4 +1,4 @@
-//! What is drawn, parsed and set beside the data.
+//! Charts, parsed and compared with the data.
 
 use super::drawn::{HALF, INK, LEFT, RIGHT, circles, distance, place, polylines};
 use super::{all_kinds, course, heading, over, simulated};
@@ -188,7 +188,7 @@ fn extremes_are_labelled_with_the_teeth_that_bind() {
     );
     assert!(chart.svg.contains(&label), "{label}");
     assert!(chart.svg.contains("interference"));
-    // The cross stands on it.
+    // The cross is on it.
     let document = Document::parse(&chart.svg).unwrap();
     let spot = place(&chart.plot, (least.x, least.backlash_um));
     let cross = polylines(&document, INK).into_iter().any(|line| {
@@ -258,7 +258,7 @@ fn the_materials_of_a_difference_are_told_apart() {
     let course = course("karba_44x44.toml", 132.21);
     let chart = chart::difference(&heading("c", "t"), &course, 0.1).unwrap();
     let document = Document::parse(&chart.svg).unwrap();
-    // Of the curves: the legend's sample has a width of its own.
+    // Lines of curves: the legend's sample has a different width.
     let lines = document
         .descendants()
         .filter(|node| node.attribute("stroke") == Some(LEFT));

@@ -1,4 +1,4 @@
-//! Perfect gears, whose lost motion stands in closed form.
+//! Perfect gears, whose lost motion has a closed form.
 
 use gearlash::contact::{Contact, LostMotion, ToothPlace, Touch};
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side, involute};
@@ -46,8 +46,8 @@ pub fn j_bn(assembly: &GearPair) -> f64 {
             * involute::inv(assembly.operating_pressure_angle())
 }
 
-/// Lost motion of perfect gears. Both contacts lie on the lines of action; the mating's flanks meet at
-/// the nominal rotation, `j_bn` lies open on the other side. Of the pairs that tie, the one nearest the pitch point.
+/// Lost motion of perfect gears. Both contacts are on the lines of action. The mating's flanks meet at the nominal rotation;
+/// `j_bn` is open on the other side. Among pairs that tie, it has the one nearest the pitch point.
 pub fn lost_motion(assembly: &GearPair, pose: &Pose) -> LostMotion {
     let flank = pose.mating().flank;
     let free = assembly.gear(assembly.free()).gear();
@@ -73,8 +73,8 @@ fn contact(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Conta
         } else {
             rotation
         };
-        // The flank of a tooth whose centre stands at θ starts on the base circle at θ ± ψ_b and
-        // crosses its line of action, which leaves the base circle at ∓α, at the roll ξ = α + ψ_b ± θ.
+        // A tooth has its centre at θ; its flank starts on the base circle at θ ± ψ_b. Its line of action leaves the base circle
+        // at ∓α. The flank crosses it at the roll ξ = α + ψ_b ± θ.
         let roll = |tooth: u32| {
             let theta = turned + as_built.tooth_angle(f64::from(tooth));
             let theta = theta - (theta / TAU).round() * TAU;

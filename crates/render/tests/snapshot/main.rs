@@ -116,7 +116,7 @@ fn check_labels(name: &str, svg: &str) {
         for (other, its_room) in &picture.texts[..i] {
             assert!(!overlap(room, its_room), "{name}: {text} on {other}");
         }
-        // What stands inside a frame must clear every line; what stands outside, every frame.
+        // Text inside a frame must clear every line, text outside every frame.
         let inside = picture.frames.iter().any(|frame| within(room, frame));
         let in_view = |line: &&[[f64; 2]; 2]| inside && meets(line, room);
         let mut lines = picture.lines.iter().chain(

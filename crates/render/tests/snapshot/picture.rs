@@ -5,7 +5,7 @@ use roxmltree::{Document, Node};
 /// Left, top, right, bottom.
 pub type Box = [f64; 4];
 
-/// What a drawn snapshot holds, in units of the sheet.
+/// The content of a drawn snapshot, in units of the sheet.
 pub struct Picture {
     pub texts: Vec<(String, Box)>,
     /// Frames, solid or dashed: rectangles with an outline.
@@ -69,7 +69,7 @@ pub fn read(svg: &str) -> Picture {
     picture
 }
 
-/// What is a filling or a limit.
+/// Whether a node is a filling or a limit.
 fn is_no_drawing(node: Node) -> bool {
     node.has_tag_name("pattern") || node.has_tag_name("clipPath")
 }

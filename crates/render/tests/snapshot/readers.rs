@@ -1,4 +1,4 @@
-//! What readers of SVG do not understand: no picture has it.
+//! Features that plain readers of SVG lack: no picture uses them.
 //!
 //! Inkscape 1.2 showed no gears, since it takes `<use>` by XLink's `href` alone. LibreOffice 7.4 showed the whole pinion as overlap, since it
 //! neither clips by a `<use>` nor clips one.

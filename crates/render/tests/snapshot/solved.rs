@@ -200,8 +200,8 @@ fn an_overlap_has_the_area_that_counting_finds() {
     }
 }
 
-/// Two flanks of the radii of curvature `ρ` that overlap by a depth `δ` far below them share `4/3 δ √(2 δ/κ)`, `κ = 1/ρ_1 + 1/ρ_2`: the
-/// length over which two parabolas overlap, times two thirds of the depth. Of involutes `ρ = √(r² − r_b²)`.
+/// Two flanks with radii of curvature `ρ` that overlap by a much smaller depth `δ` share `4/3 δ √(2 δ/κ)`, `κ = 1/ρ_1 + 1/ρ_2`:
+/// the length over which two parabolas overlap, times two thirds of the depth. Involutes have `ρ = √(r² − r_b²)`.
 #[test]
 fn overlaps_of_a_tenth_of_a_micrometre_and_of_a_tenth_of_a_millimetre_have_their_areas() {
     for (module, below) in [(3.0, 1e-4), (3.0, 1e-3), (20.0, 0.2)] {

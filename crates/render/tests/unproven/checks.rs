@@ -7,7 +7,7 @@ use gearlash::contact::{Method, PoseClass};
 use gearlash_results::text::{Screen, check};
 use gearlash_results::{RemedyRecords, checked};
 
-/// Those that are measured over the poses.
+/// The checks that are measured over the poses.
 const OF_POSES: [&str; 6] = [
     "backlash_condition",
     "non_involute_form",

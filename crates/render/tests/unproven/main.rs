@@ -1,9 +1,8 @@
-//! A pose that nothing vouches for is a row of its own, and costs no other.
+//! An unproven pose is a row of its own, and affects no other.
 //!
-//! No pair file is known to make one; so the polygons are cut from gears that are not the pair's: their tips are lower.
-//! Where the pair touches near a tip, the certificate must refuse the exact result, and the two methods must differ;
-//! elsewhere nothing may change. Which poses these are, and what the polygons must find there, the exact method says of
-//! the pair that the polygons are of.
+//! No pair file is known to make one. So the polygons are cut from other gears than the pair's: their tips are lower. Where the
+//! pair touches near a tip, the certificate must refuse the exact result, and the two methods must differ; elsewhere nothing may
+//! change. The exact method on the pair of the polygons determines these poses, and the polygons' results there.
 
 mod checks;
 mod outputs;
@@ -56,7 +55,7 @@ struct Case {
 }
 
 impl Case {
-    /// Of two pair files that differ in their gears alone: the pair's, and that of its polygons.
+    /// The case of two pair files that differ only in their gears: the pair's, and that of its polygons.
     fn new(pair: &str, polygons: &str) -> Case {
         let (pair, other) = (read(pair), read(polygons).study);
         let study = pair.study.clone();
@@ -87,7 +86,7 @@ impl Case {
         swept(self.plan.assembly.data().unwrap(), &self.cut, method, self)
     }
 
-    /// What the exact method finds on the pair itself, and on that of the polygons: nobody is asked to vouch for it.
+    /// The results of the exact method on the pair itself, and on that of the polygons, without certificates.
     fn exact(&self) -> [Vec<PoseResult>; 2] {
         let method = Method::Exact { certify: false };
         [self.plan.assembly.data().unwrap(), &self.other]

@@ -47,7 +47,7 @@ fn doubtful(runs: &[ComparedRun], decimals: usize) -> String {
     format!("{:.decimals$}", least * 1e3)
 }
 
-/// What `compare` says of `runs`.
+/// The outcome of `compare` for `runs`.
 fn compared(case: &Case, runs: &[ComparedRun]) -> Outcome {
     let mut file = case.pair.clone();
     file.study.allow_off_line_contact = true;
@@ -268,7 +268,7 @@ fn charts_have_a_gap_and_a_caption() {
         assert!(chart.svg.contains(&words), "{}", chart.svg);
     }
     assert!(drawn[0].svg.contains("gaps: unproven"));
-    // In no text: coordinates may hold any digits.
+    // Texts only: coordinates can contain any digits.
     let document = Document::parse(&drawn[0].svg).unwrap();
     let mut texts = document.descendants().filter_map(|node| node.text());
     assert!(!texts.any(|text| text.contains(&doubtful(&runs, 1))));

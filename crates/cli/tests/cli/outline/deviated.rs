@@ -1,7 +1,7 @@
 //! A deviated eccentric gear in closed form.
 //!
-//! Sources: involute and tooth thickness, ISO 21771; the fillet is everywhere as far from the path of the tool's tip centre, a
-//! trochoid, as that tip is round; a rotated involute lies its base radius times the angle beside itself.
+//! Sources: involute and tooth thickness, ISO 21771. The distance of the fillet from the path of the tool's tip centre, a
+//! trochoid, is the radius of that tip. A rotated involute is displaced by its base radius times the angle.
 
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -78,7 +78,7 @@ pub fn root() -> f64 {
     reference() - MODULE * (1.25 - generating())
 }
 
-/// Where the outline's centre stands: the gear turns about the origin, and teeth count clockwise from +y.
+/// The outline's centre: the gear turns about the origin, and teeth count clockwise from +y.
 fn centre() -> Point {
     turned(
         [ECCENTRICITY, 0.0],

@@ -175,7 +175,7 @@ fn check_drawn(args: &Args) -> Result<(), Error> {
     }
     if args.span_teeth.is_none() && args.pin_mm.is_none() {
         return Err(Error::Usage(
-            "an outline can be asked for spans (--span-teeth K) and for pins (--pin-mm D); pitch, thickness and the roll test need an involute, which it has not"
+            "an outline has only spans (--span-teeth K) and dimensions over pins (--pin-mm D); pitch, thickness and the roll test need an involute"
                 .to_owned(),
         ));
     }

@@ -155,7 +155,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             ascii(*left_um, 3),
             ascii(*left_percent, 0),
             if *alike {
-                " (both flanks vary alike, as from an index error of the machine)"
+                " (both flanks vary equally, as from an index error of the machine)"
             } else {
                 ""
             },
@@ -186,7 +186,7 @@ fn looks_like_whole(of: &Statements, quantity: Quantity, mean: f64) -> String {
         Quantity::PerTooth => ("thickness.per_tooth_um", "the thickness itself"),
     };
     format!(
-        "{}: the values are about {}, what {what} is in mm; asked for is what each tooth deviates by, in µm",
+        "{}: the values are about {}, as {what} in mm; needed is the deviation of each tooth, in µm",
         of.table.path_of(key),
         ascii(mean, 3)
     )

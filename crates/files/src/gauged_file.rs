@@ -116,7 +116,7 @@ fn thickness(
                 thickness.per_tooth_um = Some(vec![1e3 * per_tooth; teeth as usize]);
             }
             if let (true, Ok(spans)) = (cross_check, spans) {
-                comments.push("The cross-check bears out the sign of the flanks.".to_owned());
+                comments.push("The cross-check confirms the sign of the flanks.".to_owned());
                 thickness.cross_check = Some(CrossCheckSpec {
                     statement: span(spans, None),
                     tolerance_um: None,

@@ -23,12 +23,14 @@ pub fn difference_sentence(compared: &ComparedOutlines) -> String {
 /// The rotation of B that fits A best.
 pub fn turn_words(compared: &ComparedOutlines) -> String {
     let found = &compared.difference;
-    let alike = match found.alike {
+    let other_teeth = match found.alike {
         1 => "every other whole tooth fits worse".to_owned(),
-        turns => format!("{turns} turns by whole teeth fit alike, this is the least"),
+        turns => format!(
+            "the fit is the same for {turns} tooth positions, and the smallest rotation is used"
+        ),
     };
     format!(
-        "Both have {} teeth. B is turned by {}° about its centre, its tooth {} on A's tooth 1: {alike}.",
+        "Both have {} teeth. B is turned by {}° about its centre, its tooth {} on A's tooth 1: {other_teeth}.",
         compared.gears[0].teeth(),
         fixed(found.rotation.to_degrees(), 5),
         found.tooth

@@ -127,9 +127,7 @@ fn teeth_that_are_all_alike_are_not_called_binding() {
     assert!(!place.contains('·'), "{place}");
     let cells = row(&document, "#result", "40.100");
     assert_eq!([&cells[3], &cells[6]], ["all alike", "all alike"]);
-    assert!(
-        notes(&document).contains("The teeth of each gear are all alike, and so are all matings.")
-    );
+    assert!(notes(&document).contains("All teeth of each gear are equal, and so are all matings."));
 }
 
 /// 20 right-flank poses of the file at 16 a pitch, and as many left-flank ones that only the page has.

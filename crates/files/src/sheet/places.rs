@@ -255,7 +255,7 @@ impl Request<'_> {
             PitchKind::Cumulative => ("cumulative", "single pitch deviations, fp", "single"),
         };
         let shown = head.shown_one(self.file, place);
-        let reason = format!("column {shown} is of {other_kind}, asked for is kind = \"{stated}\"");
+        let reason = format!("column {shown} is of {other_kind}, wanted is kind = \"{stated}\"");
         let help = format!(
             "write kind = \"{key}\", or name the column of the other kind: left = \"…\", right = \"…\""
         );

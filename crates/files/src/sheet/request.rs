@@ -182,7 +182,7 @@ impl Request<'_> {
             Some((_, head)) => head.problem(
                 file,
                 "can be the header with more than one separator, allowed is one of comma, semicolon and tab".to_owned(),
-                "separate all columns alike",
+                "use one separator for all columns",
             ),
             None => {
                 let (what, row) = match choice.header_row {

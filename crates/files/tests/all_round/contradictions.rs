@@ -213,7 +213,7 @@ fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {
             // z 7: π/(2z) is 12.9°, and sin² 7.1° = 0.015 of it is as an eccentricity leaves it.
             let is_told = usize::from(z > 7);
             assert_eq!(about_axis(&warning, NOT_ALONE), is_told, "{z} {warning:#?}");
-            assert_eq!(about_axis(&warning, "both flanks vary alike"), is_told);
+            assert_eq!(about_axis(&warning, "both flanks vary equally"), is_told);
         }
     }
 }

@@ -64,7 +64,7 @@ fn others(page: &Page) -> Markup {
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
         @if extremes.iter().all(|run| run.assembly.data().is_some_and(has_like_teeth)) {
-            "The teeth of each gear are all alike, and so are all matings. "
+            "All teeth of each gear are equal, and so are all matings. "
         }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are "
         @if page.report.pair.study.is_drawn() { "those of sampled poses of the cycle, and of more between the best of them" } @else { "bracketed over all of them and every rotation between" }

@@ -33,7 +33,7 @@ pub(super) fn section(page: &Page) -> Markup {
                         "; the greatest here is " (bound_um(error)) " µm"
                     }
                     @if is_drawn {
-                        ". How far a drawing lies from the gear that was meant cannot be told from the drawing."
+                        ". A drawing does not show how far it deviates from the intended gear."
                     } @else {
                         ". Symbols follow ISO 21771: " (symbol("s", base_index(page))) " base tooth thickness, " (symbol("x", "E"))
                         " generating profile shift coefficient, " (symbol("d", "Ff")) " root form diameter."

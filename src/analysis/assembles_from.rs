@@ -1,7 +1,8 @@
 //! The centre distance from which a pair assembles: where the least backlash of its whole mesh cycle is 0.
 //!
-//! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed: a secant leads to it, or a tangent where one end has no value. What interferes at a
-//! distance is looked for first where it was tightest at those before; only what is free there is looked over the whole cycle.
+//! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root can be bracketed. A secant leads to it, or a
+//! tangent if one end has no value. At each distance the matings that were tightest before are tested first. The whole
+//! cycle is searched only if none of them interferes.
 
 use crate::contact::{Doubt, Effort, ExactKernel, Extreme, Status};
 use crate::error::Error;
@@ -10,28 +11,29 @@ use crate::pair::{GearPair, Mating, Member};
 /// Width of the bracket, mm.
 const DISTANCE_WIDTH: f64 = 1e-6;
 
-/// Steps of the search (it takes some ten; so many would do by halving alone).
+/// Limit of steps (about ten are usual; bisection alone would need this many).
 const STEPS: usize = 60;
 
 /// The centre distance from which a pair assembles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AssemblesFrom {
-    /// Here some pose interferes, mm.
+    /// A distance at which some pose interferes, mm.
     pub low: f64,
-    /// Here none does, mm.
+    /// A distance at which none does, mm.
     pub high: f64,
-    /// Why that is not proven.
+    /// The reason why it is unproven.
     pub doubt: Option<Doubt>,
-    /// Where the pair is tightest there.
+    /// The tightest mating there.
     pub mating: Mating,
 }
 
 impl AssemblesFrom {
-    /// That of `assembly`, whose least `j_wt` over `matings` pitches from `first` on is `least`, mm, or `None` where a pose is jammed;
-    /// looked for between its own centre distance and tips that pass each other, with what `effort` allows; its least at others as near as `width`, mm.
+    /// The centre distance from which `assembly` assembles. Its least `j_wt` over `matings` pitches from `first` on is
+    /// `least`, mm, or `None` if a pose is jammed. The search goes from its own centre distance to tips that pass each
+    /// other, within the budget `effort`. At other distances its least is found to within `width`, mm.
     ///
     /// # Errors
-    /// None of a pair that has a kernel at each distance.
+    /// None for a pair with a kernel at each distance.
     pub(super) fn new(
         assembly: &GearPair,
         over: (Mating, u64),
@@ -56,7 +58,7 @@ impl AssemblesFrom {
             let there = kernel.least(&pair, over, width, effort)?;
             let least = there.least;
             tight.extend(there.lost.or(least.map(|least| least.mating)));
-            // The attained value counts where nothing is proven.
+            // Without a proof the attained value counts.
             let value = least.map(|least| {
                 if least.is_proven() {
                     least.low
@@ -83,11 +85,12 @@ impl AssemblesFrom {
     }
 }
 
-/// Where a rising `value` becomes 0 or more between two places, mm: a place where it is less, one where it is not, at most
-/// [`DISTANCE_WIDTH`] apart unless the effort ran out, and what `value` says of the second. `None` where it is less everywhere.
+/// The threshold at which a rising `value` becomes 0 or more: a place, mm, where it is less, one where it is not, and
+/// the second result of `value` there. The places are at most [`DISTANCE_WIDTH`] apart unless the effort ran out.
+/// `None` if it is less everywhere.
 ///
-/// `below` is the value at the lower place, without end where it has none. `slope` is the value's derivative at a place. Where `value` is
-/// `None`, the place lies beyond what can be.
+/// `below` is the value at the lower place, or −∞. `slope` is the value's derivative at a place. `value` returns `None`
+/// at a place that is not possible.
 pub(super) fn threshold<T>(
     [mut low, mut high]: [f64; 2],
     mut below: f64,
@@ -98,14 +101,14 @@ pub(super) fn threshold<T>(
     if !(low < high) {
         return Ok(None);
     }
-    // The value at the upper end; without end as long as nothing was looked at.
+    // The value at the upper end; ∞ until a place is evaluated.
     let mut above = f64::INFINITY;
     let (mut found, mut last) = (None, None);
     for _ in 0..STEPS {
         if effort.is_nearly_spent() {
             break;
         }
-        // A little beyond where it leads, towards the end that is farther away, so that both come near.
+        // Slightly further, towards the more distant end, so that both ends converge.
         let nudge = 0.4 * DISTANCE_WIDTH.copysign(below + above);
         let at = match (below.is_finite(), above.is_finite()) {
             (true, true) => low - below * (high - low) / (above - below) + nudge,
@@ -122,7 +125,7 @@ pub(super) fn threshold<T>(
             Some((value, looked)) => (value, Some(looked)),
             None => (f64::INFINITY, None),
         };
-        // An end that stays behind twice counts for half (the Illinois rule).
+        // An end that stays twice gets half its weight (the Illinois rule).
         let free = value >= 0.0;
         let stays = if last.replace(free) == Some(free) {
             0.5
@@ -143,7 +146,7 @@ pub(super) fn threshold<T>(
     Ok(found.map(|found| (low, high, found)))
 }
 
-/// The least `j_wt` of `matings`, mm, where it is negative: without end where one is jammed; `None` where none interferes.
+/// The least `j_wt` of `matings`, mm, if it is negative: −∞ if one is jammed; `None` if none interferes.
 fn interference(
     kernel: &ExactKernel,
     pair: &GearPair,

@@ -11,20 +11,20 @@ use crate::pair::{Mating, Member, SweepPlan};
 use crate::parallel;
 use std::ops::ControlFlow;
 
-/// Rows of a map (tuned: what can be told apart on a sheet).
+/// Rows of a map (tuned: what can be distinguished on a sheet).
 pub const BACKLASH_MAP_ROWS: u32 = 60;
-/// Columns at most, likewise.
+/// Limit of columns, for the same reason.
 const MOST_COLUMNS: u64 = 120;
-/// Poses a mating, and poses of a row at most (tuned: some seconds for a map). Longer cycles are looked at more thinly.
+/// Poses per mating, and limit of poses per row (tuned: a few seconds per map). Longer cycles are sampled more thinly.
 const EACH: u64 = 2;
 const MOST_IN_ROW: u64 = 1200;
-/// Room above and below what is shown, of the lesser tooth depth.
+/// Margin above and below the range, in parts of the lesser tooth depth.
 const ROOM: f64 = 0.05;
 
 /// A grid of poses of one material.
 #[derive(Debug, Clone)]
 pub struct BacklashMap {
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
     /// Teeth of wheel and pinion.
     pub teeth: [u32; 2],
@@ -34,31 +34,31 @@ pub struct BacklashMap {
     pub matings: u64,
     /// Centre distances of the rows, mm, rising.
     pub distances: Vec<f64>,
-    /// Cells of a row.
+    /// Number of cells per row.
     pub columns: usize,
-    /// Row by row.
+    /// The cells, row by row.
     pub cells: Vec<BacklashCell>,
-    /// Lines drawn across, from the least centre distance up.
+    /// Marked centre distances, ascending.
     pub limits: Vec<Limit>,
 }
 
-/// A pose of a cell: of those looked at the one that interferes most, else one that is not settled or out of mesh, else the one with the least
-/// backlash.
+/// The pose of a cell: of its sampled poses the one that interferes most, otherwise one that is undecided or out of
+/// mesh, otherwise the one with the least backlash.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BacklashCell {
     /// Pitches from the first pose.
     pub pitches: f64,
     /// Which teeth mate.
     pub mating: Mating,
-    /// How the pose ends.
+    /// The status of the pose.
     pub status: Status,
     /// `j_wt`, mm.
     pub backlash: Option<f64>,
 }
 
 impl BacklashMap {
-    /// The map of each material of a drawn pair round its first centre distance in `each`, the extremes of `study`; none of gears by their
-    /// data. `tick` is called after each row; a break ends it.
+    /// The map of each material of a drawn pair around its first centre distance in `each`, the extremes of `study`;
+    /// empty for gears by their data. `tick` is called after each row; a break ends it.
     ///
     /// # Errors
     /// [`Error::Interrupted`].
@@ -96,7 +96,7 @@ impl BacklashMap {
     ) -> Result<BacklashMap, Error> {
         let from = run.assembles_from.map(|from| from.high);
         let (distances, limits) = shown(pair, from);
-        // A whole number of columns a mating where they fit.
+        // A whole number of columns per mating if they fit.
         let columns = match run.matings {
             few if few <= MOST_COLUMNS => few * (MOST_COLUMNS / few),
             _ => MOST_COLUMNS,
@@ -138,7 +138,7 @@ impl BacklashMap {
     }
 }
 
-/// Centre distances of the rows, mm, and what is drawn across them.
+/// Centre distances of the rows, mm, and the marked ones.
 fn shown(pair: &OutlinePair, assembles_from: Option<f64>) -> (Vec<f64>, Vec<Limit>) {
     let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
     let limit = |name: &str, distance: f64| Limit {
@@ -166,7 +166,7 @@ fn shown(pair: &OutlinePair, assembles_from: Option<f64>) -> (Vec<f64>, Vec<Limi
     ((0..BACKLASH_MAP_ROWS).map(row).collect(), limits)
 }
 
-/// The pose that a cell stands for comes first.
+/// Rank of a status; the least one represents the cell.
 fn order(status: Status) -> u8 {
     match status {
         Status::Jammed | Status::Interference => 0,

@@ -1,10 +1,10 @@
-//! Simulated against analytic backlash, and the verdict that gates a CI run.
+//! Simulated against analytic backlash, and the verdict for a CI run.
 //!
-//! Model 3 (line of action) is exact where involutes touch inside both gears' tip and form circles, so
-//! there it must agree; of flanks whose profiles deviate it takes the deviation at its own contact point, and may lie above by the square of
-//! what that tilts their normals. Where a tip corner, an undercut edge or a fillet touches instead, a real
-//! pair has less backlash than the formula says: the formula is wrong about this
-//! pair, and that is a finding of its own.
+//! Model 3 (line of action) is exact where involutes touch inside both gears' tip and form circles, so it must agree
+//! there. For flanks whose profiles deviate it uses the deviation at its own contact point. It can then exceed the
+//! simulation by an amount quadratic in the tilt of the normals. If a tip corner, an undercut edge or a fillet touches,
+//! a real pair has less backlash than the formula says. That is a separate finding: the formula does not apply to this
+//! pair.
 
 use crate::analysis::simulate::Run;
 use crate::analysis::study::Study;
@@ -23,16 +23,17 @@ use crate::pair::GearPair;
 pub enum Verdict {
     /// Within tolerance + error bound.
     Agrees,
-    /// There is nothing to compare: jammed or out of mesh, and the formula finds no contact either; or a gear is drawn and has no formula.
+    /// Nothing to compare: the pose is jammed or out of mesh, and the formula finds no contact either; or a gear is
+    /// drawn.
     Nothing,
-    /// The simulation lies below because a tip, an undercut edge, a fillet or a root touches off the line of action, or flanks whose profiles deviate: a tilted
-    /// normal moves their contact along them.
+    /// The simulation is below the formula because a tip, an undercut edge, a fillet or a root touches off the line of
+    /// action. Or profiles deviate: a tilted normal moves the contact along the flanks.
     OffLine,
-    /// The simulation lies below though involutes touch.
+    /// The simulation is below the formula although involutes touch.
     Below,
-    /// The simulation lies above model 3: never right.
+    /// The simulation is above model 3, which is always an error.
     Above,
-    /// Nothing vouches for what was simulated: there is nothing to compare.
+    /// The simulated pose is unproven: nothing to compare.
     Unproven,
 }
 
@@ -72,7 +73,7 @@ pub struct ComparedPose {
     pub involute: Option<f64>,
     /// Model 3, line of action.
     pub line_of_action: Option<f64>,
-    /// The verdict that decides.
+    /// The verdict on the pose.
     pub verdict: Verdict,
 }
 
@@ -123,14 +124,14 @@ impl ComparedRun {
         self.poses.iter().filter(both).count()
     }
 
-    /// Whether the run passes: something was compared, and everything agrees, or lies off the line where that is
-    /// allowed. A run that is jammed or out of mesh throughout agrees with nothing, and of an unproven pose nobody knows.
+    /// Whether the run passes: something was compared, and everything agrees, or is off the line if that is allowed. A
+    /// run without any pose in mesh does not pass; unproven poses are excluded.
     pub fn passes(&self, allow_off_line: bool) -> bool {
         let unproven = self.poses.iter().any(|pose| pose.simulated.is_unproven());
         self.compared() > 0 && !unproven && !self.disagrees(allow_off_line)
     }
 
-    /// Whether some pose, proven, disagrees with the formula, or lies off the line where that is not allowed.
+    /// Whether some proven pose disagrees with the formula, or is off the line if that is not allowed.
     pub fn disagrees(&self, allow_off_line: bool) -> bool {
         self.poses.iter().any(|pose| match pose.verdict {
             Verdict::Agrees | Verdict::Nothing | Verdict::Unproven => false,
@@ -139,14 +140,14 @@ impl ComparedRun {
         })
     }
 
-    /// The poses of which something is not proven, in order.
+    /// The poses with an unproven part, in order.
     pub fn unproven(&self) -> impl Iterator<Item = &ComparedPose> + Clone {
         self.poses
             .iter()
             .filter(|pose| pose.simulated.is_unproven())
     }
 
-    /// Simulated minus model 3, mm, of the pose where it is largest in amount.
+    /// Simulated minus model 3, mm, of the pose where its amount is largest.
     pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
         let differences = self.poses.iter().filter_map(|pose| {
             let difference = pose.simulated.backlash? - pose.line_of_action?;
@@ -170,8 +171,7 @@ impl ComparedRun {
         tally.summary()
     }
 
-    /// The poses with the least and the greatest backlash; of those that their error bounds cannot tell
-    /// apart, the first.
+    /// The poses with the least and the greatest backlash; among those within their error bounds, the first.
     pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
         let first = |sign: f64| {
             first_least(self.poses.iter().filter_map(|pose| {
@@ -186,13 +186,13 @@ impl ComparedRun {
     }
 }
 
-/// Summary of a run. Lengths in mm, as `j_wt`; `None` where no pose has the value.
+/// Summary of a run. Lengths in mm, as `j_wt`; `None` if no pose has the value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Summary {
-    /// Poses that are not proven: none of their values counts below.
+    /// Unproven poses, whose values do not count below.
     pub unproven: usize,
-    /// Poses that are not proven at `a − c`, and at `a + c`.
+    /// Poses that are unproven at `a − c`, and at `a + c`.
     pub unproven_ends: [usize; 2],
     /// Poses that polygons checked.
     pub polygon_checked: usize,
@@ -210,7 +210,7 @@ pub struct Summary {
     pub off_line_of_action: Option<f64>,
 }
 
-/// A [`Summary`] of poses that come one by one.
+/// A [`Summary`] of poses that arrive one by one.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct SummaryTally {
     unproven: usize,
@@ -226,7 +226,7 @@ pub(crate) struct SummaryTally {
 }
 
 impl SummaryTally {
-    /// Takes the next pose in.
+    /// Adds the next pose.
     pub(crate) fn add(&mut self, pose: &ComparedPose) {
         let join = |known: &mut Option<f64>, value: Option<f64>, of: fn(f64, f64) -> f64| {
             if let Some(value) = value {
@@ -303,7 +303,7 @@ pub(crate) fn compared(
     }
 }
 
-/// The tolerance in force: the command line's, or else the pair file's.
+/// The tolerance in force: that of the command line, otherwise that of the pair file.
 pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
     given.unwrap_or(study.tolerance_um)
 }
@@ -331,7 +331,7 @@ fn judge(
                 Verdict::Below
             }
         }
-        // The formula has no pair of involutes in reach of each other: what touches is something else.
+        // The formula finds no pair of involutes within reach: something else touches.
         (Some(_), None) => Verdict::OffLine,
         (None, Some(_)) if found.status() == Status::Jammed => Verdict::OffLine,
         (None, Some(_)) => Verdict::Above,

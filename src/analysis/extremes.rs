@@ -1,10 +1,11 @@
 //! The least and the greatest backlash of every run of a study, over its whole mesh cycle and every rotation.
 //!
-//! Tooth numbers of 17 and 100 meet in 1700 pairs, of which one wheel revolution brings 17. Whether the pair assembles, all of them have
-//! to say, and every rotation between two poses: [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes) proves what bounds them. What it found is simulated as every
-//! other pose is, certificate and formulas beside it. Which cycles there are, and both ends of the bearing clearance, is `cycles`; what follows
-//! is [`super::verdict`]. The checks that it names come from what poses have shown (`diagnosis::Seen`), so that they need not be kept;
-//! `failed_checks` makes those that cannot be known to be kept, `diagnose` all.
+//! Teeth of a 17/100 pair meet in 1700 matings; one wheel revolution contains 17 of them. All matings and all rotations
+//! between poses decide whether the pair assembles. [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes)
+//! proves the bounds. Its extreme poses are then simulated like any other, with certificate and formulas. `cycles`
+//! lists the cycles and both ends of the bearing clearance; [`super::verdict`] draws the conclusions. The checks in the
+//! verdict use the evidence of poses (`diagnosis::PoseEvidence`), so that poses need not be kept. `failed_checks` runs
+//! only the checks whose outcome is not yet known, `diagnose` all.
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
@@ -26,30 +27,30 @@ pub use super::cycles::{WIDTH, extremes_of_phase};
 /// One centre distance, material and assembly phase.
 #[derive(Debug, Clone)]
 pub struct RunExtremes {
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
-    /// As assembled.
+    /// The pair as assembled.
     pub assembly: AssembledPair,
-    /// Wheel and pinion tooth that name the assembly phase, where the study has several.
+    /// Wheel and pinion tooth that name the assembly phase, if the study has several.
     pub phase: Option<(u32, u32)>,
-    /// Wheel and pinion tooth that name the assembly phase; `None` where the pair has one, or all are equal.
+    /// Wheel and pinion tooth that name the assembly phase; `None` if the pair has only one, or all are equal.
     pub covers: Option<(u32, u32)>,
     /// Matings of the cycle: lcm(z_1, z_2).
     pub matings: u64,
-    /// How the worst of its poses ends.
+    /// The status of its worst pose.
     pub status: Status,
-    /// The least `j_wt`; `None` where a pose is jammed.
+    /// The least `j_wt`; `None` if a pose is jammed.
     pub least: Option<RunExtreme>,
-    /// The greatest; `None` where a pose is out of mesh.
+    /// The greatest `j_wt`; `None` if a pose is out of mesh.
     pub greatest: Option<RunExtreme>,
     /// A pose that is jammed or out of mesh.
     pub lost: Option<PairPose>,
-    /// Where the pair does not assemble: from which centre distance it does; `None` where none was found between this one and tips that
-    /// pass each other.
+    /// For a pair that does not assemble: the centre distance from which it does. `None` if there is none up to tips
+    /// that pass each other.
     pub assembles_from: Option<AssemblesFrom>,
-    /// Where it is out of mesh: up to which centre distance it is in mesh.
+    /// For a pair out of mesh: the centre distance up to which it is in mesh.
     pub meshes_to: Option<MeshesTo>,
-    /// Extremes with the axes nearer and farther apart by the play of the bearings; `None` where none is stated.
+    /// Extremes with the axes moved together and apart by the bearing clearance; `None` without clearance.
     pub bearings: Option<BearingPlay>,
 }
 
@@ -64,14 +65,15 @@ pub struct BearingPlay {
     pub apart: BearingEnd,
 }
 
-/// One end of what the bearings allow.
+/// One end of the bearing clearance.
 #[derive(Debug, Clone)]
 pub struct BearingEnd {
-    /// The pair there: its centre distance is `a − c` or `a + c`.
+    /// The pair at the centre distance `a − c` or `a + c`.
     pub assembly: AssembledPair,
-    /// How the worst of its poses ends.
+    /// The status of its worst pose.
     pub status: Status,
-    /// The least of the pair pressed together, `None` where it is jammed; the greatest of that pulled apart, `None` where it is out of mesh.
+    /// The least of the pair pressed together, `None` if it is jammed; the greatest of the pair pulled apart, `None` if
+    /// it is out of mesh.
     pub extreme: Option<RunExtreme>,
 }
 
@@ -80,11 +82,12 @@ pub struct BearingEnd {
 pub struct CycleExtremes {
     /// Each centre distance, material and assembly phase.
     pub each: Vec<RunExtremes>,
-    /// Their poses, run by run: least, greatest, lost, and what binds where the pair begins to assemble.
+    /// Their poses, run by run: least, greatest, lost, and the binding one at the distance from which the pair
+    /// assembles.
     pub runs: Vec<ComparedRun>,
 }
 
-/// A pose and the pair in it: where a runout has no direction, with its high tooth where it is worst.
+/// A pose and its pair. A runout without direction has its high tooth at the worst place.
 #[derive(Debug, Clone)]
 pub struct PairPose {
     /// The pair.
@@ -96,15 +99,15 @@ pub struct PairPose {
 /// An extreme and the pose that attains it.
 #[derive(Debug, Clone)]
 pub struct RunExtreme {
-    /// `j_wt`, mm: no less than this; −∞ where nothing bounds it.
+    /// Lower bound of `j_wt`, mm; −∞ without a bound.
     pub low: f64,
-    /// No more than this; ∞ where nothing bounds it.
+    /// Upper bound; ∞ without a bound.
     pub high: f64,
     /// The attained value, mm.
     pub found: f64,
-    /// Why the bracket is wider than wanted.
+    /// The reason why the bracket is too wide.
     pub doubt: Option<Doubt>,
-    /// The pair: where a runout has no direction, with its high tooth where it is worst.
+    /// The pair. A runout without direction has its high tooth at the worst place.
     pub assembly: AssembledPair,
     /// The pose, simulated.
     pub pose: ComparedPose,
@@ -120,7 +123,7 @@ impl PairPose {
 }
 
 impl BearingEnd {
-    /// The extremes there, with the pose simulated in the next of `runs`.
+    /// The extremes there; its pose is in the next of `runs`.
     fn new<'a>(end: &SearchedEnd, runs: &mut impl Iterator<Item = &'a ComparedRun>) -> BearingEnd {
         let run = end.pose.as_ref().and_then(|_| runs.next());
         let pose = run.and_then(|run| PairPose::of(run).next());
@@ -152,7 +155,7 @@ impl RunExtreme {
         is_proven(self.low, self.high, self.doubt) && self.pose.simulated.found.is_ok()
     }
 
-    /// Whether the bracket has two ends, and the pose is proven.
+    /// Whether the bracket has two finite ends and the pose is proven.
     pub fn holds(&self) -> bool {
         self.low.is_finite() && self.high.is_finite() && self.pose.simulated.found.is_ok()
     }
@@ -193,7 +196,7 @@ impl RunExtremes {
         }
     }
 
-    /// Whether the pair assembles over the whole cycle; `None` where that is not proven.
+    /// Whether the pair assembles over the whole cycle; `None` if unproven.
     pub fn assembles(&self) -> Option<bool> {
         match (self.status, &self.least) {
             (Status::Jammed | Status::NoContact, _) => Some(false),
@@ -211,21 +214,22 @@ impl RunExtremes {
         self.assembly.data().is_some_and(|pair| distinct(pair) == 1)
     }
 
-    /// Whether a runout has no direction: all of them are meant.
+    /// Whether a runout has no direction, so that all directions are covered.
     pub fn any_direction(&self) -> bool {
         self.assembly.data().is_some_and(is_open)
     }
 
-    /// Whether all that is said of it is proven.
+    /// Whether every part of the result is proven.
     pub fn is_proven(&self) -> bool {
         let both = self.least.iter().chain(&self.greatest);
         both.into_iter().all(RunExtreme::is_proven)
     }
 }
 
-/// The extremes of every run of `study`, in the order of [`Study::runs`], their poses found once more by `method`.
+/// The extremes of every run of `study`, in the order of [`Study::runs`], with their poses found again by `method`.
 ///
-/// They are of every assembly phase, or of those of the listed matings ([`Study::all_phases`]). `tick` is called as each run begins, from any thread.
+/// They cover every assembly phase, or those of the listed matings ([`Study::all_phases`]). `tick` is called as each
+/// run begins, from any thread.
 ///
 /// # Errors
 /// As [`super::simulate::simulate`].
@@ -265,7 +269,7 @@ pub fn extremes(
         Ok::<_, Error>(compare(runs, study.tolerance_um))
     };
     let runs = simulated(study, poses.collect())?;
-    // There the bearings have no more play.
+    // There the bearings have no further play.
     let without_play = Study {
         bearing_clearance: 0.0,
         ..study.clone()
@@ -290,7 +294,7 @@ pub fn extremes(
 }
 
 impl CycleExtremes {
-    /// Takes in the poses of `runs` that lie beyond a sampled extreme of the same pair, so that no curve reaches beyond the verdict.
+    /// Adds the poses of `runs` that exceed a sampled extreme of the same pair, so that no curve exceeds the verdict.
     pub(super) fn take_in(&mut self, runs: &[ComparedRun]) {
         for extremes in &mut self.each {
             let is_same = |run: &&ComparedRun| {
@@ -313,7 +317,7 @@ impl CycleExtremes {
     }
 }
 
-/// How many runs [`extremes`] has: its ticks.
+/// Number of runs of [`extremes`], which is its number of ticks.
 ///
 /// # Errors
 /// As [`Study::runs`].
@@ -331,7 +335,7 @@ pub enum CoveredPhases {
 }
 
 impl CoveredPhases {
-    /// Phases that `runs` cover.
+    /// The phases of `runs`.
     pub fn of<'a>(runs: impl IntoIterator<Item = &'a RunExtremes>) -> CoveredPhases {
         let (mut phases, mut all) = (Vec::new(), 1);
         for run in runs {

@@ -19,18 +19,18 @@ pub struct AtWidth {
 }
 
 impl AtWidth {
-    /// How wide the part is, mm.
+    /// Width of the part, mm.
     pub fn width(&self) -> f64 {
         self.face[1] - self.face[0]
     }
 
-    /// The least `j_wt` of all runs; `None` where one is jammed, whose backlash is less than any.
+    /// The least `j_wt` of all runs; `None` if a run is jammed.
     pub fn least(&self) -> Option<FaceExtreme<'_>> {
         let least = |a: f64, b: f64| a <= b;
         FaceExtreme::of(self.each.iter().map(|run| run.least.as_ref()), least)
     }
 
-    /// The greatest; `None` where one is out of mesh.
+    /// The greatest `j_wt` of all runs; `None` if a run is out of mesh.
     pub fn greatest(&self) -> Option<FaceExtreme<'_>> {
         let greatest = |a: f64, b: f64| a >= b;
         FaceExtreme::of(self.each.iter().map(|run| run.greatest.as_ref()), greatest)
@@ -42,11 +42,11 @@ impl AtWidth {
 pub struct FaceExtreme<'a> {
     /// The found value.
     pub found: f64,
-    /// No less than this.
+    /// Lower bound.
     pub low: f64,
-    /// No more than this.
+    /// Upper bound.
     pub high: f64,
-    /// A run whose bracket is wider than was wanted; before others one whose bracket does not hold.
+    /// A run whose bracket is too wide; one whose bracket does not hold has priority.
     pub doubtful: Option<&'a RunExtreme>,
 }
 
@@ -70,22 +70,23 @@ impl<'a> FaceExtreme<'a> {
         })
     }
 
-    /// Whether nothing lies beyond the bracket.
+    /// Whether the bracket holds.
     pub fn holds(&self) -> bool {
         self.doubtful.is_none_or(RunExtreme::holds)
     }
 
-    /// Between what the difference to `other` lies, mm; `None` where a bracket does not hold.
+    /// The range of the difference from `other`, mm; `None` if a bracket does not hold.
     pub fn against(&self, other: &FaceExtreme) -> Option<[f64; 2]> {
         let hold = self.holds() && other.holds();
         hold.then_some([self.low - other.high, self.high - other.low])
     }
 }
 
-/// The extremes of `study` over parts of its common face, from one section to all of it (`full`, what was found there); none of spur gears.
+/// The extremes of `study` over parts of its common face, from one section to the whole face (`full` is its result);
+/// empty for spur gears.
 ///
-/// The parts hold each other, about the middle of the common face, as a narrower gear in the same place would; the measuring plane stays where it is. A wider
-/// one never has more play.
+/// The parts are nested about the middle of the common face, like narrower gears in the same place; the measuring plane
+/// stays fixed. A wider part never has more play.
 ///
 /// # Errors
 /// As [`extremes`].
@@ -104,7 +105,7 @@ pub fn over_widths(
     for step in 0..WIDTHS - 1 {
         let part = f64::from(step) / f64::from(WIDTHS - 1);
         let face = [from, to].map(|end| middle + (end - middle) * part);
-        // Bearings are another question.
+        // Without bearing clearance.
         let narrower = Study {
             face,
             bearing_clearance: 0.0,
@@ -122,7 +123,7 @@ pub fn over_widths(
     Ok(widths)
 }
 
-/// How often [`over_widths`] looks through the runs of a study.
+/// Number of searches of [`over_widths`] over the runs of a study.
 pub(super) fn searches(study: &Study) -> u64 {
     if study.is_helical() {
         u64::from(WIDTHS - 1)

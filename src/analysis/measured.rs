@@ -1,4 +1,4 @@
-//! A rig's measured backlash beside the predicted and the simulated band, mating by mating.
+//! A rig's measured backlash with the predicted and the simulated band, mating by mating.
 
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::study::{Material, MeasuredRow, Study};
@@ -16,20 +16,20 @@ pub struct Band {
 }
 
 impl Band {
-    /// Where `value_um` lies: −1 below, 0 inside (ends included), 1 above.
+    /// Position of `value_um`: −1 below, 0 inside (including the ends), 1 above.
     pub fn side_of(&self, value_um: f64) -> i8 {
         i8::from(value_um > self.max_um) - i8::from(value_um < self.min_um)
     }
 }
 
-/// A measured mating and the bands it should lie in. Bands are means of the right-flank and the
-/// left-flank pose; `None` where a pose has no value or was not run.
+/// A measured mating and its bands. Bands are means of the right-flank and the left-flank pose; `None` if a pose has no
+/// value or was not run.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeasuredMating {
-    /// As read.
+    /// The measured values.
     pub row: MeasuredRow,
-    /// As printed beside the measurement.
+    /// The prediction published with the measurement.
     pub printed: Band,
     /// Model 2.
     pub analytic: Option<Band>,
@@ -39,7 +39,8 @@ pub struct MeasuredMating {
     pub with_clearance: Option<Band>,
 }
 
-/// A mating's bands; means of the right-flank and the left-flank pose; `None` where a pose has no value or was not run.
+/// The bands of a mating: means of the right-flank and the left-flank pose; `None` if a pose has no value or was not
+/// run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Bands {
@@ -53,7 +54,7 @@ pub struct Bands {
     pub with_clearance: Option<Band>,
 }
 
-/// The measured matings of `study`, in the order of their file, with what `runs` says of each.
+/// The measured matings of `study`, in the order of their file, with their values in `runs`.
 pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMating> {
     let mut tally = MeasuredTally::new(study);
     for run in runs {
@@ -63,14 +64,14 @@ pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMati
     tally.matings(study)
 }
 
-/// The measured matings of a study whose poses come one by one.
+/// The measured matings of a study whose poses arrive one by one.
 #[derive(Debug)]
 pub struct MeasuredTally {
     /// By the bits of the centre distance, material, wheel and pinion tooth.
     means: HashMap<(u64, Material, u32, u32), Means>,
-    /// Centre distances and materials that have begun: of several runs of one, phases, the first counts.
+    /// Centre distances and materials that have begun. If several runs (phases) share one, the first counts.
     begun: HashSet<(u64, Material)>,
-    /// The run whose poses come now, where it counts.
+    /// The current run, if it counts.
     now: Option<(u64, Material)>,
 }
 
@@ -91,13 +92,13 @@ impl MeasuredTally {
         }
     }
 
-    /// The next poses are those of a run of `material` at `center_distance`, mm.
+    /// Starts a run of `material` at `center_distance`, mm.
     pub fn begin(&mut self, center_distance: f64, material: Material) {
         let run = (center_distance.to_bits(), material);
         self.now = self.begun.insert(run).then_some(run);
     }
 
-    /// Takes in the next poses of the run.
+    /// Adds the next poses of the run.
     pub fn add(&mut self, poses: &[ComparedPose]) {
         let Some((distance, material)) = self.now.filter(|_| !self.means.is_empty()) else {
             return;
@@ -137,8 +138,8 @@ impl MeasuredTally {
     }
 }
 
-/// How many measured values, right and left of each mating, lie below, inside and above its band; those without a
-/// band are not counted.
+/// Number of measured values, right and left of each mating, that are below, inside and above their band. Values
+/// without a band are not counted.
 pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Band>) -> [usize; 3] {
     let mut sides = [0; 3];
     for mating in measured {
@@ -220,12 +221,12 @@ impl Means {
     }
 }
 
-/// A mean of values that come one by one, mm.
+/// A mean of values that arrive one by one, mm.
 #[derive(Debug, Clone, Copy, Default)]
 struct Mean {
     sum: f64,
     count: u32,
-    /// Whether a pose has no value: there is no mean then.
+    /// Whether a pose has no value, so that there is no mean.
     incomplete: bool,
 }
 
@@ -240,7 +241,7 @@ impl Mean {
         }
     }
 
-    /// µm; `None` where a pose has no value or there is none.
+    /// The mean in µm; `None` if a pose has no value or there are none.
     fn um(&self) -> Option<f64> {
         let known = self.count > 0 && !self.incomplete;
         known.then(|| self.sum / f64::from(self.count) * 1e3)

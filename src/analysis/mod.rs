@@ -1,6 +1,6 @@
-//! One analysis of a study: what every command, page and chart reads.
+//! One analysis of a study: the data of every command, page and chart.
 //!
-//! A [`Plan`] says what is to be found out and how much work that is; [`Analysis::run`] does it, each pose once.
+//! A [`Plan`] lists the parts and their work; [`Analysis::run`] does it, each pose once.
 
 pub mod assembles_from;
 pub mod backlash_map;
@@ -27,7 +27,7 @@ pub mod verdict;
 use self::backlash_map::BacklashMap;
 use self::compare::{ComparedRun, compare};
 use self::curves::{Field, OverDistance};
-use self::diagnosis::{CheckName, Diagnosis, Seen, failed_checks};
+use self::diagnosis::{CheckName, Diagnosis, PoseEvidence, failed_checks};
 use self::extremes::CycleExtremes;
 use self::face_width::AtWidth;
 use self::measured::{MeasuredMating, measured_matings};
@@ -52,7 +52,7 @@ pub struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
-    /// The poses that `study` asks for, by `method`.
+    /// The poses of `study` by `method`.
     pub fn new(study: &'a Study, method: Method) -> Plan<'a> {
         Plan {
             study,
@@ -65,7 +65,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Everything: what a report tells.
+    /// All parts, as in a report.
     pub fn whole(study: &'a Study, method: Method) -> Plan<'a> {
         let plan = Plan::new(study, method);
         plan.with_revolution()
@@ -74,7 +74,7 @@ impl<'a> Plan<'a> {
             .with_checks()
     }
 
-    /// Also whole revolutions, where the study's own poses are none.
+    /// Adds whole revolutions, if the study's own poses do not cover them.
     #[must_use]
     pub fn with_revolution(self) -> Plan<'a> {
         Plan {
@@ -83,7 +83,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Also the extremes of the whole mesh cycle.
+    /// Adds the extremes of the whole mesh cycle.
     #[must_use]
     pub fn with_extremes(self) -> Plan<'a> {
         Plan {
@@ -92,7 +92,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Also curves over the centre distance: of what binds, and of the matings that were measured.
+    /// Adds curves over the centre distance: of the binding pose, and of the measured matings.
     #[must_use]
     pub fn with_curves(self) -> Plan<'a> {
         Plan {
@@ -101,7 +101,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Also every check of the pair.
+    /// Adds every check of the pair.
     #[must_use]
     pub fn with_checks(self) -> Plan<'a> {
         Plan {
@@ -110,7 +110,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Also the single changes that make a pair fit which does not; with the extremes.
+    /// Adds the single changes that make a failing pair fit, with the extremes.
     #[must_use]
     pub fn with_remedies(self) -> Plan<'a> {
         Plan {
@@ -129,7 +129,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Steps of the work, each reported by a tick: poses, and pitches that are searched. At most so many.
+    /// Upper limit of the steps of the work, each reported by a tick: poses, and pitches that are searched.
     ///
     /// # Errors
     /// As [`Study::runs`].
@@ -139,7 +139,7 @@ impl<'a> Plan<'a> {
             steps += extremes::run_count(self.study)?;
         }
         if self.curves {
-            // The binding teeth, and the measured ones.
+            // The binding teeth and the measured ones.
             let followed = 1 + curves::measured_teeth(self.study).len() as u64;
             steps += followed * curves::over_distance_pose_count(self.study);
         }
@@ -153,12 +153,12 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The stage in which each step is a search of a whole mesh cycle: they take unlike times.
+/// The stage in which each step is a search of a whole mesh cycle. These steps differ in duration.
 pub const MESH_CYCLE: &str = "(mesh cycle)";
 
-/// How far an analysis has come, for whoever watches it.
+/// Receives the progress of an analysis.
 pub struct Progress<'a> {
-    /// Told what is being done now.
+    /// Receives the name of each stage.
     pub stage: &'a mut dyn FnMut(&str),
     /// Called as each step begins, from any thread; a break ends the work.
     pub tick: &'a (dyn Fn() -> ControlFlow<()> + Sync),
@@ -169,41 +169,41 @@ pub struct Progress<'a> {
 pub struct Analysis<'a> {
     /// The study.
     pub study: &'a Study,
-    /// How lost motion was found.
+    /// The method that found lost motion.
     pub method: Method,
-    /// The poses the study asks for.
+    /// The poses of the study.
     pub runs: Vec<ComparedRun>,
     /// Whole revolutions at the same centre distances; where the study sweeps, its own poses and those of the left flanks.
     pub revolution: Vec<ComparedRun>,
-    /// These with the poses between them that their curves need, as they are drawn.
+    /// The revolutions with the additional poses of their curves, as drawn.
     pub curves: Vec<ComparedRun>,
     /// Extremes of the whole mesh cycle.
     pub extremes: CycleExtremes,
-    /// Over the centre distance: what binds, then the matings that were measured.
+    /// Curves over the centre distance: of the binding pose, then of the measured matings.
     pub over_distance: Vec<OverDistance>,
     /// Backlash of a drawn pair over the centre distance.
     pub maps: Vec<BacklashMap>,
-    /// The extremes over parts of the common face of helical gears; none of spur gears.
+    /// The extremes over parts of the common face of helical gears; empty for spur gears.
     pub widths: Vec<AtWidth>,
-    /// The field of action of helical gears at the pose that binds.
+    /// The field of action of helical gears at the binding pose.
     pub field: Option<Field>,
-    /// Measured values beside their bands.
+    /// Measured values with their bands.
     pub measured: Vec<MeasuredMating>,
     /// Every check.
     pub diagnosis: Diagnosis,
-    /// Ids of the checks that fail: of every check, or, beside the extremes, as far as they need be made to know.
+    /// Ids of the checks that fail, of every check. Without checks, of those that the extremes need.
     pub failed_checks: Vec<CheckName>,
-    /// Single changes that make the pair fit; none of a pair that fits.
+    /// Single changes that make the pair fit; empty for a pair that fits.
     pub remedies: Remedies,
 }
 
 impl<'a> Analysis<'a> {
     /// Does the work of `plan`.
     ///
-    /// A contact that is lost or a certificate that fails leaves its pose unproven.
+    /// A lost contact or a failed certificate leaves its pose unproven.
     ///
     /// # Errors
-    /// [`Error::Interrupted`] after a break; a pair that cannot be assembled, for a study that was not checked.
+    /// [`Error::Interrupted`] after a break; a pair that cannot be assembled, for an unchecked study.
     pub fn run(plan: &Plan<'a>, progress: &mut Progress) -> Result<Analysis<'a>, Error> {
         let Plan { study, method, .. } = *plan;
         let tick = progress.tick;
@@ -273,8 +273,9 @@ impl<'a> Analysis<'a> {
             analysis.diagnosis = diagnosis::diagnose(study, runs, extremes, &mut step, tick)?;
             analysis.failed_checks = analysis.diagnosis.failed();
         } else if plan.extremes {
-            let seen: Vec<Seen> = analysis.runs.iter().filter_map(Seen::of).collect();
-            analysis.failed_checks = failed_checks(study, &seen, &analysis.extremes, tick)?;
+            let evidence: Vec<PoseEvidence> =
+                analysis.runs.iter().filter_map(PoseEvidence::of).collect();
+            analysis.failed_checks = failed_checks(study, &evidence, &analysis.extremes, tick)?;
         }
         if plan.remedies {
             (progress.stage)("(remedies)");
@@ -283,7 +284,7 @@ impl<'a> Analysis<'a> {
         Ok(analysis)
     }
 
-    /// Does the work of `plan`, telling nobody how far it has come.
+    /// Does the work of `plan` without progress reports.
     ///
     /// # Errors
     /// As [`Analysis::run`].
@@ -295,14 +296,14 @@ impl<'a> Analysis<'a> {
         Analysis::run(plan, &mut progress)
     }
 
-    /// Every run that counts, none twice: whole revolutions, and what the study asks for beside them.
+    /// Every distinct run: whole revolutions, and the other runs of the study.
     pub fn distinct_runs(&self) -> impl Iterator<Item = &ComparedRun> + Clone {
         let contained = self.study.sweeps() && !self.revolution.is_empty();
         let asked = if contained { &[] } else { &self.runs[..] };
         self.revolution.iter().chain(asked)
     }
 
-    /// These, and the extremes of the mesh cycle.
+    /// These runs, and the extremes of the mesh cycle.
     pub fn all(&self) -> impl Iterator<Item = &ComparedRun> + Clone {
         self.distinct_runs().chain(&self.extremes.runs)
     }
@@ -312,7 +313,7 @@ impl<'a> Analysis<'a> {
         Verdict::of_study(self.study, &self.extremes.each, self.failed_checks.clone())
     }
 
-    /// How far both methods agree, where both were asked for.
+    /// Agreement of both methods, if both were used.
     pub fn agreement(&self) -> MethodAgreement {
         let poses = self.all().flat_map(|run| &run.poses);
         let of_poses = MethodAgreement::of(poses.map(|pose| &pose.simulated));
@@ -320,7 +321,7 @@ impl<'a> Analysis<'a> {
         curves.fold(of_poses, |all, curve| all.and(curve.agreement))
     }
 
-    /// How many poses are not proven, or not at an end of the bearing clearance.
+    /// Number of unproven poses, including the ends of the bearing clearance.
     pub fn unproven(&self) -> usize {
         let runs: usize = self.all().map(|run| run.unproven().count()).sum();
         let curves = self.over_distance.iter().map(|curve| curve.unproven);

@@ -1,5 +1,5 @@
-//! Outcome of a study: the least and the greatest backlash at each centre distance, the binding teeth,
-//! and the differences to the formulas. Lengths in mm, as `j_wt`.
+//! Outcome of a study: the least and the greatest backlash at each centre distance, the binding teeth, and the
+//! differences from the formulas. Lengths in mm, as `j_wt`.
 
 use crate::analysis::compare::{ComparedPose, ComparedRun, Verdict, touches_off_line};
 use crate::analysis::study::Material;
@@ -14,32 +14,32 @@ pub struct PoseOfRun<'a> {
     pub pose: &'a ComparedPose,
 }
 
-/// A number of poses and what they come to.
+/// A set of poses and its outcome.
 #[derive(Debug, Clone)]
 pub struct Outcome<'a> {
-    /// How many there are.
+    /// Number of poses.
     pub poses: usize,
-    /// How many have negative backlash, beyond their error bounds.
+    /// Number of poses with negative backlash beyond their error bounds.
     pub interfering: usize,
-    /// How many have a backlash that cannot be told from none.
+    /// Number of poses whose backlash cannot be distinguished from zero.
     pub touching: usize,
-    /// How many are jammed: a tip sits in a root.
+    /// Number of jammed poses: a tip is in a root.
     pub jammed: usize,
-    /// How many are out of mesh.
+    /// Number of poses out of mesh.
     pub apart: usize,
-    /// How many are not proven: none of their values counts.
+    /// Number of unproven poses, whose values do not count.
     pub unproven: usize,
-    /// How many are not proven at `a − c`, and at `a + c`.
+    /// Number of poses that are unproven at `a − c`, and at `a + c`.
     pub unproven_ends: [usize; 2],
-    /// The worst: the first that is jammed, or else the one with the least backlash; of an unproven pose nobody knows.
+    /// The worst: the first that is jammed, otherwise the one with the least backlash; unproven poses are excluded.
     pub worst: Option<PoseOfRun<'a>>,
-    /// The least backlash; of those that their error bounds cannot tell apart, the first.
+    /// The pose with the least backlash; among those within their error bounds, the first.
     pub least: Option<PoseOfRun<'a>>,
-    /// The greatest, chosen likewise.
+    /// The pose with the greatest backlash, chosen in the same way.
     pub greatest: Option<PoseOfRun<'a>>,
-    /// Whether every pose has a backlash, and their error bounds cannot tell one from another.
+    /// Whether every pose has a backlash and all are equal within their error bounds.
     pub uniform: bool,
-    /// Mean of those that have a value.
+    /// Mean of the values.
     pub mean: Option<f64>,
     /// Greatest error bound.
     pub error_bound: Option<f64>,
@@ -76,7 +76,7 @@ pub const MODELS: [fn(&ComparedPose) -> Option<f64>; 3] = [
 ];
 
 impl<'a> Outcome<'a> {
-    /// The outcome of all poses of `runs`, and of poses `picked` for their backlash, which count for all but the mean.
+    /// The outcome of all poses of `runs`, and of the `picked` ones, which do not count for the mean.
     pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
         let all = || {
             let runs = picked.iter().chain(runs).copied();
@@ -125,7 +125,7 @@ impl<'a> Outcome<'a> {
         }
     }
 
-    /// Whether every pose is proven to have room to turn, or just none too little.
+    /// Whether every pose is proven to have backlash of zero or more.
     pub fn assembles(&self) -> bool {
         self.poses > 0 && self.unproven == 0 && !self.fails()
     }
@@ -189,7 +189,7 @@ pub fn deviation(
     })
 }
 
-/// How simulation and model 3 stand to each other, in poses.
+/// Relation between simulation and model 3, in poses.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Agreement {
@@ -205,11 +205,11 @@ pub struct Agreement {
     pub below: usize,
     /// Poses above the formula.
     pub above: usize,
-    /// Poses with a simulated value alone: no involutes reach each other.
+    /// Poses with only a simulated value: no involutes reach each other.
     pub simulated_alone: usize,
-    /// Poses with a formula alone: the simulation finds them jammed.
+    /// Poses with only a formula value: the simulation finds them jammed.
     pub jammed: usize,
-    /// Poses with a formula alone: the simulation finds them out of mesh. The formula is never right there.
+    /// Poses with only a formula value: the simulation finds them out of mesh. The formula is wrong there.
     pub apart: usize,
     /// Poses without either value.
     pub neither: usize,
@@ -254,17 +254,17 @@ impl Agreement {
         count
     }
 
-    /// Poses that are simulated with a value.
+    /// Poses with a simulated value.
     pub fn valued(&self) -> usize {
         self.both + self.simulated_alone
     }
 
-    /// Poses at which the two disagree for no reason found.
+    /// Poses at which the two disagree without a known reason.
     pub fn unexplained(&self) -> usize {
         self.below + self.above + self.apart
     }
 
-    /// Poses about which the formula is wrong, or says nothing, the teeth touching off the line of action.
+    /// Poses for which the formula is wrong or has no value because the teeth touch off the line of action.
     pub fn formula_fails(&self) -> usize {
         self.off_line + self.simulated_alone
     }

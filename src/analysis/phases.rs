@@ -1,4 +1,4 @@
-//! Assembly phases against each other: which teeth to mark together.
+//! Comparison of assembly phases: which teeth to mark together.
 
 use crate::analysis::tally::RunTally;
 use crate::pair::{Mating, Member, SweepPlan, ToothNumbers};
@@ -10,22 +10,22 @@ pub struct PhaseGroup<'a> {
     pub runs: Vec<&'a RunTally>,
     /// The phase with the least variation of backlash, the first of equals.
     pub best: Option<&'a RunTally>,
-    /// The phase with the greatest.
+    /// The phase with the greatest variation.
     pub worst: Option<&'a RunTally>,
 }
 
-/// Assembly phases of a pair.
+/// Number of assembly phases of a pair.
 pub(super) fn phase_count(assembly: &impl ToothNumbers) -> u32 {
     let [wheel, pinion] = Member::BOTH.map(|member| assembly.teeth(member));
     SweepPlan::phase_count(wheel, pinion)
 }
 
-/// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
+/// The assembly phase of `mating`: the least pinion tooth whose right flank meets that of wheel tooth 1.
 pub fn phase(assembly: &impl ToothNumbers, mating: &Mating) -> u32 {
     (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % phase_count(assembly) + 1
 }
 
-/// The runs that are phases, grouped by centre distance and material, in order.
+/// The runs of phases, grouped by centre distance and material, in order.
 pub fn phase_groups(runs: &[RunTally]) -> Vec<PhaseGroup<'_>> {
     let key = |run: &RunTally| (run.assembly.center_distance(), run.material);
     let of_phases: Vec<&RunTally> = runs.iter().filter(|run| run.phase.is_some()).collect();

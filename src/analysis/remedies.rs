@@ -1,8 +1,9 @@
 //! Remedies: single changes that make a pair assemble and meet its requirements, all else unchanged.
 //!
-//! Backlash grows with the centre distance and falls with the thickness of the teeth, so each change has one threshold. `threshold`, the
-//! search for the distance from which a pair assembles, finds it on the worst run. Every run is then checked with the value rounded to a
-//! micrometre towards the safe side. Bounds decide: where an extreme has no bound, there is no remedy. A drawn gear has no thickness to change.
+//! Backlash grows with the centre distance and falls with the thickness of the teeth, so each change has one threshold.
+//! `threshold`, which also finds the distance from which a pair assembles, finds it on the worst run. Every run is then
+//! checked with the value rounded to a micrometre towards the safe side. Bounds decide: without a bound of an extreme
+//! there is no remedy. A drawn gear has no thickness to change.
 
 use super::assembles_from::threshold;
 use super::cycles::{Planned, WIDTH, plans};
@@ -16,16 +17,16 @@ use crate::gear::{AsBuilt, Deviations, thickness};
 use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Member};
 
-/// The rise of backlash with the distance of a drawn pair, from which its search starts: `2 tan α_wt` of 14°.
+/// Increase of a drawn pair's backlash with the distance, from which its search starts: `2 tan α_wt` of 14°.
 const DRAWN_SLOPE: f64 = 0.5;
 
-/// A value is rounded to this, mm.
+/// Step to which a value is rounded, mm.
 const STEP: f64 = 1e-3;
 
-/// A threshold this near to a rounded value is that value, mm: the width of its bracket, and as much again.
+/// Distance from a rounded value within which a threshold equals it, mm: twice the width of its bracket.
 const NEAR: f64 = 2e-6;
 
-/// The part of its base tooth thickness by which a tooth is made thinner or thicker at most.
+/// Greatest change of a tooth's thickness, as a part of its base tooth thickness.
 const MOST_THICKNESS: f64 = 0.5;
 
 /// Quantities that a remedy changes.
@@ -33,7 +34,7 @@ const MOST_THICKNESS: f64 = 0.5;
 pub enum Change {
     /// The centre distance.
     CenterDistance,
-    /// The flank offset: how far each flank stands out along its normal.
+    /// The flank offset: distance by which each flank is moved outwards along its normal.
     FlankOffset,
     /// The thickness allowance `A_sn`, in the normal section at the reference circle.
     ThicknessAllowance,
@@ -70,11 +71,12 @@ pub struct Remedy {
     pub what: Change,
     /// The gears on which it is changed.
     pub gears: Gears,
-    /// The value with which the pair fits, mm: of a thickness tolerance the end with most material, of a band of distances the second one listed.
+    /// The value with which the pair fits, mm. It is the end with most material of a thickness tolerance, and the
+    /// second distance of a band.
     pub value: f64,
     /// The present values, mm: of wheel and pinion, or the least and the greatest centre distance.
     pub present: [f64; 2],
-    /// Where the threshold lies, mm.
+    /// The bracket of the threshold, mm.
     pub bracket: [f64; 2],
 }
 
@@ -91,7 +93,7 @@ pub enum NoRemedy {
     Drawn,
     /// The thickness: a gear has flanks that no rack generates.
     NotGenerated,
-    /// No value of any change is enough.
+    /// No value of any single change suffices.
     NotEnough,
 }
 
@@ -104,9 +106,9 @@ pub struct Remedies {
     pub missing: Vec<NoRemedy>,
 }
 
-/// The remedies of `study`, of which `verdict` says that it does not assemble or misses a requirement; none for others.
+/// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none.
 ///
-/// A change after which another requirement is missed, or for which the effort of one verdict does not suffice, is no remedy.
+/// A change is no remedy if another requirement is missed after it, or if the effort of one verdict does not suffice.
 ///
 /// # Errors
 /// As [`super::extremes::extremes`].
@@ -173,7 +175,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     Ok(found)
 }
 
-/// The run with the least backlash, or the greatest where the pair is not too tight.
+/// The run with the least backlash; the one with the greatest if the pair is too loose.
 fn worst(runs: &[RunExtremes], too_tight: bool) -> Option<usize> {
     let slack = |run: &RunExtremes| match (run.status, too_tight) {
         (Status::Jammed, true) => f64::NEG_INFINITY,
@@ -194,18 +196,18 @@ struct Search<'a> {
     study: &'a Study,
     /// Every centre distance, material and phase.
     plans: &'a [Planned],
-    /// The place of the worst, and its pair.
+    /// The index of the worst run, and its pair.
     worst: usize,
     pair: &'a AssembledPair,
-    /// 1 where the pair is too tight, −1 where it is too loose.
+    /// 1 if the pair is too tight, −1 if it is too loose.
     sign: f64,
 }
 
 impl Search<'_> {
-    /// The centre distance.
+    /// The remedy by the centre distance.
     fn distance(&self, effort: &Effort) -> Result<Option<Remedy>, Error> {
         let own = self.pair.center_distance();
-        // All distances of a band move together. A list is replaced by the one distance.
+        // All distances of a band move together; the one distance replaces a list.
         let moved = |planned: &Planned, at: f64| {
             let pair = &planned.run.assembly;
             let from = match self.study.band {
@@ -249,14 +251,14 @@ impl Search<'_> {
         }))
     }
 
-    /// The allowance of `gears` of `pair`; of both also the flank offset.
+    /// The remedy by the allowance of `gears` of `pair`; for both gears also by the flank offset.
     fn thickness(
         &self,
         pair: &GearPair,
         gears: Gears,
         effort: &Effort,
     ) -> Result<Vec<Remedy>, Error> {
-        // The place of a search is the thickness taken off the nominal one, so that backlash grows with it.
+        // The search variable is the reduction of thickness from nominal, so that backlash grows with it.
         let own = Member::BOTH.map(|member| -allowance(self.most(member)));
         let moved = |planned: &Planned, at: f64| {
             let assembly = planned.run.assembly.data()?;
@@ -286,7 +288,7 @@ impl Search<'_> {
         else {
             return Ok(Vec::new());
         };
-        // Two offsets along the normals make the base tooth thicker as an allowance does.
+        // Two offsets along the normals increase the base tooth thickness like an allowance.
         let per_offset = thickness::base_from_span(basic_data, 1, 2.0) / per_allowance;
         let mut remedies = Vec::new();
         for (what, unit) in [
@@ -318,7 +320,8 @@ impl Search<'_> {
         }
     }
 
-    /// A place at which the worst run does not fit and one at which it does, between its own place and the end of `range`.
+    /// A place at which the worst run does not fit and one at which it does, between its present place and the end of
+    /// `range`.
     fn between(
         &self,
         [own, end]: [f64; 2],
@@ -327,7 +330,7 @@ impl Search<'_> {
         effort: &Effort,
     ) -> Result<Option<[f64; 2]>, Error> {
         let worst = &self.plans[self.worst];
-        // Places count from the pair's own, towards the end.
+        // Places count from the present one, towards the end.
         let place = |by: f64| own + self.sign * by;
         let value = |by: f64| -> Result<Option<(f64, ())>, Error> {
             let Some(pair) = moved(worst, place(by)) else {
@@ -344,7 +347,7 @@ impl Search<'_> {
         Ok(found.map(|(fails, fits, ())| [place(fails), place(fits)]))
     }
 
-    /// The place nearest to `fits`, or beyond it by a multiple of `step` from `origin`, at which every run fits.
+    /// The first multiple of `step` from `origin` at or past `fits` at which every run fits.
     fn rounded(
         &self,
         origin: f64,
@@ -363,7 +366,7 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Whether each run fits: with too much backlash as with too little.
+    /// Whether each run fits, with neither too much nor too little backlash.
     fn all_fit(
         &self,
         at: f64,
@@ -384,8 +387,8 @@ impl Search<'_> {
         Ok(true)
     }
 
-    /// By how much `pair` has more backlash than it must have, mm of `j_wt`; where it is too loose, by how much it has less than it may.
-    /// Less than any number where no bound is known.
+    /// Backlash of `pair` above the required least, mm of `j_wt`; for a pair that is too loose, below the allowed
+    /// greatest. −∞ if no bound is known.
     fn room(&self, planned: &Planned, pair: &AssembledPair, effort: &Effort) -> Result<f64, Error> {
         let is_max = self.sign < 0.0;
         let limits = self.study.requirements.iter();
@@ -401,7 +404,7 @@ impl Search<'_> {
                 |end| if is_max { -end.high } else { end.low },
             ))
         };
-        // Where nothing is required, as `RunExtremes::assembles` counts.
+        // Without a requirement, zero as in `RunExtremes::assembles`.
         let least = if is_max { f64::INFINITY } else { bound(pair)? };
         let mut room = least + WIDTH;
         if limits.is_empty() || room == f64::NEG_INFINITY {
@@ -422,7 +425,7 @@ impl Search<'_> {
         for (quantity, limit) in limits {
             let value = |j_wt: f64| {
                 let bracket = quantity.bracket(&moved, [j_wt; 2], is_max);
-                // A quantity that a drawn pair has not is never kept.
+                // A drawn pair without this quantity never meets a limit on it.
                 bracket.map_or(-self.sign * f64::INFINITY, |ends| ends[usize::from(is_max)])
             };
             let per_mm = (value(j_wt + STEP) - value(j_wt)) / STEP;
@@ -444,7 +447,7 @@ fn allowance(gear: &AsBuilt) -> f64 {
     thickness::allowance_from_base(gear.basic_data(), nominal, gear.base_thickness())
 }
 
-/// `value` as the multiple of `step` that it is but for rounding.
+/// `value` as the nearest multiple of `step`, against rounding.
 fn to_step(value: f64, step: f64) -> f64 {
     (value / step).round() * step
 }

@@ -4,13 +4,13 @@ use crate::analytic::limits::radial_clearance;
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Member};
 
-/// Ends of what is allowed; `None`: none.
+/// Ends of an allowed range; `None`: no limit.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Limits {
-    /// No less than this.
+    /// Lower limit.
     pub min: Option<f64>,
-    /// No more than this.
+    /// Upper limit.
     pub max: Option<f64>,
 }
 
@@ -21,20 +21,20 @@ pub struct Limits {
 pub enum Quantity {
     /// Circumferential backlash on the operating pitch circle, `j_wt`, mm.
     OperatingBacklash,
-    /// The same on the reference circle of the gear that turns, `j_t = j_wt r/r_w`, mm.
+    /// Backlash on the reference circle of the gear that turns, `j_t = j_wt r/r_w`, mm.
     ReferenceBacklash,
     /// Normal backlash, `j_bn = j_wt cos α_wt`, mm.
     NormalBacklash,
-    /// Radial backlash, `j_r = a − a_0`, mm; without end where some backlash is left on touching base circles.
+    /// Radial backlash, `j_r = a − a_0`, mm; infinite if backlash remains when the base circles touch.
     RadialBacklash,
     /// Lost motion of a gear, `j_wt/r_w`, rad.
     LostMotion(Member),
-    /// Radial clearance between the tips of one gear and the roots of the other, the least of both, mm.
+    /// Radial clearance between the tips of one gear and the roots of the other, the lesser of both, mm.
     RadialClearance,
 }
 
 impl Quantity {
-    /// All but the backlash on the operating pitch circle.
+    /// All except the backlash on the operating pitch circle.
     pub const BESIDE_OPERATING_BACKLASH: [Quantity; 6] = [
         Quantity::ReferenceBacklash,
         Quantity::NormalBacklash,
@@ -44,7 +44,8 @@ impl Quantity {
         Quantity::RadialClearance,
     ];
 
-    /// Its bracket over a run of `assembly`, whose least (`is_max`: greatest) `j_wt`, mm, has the bracket `j_wt`; `None` of a drawn pair without such a value.
+    /// The bracket of the quantity over a run of `assembly` whose least (`is_max`: greatest) `j_wt`, mm, has the
+    /// bracket `j_wt`. `None` for a drawn pair without this quantity.
     pub(super) fn bracket(
         self,
         assembly: &AssembledPair,
@@ -64,8 +65,9 @@ impl Quantity {
         }
     }
 
-    /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest) of the cycle. The
-    /// radial clearance does not depend on backlash: both gears are off their axes to the worse (better) side.
+    /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest)
+    /// of the cycle. The radial clearance does not depend on backlash: both gears are off their axes in the worse
+    /// (better) direction.
     pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
         let all = assembly.backlash(j_wt);
         match self {
@@ -87,7 +89,7 @@ impl Quantity {
 /// Requirements, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
 
-/// The least or the greatest radial clearance of a drawn pair, mm, within what the drawings are off.
+/// The least or the greatest radial clearance of a drawn pair, mm, within the uncertainty of the drawings.
 fn drawn_clearance(pair: &OutlinePair, is_max: bool) -> [f64; 2] {
     let both = Member::BOTH;
     let ends = both.map(|member| pair.radial_clearance(member)[usize::from(is_max)]);
@@ -97,8 +99,8 @@ fn drawn_clearance(pair: &OutlinePair, is_max: bool) -> [f64; 2] {
     [value - bound, value + bound]
 }
 
-/// The least radial clearance, mm, of both gears' tips in their mates' roots, by those about their geometric centres: both gears off their axes to the
-/// worse, or, `is_max`, to the better side.
+/// The least radial clearance, mm, of both gears' tips in their mates' roots, from those about the geometric centres.
+/// Both gears are off their axes in the worse direction, or with `is_max` in the better one.
 fn clearance_off_axes(centred: [f64; 2], eccentricities: [f64; 2], is_max: bool) -> f64 {
     let off: f64 = eccentricities.iter().sum();
     centred[0].min(centred[1]) + if is_max { off } else { -off }

@@ -1,4 +1,4 @@
-//! From what a pair file asks for to what was found: every run of a study.
+//! Simulation of every run of a study.
 
 use crate::analysis::study::{Material, RunPlan, Study};
 use crate::contact::{CutPair, Method, PoseResult, sweep_blocks, sweep_outlines};
@@ -15,17 +15,17 @@ pub struct Run {
     pub assembly: AssembledPair,
     /// Wheel and pinion tooth that name the assembly phase.
     pub phase: Option<(u32, u32)>,
-    /// What was found, in order.
+    /// Results of the poses, in order.
     pub poses: Vec<PoseResult>,
 }
 
-/// Simulates every run of `study` by `method`, and keeps every pose: half a kilobyte each. Where they are many, see
+/// Simulates every run of `study` by `method`, and keeps every pose (half a kilobyte each). For many poses see
 /// [`crate::analysis::tally::simulate_by_blocks`].
 ///
 /// `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
-/// [`Error::Interrupted`]. A contact that is lost or a certificate that fails leaves its pose [`crate::contact::Unproven`].
+/// [`Error::Interrupted`]. A lost contact or a failed certificate leaves its pose [`crate::contact::Unproven`].
 pub fn simulate(
     study: &Study,
     method: Method,
@@ -62,7 +62,7 @@ pub fn simulate_plans(
     Ok(runs)
 }
 
-/// Some poses of one run, as they are found.
+/// Some poses of one run, with their results.
 pub struct Block<'a> {
     /// As [`Run::material`].
     pub material: Material,
@@ -70,7 +70,7 @@ pub struct Block<'a> {
     pub assembly: &'a AssembledPair,
     /// As [`Run::phase`].
     pub phase: Option<(u32, u32)>,
-    /// In order, behind those of the block before; none of a run without poses.
+    /// The results in order, after those of the previous block; empty for a run without poses.
     pub poses: Vec<PoseResult>,
     /// How many poses the run has.
     pub of: usize,

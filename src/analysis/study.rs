@@ -1,4 +1,5 @@
-//! What is asked of a pair: two gears as measured, where they stand, which poses to run. Lengths in mm unless the name says µm.
+//! A study of a pair: two gears as measured, their positions, and the poses to run. Lengths in mm unless the name says
+//! µm.
 
 use super::requirement::Requirements;
 use super::uncertainty::Uncertainty;
@@ -9,7 +10,7 @@ use crate::outline::{AssembledPair, OutlineGear, OutlinePair};
 use crate::pair::{BacklashUnit, GearPair, Mating, Member, SweepPlan};
 use std::collections::HashMap;
 
-/// Which end of the thickness tolerance a run takes.
+/// The end of the thickness tolerance in a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -42,7 +43,7 @@ impl Material {
     }
 }
 
-/// One measurement on a rig, and what was predicted for it.
+/// One measurement on a rig, and its prediction.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeasuredRow {
@@ -54,7 +55,7 @@ pub struct MeasuredRow {
     pub pinion_tooth: u32,
     /// Circumferential backlash measured at the right flanks, µm.
     pub right_um: f64,
-    /// The same at the left flanks.
+    /// Circumferential backlash measured at the left flanks, µm.
     pub left_um: f64,
     /// Lower limit predicted, µm.
     pub predicted_min_um: f64,
@@ -64,14 +65,14 @@ pub struct MeasuredRow {
     pub source: String,
 }
 
-/// A pair file, understood.
+/// The contents of a pair file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
     /// Title.
     pub title: String,
     /// Wheel and pinion of each material: `AsMeasured` alone, or `Most` and `Least`. Empty where a gear is drawn.
     pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
-    /// The same of a pair with a drawn gear, its mate as the outline that its data make.
+    /// Wheel and pinion of each material of a pair with a drawn gear; the mate is given by the outline of its data.
     pub drawn: Vec<(Material, OutlineGear, OutlineGear)>,
     /// The gear that stands still.
     pub locked: Member,
@@ -79,14 +80,14 @@ pub struct Study {
     pub face: [f64; 2],
     /// Centre distances `a`, mm, distinct; those of a file in ascending order.
     pub center_distances: Vec<f64>,
-    /// Least and greatest distance, mm, where [`Study::center_distances`] samples a tolerance band. Backlash
-    /// grows with the distance: over the band the least stands at the low end, the greatest at the high end.
+    /// Least and greatest distance, mm, if [`Study::center_distances`] samples a tolerance band. Backlash grows with
+    /// the distance: the least is at the low end of the band, the greatest at the high end.
     pub band: Option<[f64; 2]>,
     /// `c`, mm: radial clearance of both bearings together.
     pub bearing_clearance: f64,
     /// The poses of every run; `None`: exactly the rows of `measured`.
     pub sweep: Option<SweepPlan>,
-    /// Whether the extremes are of every assembly phase; else of those of the listed matings.
+    /// Whether the extremes cover every assembly phase; otherwise only the phases of the listed matings.
     pub all_phases: bool,
     /// Measured rows in the order of their file; empty when there is none.
     pub measured: Vec<MeasuredRow>,
@@ -96,29 +97,30 @@ pub struct Study {
     pub tolerance_um: f64,
     /// Whether contact off the line of action passes a comparison.
     pub allow_off_line_contact: bool,
-    /// What the pair must keep.
+    /// Requirements on the pair.
     pub requirements: Requirements,
-    /// What its measurements may be off, where that is stated.
+    /// Uncertainties of its measurements, if stated.
     pub uncertainty: Option<Uncertainty>,
-    /// What the statements about the wheel and about the pinion say of each other.
+    /// Notes on the statements about the wheel, and about the pinion.
     pub notes: [GearNotes; 2],
 }
 
-/// One run: a pair as assembled and the matings to pose it in.
+/// One run: a pair as assembled, and its matings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunPlan {
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
     /// The pair.
     pub assembly: AssembledPair,
-    /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
+    /// Wheel and pinion tooth that name the assembly phase, if phases are run separately.
     pub phase: Option<(u32, u32)>,
-    /// In order.
+    /// The matings, in order.
     pub matings: Vec<Mating>,
 }
 
 impl Study {
-    /// One wheel revolution of `pair` at its centre distance, `steps_per_pitch` poses a pitch, wheel tooth 1 and pinion tooth 1 first.
+    /// One wheel revolution of `pair` at its centre distance, with `steps_per_pitch` poses per pitch, starting at wheel
+    /// tooth 1 and pinion tooth 1.
     ///
     /// ```
     /// use gearlash::analysis::{Analysis, Plan};
@@ -149,7 +151,8 @@ impl Study {
         }
     }
 
-    /// The poses `sweep` of a pair with a drawn gear, its wheel and pinion of each material at each of the centre distances, mm.
+    /// The poses `sweep` of a pair with a drawn gear, with its wheel and pinion of each material at each centre
+    /// distance, mm.
     pub fn of_drawn(
         title: &str,
         gears: Vec<(Material, OutlineGear, OutlineGear)>,
@@ -163,7 +166,7 @@ impl Study {
         }
     }
 
-    /// A study of no gears yet, with the defaults of a pair file.
+    /// A study without gears, with the defaults of a pair file.
     fn plain(title: &str, locked: Member, center_distances: Vec<f64>, sweep: SweepPlan) -> Study {
         Study {
             title: title.to_owned(),
@@ -186,7 +189,7 @@ impl Study {
         }
     }
 
-    /// Two of its gears put together at the centre distance `a`, mm.
+    /// Two of its gears assembled at the centre distance `a`, mm.
     ///
     /// # Errors
     /// As [`GearPair::with_locked`].
@@ -211,17 +214,17 @@ impl Study {
         Ok(pairs)
     }
 
-    /// Whether a gear is drawn: it has no module and no involute, and no formula says anything of the pair.
+    /// Whether a gear is drawn: it has no module and no involute, and no formula applies to the pair.
     pub fn is_drawn(&self) -> bool {
         !self.drawn.is_empty()
     }
 
-    /// How many materials are run.
+    /// Number of materials.
     pub fn material_count(&self) -> usize {
         self.materials.len() + self.drawn.len()
     }
 
-    /// Runs the pairs of `material` alone.
+    /// Keeps only the pairs of `material`.
     pub fn keep(&mut self, material: Material) {
         self.materials.retain(|gears| gears.0 == material);
         self.drawn.retain(|gears| gears.0 == material);
@@ -238,7 +241,7 @@ impl Study {
         data.or(drawn).unwrap_or_default()
     }
 
-    /// Lost motion in arcmin at the gear `at`, whose part of the centre distance, of a drawn pair, is that of its teeth.
+    /// Lost motion in arcmin at the gear `at`. In a drawn pair its share of the centre distance is that of its teeth.
     pub fn arcmin(&self, at: Member) -> BacklashUnit {
         if let Some((_, wheel, pinion)) = self.materials.first() {
             return BacklashUnit::arcmin(at, wheel.gear(), pinion.gear());
@@ -258,7 +261,7 @@ impl Study {
         gears.any(|(_, wheel, _)| wheel.gear().basic_data().hand().is_some())
     }
 
-    /// Whether its poses are whole revolutions.
+    /// Whether its poses cover whole revolutions.
     pub fn sweeps(&self) -> bool {
         matches!(
             self.sweep,
@@ -266,7 +269,7 @@ impl Study {
         )
     }
 
-    /// The same study at other centre distances, mm, each by itself: no [`Study::band`].
+    /// This study at other, separate centre distances, mm, without [`Study::band`].
     ///
     /// # Errors
     /// As [`Study::pairs`], at a distance or, with bearing clearance, at `a − c`;
@@ -283,7 +286,7 @@ impl Study {
         Ok(self)
     }
 
-    /// How many poses [`Study::runs`] has in all.
+    /// Number of poses of [`Study::runs`].
     pub fn pose_count(&self) -> u64 {
         let materials = self.material_count() as u64;
         match &self.sweep {
@@ -301,10 +304,10 @@ impl Study {
         }
     }
 
-    /// Every centre distance with every material, the materials of the first distance first, phase by phase.
+    /// Every centre distance with every material, distance by distance and phase by phase.
     ///
     /// # Errors
-    /// None for a study that was read; a pair that cannot be assembled otherwise.
+    /// None for a study from a file; otherwise a pair that cannot be assembled.
     pub fn runs(&self) -> Result<Vec<RunPlan>, Error> {
         let mut measured = self.measured_matings();
         let mut runs = Vec::with_capacity(self.center_distances.len() * self.material_count());

@@ -1,12 +1,12 @@
-//! What is kept of a run whose poses are written and gone: enough for its summary, its verdict and its pictures.
+//! A run in numbers, without its poses: enough for its summary, its verdict and its pictures.
 //!
-//! A pose takes half a kilobyte of memory and 4 kB of result; ten million of them are run, so poses are gone through block
-//! by block ([`simulate_by_blocks`]), and nothing grows with their number.
+//! A pose takes half a kilobyte of memory and 4 kB of result, and runs have up to ten million. So poses are processed
+//! block by block ([`simulate_by_blocks`]), and memory does not grow with their number.
 
 use crate::analysis::compare::{
     ComparedPose, ComparedRun, Summary, SummaryTally, Verdict, compared,
 };
-use crate::analysis::diagnosis::Seen;
+use crate::analysis::diagnosis::PoseEvidence;
 use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, MethodAgreement, Status};
@@ -16,43 +16,43 @@ use crate::parallel;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-/// Poses of a study that are kept one by one for a table, where there are no more (tuned: what a screen shows).
+/// Limit of poses that a study keeps for a table (tuned: the height of a screen).
 pub const MOST_LISTED: usize = 40;
 
-/// Unproven poses that are kept with their reasons, the first of a study (tuned: up to a kilobyte each).
+/// Limit of unproven poses that are kept with their reasons, the first of a study (tuned: up to a kilobyte each).
 pub const MOST_UNPROVEN: usize = 100_000;
 
-/// One run in numbers, with the few poses that stand for it.
+/// One run in numbers, with a few representative poses.
 #[derive(Debug, Clone)]
 pub struct RunTally {
-    /// Which end of the thickness tolerances.
+    /// The end of the thickness tolerances.
     pub material: Material,
     /// The gears at their centre distance.
     pub assembly: AssembledPair,
-    /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
+    /// Wheel and pinion tooth that name the assembly phase, if phases are run separately.
     pub phase: Option<(u32, u32)>,
-    /// How many poses there are.
+    /// Number of poses.
     pub poses: usize,
-    /// How many have both a simulated backlash and one by model 3.
+    /// Number of poses with both a simulated backlash and one by model 3.
     pub compared: usize,
-    /// How many of these lie below model 3 because something touches off the line of action.
+    /// Number of these that are below model 3 because of a contact off the line of action.
     pub compared_off_line: usize,
-    /// How many have negative backlash, beyond their error bounds.
+    /// Number of poses with negative backlash beyond their error bounds.
     pub interfering: usize,
-    /// How many are jammed: a tip sits in a root.
+    /// Number of jammed poses: a tip is in a root.
     pub jammed: usize,
-    /// How many are out of mesh.
+    /// Number of poses out of mesh.
     pub apart: usize,
-    /// How many are not proven, or not at an end of the bearing clearance.
+    /// Number of unproven poses, including the ends of the bearing clearance.
     pub unproven: usize,
-    /// The first of these.
+    /// The first unproven poses.
     pub first_unproven: Vec<ComparedPose>,
-    /// All poses, where the study has up to [`MOST_LISTED`].
+    /// All poses, if the study has at most [`MOST_LISTED`].
     pub listed: Vec<ComparedPose>,
-    /// How far both methods agree, where both were asked for.
+    /// Agreement of both methods, if both were used.
     pub agreement: MethodAgreement,
-    /// What touched, where, and what it cost; `None` of a drawn pair, which no formula is known of.
-    pub seen: Option<Seen>,
+    /// The contacts of the poses and their cost; `None` for a drawn pair, which has no formula.
+    pub evidence: Option<PoseEvidence>,
     verdicts: [usize; Verdict::ALL.len()],
     valued: usize,
     summary: SummaryTally,
@@ -62,10 +62,12 @@ pub struct RunTally {
 }
 
 impl RunTally {
-    /// Of no pose yet.
+    /// The tally of a run before its first pose.
     fn new(material: Material, assembly: AssembledPair, phase: Option<(u32, u32)>) -> RunTally {
         RunTally {
-            seen: assembly.data().map(|pair| Seen::new(pair, material)),
+            evidence: assembly
+                .data()
+                .map(|pair| PoseEvidence::new(pair, material)),
             material,
             assembly,
             phase,
@@ -88,7 +90,7 @@ impl RunTally {
         }
     }
 
-    /// Takes the next pose in.
+    /// Adds the next pose.
     fn add(&mut self, pose: &ComparedPose, keep: Keep) {
         let result = &pose.simulated;
         self.poses += 1;
@@ -112,8 +114,8 @@ impl RunTally {
             self.listed.push(pose.clone());
         }
         self.agreement.add(result);
-        if let Some(seen) = &mut self.seen {
-            seen.add(pose);
+        if let Some(evidence) = &mut self.evidence {
+            evidence.add(pose);
         }
         self.summary.add(pose);
         if let (Some(backlash), Some(bound)) = (result.backlash, result.error_bound) {
@@ -129,12 +131,13 @@ impl RunTally {
         }
     }
 
-    /// How many poses have this verdict.
+    /// Number of poses with this verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.verdicts[verdict as usize]
     }
 
-    /// How many have a simulated backlash and none by model 3, though the gears have one: no two involutes reach each other.
+    /// Number of poses with a simulated backlash and none by model 3, although the gears have one: no involutes reach
+    /// each other.
     pub fn simulated_alone(&self) -> usize {
         match self.assembly.data() {
             Some(_) => self.valued - self.compared,
@@ -157,20 +160,20 @@ impl RunTally {
         off_line + self.count(Verdict::Below) + self.count(Verdict::Above) > 0
     }
 
-    /// Whether every pose is proven to have room to turn, or just none too little.
+    /// Whether every pose is proven to have backlash of zero or more.
     pub fn assembles(&self) -> bool {
         let fails = self.interfering + self.jammed + self.apart > 0;
         self.poses > 0 && self.count(Verdict::Unproven) == 0 && !fails
     }
 
-    /// Variation of backlash over the run, greatest minus least, mm; `None` where a pose has no backlash.
+    /// Variation of backlash over the run, greatest minus least, mm; `None` if a pose has no backlash.
     pub fn variation(&self) -> Option<f64> {
         let summary = self.summary();
         let whole = self.valued == self.poses;
         whole.then_some(summary.max? - summary.min?)
     }
 
-    /// Simulated minus model 3, mm, of the pose where it is largest in amount.
+    /// Simulated minus model 3, mm, of the pose where its amount is largest.
     pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
         let (pose, difference) = self.worst.as_ref()?;
         Some((pose, *difference))
@@ -187,7 +190,7 @@ impl RunTally {
     }
 }
 
-/// What of the poses is kept.
+/// The poses to keep.
 #[derive(Debug, Clone, Copy)]
 struct Keep {
     listed: bool,
@@ -195,7 +198,7 @@ struct Keep {
 }
 
 impl Keep {
-    /// For the next run, after `done`, of a study of so many `poses`, of which `unproven` may be kept.
+    /// For the next run, after `done`, of a study of `poses`, which may keep `unproven` of them.
     fn of(poses: usize, unproven: usize, done: &[RunTally]) -> Keep {
         let kept: usize = done.iter().map(|run| run.first_unproven.len()).sum();
         Keep {
@@ -205,24 +208,24 @@ impl Keep {
     }
 }
 
-/// What whole `runs` come to.
+/// The tallies of whole `runs`.
 pub fn tally(runs: &[ComparedRun]) -> Vec<RunTally> {
     let Ok(tallies) = whole(runs, &mut |_| Ok::<(), Infallible>(()));
     tallies
 }
 
-/// What [`simulate_by_blocks`] delivers, in order.
+/// An item from [`simulate_by_blocks`], in order.
 #[derive(Debug, Clone, Copy)]
 pub enum Piece<'a> {
-    /// A run begins; nothing is counted yet.
+    /// Start of a run, before any pose is counted.
     Begin(&'a RunTally),
-    /// Its next poses.
+    /// The next poses of the run.
     Poses(&'a RunTally, &'a [ComparedPose]),
-    /// A run ends; all is counted.
+    /// End of a run; all poses are counted.
     End(&'a RunTally),
 }
 
-/// As [`simulate_by_blocks`], of `runs` that are there already.
+/// [`simulate_by_blocks`] for `runs` that already exist.
 pub fn whole<E>(
     runs: &[ComparedRun],
     take: &mut dyn FnMut(Piece) -> Result<(), E>,
@@ -245,10 +248,10 @@ pub fn whole<E>(
     Ok(done)
 }
 
-/// Simulates every run of `study` by `method`, compares its poses within `tolerance_um` and keeps what they come to.
+/// Simulates every run of `study` by `method`, compares its poses within `tolerance_um` and keeps their tallies.
 ///
-/// `take` gets the poses block by block, in order, whatever the number of threads; an error of it ends the work. Up to
-/// `unproven` poses that are not proven are kept, at most [`MOST_UNPROVEN`] of all that a command does.
+/// `take` receives the poses block by block, in order, with any number of threads; its error ends the work. Up to
+/// `unproven` unproven poses are kept, and at most [`MOST_UNPROVEN`] per command.
 ///
 /// # Errors
 /// As [`crate::analysis::simulate::simulate`], and of `take`.

@@ -1,43 +1,45 @@
-//! How far the least and the greatest backlash may lie off for what the measurements may be off.
+//! Uncertainty of the least and the greatest backlash from the uncertainties of the measurements.
 //!
-//! Standard uncertainties of the inputs go through the derivatives of `j_wt` at the extreme's own pose and are summed as independent
-//! ones (JCGM 100, 5.1.2: the law of propagation of uncertainty). With `c = cos α_t`, `c_w = cos α_wt`:
+//! Standard uncertainties of the inputs are multiplied by the derivatives of `j_wt` at the extreme's own pose and
+//! summed as independent ones (JCGM 100, 5.1.2: law of propagation of uncertainty). With `c = cos α_t` and `c_w = cos
+//! α_wt`:
 //!
 //! ```text
-//! base thickness of a gear, s_b:      ∂j_wt/∂s_b = −1/c_w            (j_bn falls by what a tooth is thicker at the base circle)
-//! a tooth's own thickness, at d:      −c/(2 c_w cos β) for each flank that touches (it is of the normal section)
+//! base thickness of a gear, s_b:      ∂j_wt/∂s_b = −1/c_w            (j_bn falls by the added base thickness)
+//! a tooth's own thickness, at d:      −c/(2 c_w cos β) for each flank that touches (in the normal section)
 //! a flank's pitch deviation, at d:    ±c/c_w for each of the four flanks that touch
 //! runout F_r = 2 e:                   ∂j_wt/∂e = −2 tan α_wt cos θ,  θ between the high tooth and the line of centres
 //! centre distance:                    ∂j_wt/∂a = 2 tan α_wt
 //! ```
 //!
-//! These hold while involutes touch; a tip corner's differ by the square of the angle by which it is off the line of action. That the
-//! extreme moves to another pose is of second order while that pose lies apart by more than the uncertainty.
+//! These hold for contacts of involutes. At a tip corner they differ by the square of its angle off the line of action.
+//! A move of the extreme to another pose is a second-order effect if that pose is further away than the uncertainty.
 
 use crate::contact::{Contact, PoseResult};
 use crate::gear::thickness;
 use crate::pair::{GearPair, Member};
 
-/// Standard uncertainties of what was measured.
+/// Standard uncertainties of the measurements.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uncertainty {
-    /// Of the transverse base thickness of all teeth of the wheel, and of the pinion, mm.
+    /// Uncertainty of the transverse base thickness of all teeth of the wheel, and of the pinion, mm.
     pub base_thickness: [f64; 2],
-    /// Of each tooth's own thickness at the reference circle, in the normal section, mm.
+    /// Uncertainty of each tooth's own thickness at the reference circle, in the normal section, mm.
     pub per_tooth: f64,
-    /// Of each flank's pitch deviation at the reference circle, mm.
+    /// Uncertainty of each flank's pitch deviation at the reference circle, mm.
     pub pitch: f64,
-    /// Of the runout `F_r` of each gear, mm.
+    /// Uncertainty of the runout `F_r` of each gear, mm.
     pub runout: f64,
-    /// Of the centre distance, mm.
+    /// Uncertainty of the centre distance, mm.
     pub center_distance: f64,
-    /// Coverage factor `k` of what is shown.
+    /// Coverage factor `k` of the displayed uncertainty.
     pub coverage: f64,
 }
 
 impl Uncertainty {
-    /// Expanded uncertainty `U` of `j_wt` at an extreme's pose on `assembly`, mm; `None` where it has no contact on a side.
+    /// Expanded uncertainty `U` of `j_wt` at an extreme's pose on `assembly`, mm; `None` without a contact on either
+    /// side.
     pub fn of(&self, assembly: &GearPair, extreme: &PoseResult) -> Option<f64> {
         let found = extreme.proven()?;
         let touching = [found.right?, found.left?];

@@ -1,4 +1,4 @@
-//! The verdict: whether a pair assembles over its whole mesh cycle, and whether it keeps what is required of it.
+//! The verdict: whether a pair assembles over its whole mesh cycle, and whether it meets its requirements.
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::ComparedPose;
@@ -19,11 +19,11 @@ pub struct Unmet {
     pub quantity: Quantity,
     /// The limit, in the quantity's unit.
     pub limit: f64,
-    /// Whether it is the greatest allowed value.
+    /// Whether it is an upper limit.
     pub is_max: bool,
-    /// The bracket of the pair's value; `None` where it has no value, jammed or out of mesh.
+    /// The bracket of the pair's value; `None` without a value, jammed or out of mesh.
     pub found: Option<[f64; 2]>,
-    /// Whether the whole bracket misses the limit; else part of it does, or the bracket is not proven to hold.
+    /// Whether the whole bracket misses the limit. Otherwise a part of it does, or the bracket is not proven to hold.
     pub is_missed: bool,
     /// Whether the value includes the bearing clearance.
     pub with_play: bool,
@@ -45,7 +45,7 @@ pub enum Requirement {
 }
 
 impl Requirement {
-    /// The outcome of the limits `required`, of which `unmet` are not kept.
+    /// The outcome of the limits `required`, of which `unmet` are not met.
     fn of(required: &Requirements, unmet: &[Unmet]) -> Requirement {
         if required.is_empty() {
             Requirement::None
@@ -58,7 +58,7 @@ impl Requirement {
         }
     }
 
-    /// Whether nothing speaks against the pair: no limit, or all met.
+    /// Whether there is no limit, or all limits are met.
     pub fn is_kept(self) -> bool {
         matches!(self, Requirement::None | Requirement::Met)
     }
@@ -87,7 +87,7 @@ pub struct Verdict<'a> {
     pub lost_motion_of: Option<Member>,
     /// The checks that fail, each once.
     pub failed_checks: Vec<CheckName>,
-    /// Standard uncertainties of the measurements, where they are stated.
+    /// Standard uncertainties of the measurements, if stated.
     pub uncertainty: Option<Uncertainty>,
 }
 
@@ -119,13 +119,13 @@ impl<'a> Verdict<'a> {
         Verdict::new(runs, &study.requirements, study.uncertainty, failed_checks)
     }
 
-    /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
+    /// Expanded uncertainty of an extreme's `j_wt`, mm, if uncertainties are stated.
     pub fn expanded(&self, extreme: &RunExtreme) -> Option<f64> {
         self.uncertainty?
             .of(extreme.assembly.data()?, &extreme.pose.simulated)
     }
 
-    /// Whether the pair assembles everywhere; `None` where that is not proven.
+    /// Whether the pair assembles at every run; `None` if unproven.
     pub fn assembles(&self) -> Option<bool> {
         let mut each = self.runs.iter().map(RunExtremes::assembles);
         if each.clone().any(|one| one == Some(false)) {
@@ -135,7 +135,8 @@ impl<'a> Verdict<'a> {
         all.then_some(true)
     }
 
-    /// Whether the pair passes: it meets its limits, or, without limits, it is proven to assemble. Checks are judged apart.
+    /// Whether the pair passes: it meets its limits, or, without limits, it is proven to assemble. Checks are judged
+    /// separately.
     pub fn passes(&self) -> bool {
         match self.requirement {
             Requirement::None => self.assembles() == Some(true),
@@ -143,7 +144,7 @@ impl<'a> Verdict<'a> {
         }
     }
 
-    /// The verdict of a heading: from whether the pair assembles and meets its limits. Checks are judged apart.
+    /// The verdict for a heading, from assembly and limits. Checks are judged separately.
     pub fn state(&self) -> diagnosis::Verdict {
         match (self.assembles(), self.requirement) {
             (Some(false), _) | (_, Requirement::NotMet) => diagnosis::Verdict::Fail,
@@ -152,29 +153,30 @@ impl<'a> Verdict<'a> {
         }
     }
 
-    /// Matings of the cycle; 0 where nothing was run.
+    /// Matings of the cycle; 0 without runs.
     pub fn matings(&self) -> u64 {
         let each = self.runs.iter().map(|run| run.matings);
         each.max().unwrap_or(0)
     }
 
-    /// The run with the least backlash of all that have one, the first of those that differ by nothing that counts.
+    /// The run with the least backlash, the first of those that are equal for practical purposes.
     pub fn least(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         self.foremost(-1.0, |run| run.least.as_ref())
     }
 
-    /// The run with the greatest.
+    /// The run with the greatest backlash.
     pub fn greatest(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         self.foremost(1.0, |run| run.greatest.as_ref())
     }
 
-    /// The run with the least, the axes pressed together as far as their bearings allow; `None` where no play of them is stated.
+    /// The run with the least backlash when the axes are pressed together within their bearings; `None` without bearing
+    /// clearance.
     pub fn least_pressed(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let pressed = |run: &'a RunExtremes| run.bearings.as_ref()?.pressed.extreme.as_ref();
         self.foremost(-1.0, pressed)
     }
 
-    /// The run with the greatest, the axes pulled apart likewise.
+    /// The run with the greatest backlash when the axes are pulled apart.
     pub fn greatest_apart(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let apart = |run: &'a RunExtremes| run.bearings.as_ref()?.apart.extreme.as_ref();
         self.foremost(1.0, apart)
@@ -197,7 +199,7 @@ impl<'a> Verdict<'a> {
         })
     }
 
-    /// The worst pose of all, its run and the pair in it: jammed before the least backlash; `None` where nothing is in mesh.
+    /// The worst pose of all, its run and its pair: a jammed one before the least backlash; `None` if none is in mesh.
     pub fn worst(&self) -> Option<(&'a RunExtremes, &'a AssembledPair, &'a ComparedPose)> {
         let mut jammed = self.runs.iter().filter(|run| run.status == Status::Jammed);
         let jammed = jammed.find_map(|run| {
@@ -211,7 +213,7 @@ impl<'a> Verdict<'a> {
         jammed.or_else(least)
     }
 
-    /// The distance from which the runs that do not assemble all do; `None` where one never does.
+    /// The distance from which all runs assemble, among those that do not; `None` if one never does.
     pub fn assembles_from(&self) -> Option<AssemblesFrom> {
         let failing = self
             .runs
@@ -223,7 +225,7 @@ impl<'a> Verdict<'a> {
             .reduce(|a, b| if b.high > a.high { b } else { a })
     }
 
-    /// The distance up to which the runs that are out of mesh are all in mesh; `None` where one is at no distance.
+    /// The distance up to which all runs are in mesh, among those out of mesh; `None` if one never is.
     pub fn meshes_to(&self) -> Option<MeshesTo> {
         let runs = self.runs.iter();
         let apart = runs.filter(|run| run.status == Status::NoContact);
@@ -236,9 +238,9 @@ impl<'a> Verdict<'a> {
 
 /// The value of a quantity at its least or greatest in a run.
 struct FoundEnd {
-    /// Its bracket; `None` where there is no value.
+    /// Its bracket; `None` without a value.
     pub bracket: Option<[f64; 2]>,
-    /// Whether the bracket holds every pose.
+    /// Whether the bracket covers every pose.
     pub holds: bool,
     /// Whether a pose attains a value inside the bracket.
     pub is_attained: bool,
@@ -247,7 +249,7 @@ struct FoundEnd {
 }
 
 impl FoundEnd {
-    /// How far each end of the bracket lies on the wrong side of `limit`, the worse end first.
+    /// Distance of each end of the bracket past `limit`, the worse end first.
     fn beyond(&self, limit: f64, is_max: bool) -> [f64; 2] {
         match self.bracket {
             None => [f64::INFINITY; 2],
@@ -265,7 +267,7 @@ fn lost_motion_of(required: &Requirements) -> Option<Member> {
     })
 }
 
-/// The limits of `required` that some of `runs` do not keep, each with its worst value; those missed for sure come first.
+/// The limits of `required` that some of `runs` do not meet, each with its worst value; certainly missed ones first.
 fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     let limits = required.iter().flat_map(|(quantity, limits)| {
         let ends = [(limits.min, false), (limits.max, true)];
@@ -299,7 +301,8 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     unmet
 }
 
-/// The least or the greatest of a quantity over a run. With play in the bearings the axes are pressed together, or pulled apart.
+/// The least or the greatest of a quantity over a run. With bearing clearance the axes are pressed together, or pulled
+/// apart.
 fn end(quantity: Quantity, run: &RunExtremes, is_max: bool) -> FoundEnd {
     let (assembly, extreme) = match (&run.bearings, is_max) {
         (Some(play), true) => (&play.apart.assembly, play.apart.extreme.as_ref()),

@@ -1,7 +1,7 @@
 //! Which checks fail, found without what is sought only to be reported: the same as every check made.
 
 use super::*;
-use gearlash::analysis::diagnosis::{Seen, failed_checks};
+use gearlash::analysis::diagnosis::{PoseEvidence, failed_checks};
 use gearlash::analysis::{Analysis, Plan};
 use gearlash::gear::thickness;
 
@@ -13,8 +13,8 @@ fn both(study: &Study) -> [Vec<&'static str>; 2] {
         .with_extremes()
         .with_checks();
     let analysis = Analysis::silently(&plan).unwrap();
-    let seen: Vec<Seen> = analysis.runs.iter().filter_map(Seen::of).collect();
-    let needed = failed_checks(study, &seen, &analysis.extremes, &ON).unwrap();
+    let evidence: Vec<PoseEvidence> = analysis.runs.iter().filter_map(PoseEvidence::of).collect();
+    let needed = failed_checks(study, &evidence, &analysis.extremes, &ON).unwrap();
     [analysis.diagnosis.failed(), needed]
         .map(|failed| failed.iter().map(|check| check.id).collect())
 }

@@ -1,7 +1,7 @@
 //! Tips: how thick they are, and what of the mate they stand near to.
 
 use super::*;
-use gearlash::analysis::diagnosis::{Seen, failed_checks};
+use gearlash::analysis::diagnosis::{PoseEvidence, failed_checks};
 use gearlash::analysis::{Analysis, Plan};
 
 const ON: fn() -> ControlFlow<()> = || ControlFlow::Continue(());
@@ -65,8 +65,9 @@ fn too_little_radial_clearance_fails_by_depth_and_by_eccentricity() {
         let study = Study::of_pair("near", &pair, 4);
         let plan = Plan::new(&study, Method::Exact { certify: false }).with_extremes();
         let analysis = Analysis::silently(&plan).unwrap();
-        let seen: Vec<Seen> = analysis.runs.iter().filter_map(Seen::of).collect();
-        let failed = failed_checks(&study, &seen, &analysis.extremes, &ON).unwrap();
+        let evidence: Vec<PoseEvidence> =
+            analysis.runs.iter().filter_map(PoseEvidence::of).collect();
+        let failed = failed_checks(&study, &evidence, &analysis.extremes, &ON).unwrap();
         assert_eq!(
             failed.iter().any(|check| check.id == "radial_clearance"),
             fails,

@@ -11,7 +11,7 @@ use super::studies;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
-use gearlash::analysis::diagnosis::{Seen, failed_checks};
+use gearlash::analysis::diagnosis::{PoseEvidence, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, simulate_by_blocks};
 use gearlash_files::PairFile;
@@ -149,8 +149,8 @@ fn compared(
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, method, tolerance_um, unproven, &tick, none)?;
     let found = progress.searching(|| extremes(study, method, &tick))?;
-    let seen: Vec<Seen> = runs.iter().filter_map(|run| run.seen.clone()).collect();
-    let failed_checks = failed_checks(study, &seen, &found, &|| ControlFlow::Continue(()))?;
+    let evidence: Vec<PoseEvidence> = runs.iter().filter_map(|run| run.evidence.clone()).collect();
+    let failed_checks = failed_checks(study, &evidence, &found, &|| ControlFlow::Continue(()))?;
     let is_proven = agreement(&runs);
     let pair = ComparedPair {
         name: path.display().to_string(),

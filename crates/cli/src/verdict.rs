@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use crate::error::Error;
-use gearlash::analysis::diagnosis::{self, CheckName, Seen};
+use gearlash::analysis::diagnosis::{self, CheckName, PoseEvidence};
 use gearlash::analysis::extremes::{CycleExtremes, extremes, run_count};
 use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{Piece, simulate_by_blocks};
@@ -20,8 +20,8 @@ pub(super) fn extremes_and_failed_checks(
     let tick = || progress.tick();
     let none = &mut |_: Piece| Ok::<(), Error>(());
     let runs = simulate_by_blocks(study, exact, study.tolerance_um, 0, &tick, none)?;
-    let seen: Vec<Seen> = runs.into_iter().filter_map(|run| run.seen).collect();
+    let evidence: Vec<PoseEvidence> = runs.into_iter().filter_map(|run| run.evidence).collect();
     let on = || ControlFlow::Continue(());
-    let failed = diagnosis::failed_checks(study, &seen, &cycle, &on)?;
+    let failed = diagnosis::failed_checks(study, &evidence, &cycle, &on)?;
     Ok((cycle, failed))
 }

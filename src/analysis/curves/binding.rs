@@ -1,4 +1,4 @@
-//! Which poses are worth a look over the centre distance.
+//! The poses to follow over the centre distance.
 
 use super::first_mating;
 use crate::analysis::compare::ComparedRun;
@@ -18,8 +18,8 @@ pub enum Followed {
     Pose(Mating),
 }
 
-/// The pose with the least backlash of all `runs`, or its teeth where it stands half a pitch or less beyond a mating
-/// that was measured; the study's first mating where no pose has a value.
+/// The pose with the least backlash of all `runs`, or its teeth if it is at most half a pitch past a measured mating.
+/// Without any value it is the study's first mating.
 pub fn binding<'a>(study: &Study, runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Followed {
     let poses = runs.flat_map(|run| run.poses.iter().map(move |pose| (run, pose)));
     let known = poses.filter_map(|(run, pose)| {
@@ -51,14 +51,14 @@ pub fn binding<'a>(study: &Study, runs: impl Iterator<Item = &'a ComparedRun> + 
     }
 }
 
-/// `binding`, then the matings that were measured, in the order of their file.
+/// `binding`, then the measured matings in the order of their file.
 pub fn followed(study: &Study, binding: Followed) -> Vec<Followed> {
     let measured = measured_teeth(study).into_iter();
     let others = measured.filter(|teeth| *teeth != binding);
     std::iter::once(binding).chain(others).collect()
 }
 
-/// The matings that were measured, each once, in the order of their file.
+/// The measured matings, each once, in the order of their file.
 pub fn measured_teeth(study: &Study) -> Vec<Followed> {
     let mut measured = Vec::new();
     for row in &study.measured {

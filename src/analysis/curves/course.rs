@@ -14,12 +14,12 @@ use crate::pair::Mating;
 pub struct Course {
     /// `a`, mm.
     pub center_distance: f64,
-    /// The assembly phase, where phases are run apart.
+    /// The assembly phase, if phases are run separately.
     pub phase: Option<(u32, u32)>,
     /// First and last place: wheel teeth, or pitches since the first pose.
     pub span: [f64; 2],
-    /// Number of wheel teeth where places are tooth numbers (those beyond it start again at 1);
-    /// `None` where they are pitches since the first pose.
+    /// Number of wheel teeth if places are tooth numbers (which restart at 1); `None` if they are pitches since the
+    /// first pose.
     pub teeth: Option<u32>,
     /// Wheel and pinion tooth of the first right-flank pose.
     pub start: (u32, u32),
@@ -29,13 +29,14 @@ pub struct Course {
     pub least: Option<Extreme>,
     /// The greatest.
     pub greatest: Option<Extreme>,
-    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, µm, of every phase and material; `None` where they are not known.
+    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, over every phase and material, µm;
+    /// `None` if unknown.
     pub cycle_um: [Option<f64>; 2],
 }
 
 impl Course {
-    /// Adds the extremes of the mesh cycle among `runs`. Where one lies on the course, it is the course's own: the verdict
-    /// and the chart name the same teeth.
+    /// Adds the extremes of the mesh cycle among `runs`. An extreme on the course replaces the course's own, so that
+    /// verdict and chart name the same teeth.
     #[must_use]
     pub fn with_cycle(mut self, runs: &[RunExtremes]) -> Course {
         let here = |run: &&RunExtremes| run.assembly.center_distance() == self.center_distance;
@@ -61,7 +62,7 @@ impl Course {
         self
     }
 
-    /// An extreme of the mesh cycle as one of this course; `None` where its teeth do not meet in it.
+    /// An extreme of the mesh cycle as one of this course; `None` if its teeth do not meet in it.
     fn place_of(&self, material: Material, extreme: &RunExtreme) -> Option<Extreme> {
         let result = &extreme.pose.simulated;
         let mating = result.pose.mating();
@@ -79,23 +80,23 @@ impl Course {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CourseLine {
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
     /// The flank that passes through the pitch point, seen from the front.
     pub flank: Side,
-    /// In the order of the run's poses of this flank.
+    /// The points, in the order of the run's poses of this flank.
     pub points: Vec<CoursePoint>,
 }
 
-/// One pose of a curve; values in µm of `j_wt`, `None` where there is none.
+/// One pose of a curve; values in µm of `j_wt`, `None` without a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoursePoint {
-    /// Place: the wheel tooth at the pitch point and the part of a pitch beyond it, or pitches since the first pose.
+    /// Place: the wheel tooth at the pitch point plus the part of a pitch past it, or pitches since the first pose.
     pub x: f64,
     /// The teeth that mate there.
     pub mating: Mating,
-    /// How the pose ended: why there is no value, where there is none.
+    /// The status of the pose, which explains a missing value.
     pub status: Status,
     /// Simulated.
     pub simulated_um: Option<f64>,
@@ -109,7 +110,7 @@ pub struct CoursePoint {
     pub off_line_of_action_um: Option<f64>,
 }
 
-/// The pose with the least or the greatest backlash, and what binds there.
+/// The pose with the least or the greatest backlash, and its contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
@@ -127,9 +128,9 @@ pub struct Extreme {
     pub left: (u32, u32),
 }
 
-/// The curves of `runs`, one course a centre distance and phase, in their order.
+/// The curves of `runs`, one course per centre distance and phase, in their order.
 ///
-/// A run's poses of one flank must go from pitch to pitch, as those of a revolution do.
+/// The poses of one flank of a run must continue from pitch to pitch, as in a revolution.
 pub fn courses(runs: &[ComparedRun]) -> Vec<Course> {
     let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.phase);
     let mut places: Vec<(f64, Option<(u32, u32)>)> = Vec::new();
@@ -204,7 +205,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
     }
 }
 
-/// A pose at `x` as an extreme, where it has a backlash.
+/// A pose at `x` as an extreme, if it has a backlash.
 fn extreme_of(x: f64, material: Material, pose: &PoseResult) -> Option<Extreme> {
     let lost_motion = pose.proven()?;
     let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);

@@ -1,14 +1,17 @@
-//! The field of action of helical gears at one pose: over the common face and along the path of contact, where their tooth pairs touch.
+//! The field of action of helical gears at one pose: the contacts of tooth pairs over the common face and along the
+//! path of contact.
 //!
-//! In every transverse section involutes touch on the line of action, the common tangent of the displaced base circles, which is the same in
-//! all sections: centres do not wind. A pair's contact runs along it as the teeth wind: with `b` mm along the face its roll on the wheel
-//! falls by `τ_1 b`, and its place on the path,
+//! In every transverse section involutes touch on the line of action, the common tangent of the displaced base circles.
+//! It is the same in all sections, because their centres are constant along the face. The contact of a pair moves along
+//! it with the twist of the teeth. At `b` mm along the face its roll on the wheel is less by `τ_1 b`. Its place on the
+//! path,
 //!
 //! ```text
 //! s = r_b1 ξ_1 − T r_b1/(r_b1 + r_b2),
 //! ```
 //!
-//! counted from the pitch point towards the pinion's end of the tangent of length `T`, changes by `∓ tan β_b` a mm: a straight line.
+//! counts from the pitch point towards the pinion's end of the tangent of length `T`. It changes by `∓ tan β_b` per mm:
+//! a straight line.
 
 use super::stretches::stretches;
 use super::tangent::{PathLimit, Tangent};
@@ -18,12 +21,13 @@ use crate::gear::Side;
 use crate::numeric::wrap_angle;
 use crate::pair::{GearPair, Member, Pose};
 
-/// Spaces between the sections that are looked at beside the ends of contact lines (tuned: some pixels of a chart each).
+/// Number of sections besides the ends of contact lines (tuned: a few pixels of a chart each).
 const SPACES: u32 = 160;
-/// An involute that lacks less than this, mm, beyond the errors of both contacts, touches as well: rolls and rotations of a line are sums of some angles.
+/// Gap below which an involute also touches, mm, beyond the errors of both contacts: rolls and rotations are sums of
+/// several angles.
 const ROUNDING: f64 = 1e-10;
 
-/// The field of action at a pose, each side with the free gear held there.
+/// The field of action at a pose, with the free gear held on each side in turn.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Field {
@@ -35,7 +39,7 @@ pub struct Field {
     pub sides: [FieldSide; 2],
 }
 
-/// One side of it.
+/// One side of the field.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FieldSide {
@@ -43,20 +47,20 @@ pub struct FieldSide {
     pub side: Side,
     /// Ends of the path of contact, mm from the pitch point.
     pub path: [f64; 2],
-    /// The limit at each end.
+    /// The limits at both ends.
     pub limits: [PathLimit; 2],
     /// The contact line of every pair that has one on the face, in the order of the locked teeth.
     pub lines: Vec<ContactLine>,
     /// The contact that holds the free gear.
     pub binding: BindingContact,
-    /// Section by section, ascending: evenly over the face, where contact lines end, and where the free gear is held.
+    /// The sections, ascending: evenly over the face, at the ends of contact lines, and where the free gear is held.
     pub sections: Vec<FieldSection>,
-    /// From where to where along the face, mm, a fillet, a root or the edge of an undercut flank is touched before any involute; each end within
-    /// [`super::STRETCH_END`]. A stretch is found where one of `sections` lies in it.
+    /// Stretches along the face, mm, with contact on a fillet, a root or an undercut edge before any involute; each end
+    /// within [`super::STRETCH_END`]. A stretch is found if one of `sections` is in it.
     pub fillets: Vec<[f64; 2]>,
 }
 
-/// Where the involutes of a tooth pair touch, or would after a further turn of the free gear.
+/// The contact line of a tooth pair, now or after a further turn of the free gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactLine {
@@ -66,7 +70,7 @@ pub struct ContactLine {
     pub pinion_tooth: u32,
     /// Both ends: mm along the face, mm along the path.
     pub ends: [[f64; 2]; 2],
-    /// Room that is left between the flanks along the line of action, mm: 0 of the pair that binds.
+    /// Gap between the flanks along the line of action, mm: 0 for the binding pair.
     pub gap: f64,
     /// Whether its teeth hold the free gear.
     pub binds: bool,
@@ -80,28 +84,30 @@ pub struct BindingContact {
     pub wheel_tooth: u32,
     /// Pinion tooth.
     pub pinion_tooth: u32,
-    /// Where along the face, mm.
+    /// Place along the face, mm.
     pub section: f64,
-    /// Where along the path, mm: of a contact beside the line of action, the foot of its perpendicular.
+    /// Place along the path, mm; for a contact off the line of action, the foot of its perpendicular.
     pub place: f64,
     /// Kind of the contact.
     pub kind: ContactKind,
 }
 
-/// Freedom that the teeth of one section would leave alone.
+/// The play that the teeth of one section would leave alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FieldSection {
-    /// Where along the face, mm.
+    /// Place along the face, mm.
     pub at: f64,
-    /// How much farther, along the line of action, the free gear could turn if there were this section alone, mm; `None` where nothing touches in it.
+    /// Further turn of the free gear, along the line of action, with this section alone, mm; `None` without contact in
+    /// it.
     pub gap: Option<f64>,
     /// Kind of the contact that would hold it.
     pub kind: Option<ContactKind>,
 }
 
 impl Field {
-    /// The field of action of helical gears at `pose`; `None` of spur gears, and where no lost motion is proven or the displaced base circles overlap.
+    /// The field of action of helical gears at `pose`. `None` for spur gears, without a proven lost motion, or if the
+    /// displaced base circles overlap.
     pub fn of(assembly: &GearPair, pose: &PoseResult) -> Option<Field> {
         let found = pose.proven().filter(|found| found.angle().is_some())?;
         if !assembly.is_helical() {
@@ -129,7 +135,7 @@ fn on(found: &LostMotion, side: Side) -> Option<Contact> {
     }
 }
 
-/// Where along the face to look, mm, ascending.
+/// Places along the face to examine, mm, ascending.
 fn places(held: &[Held; 2], [from, to]: [f64; 2]) -> Vec<f64> {
     let even = (0..=SPACES).map(|k| from + (to - from) * (f64::from(k) / f64::from(SPACES)));
     let ends = held.iter().flat_map(|side| &side.lines);
@@ -141,7 +147,7 @@ fn places(held: &[Held; 2], [from, to]: [f64; 2]) -> Vec<f64> {
     places
 }
 
-/// A section of the pair, the pose in it, and what it would come to alone.
+/// A section of the pair, with its pose and its own lost motion.
 struct Alone {
     at: f64,
     pair: GearPair,
@@ -174,7 +180,7 @@ struct Held<'a> {
 }
 
 impl<'a> Held<'a> {
-    /// `None` where the displaced base circles overlap.
+    /// `None` if the displaced base circles overlap.
     fn new(
         assembly: &'a GearPair,
         pose: &'a Pose,
@@ -205,7 +211,8 @@ impl<'a> Held<'a> {
         free.gear().base_radius()
     }
 
-    /// How far along the line of action, mm, the free gear is from a contact to which it would have to turn on by `turn` beyond the one it is held in, rad.
+    /// Distance along the line of action, mm, of the free gear from a contact that is `turn`, rad, past its present
+    /// one.
     fn gap(&self, turn: f64) -> f64 {
         self.side.sense() * wrap_angle(turn) * self.radius()
     }
@@ -243,7 +250,7 @@ impl<'a> Held<'a> {
         }
     }
 
-    /// Whether something below the involutes is touched in a section, and no involute on the line of action with it.
+    /// Whether a section has contact below the involutes, and none on the line of action at the same time.
     fn is_off_involutes(&self, alone: &Alone) -> bool {
         let section = self.section(alone);
         let found = alone.found.as_ref().and_then(|found| on(found, self.side));
@@ -291,7 +298,8 @@ fn by_member<T>(assembly: &GearPair, locked: T, free: T) -> (T, T) {
     }
 }
 
-/// The line through `place` at `at`, with this slope, as far as face and path go; `None` where it only grazes them by rounding.
+/// The line through `place` at `at` with this slope, clipped to face and path; `None` if it only grazes them by
+/// rounding.
 fn clipped(
     at: f64,
     place: f64,

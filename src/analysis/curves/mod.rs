@@ -1,8 +1,8 @@
 //! Data of charts: backlash over the teeth and over the centre distance.
 //!
-//! In a curve over the teeth each pose stands where its flank passes through the operating pitch point. A
-//! right-flank and a left-flank pose of one tooth are two rotations, half a pitch or so apart: the two curves of a
-//! gear without pitch deviations are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
+//! In a curve over the teeth each pose is at the place where its flank passes through the operating pitch point. A
+//! right-flank and a left-flank pose of one tooth are two rotations, about half a pitch apart. So without pitch
+//! deviations the two curves of a gear are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
 
 mod binding;
 mod course;
@@ -30,14 +30,14 @@ use crate::gear::Side;
 use crate::pair::{Mating, SweepPlan};
 use std::ops::ControlFlow;
 
-/// Poses a pitch where the study does not sweep itself.
+/// Poses per pitch if the study has no sweep.
 const STEPS_PER_PITCH: u32 = 16;
 
-/// The runs behind curves over the teeth: each centre distance, material and phase.
+/// The runs of curves over the teeth: each centre distance, material and phase.
 ///
-/// Where the study sweeps a revolution, its own poses; else one wheel revolution from wheel tooth 1 on, in the
-/// assembly phase of the study's first mating, at 16 steps a pitch. The left-flank poses of the same wheel teeth and
-/// fractions follow the right-flank ones, in the same assembly phase.
+/// They are the study's own poses if it sweeps a revolution. Otherwise they are one wheel revolution from wheel tooth
+/// 1, in the assembly phase of the study's first mating, at 16 steps per pitch. The left-flank poses of the same wheel
+/// teeth and fractions follow the right-flank ones, in the same assembly phase.
 ///
 /// # Errors
 /// As [`crate::analysis::simulate::simulate`].
@@ -51,7 +51,7 @@ pub fn revolution(
     with_left_flanks(&study, right, method, tick)
 }
 
-/// The study's own runs, and [`revolution`] beside them; where the study sweeps, its poses are simulated once for both.
+/// The study's own runs, and [`revolution`]. If the study sweeps, its poses are simulated once for both.
 ///
 /// # Errors
 /// As [`crate::analysis::simulate::simulate`].
@@ -77,7 +77,7 @@ fn with_left_flanks(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<ComparedRun>, Error> {
-    // Each pose of a drawn pair is of both flanks, and no formula tells them apart.
+    // Each pose of a drawn pair has both flanks, and no formula distinguishes them.
     if study.is_drawn() {
         return Ok(runs);
     }
@@ -94,12 +94,12 @@ fn with_left_flanks(
     Ok(runs)
 }
 
-/// How many poses [`revolution`] will take.
+/// Number of poses of [`revolution`].
 pub fn revolution_pose_count(study: &Study) -> u64 {
     2 * with_sweep(study.clone()).pose_count()
 }
 
-/// How many poses [`with_revolution`] will take.
+/// Number of poses of [`with_revolution`].
 pub fn with_revolution_pose_count(study: &Study) -> u64 {
     let own = if study.sweeps() {
         0
@@ -109,8 +109,9 @@ pub fn with_revolution_pose_count(study: &Study) -> u64 {
     own + revolution_pose_count(study)
 }
 
-/// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel
-/// tooth 1 on, in the assembly phase of its first mating, at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
+/// `study` with a sweep over whole revolutions: its own, or one wheel revolution from wheel tooth 1, in the assembly
+/// phase of its first mating, at 16 steps per pitch. Unlike a study of measured rows it can be moved to other centre
+/// distances ([`Study::at`]).
 pub fn with_sweep(mut study: Study) -> Study {
     if !study.sweeps() {
         study.sweep = Some(SweepPlan::Revolution {
@@ -122,7 +123,7 @@ pub fn with_sweep(mut study: Study) -> Study {
     study
 }
 
-/// The mating the study names first.
+/// The first mating of the study.
 fn first_mating(study: &Study) -> (u32, u32) {
     let of_sweep = match &study.sweep {
         Some(SweepPlan::Matings { matings, .. }) => matings.first().copied(),

@@ -15,9 +15,9 @@ use std::ops::ControlFlow;
 
 /// Steps over the range of centre distances.
 const STEPS: u32 = 40;
-/// Room beside the listed distances, as a part of their range.
+/// Margin beside the listed distances, as a part of their range.
 const MARGIN: f64 = 0.1;
-/// Range on each side of a single distance, modules: some 40 µm of backlash a side at 20°.
+/// Range on each side of a single distance, modules: about 40 µm of backlash per side at 20°.
 const AROUND: f64 = 0.02;
 
 /// Backlash of one or two poses over the centre distance.
@@ -26,22 +26,23 @@ const AROUND: f64 = 0.02;
 pub struct OverDistance {
     /// Subject of the curve.
     pub followed: Followed,
-    /// Its poses, whose mean is the curve. Poses of two teeth are of one assembly phase. In a measured mating the teeth are the same at
-    /// both flanks, as the file names them.
+    /// Its poses, whose mean is the curve. Poses of two teeth have one assembly phase. A measured mating has the same
+    /// teeth at both flanks, as in the file.
     pub matings: Vec<Mating>,
     /// Radial clearance `c` of both bearings together, mm.
     pub clearance: f64,
     /// Whether the bands have two ends: most and least material.
     pub two_materials: bool,
-    /// Where the pair does not assemble at a stated distance: from which distance on it does, mm. The curve reaches it.
+    /// For a pair that does not assemble at a stated distance: the distance from which it does, mm. The curve reaches
+    /// it.
     pub assembles_from: Option<f64>,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,
     /// The measured rows of the teeth, in the order of their file.
     pub measured: Vec<MeasuredRow>,
-    /// With [`Method::Both`]: how far the two methods agree.
+    /// With [`Method::Both`]: agreement of the two methods.
     pub agreement: MethodAgreement,
-    /// How many of its poses are not proven, or not at an end of the bearing clearance: the bands have gaps there.
+    /// Number of unproven poses, including the ends of the bearing clearance. The bands have gaps there.
     pub unproven: usize,
 }
 
@@ -53,15 +54,15 @@ pub struct DistancePoint {
     pub center_distance: f64,
     /// Means of the poses.
     pub bands: Bands,
-    /// How the first pose without a value ended, an unproven one before others, where the simulated band has none.
+    /// The status of the first pose without a value, an unproven one first, if the simulated band has none.
     pub gap: Option<Status>,
 }
 
-/// The curve of `followed` over a grid of centre distances round the study's and the measured ones. It reaches the distance from which
-/// the pair assembles, where the extremes of its `cycle` have one.
+/// The curve of `followed` over a grid of centre distances around those of the study and the measurements. It reaches
+/// the distance from which the pair assembles, if the extremes of its `cycle` have one.
 ///
 /// # Errors
-/// [`GearError::NoSuchTooth`]; else as [`crate::analysis::simulate::simulate`].
+/// [`GearError::NoSuchTooth`]; otherwise as [`crate::analysis::simulate::simulate`].
 pub fn over_distance(
     study: &Study,
     followed: Followed,
@@ -101,7 +102,7 @@ pub fn over_distance(
         let mut without = poses
             .filter(|pose| pose.simulated.backlash.is_none())
             .map(|pose| pose.simulated.status());
-        // Unproven poses come first: the ends of the others are known.
+        // Unproven poses first: the status of the others is known.
         if without.clone().any(|status| status == Status::Unproven) {
             Some(Status::Unproven)
         } else {
@@ -128,7 +129,7 @@ pub fn over_distance(
     })
 }
 
-/// The poses of what is `followed`; two teeth that were `measured` are the same at both flanks.
+/// The poses of `followed`; two `measured` teeth are the same at both flanks.
 fn poses(
     assembly: &AssembledPair,
     followed: Followed,
@@ -157,13 +158,13 @@ fn poses(
     Ok(vec![right, left])
 }
 
-/// How many poses [`over_distance`] will take at most.
+/// Limit of the number of poses of [`over_distance`].
 pub fn over_distance_pose_count(study: &Study) -> u64 {
     2 * u64::from(STEPS + 2) * study.materials.len() as u64
 }
 
-/// Centre distances round the study's and the `measured`, and up to `reach`, which is one of them; none so near that base
-/// circles overlap at `a − c`.
+/// Centre distances around those of the study and of `measured`, and up to `reach`, which is one of them. None is so
+/// small that base circles overlap at `a − c`.
 fn grid(study: &Study, measured: &[MeasuredRow], reach: Option<f64>) -> Vec<f64> {
     let Some((_, wheel, pinion)) = study.materials.first() else {
         return Vec::new();

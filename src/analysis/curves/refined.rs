@@ -1,13 +1,13 @@
-//! More poses where curves over the teeth bend, so that a chart shows each peak.
+//! Additional poses where curves over the teeth bend, so that a chart shows each peak.
 //!
-//! A sweep at 16 steps a pitch misses the tip of a peak that is narrower than a step. The poses added here are for
-//! drawing alone: means and counts are of the even sweep. In order:
+//! A sweep at 16 steps per pitch misses the tip of a peak narrower than a step. The poses added here are only drawn:
+//! means and counts use the even sweep. In order:
 //!
-//! 1. The proven extremes, at their own teeth, or at every pitch where all teeth are equal. They lie on both flanks'
-//!    curves, since both go through the same rotations.
-//! 2. The middle of each step over which other teeth or other parts of them come to touch, once.
-//! 3. The middles of the steps beside a bend, and of those at a gap's edge, again and again: until a point lies within
-//!    [`FLAT`] of the chord of its neighbours, or the step is [`FINEST`].
+//! 1. The proven extremes, at their own teeth, or at every pitch if all teeth are equal. They are on the curves of both flanks,
+//!    because both cover the same rotations.
+//! 2. The middle of each step over which other teeth or other parts of them come into contact, once.
+//! 3. The middles of the steps beside a bend, and of those at the edge of a gap, repeatedly: until a point lies within [`FLAT`] of
+//!    the chord of its neighbours, or the step is [`FINEST`].
 
 use crate::analysis::compare::{ComparedPose, ComparedRun, compare};
 use crate::analysis::extremes::{RunExtreme, RunExtremes};
@@ -21,19 +21,20 @@ use crate::pair::{Mating, ToothNumbers};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// A bend below this part of the range of all curves at its centre distance is not drawn: a chart is some 300 units high.
+/// Bend that is not drawn, as a part of the range of all curves at its centre distance: a chart is about 300 units
+/// high.
 const FLAT: f64 = 1.0 / 300.0;
-/// The least range that a chart shows, mm: below it rounding would bend a curve.
+/// The least range of a chart, mm: below it rounding would bend a curve.
 const LEAST_RANGE: f64 = 1e-3;
-/// No step is halved below this, pitches (tuned: a peak that rises 100 µm in a pitch is drawn to 0.1 µm).
+/// The least step, pitches (tuned: a peak that rises 100 µm in a pitch is drawn to 0.1 µm).
 const FINEST: f64 = 1.0 / 1024.0;
-/// Poses that are added to all curves together.
+/// Limit of poses added to all curves together.
 const MOST: usize = 100_000;
-/// A curve over more pitches is not refined: none of them is a unit wide on a chart.
+/// A curve over more pitches is not refined, because a pitch is less than a unit wide on a chart.
 const MOST_PITCHES: f64 = 700.0;
 
-/// `revolution`, whose runs go over whole revolutions at even steps, with the poses between them that its curves need;
-/// the proven extremes of `cycle` are among them.
+/// `revolution`, whose runs cover whole revolutions at even steps, with the additional poses of its curves. They
+/// include the proven extremes of `cycle`.
 ///
 /// # Errors
 /// As [`crate::analysis::simulate::simulate`].
@@ -87,7 +88,7 @@ pub fn refined(
     Ok(refined.collect())
 }
 
-/// The bend at each centre distance that is not seen, mm.
+/// The invisible bend at each centre distance, mm.
 fn flat(curves: &[Curve]) -> impl Fn(f64) -> f64 + use<> {
     let mut ranges: Vec<(f64, [f64; 2])> = Vec::new();
     for curve in curves {
@@ -116,13 +117,13 @@ struct Curve<'a> {
     points: Vec<Point>,
 }
 
-/// A pose, and how many pitches it stands beyond the first.
+/// A pose, and its pitches past the first.
 struct Point {
     pitches: f64,
     pose: ComparedPose,
 }
 
-/// Tooth and part of it that touch, of wheel and pinion.
+/// Touching tooth and part, on wheel and pinion.
 type Touching = [(u32, ToothPlace); 2];
 
 impl Point {
@@ -130,7 +131,7 @@ impl Point {
         self.pose.simulated.backlash
     }
 
-    /// Teeth and parts that touch, right and left.
+    /// Touching teeth and parts, right and left.
     fn touching(&self) -> Option<[Option<Touching>; 2]> {
         let found = self.pose.simulated.proven()?;
         let of = |contact: &Contact| {
@@ -141,7 +142,7 @@ impl Point {
 }
 
 impl<'a> Curve<'a> {
-    /// Both flanks' curves of a run.
+    /// The curves of both flanks of a run.
     fn of(run: &'a ComparedRun) -> [Curve<'a>; 2] {
         Side::BOTH.map(|flank| {
             let mating = |pose: &&ComparedPose| pose.simulated.pose.mating().flank == flank;
@@ -165,7 +166,7 @@ impl<'a> Curve<'a> {
         &self.run.run.assembly
     }
 
-    /// Places and matings of the extremes of `cycle` that lie on this curve.
+    /// Places and matings of the extremes of `cycle` on this curve.
     fn at_extremes(&self, cycle: &[RunExtremes]) -> Vec<(f64, Mating)> {
         let assembly = self.assembly();
         let here = cycle.iter().filter(|of| {
@@ -200,8 +201,8 @@ impl<'a> Curve<'a> {
         wanted
     }
 
-    /// Places and matings in the middles of the steps that need one: beside a bend, at a gap's edge and, where `changes`
-    /// are looked into, where another part comes to touch.
+    /// Places and matings in the middles of the steps that need one: beside a bend, at the edge of a gap and, with
+    /// `changes`, where another part comes into contact.
     fn middles(&self, flat: &impl Fn(f64) -> f64, changes: bool) -> Vec<(f64, Mating)> {
         let flat = flat(self.assembly().center_distance());
         let points = &self.points;
@@ -237,7 +238,7 @@ impl<'a> Curve<'a> {
         wanted.collect()
     }
 
-    /// Takes in the poses found at `wanted`; of those that are not proven nothing is drawn.
+    /// Adds the poses found at `wanted`; unproven ones are not drawn.
     fn insert(&mut self, wanted: Vec<(f64, Mating)>, found: Vec<ComparedPose>) {
         let proven = wanted.into_iter().zip(found);
         let proven = proven.filter(|(_, pose)| !pose.simulated.is_unproven());
@@ -248,7 +249,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The mating at `flank` in which the locked gear stands as in the pose of `extreme`.
+/// The mating at `flank` with the locked gear's rotation in the pose of `extreme`.
 fn mating_of(extreme: &RunExtreme, assembly: &AssembledPair, flank: Side) -> Mating {
     let pose = &extreme.pose.simulated.pose;
     let there = pose.mating().at_flank(assembly, flank);

@@ -2,17 +2,17 @@
 
 use crate::pair::{Mating, Member, ToothNumbers};
 
-/// From pitches to places.
+/// Conversion of pitches to places.
 pub struct Scale {
     start: f64,
     sense: f64,
     pitches: f64,
-    /// Number of wheel teeth where places are tooth numbers.
+    /// Number of wheel teeth if places are tooth numbers.
     pub teeth: Option<u32>,
 }
 
 impl Scale {
-    /// The scale of `matings`, one after the other.
+    /// The scale of consecutive `matings`.
     pub fn of<'a, I: Iterator<Item = &'a Mating>>(
         assembly: &impl ToothNumbers,
         matings: impl Fn() -> I,
@@ -51,7 +51,7 @@ impl Scale {
     }
 }
 
-/// How many pitches `matings`, one after the other, go over; the last step counts whole.
+/// Number of pitches of consecutive `matings`, including the whole last step.
 fn pitches<'a>(matings: impl Iterator<Item = &'a Mating>) -> f64 {
     places(matings).last().unwrap_or(0.0).floor() + 1.0
 }
@@ -70,8 +70,8 @@ pub(super) fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iter
 
 /// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.
 ///
-/// Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them where the two faces
-/// look opposite ways.
+/// Ascending teeth of the locked gear come into mesh. On its mate numbers ascend with them if the two faces point in
+/// opposite directions.
 fn wheel_sense(assembly: &impl ToothNumbers) -> f64 {
     let ascending = |member| assembly.shown_face(member).ascending();
     match assembly.locked() {

@@ -1,12 +1,12 @@
-//! Where along a line something holds, from looks at some places of it.
+//! Stretches of a line in which a condition holds, from samples.
 
 use crate::numeric::bisect;
 
-/// How near the ends of a stretch are found, mm along the face.
+/// Accuracy of the ends of a stretch, mm along the face.
 pub const STRETCH_END: f64 = 1e-6;
 
-/// The stretches in which `holds`, ascending: from `looks`, places in ascending order and whether it holds there, each end by bisection between two of them to
-/// within [`STRETCH_END`]. Where it begins and ends again between two looks it is not seen.
+/// The stretches in which `holds`, ascending. `looks` are samples at ascending places. Bisection between two of them
+/// finds each end to within [`STRETCH_END`]. A stretch between two samples is missed.
 pub(super) fn stretches(looks: &[(f64, bool)], holds: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
     let mut found = Vec::new();
     let mut begin = looks.first().filter(|look| look.1).map(|look| look.0);
@@ -30,9 +30,9 @@ pub(super) fn stretches(looks: &[(f64, bool)], holds: impl Fn(f64) -> bool) -> V
 mod tests {
     use super::*;
 
-    /// Closed form: sin x > 0.5 between π/6 and 5π/6, and again a turn later, cut off by the end of the looks.
+    /// Closed form: sin x > 0.5 between π/6 and 5π/6, and again a turn later, limited by the last sample.
     #[test]
-    fn stretches_end_where_a_sine_says() {
+    fn stretches_end_where_the_sine_crosses() {
         use std::f64::consts::PI;
         let holds = |x: f64| x.sin() > 0.5;
         let last = 2.5 * PI;

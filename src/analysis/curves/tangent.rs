@@ -1,4 +1,5 @@
-//! The line of action of a pair in contact: the common tangent of the displaced base circles, and what ends the path of contact on it.
+//! The line of action of a pair in contact: the common tangent of the displaced base circles, and the limits of the
+//! path of contact.
 
 use crate::contact::Contact;
 use crate::gear::{Placed, Side};
@@ -61,12 +62,12 @@ impl Tangent {
         })
     }
 
-    /// The part of the wheel in lengths from one end to the other.
+    /// The wheel's part of a length from one end to the other.
     fn share(&self) -> f64 {
         self.base[0] / (self.base[0] + self.base[1])
     }
 
-    /// Where a contact with these rolls of wheel and pinion is, mm from the pitch point.
+    /// Place of a contact with these rolls of wheel and pinion, mm from the pitch point.
     pub fn place(&self, rolls: [f64; 2]) -> f64 {
         let arms = [self.base[0] * rolls[0], self.base[1] * rolls[1]];
         arms[0] - (arms[0] + arms[1]) * self.share()
@@ -77,7 +78,7 @@ impl Tangent {
         (contact.point.coords - self.pitch_point).dot(&self.direction)
     }
 
-    /// Both ends of the path of contact, mm from the pitch point, and what they are.
+    /// Both ends of the path of contact, mm from the pitch point, and their limits.
     pub fn path(&self, assembly: &GearPair) -> ([f64; 2], [PathLimit; 2]) {
         let arms = |member: Member, base: f64| {
             let gear = assembly.gear(member).gear();

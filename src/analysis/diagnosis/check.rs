@@ -1,20 +1,20 @@
-//! One check of a pair: by formula, on the outlines, against its limit.
+//! One check of a pair: its value by formula and on the outlines, and its limit.
 
 use crate::analytic::limits;
 use crate::pair::Member;
 
-/// What a check says.
+/// The outcome of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Verdict {
-    /// The limit is kept.
+    /// The limit is met.
     Pass,
-    /// Kept, but not what is recommended; or the formula and the outlines disagree, and the outlines are kind.
+    /// The limit is met, but not the recommendation; or formula and outlines disagree, and the outlines are favourable.
     Warn,
-    /// The value on the outlines is not proven, so that nobody knows whether the limit is kept.
+    /// The value on the outlines is unproven, so the outcome is unknown.
     Unproven,
-    /// The limit is not kept.
+    /// The limit is not met.
     Fail,
 }
 
@@ -29,13 +29,13 @@ impl Verdict {
         }
     }
 
-    /// `otherwise` unless `kept`.
+    /// `Pass` if `kept`, otherwise the other verdict.
     pub(super) fn unless(kept: bool, otherwise: Verdict) -> Verdict {
         if kept { Verdict::Pass } else { otherwise }
     }
 }
 
-/// Whether a margin counts as kept: within [`limits::MET_WITHIN`].
+/// Whether a margin counts as met: within [`limits::MET_WITHIN`].
 pub(super) fn met(margin: f64) -> bool {
     margin >= -limits::MET_WITHIN
 }
@@ -45,7 +45,7 @@ pub(super) fn met(margin: f64) -> bool {
 pub struct CheckName {
     /// Its name in results.
     pub id: &'static str,
-    /// Its name for people.
+    /// Its name for readers.
     pub title: &'static str,
 }
 
@@ -55,27 +55,27 @@ pub struct CheckName {
 pub struct Check {
     /// Its name for programs.
     pub id: &'static str,
-    /// Its name for people.
+    /// Its name for readers.
     pub title: &'static str,
-    /// The gear in question, where the check is of one gear.
+    /// The gear, if the check concerns one gear.
     pub gear: Option<Member>,
-    /// By formula, in `unit`; `None` where it has no value.
+    /// The value by formula, in `unit`; `None` without a value.
     pub formula: Option<f64>,
-    /// On the outlines, in `unit`; `None` where it has none or was not met.
+    /// The value on the outlines, in `unit`; `None` without a value or if it did not occur.
     pub outlines: Option<f64>,
-    /// What it is held against, in `unit`.
+    /// The limit, in `unit`.
     pub limit: Option<f64>,
-    /// How far the limit is kept, in `unit`; negative where it is not. Of the less favourable of the two values.
+    /// Distance from the limit, in `unit`, for the less favourable value; negative if the limit is missed.
     pub margin: Option<f64>,
     /// `mm`, `m` (modules), `%`, or `1` for a pure number.
     pub unit: &'static str,
-    /// What follows.
+    /// The outcome.
     pub verdict: Verdict,
-    /// More numbers, each with its unit in its name.
+    /// Further numbers, each with its unit in its name.
     pub details: Vec<(&'static str, f64)>,
     /// A note: where, on which teeth.
     pub note: String,
-    /// Why there is no value on the outlines, where poses that it needs are not proven.
+    /// The reason why there is no value on the outlines, if poses that it needs are unproven.
     pub unproven: Option<String>,
 }
 
@@ -88,7 +88,7 @@ impl Check {
         }
     }
 
-    /// The check with its value on the outlines not proven for this `reason`. A check that fails stays failed.
+    /// The check with an unproven value on the outlines, for this `reason`. A failed check stays failed.
     pub(super) fn not_proven(self, reason: &str) -> Check {
         let unproven = Some(reason.to_owned());
         match self.verdict {

@@ -1,9 +1,8 @@
 //! Radial clearance as built: the least distance from a tip land to a root land over the rotation.
 //!
-//! Both gears roll on together, the free one in the middle of the mean teeth's
-//! backlash. Lands are arcs about the displaced centres, tooth by tooth; their
-//! distance is that of two arcs that curve away from each other, or the depth to which a tip
-//! reaches below the root circle, all of which is metal.
+//! Both gears roll together, the free one in the middle of the mean teeth's backlash. Lands are arcs about the
+//! displaced centres, tooth by tooth. Their distance is that of two arcs that curve away from each other, or the depth
+//! to which a tip reaches below the root circle, where everything is metal.
 
 use super::lands::{Land, between_lands, near, root_land, tip_land};
 use crate::analytic::InvolutePair;
@@ -15,31 +14,31 @@ use std::collections::HashSet;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-/// Steps in a pitch among which the least distance is looked for before it is refined (tuned: a root land
-/// takes part in a twentieth of a pitch, and off it the distance grows steadily).
+/// Samples per pitch before the least distance is refined (tuned: a root land takes part in a twentieth of a pitch;
+/// elsewhere the distance grows steadily).
 const STEPS: u32 = 32;
-/// Width to which the rotation is found, pitches. The distance changes by up to a module a pitch
-/// at a land's end: 1e-9 of that.
+/// Accuracy of the rotation, pitches. The distance changes by up to a module per pitch at a land's end, so this gives
+/// 1e-9 of that.
 const PITCHES: f64 = 1e-9;
 
-/// Where a tip comes nearest to a root.
+/// The place where a tip is nearest to a root.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RadialClearance {
-    /// Least distance, mm; negative when the tip stands in the root.
+    /// Least distance, mm; negative if the tip is inside the root.
     pub distance: f64,
-    /// Tooth whose tip it is.
+    /// Tooth of the tip.
     pub tip_tooth: u32,
-    /// The mate's tooth clockwise of the space whose root it is.
+    /// The mate's tooth clockwise of the space of the root.
     pub root_tooth: u32,
-    /// Where the gears stand.
+    /// Positions of the gears.
     pub mating: Mating,
 }
 
-/// The least distance between `member`'s tips and its mate's roots: one revolution of the locked gear on
-/// from each of `matings`, as far as it leads to teeth not met before.
+/// The least distance between `member`'s tips and its mate's roots, over one revolution of the locked gear from each of
+/// `matings`, as far as it meets new teeth.
 ///
-/// `None` without matings. Pitches in which no distance can be the least are left out.
+/// `None` without matings. Pitches that cannot contain the least distance are skipped.
 pub fn radial_clearance(
     assembly: &GearPair,
     member: Member,
@@ -47,11 +46,11 @@ pub fn radial_clearance(
 ) -> Option<RadialClearance> {
     let pitches = pitches(assembly, matings);
     let on = || ControlFlow::Continue(());
-    // Nothing interrupts it.
+    // The search is never interrupted.
     least_over(assembly, member, &pitches, &on).ok()?
 }
 
-/// The same over one pitch on from each of `pitches`; `tick` is called once for each.
+/// The least distance over one pitch from each of `pitches`; `tick` is called once for each.
 ///
 /// # Errors
 /// [`Error::Interrupted`] after a break.
@@ -71,7 +70,7 @@ pub(super) fn least_over(
         let looked_at = || (*bound <= reached).then(|| rolling.within_pitch(*mating));
         Error::if_stopped(tick()).map(|()| looked_at())
     });
-    // In order: of equals the first, whatever the threads.
+    // In order, so that the first of equals is taken with any number of threads.
     let mut least: Option<RadialClearance> = None;
     for found in found {
         if let Some(found) = found?
@@ -83,7 +82,7 @@ pub(super) fn least_over(
     Ok(least)
 }
 
-/// Where the pitches begin over which the least distance is looked for, no two with the same teeth.
+/// The starts of the pitches over which the least distance is searched, no two with the same teeth.
 pub(super) fn pitches(assembly: &GearPair, matings: &[Mating]) -> Vec<Mating> {
     let teeth = assembly.teeth(assembly.locked());
     let mut met = HashSet::new();
@@ -104,10 +103,10 @@ pub(super) fn pitches(assembly: &GearPair, matings: &[Mating]) -> Vec<Mating> {
     pitches
 }
 
-/// Both gears rolling on together; what is the same at every pose.
+/// Both gears rolling together, with the data that are the same at every pose.
 struct Rolling<'a> {
     assembly: &'a GearPair,
-    /// Whose tips are meant.
+    /// The gear of the tips.
     member: Member,
     /// Half the backlash of the mean teeth, as a rotation of the free gear, rad.
     half_play: f64,
@@ -130,10 +129,10 @@ impl<'a> Rolling<'a> {
         }
     }
 
-    /// What no distance that [`Rolling::within_pitch`] may find on from `mating` falls below, mm.
+    /// Lower bound of the distance that [`Rolling::within_pitch`] can find from `mating`, mm.
     ///
-    /// Points of a tip and of a root circle are at least `d − r_a − r_f` apart, `d` between the centres. From the middle
-    /// of the pitch each centre moves by no more than its eccentricity times the rotation.
+    /// Points of a tip circle and of a root circle are at least `d − r_a − r_f` apart, where `d` is the distance of the
+    /// centres. From the middle of the pitch each centre moves by at most its eccentricity times the rotation.
     fn least_possible(&self, mating: Mating) -> f64 {
         let [tips, roots] = self.placed(mating.onward(self.assembly, 0.5));
         let distance = (roots.centre() - tips.centre()).norm();
@@ -146,7 +145,7 @@ impl<'a> Rolling<'a> {
         distance - radii - moves[0] - moves[1] - rounding(distance + radii)
     }
 
-    /// The least over one pitch on from `mating`.
+    /// The least distance over one pitch from `mating`.
     fn within_pitch(&self, mating: Mating) -> RadialClearance {
         let at = |pitches: f64| self.nearest_lands(mating.onward(self.assembly, pitches));
         let step = 1.0 / f64::from(STEPS);
@@ -158,7 +157,7 @@ impl<'a> Rolling<'a> {
                 best = (found, pitches);
             }
         }
-        // Thirds: the distance falls towards the least and rises from it.
+        // Thirds: the distance falls towards the least value and rises after it.
         let (mut low, mut high) = (best.1 - step, best.1 + step);
         while high - low > PITCHES {
             let third = (high - low) / 3.0;
@@ -177,7 +176,7 @@ impl<'a> Rolling<'a> {
         best.0
     }
 
-    /// The gear whose tips are meant, and its mate, at `mating`.
+    /// The gear of the tips and its mate, at `mating`.
     fn placed(&self, mating: Mating) -> [Placed<'a>; 2] {
         let assembly = self.assembly;
         let pose = Pose::new(assembly, mating);
@@ -233,8 +232,8 @@ impl<'a> Rolling<'a> {
         } + rounding(distance);
         for (tip_tooth, tip) in &tips {
             for (root_tooth, root) in &roots {
-                // No point of either land is nearer to the other circle than this: those that cannot be the least
-                // are left out. (In the root circle a tip's depth is all that counts.)
+                // No point of either land is nearer to the other circle than this, so larger values are skipped.
+                // (Inside the root circle only the depth of a tip counts.)
                 let outside = tip.reach > root_radius && root.reach - tip_radius > most;
                 if tip.reach - root_radius > most || outside {
                     continue;
@@ -251,7 +250,7 @@ impl<'a> Rolling<'a> {
     }
 }
 
-/// Distances are sums and products of some dozen lengths of `size`, mm.
+/// Rounding of distances, which are sums and products of a few dozen lengths of `size`, mm.
 fn rounding(size: f64) -> f64 {
     64.0 * f64::EPSILON * size
 }
@@ -284,10 +283,9 @@ mod tests {
         AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
     }
 
-    /// Leaving pitches and lands out changes nothing: the straightforward search over all of them finds the same, to
-    /// the last bit.
+    /// Skipping pitches and lands changes nothing: the plain search over all of them finds the same, to the last bit.
     #[test]
-    fn what_is_left_out_cannot_be_the_least() {
+    fn skipped_lands_cannot_be_the_least() {
         for (eccentricity, distance) in [(0.0, 40.2), (0.03, 40.2), (0.2, 40.6), (0.05, 38.9)] {
             let (wheel, pinion) = (
                 gear(23, Face::Front, eccentricity),

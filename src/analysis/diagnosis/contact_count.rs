@@ -1,4 +1,4 @@
-//! What touched over a run, how often, and what it cost.
+//! Contacts over a run: how often each class occurs, and its cost in backlash.
 
 use crate::analysis::compare::ComparedPose;
 use crate::analysis::study::Material;
@@ -8,50 +8,49 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Pose};
 use std::collections::BTreeMap;
 
-/// Poses by class, and the lost motion that no formula saw.
+/// Poses by class, and the lost motion that formulas miss.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactCount {
-    /// Poses of each class that occurs, in order of gravity.
+    /// Poses of each class that occurs, in order of severity.
     pub classes: BTreeMap<PoseClass, usize>,
-    /// Poses of the classes in which something other than involutes touches, and with less backlash than the
-    /// formula beyond their error bounds: a tip corner that touches on the line of action costs nothing.
+    /// Poses of the classes in which something other than involutes touches, with less backlash than the formula beyond
+    /// their error bounds. A tip corner that touches on the line of action costs nothing.
     pub off_line: usize,
-    /// `None` where no pose has both a formula and a lost motion.
+    /// `None` if no pose has both a formula and a lost motion.
     pub loss: Option<Loss>,
 }
 
-/// Backlash of the formula minus backlash found, mm of `j_wt`. The formula is model 3, or model 2
-/// where that has no value.
+/// Backlash by formula minus simulated backlash, mm of `j_wt`. The formula is model 3, or model 2 if that has no value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loss {
     /// Least.
     pub least: f64,
     /// Mean over `poses`.
     pub mean: f64,
-    /// Poses that have one.
+    /// Poses with a value.
     pub poses: usize,
     /// Greatest.
     pub worst: Worst,
 }
 
-/// The pose that loses most, the first of equals.
+/// The pose with the greatest loss, the first of equals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
     /// The pair.
     pub assembly: GearPair,
     /// Its material.
     pub material: Material,
-    /// Where it stands.
+    /// Positions of the gears.
     pub pose: Pose,
-    /// What touches there.
+    /// Class of the contacts there.
     pub class: PoseClass,
-    /// The side of the graver contact, right where both are alike.
+    /// The side of the more severe contact; right if both are equal.
     pub side: Side,
     /// That contact: its teeth, curves and radii.
     pub contact: Contact,
-    /// `j_wt` found, mm.
+    /// Simulated `j_wt`, mm.
     pub backlash: f64,
-    /// The formula's minus that, mm.
+    /// The formula's `j_wt` minus the simulated one, mm.
     pub loss: f64,
 }
 
@@ -67,7 +66,7 @@ impl ContactCount {
         matching.map(|(_, count)| count).sum()
     }
 
-    /// Takes in what was counted of others.
+    /// Adds the counts of `other`.
     pub(super) fn extend(&mut self, other: &ContactCount) {
         for (class, poses) in &other.classes {
             *self.classes.entry(*class).or_default() += poses;
@@ -89,7 +88,7 @@ impl ContactCount {
         }
     }
 
-    /// Takes in a pose of `assembly`.
+    /// Adds a pose of `assembly`.
     pub(crate) fn add(&mut self, assembly: &GearPair, material: Material, pose: &ComparedPose) {
         let class = pose.simulated.class(assembly);
         *self.classes.entry(class).or_default() += 1;

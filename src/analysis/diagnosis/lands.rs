@@ -1,9 +1,9 @@
-//! Tip lands and root lands about the line of centres, and how near one of each comes to the other.
+//! Tip lands and root lands about the line of centres, and their least distance.
 
 use crate::gear::{Placed, Side};
 use std::f64::consts::TAU;
 
-/// The three teeth nearest to `direction`, or, half a pitch `beyond` them counter-clockwise, the spaces.
+/// The three teeth nearest to `direction`, or the spaces half a pitch `beyond` them counter-clockwise.
 pub(super) fn near(placed: &Placed, direction: f64, beyond: f64) -> [u32; 3] {
     let gear = placed.as_built();
     let pitch = gear.gear().basic_data().angular_pitch();
@@ -27,7 +27,7 @@ pub(super) fn root_land(placed: &Placed, tooth: u32, line: f64) -> [f64; 2] {
     let next = as_built.counter_clockwise(tooth, 1);
     let start = centre + as_built.flank_offset(Side::Left, tooth) + from_centre;
     let end = centre + pitch + as_built.flank_offset(Side::Right, next) - from_centre;
-    // Deviations may leave a full tip round a land of less than no length: its middle then.
+    // Deviations can give the land of a full tip radius a negative length: use its middle then.
     if start <= end {
         [start, end]
     } else {
@@ -46,14 +46,14 @@ fn from(line: f64, direction: f64) -> f64 {
 pub(super) struct Land {
     radius: f64,
     ends: [f64; 2],
-    /// Where it is nearest to the other centre.
+    /// Angle at which it is nearest to the other centre.
     nearest: f64,
-    /// How near, mm.
+    /// Its least distance from the other centre, mm.
     pub reach: f64,
 }
 
 impl Land {
-    /// The land of `radius` between `ends`, the other centre `distance` away.
+    /// The land of `radius` between `ends`, with the other centre `distance` away.
     pub fn new(distance: f64, radius: f64, ends: [f64; 2]) -> Land {
         let nearest = 0f64.clamp(ends[0], ends[1]);
         Land {
@@ -65,13 +65,13 @@ impl Land {
     }
 }
 
-/// Least distance of a tip land and a root land whose centres stand `distance` apart.
-/// Negative where the tip reaches below the root circle: by its depth there.
+/// Least distance of a tip land and a root land whose centres are `distance` apart. It is negative by the depth of the
+/// tip if the tip reaches below the root circle.
 ///
-/// On one circle the point nearest to the other centre is that nearest to the line of centres. If that point of the
-/// tip is outside the root circle, so is all of the tip, and no point of the root land is nearer than what follows:
-/// going to the nearest point of each arc in turn descends to the least distance, and ends when neither moves.
-/// (A point's nearest on an arc is that nearest in direction, seen from the arc's centre.)
+/// The point of a circle nearest to the other centre is the one nearest to the line of centres. If that point of the
+/// tip is outside the root circle, so is the whole tip, and no point of the root land is nearer than the following
+/// result. Going to the nearest point of each arc in turn descends to the least distance, and ends when neither moves.
+/// (The nearest point of an arc is the one nearest in direction, from the arc's centre.)
 pub(super) fn between_lands(distance: f64, tip: &Land, root: &Land) -> f64 {
     let (radius, [start, end]) = (tip.radius, tip.ends);
     let (mate_radius, [mate_start, mate_end]) = (root.radius, root.ends);
@@ -79,7 +79,7 @@ pub(super) fn between_lands(distance: f64, tip: &Land, root: &Land) -> f64 {
     if tip.reach <= mate_radius || (angle == 0.0 && mate == 0.0) {
         return tip.reach - mate_radius;
     }
-    // Direction from one centre to a point at `angle` on the other's circle, which stands opposite.
+    // Direction from one centre to a point at `angle` on the other's opposite circle.
     let seen =
         |radius: f64, angle: f64| (-radius * angle.sin()).atan2(distance - radius * angle.cos());
     for _ in 0..100 {
@@ -155,7 +155,7 @@ mod tests {
         }
     }
 
-    /// Source: all teeth, and all spaces half a pitch on from them, sorted by the angle between their direction and the one asked for.
+    /// Source: all teeth, and all spaces half a pitch further, sorted by their angle from the given direction.
     #[test]
     fn the_nearest_three_are_those_of_all() {
         let gear = Gear::nominal(GearDesign::plain(11, 2.0)).unwrap();
@@ -185,12 +185,13 @@ mod tests {
         }
     }
 
-    /// A full tip round leaves root lands without length; where teeth are thicker, they are the middle of the space between their flanks:
-    /// half of what one tooth is thicker than the next, as an angle half of that again, off the middle of the pitch.
+    /// A full tip radius leaves root lands without length. Where teeth are thicker, they are the middle of the space
+    /// between their flanks. Half the difference in thickness of two neighbours, as an angle, moves them by half of
+    /// that off the middle of the pitch.
     #[test]
     fn a_closed_root_land_is_its_middle() {
         let alpha = 20f64.to_radians();
-        // Where the tool's flat is 0: π/4 = (h_f − ρ) tan α + ρ/cos α.
+        // The case in which the tool's flat is 0: π/4 = (h_f − ρ) tan α + ρ/cos α.
         let round =
             (std::f64::consts::FRAC_PI_4 - 1.25 * alpha.tan()) / (1.0 / alpha.cos() - alpha.tan());
         let design = GearDesign {

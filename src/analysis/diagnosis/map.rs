@@ -1,4 +1,4 @@
-//! What touches over centre distance and mesh phase.
+//! A map of contact classes over centre distance and mesh phase.
 
 use super::checks::Group;
 use super::onset::form_onset;
@@ -10,25 +10,25 @@ use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;
 use std::ops::ControlFlow;
 
-/// Rows of a map, and as many columns (tuned: what can be told apart on a sheet).
+/// Rows and columns of a map (tuned: what can be distinguished on a sheet).
 pub const MAP_ROWS: u32 = 60;
 const COLUMNS: u32 = 60;
-/// Room above and below what is shown, modules.
+/// Margin above and below the range, modules.
 const ROOM: f64 = 0.05;
 
 /// A grid of poses.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Map {
-    /// Mating of the first column; the columns go on from it by one pitch.
+    /// Mating of the first column; the columns cover one pitch from there.
     pub start: Mating,
     /// Centre distances of the rows, mm, rising.
     pub distances: Vec<f64>,
     /// Fractions of a pitch of the columns.
     pub fractions: Vec<f64>,
-    /// Row by row.
+    /// The cells, row by row.
     pub cells: Vec<MapCell>,
-    /// What is drawn across, from the least centre distance up; some may lie below the rows.
+    /// Marked centre distances, ascending; some may be below the rows.
     pub limits: Vec<Limit>,
 }
 
@@ -36,26 +36,26 @@ pub struct Map {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MapCell {
-    /// What touches.
+    /// Class of the contacts.
     pub class: PoseClass,
     /// `j_wt`, mm.
     pub backlash: Option<f64>,
 }
 
-/// A centre distance that means something.
+/// A significant centre distance.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Limit {
-    /// What.
+    /// Its name.
     pub name: String,
-    /// Where, mm.
+    /// The distance, mm.
     pub distance: f64,
 }
 
 /// The map of `group`'s pair over one pitch from `start`. `tick` is called after each row; a break ends it.
 ///
 /// # Errors
-/// [`Error::Interrupted`]. A contact that is lost leaves its cell [`PoseClass::Unproven`].
+/// [`Error::Interrupted`]. A lost contact leaves its cell [`PoseClass::Unproven`].
 pub fn map(
     group: &Group,
     start: Mating,
@@ -67,7 +67,7 @@ pub fn map(
     let [nearest, farthest] = reach(assembly);
     let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
     let middle = assembly.center_distance();
-    // Not far below tips that stand in roots: there is nothing but jam.
+    // Not far below the distance at which tips enter roots: further down every pose is jammed.
     let jam = middle - least_clearance(assembly);
     let lowest = ends(f64::min).unwrap_or(middle).max(jam).min(middle);
     let low = (lowest - ROOM * module).max(nearest);
@@ -141,7 +141,7 @@ fn limits_of(group: &Group) -> Vec<Limit> {
             .flatten()
             .map(|onset| limit("non-involute contact, outlines", onset.distance)),
     );
-    // The gear that is endangered first.
+    // The gear that is at risk first.
     let governing = |value: fn(&GearPair, Member) -> f64| {
         f64::max(
             value(assembly, Member::Wheel),
@@ -150,7 +150,7 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     };
     limits.push(limit("tip at form circle", governing(form_onset)));
     limits.push(limit("tip at base circle, K (8)", governing(base_onset)));
-    // a − r_a − r_f falls short of the clearance asked for by so much.
+    // a − r_a − r_f is below the required clearance by this.
     let least = least_clearance(assembly);
     for modules in [limits::LEAST_CLEARANCE, limits::RECOMMENDED_CLEARANCE] {
         limits.push(limit(
@@ -171,7 +171,7 @@ fn least_clearance(assembly: &GearPair) -> f64 {
     )
 }
 
-/// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip on the base tangent's end.
+/// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip reaches the end of the base tangent.
 fn base_onset(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     let mate = assembly.gear(member.mate()).gear();

@@ -7,32 +7,32 @@ use crate::error::Error;
 use crate::pair::{GearPair, Mating, Member};
 use crate::parallel;
 
-/// Width of the bracket, mm: a nanometre, far below what a centre distance can be set to.
+/// Width of the bracket, mm: a nanometre, far below any adjustment of a centre distance.
 const WIDTH: f64 = 1e-6;
-/// Reach, in pitches, within which the rotation is refined about the last pose that touches: wider than
-/// the steps of a default sweep.
+/// Range, in pitches, in which the rotation is refined about the last pose that touches: wider than the steps of a
+/// default sweep.
 const BESIDE: f64 = 1.0 / 8.0;
-/// Refinements of the rotation, each eight times as fine: the last steps are 1/32768 of a pitch.
+/// Refinements of the rotation, each eight times finer: the last steps are 1/32768 of a pitch.
 const REFINEMENTS: usize = 4;
 
-/// Where non-involute contact begins.
+/// The centre distance at which non-involute contact begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Onset {
     /// Centre distance, mm: below it some pose touches a fillet, a root or the edge of an undercut flank.
     pub distance: f64,
-    /// Where such a pose was found, and where none was; 1e-6 mm apart.
+    /// A distance at which such a pose was found, and one without any; 1e-6 mm apart.
     pub bracket: [f64; 2],
     /// The pose that touches first as the gears approach.
     pub mating: Mating,
-    /// What it touches.
+    /// Class of its contact.
     pub class: PoseClass,
 }
 
 /// Centre distance, mm, below which the mate's tip reaches inside `member`'s form circle on the line of action.
 ///
-/// [`limits::form_margin`] is zero where `(r_b1 + r_b2) tan α_wt = √(r_a² − r_b²) + r_b ξ_Ff`; the
-/// centre distance is the hypotenuse over that and `r_b1 + r_b2`.
+/// [`limits::form_margin`] is zero if `(r_b1 + r_b2) tan α_wt = √(r_a² − r_b²) + r_b ξ_Ff`. The centre distance is the
+/// hypotenuse of that and `r_b1 + r_b2`.
 pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     let mate = assembly.gear(member.mate()).gear();
@@ -40,14 +40,14 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
     tangent.hypot(gear.base_radius() + mate.base_radius())
 }
 
-/// Finds the onset over `matings`, then turns on from the pose that touches first.
+/// Finds the onset over `matings`, then turns the gears from the pose that touches first.
 ///
-/// A pose that touches below an involute is taken to do so at every lesser distance: the bracket
-/// then needs only the poses that touch at its lower end. `None` where no pose touches so even at the
-/// least distance the base circles allow.
+/// A pose with contact below an involute is assumed to have it at every lesser distance. So the bracket needs only the
+/// poses that touch at its lower end. `None` if no pose has such contact even at the least distance that the base
+/// circles allow.
 ///
 /// # Errors
-/// A contact that was lost.
+/// A lost contact.
 pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Option<Onset>, Error> {
     let [nearest, farthest] = reach(assembly);
     let form = |member| form_onset(assembly, member);
@@ -93,7 +93,7 @@ pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Opt
     }))
 }
 
-/// Raises `low`, where all of `active` (not empty) touch, until none does at the distance returned, [`WIDTH`] above.
+/// Raises `low`, where all of `active` (not empty) touch, until none does at the returned distance, [`WIDTH`] above it.
 fn close(
     bench: &PairAtDistance,
     low: &mut f64,
@@ -127,7 +127,7 @@ fn close(
     Ok(high)
 }
 
-/// Those of `matings` that touch below an involute at `distance`, in order.
+/// The poses of `matings` with contact below an involute at `distance`, in order.
 fn touching(
     bench: &PairAtDistance,
     distance: f64,

@@ -5,20 +5,21 @@ use crate::contact::{PairAtDistance, reach};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 
-/// Width of the bracket of a centre distance, mm: a tenth of what counts as met. Rounding of `j_bn` is a
-/// few 1e-13 mm, so the sign at its ends is sure.
+/// Width of the bracket of a centre distance, mm: a tenth of the tolerance of a met limit. The rounding of `j_bn` is a
+/// few 1e-13 mm, so the sign at its ends is certain.
 const WIDTH: f64 = 1e-10;
-/// Width to which a rotation is found, pitches: play changes by less than a module a pitch.
+/// Accuracy of a rotation, pitches: play changes by less than a module per pitch.
 const PITCHES: f64 = 1e-9;
-/// Steps in which the rotation walks downhill, pitches (tuned: as a default sweep).
+/// Steps in which the rotation descends, pitches (tuned: as a default sweep).
 const STRIDE: f64 = 1.0 / 16.0;
-/// Local minima of a sweep that are followed in any case; others while they may be as deep as the deepest.
+/// Local minima of a sweep that are always followed. Others are followed while they may be as deep as the deepest.
 const FOLLOWED: usize = 8;
-/// Rounds of distance, rotation, distance, …: each ends nearer by a factor of the play's relative bend, about 1e-3; where gears jam, by a half or so.
+/// Limit of alternations of distance and rotation. Each reduces the error by the play's relative curvature, about 1e-3;
+/// for jammed gears by about a half.
 const STEPS_BESIDE: usize = 100;
-/// Times another pose of the sweep is found to lie lower.
+/// Maximum restarts from a lower pose.
 const ROUNDS: usize = 16;
-/// Play that is none, mm: what the bracket of a distance leaves.
+/// Play that counts as zero, mm: the remainder of the bracket of a distance.
 const NO_PLAY: f64 = 0.1 * WIDTH;
 
 /// `a_0` of a pair as built, mm.
@@ -27,11 +28,11 @@ const NO_PLAY: f64 = 0.1 * WIDTH;
 pub struct ZeroDistance {
     /// `a_0` of the worst pose, the rotation continuous.
     pub distance: f64,
-    /// Where the play is negative, and where it is not: 1e-10 mm apart, about `distance`.
+    /// A distance at which the play is negative, and one at which it is not: 1e-10 mm apart, about `distance`.
     pub bracket: [f64; 2],
     /// The worst pose.
     pub mating: Mating,
-    /// `a_0` of the worst of the poses given.
+    /// `a_0` of the worst of the given poses.
     pub of_poses: f64,
     /// That pose.
     pub pose: Mating,
@@ -39,14 +40,15 @@ pub struct ZeroDistance {
     pub teeth: [(u32, u32); 2],
 }
 
-/// Finds `a_0` of the gears of `assembly`: over `matings` first, then turning on from the lowest of them
-/// until the play rises, again at the distance at which those have none. A dip between two of them that neither sees is passed over.
+/// Finds `a_0` of the gears of `assembly`. It searches `matings` first, then turns the gears from the lowest of them
+/// until the play rises, and repeats at the distance without play. A minimum between two matings that neither shows is
+/// missed.
 ///
-/// Play rises with the centre distance, so the root is bracketed. `None` where there is none between
-/// touching base circles and tips that pass each other, or no matings were given.
+/// Play rises with the centre distance, so the root is bracketed. `None` without matings, or without a root between
+/// touching base circles and tips that pass each other.
 ///
 /// # Errors
-/// A contact that was lost.
+/// A lost contact.
 pub fn zero_distance(
     assembly: &GearPair,
     matings: &[Mating],
@@ -66,7 +68,8 @@ pub fn zero_distance(
         return Ok(None);
     };
     let (mut last, mut worst) = (bracket, matings[first]);
-    // Goes on to a pose whose root lies farther; whether it does by more than a bracket's width.
+    // Continues with a pose whose root is at a greater distance. Returns whether it is greater by more than a bracket's
+    // width.
     let go_on = |last: &mut [f64; 2], worst: &mut Mating, one: Mating| -> Result<_, Error> {
         let next = root(assembly, last[0], |distance| least_of(&[one], distance))?;
         Ok(next.map(|next| {
@@ -114,14 +117,14 @@ pub fn zero_distance(
 }
 
 impl PairAtDistance {
-    /// The centre distance, mm, at which the pose of `mating` has no play: a bracket about it at most 1e-10 mm wide,
-    /// the play negative at its first end and not at its second. `guess`, mm, is where the search starts.
+    /// The centre distance, mm, at which the pose of `mating` has no play. The result is a bracket at most 1e-10 mm
+    /// wide with negative play at its first end and none at its second. `guess`, mm, is the start of the search.
     ///
-    /// The mating stands for a pose at every distance ([`crate::pair::Pose`]). `None` where there is none between
-    /// touching base circles and tips that pass each other.
+    /// The mating defines a pose at every distance ([`crate::pair::Pose`]). `None` without a root between touching base
+    /// circles and tips that pass each other.
     ///
     /// # Errors
-    /// A contact that was lost.
+    /// A lost contact.
     pub fn play_free_distance(
         &self,
         guess: f64,
@@ -133,7 +136,7 @@ impl PairAtDistance {
     }
 }
 
-/// Indices of values no higher than their neighbours in the list, the lowest first.
+/// Indices of values not above their neighbours in the list, the lowest first.
 fn local_minima(values: &[f64]) -> Vec<usize> {
     let count = values.len();
     let mut minima: Vec<usize> = (0..count)
@@ -146,11 +149,11 @@ fn local_minima(values: &[f64]) -> Vec<usize> {
     minima
 }
 
-/// The least play found going downhill from the lowest of `matings`, and where.
+/// The least play, descending from the lowest of `matings`, and its mating.
 fn lowest_of_all(bench: &PairAtDistance, matings: &[Mating]) -> Result<(f64, Mating), Error> {
     let plays = bench.plays(matings)?;
     let mut found = (f64::INFINITY, matings[0]);
-    // How much play changes from one to the next: no dip between them is deeper.
+    // Greatest change of play from one to the next: no minimum between them is deeper.
     let next = plays.iter().cycle().skip(1);
     let changes = plays.iter().zip(next).map(|(one, next)| (next - one).abs());
     let steepest = changes
@@ -169,8 +172,8 @@ fn lowest_of_all(bench: &PairAtDistance, matings: &[Mating]) -> Result<(f64, Mat
     Ok(found)
 }
 
-/// The middle of the stretch of rotations about `place`, pitches, at which the gears jam: the worst of it, as a stretch shrinks towards its worst
-/// from both ends.
+/// The middle of the range of rotations about `place`, pitches, at which the gears jam. It is the worst pose, because
+/// the range shrinks towards the worst pose from both ends.
 fn middle_of_jam(
     play: impl Fn(f64) -> Result<f64, Error>,
     place: f64,
@@ -195,7 +198,7 @@ fn middle_of_jam(
     Ok(0.5 * (end(1.0)? + end(-1.0)?))
 }
 
-/// The least play found going downhill from `start`, whose play is `play`, and where.
+/// The least play, descending from `start` with the play `play`, and its mating.
 fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
     let assembly = bench.assembly();
     let at = |pitches: f64| bench.play(&start.onward(assembly, pitches));
@@ -208,7 +211,7 @@ fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mati
         let mut next = place + sense * STRIDE;
         while next.abs() <= period {
             let value = at(next)?;
-            // Less by more than rounding: perfect gears are level all the way round.
+            // Less by more than rounding: the play of perfect gears is constant.
             if !(value < best - 1e-12) {
                 break;
             }
@@ -246,8 +249,8 @@ fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mati
 
 /// Bracket, at most [`WIDTH`] wide, of the sign change of `play`, which rises with the centre distance.
 ///
-/// `play` has the slope `2 sin α_wt` while involutes touch: the first steps use that, the bracket then
-/// shrinks by secants, and by halves where they do not halve it.
+/// `play` has the slope `2 sin α_wt` while involutes touch. The first steps use that; then the bracket shrinks by
+/// secants, or by halving if they do not halve it.
 fn root(
     assembly: &GearPair,
     guess: f64,
@@ -258,7 +261,7 @@ fn root(
     let slope = 2.0 * assembly.at(start)?.operating_pressure_angle().sin();
     let module = assembly.gear(assembly.free()).gear().basic_data().module();
     let value = play(start)?;
-    // (distance, play) below and not below zero.
+    // (distance, play) with play below zero, and not below zero.
     let (mut low, mut high) = ((nearest, f64::NAN), (farthest, f64::NAN));
     let mut known = (start, value);
     let mut stride = if value.is_finite() {
@@ -287,7 +290,7 @@ fn root(
     while high.0 - low.0 > WIDTH {
         let width = high.0 - low.0;
         let secant = low.0 - low.1 * width / (high.1 - low.1);
-        // Beyond the root by part of the width asked for, on the far side of the nearer end: that closes the bracket.
+        // Past the root by a part of the requested width, on the far side of the nearer end: that closes the bracket.
         let nudge = if secant - low.0 < 0.5 * width {
             0.4 * WIDTH
         } else {
@@ -336,11 +339,11 @@ mod tests {
         GearPair::new(wheel, pinion, 40.5).unwrap()
     }
 
-    /// Straight play, one with a bend at its root or beside it, and one that jams below it, from near and far: the bracket has the
-    /// sign change in it and the width asked for, after few looks: of straight play those of two secants, of any play two a halving at
-    /// most.
+    /// Straight play, play with a bend at or beside its root, and play that jams below it, from near and far. The
+    /// bracket contains the sign change and has the requested width after few evaluations: two secants for straight
+    /// play, at most two per halving for any.
     #[test]
-    fn a_sign_change_is_bracketed_in_few_looks() {
+    fn a_sign_change_is_bracketed_in_few_evaluations() {
         let pair = pair([0.0; 2]);
         for root_at in [39.6, 40.0, 40.7] {
             for guess in [39.3, 39.9, 40.0, 40.2, 40.5] {
@@ -371,7 +374,7 @@ mod tests {
         assert_eq!(root(&pair, 40.0, |_| Ok(-1.0)).unwrap(), None);
     }
 
-    /// Source: the least of 6400 poses of the whole revolution; the play falls once and rises once.
+    /// Source: the least of 6400 poses over the revolution; the play falls once and rises once.
     #[test]
     fn downhill_ends_at_the_least_of_the_revolution() {
         let pair = pair([0.02, 0.015]);

@@ -1,6 +1,6 @@
-//! Radial clearance, and tips: what stands how near to what.
+//! Checks of radial clearance and of tips.
 
-use super::here::Here;
+use super::context::CheckContext;
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
@@ -9,11 +9,11 @@ use crate::gear::Side;
 use crate::pair::{Mating, Member};
 use std::ops::ControlFlow;
 
-/// Tip thickness below which a tooth is thought too sharp, modules (a rule of design offices; hardened teeth take more).
+/// Tip thickness below which a tooth counts as too sharp, modules (a rule of design offices; hardened teeth need more).
 const LEAST_TIP: f64 = 0.2;
 
-impl Here<'_> {
-    /// Whether `member`'s tips keep the limit however the teeth and the eccentricities stand.
+impl CheckContext<'_> {
+    /// Whether `member`'s tips meet the limit for any position of the teeth and any direction of the eccentricities.
     pub(super) fn is_surely_clear(&self, member: Member) -> bool {
         let off = |member| self.assembly.gear(member).eccentricity();
         let least = limits::radial_clearance(self.assembly, member);
@@ -21,7 +21,7 @@ impl Here<'_> {
         met(least - limits::LEAST_CLEARANCE * self.module())
     }
 
-    /// K (9), (10): `member`'s tip over its mate's root, over one pitch on from each of `pitches`.
+    /// K (9), (10): `member`'s tip over its mate's root, over one pitch from each of `pitches`.
     pub(super) fn clearance(
         &self,
         member: Member,
@@ -30,7 +30,7 @@ impl Here<'_> {
     ) -> Result<Check, Error> {
         let module = self.module();
         let formula = limits::radial_clearance(self.assembly, member);
-        // Along the face of helical gears the eccentricities stand in all directions to a tooth: taken for the worst.
+        // Along the face of helical gears the eccentricities have all directions to a tooth: take the worst.
         let off = if self.assembly.is_helical() {
             Member::BOTH.map(|member| self.assembly.gear(member).eccentricity())
         } else {

@@ -1,15 +1,15 @@
-//! Contact below the involute: by K (8), by form circle, and as found.
+//! Contact below the involute: by K (8), by form circle, and as simulated.
 
-use super::here::{Here, percent};
+use super::context::{CheckContext, percent};
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analytic::limits;
 use crate::contact::Touch;
 use crate::gear::ProfilePart;
 use crate::pair::Member;
 
-impl Here<'_> {
-    /// The formula's verdict borne out by the outlines, or not.
-    fn borne_out(margin: f64, below: usize) -> Verdict {
+impl CheckContext<'_> {
+    /// The formula's verdict, confirmed by the outlines or not.
+    fn confirmed(margin: f64, below: usize) -> Verdict {
         match (met(margin), below) {
             (true, 0) => Verdict::Pass,
             (false, 0) => Verdict::Warn,
@@ -23,10 +23,10 @@ impl Here<'_> {
         let limit = limits::base_tangent(self.assembly);
         let margin = limits::non_involute_margin(self.assembly, member);
         let base = mate.base_radius();
-        let outlines = self.seen.touched(member.mate()).greatest;
+        let outlines = self.evidence.touched(member.mate()).greatest;
         let outlines = outlines.map(|r| ((r - base) * (r + base)).max(0.0).sqrt());
-        // K (8) is about the base circle: violated, it is borne out by contact below the involute.
-        let verdict = match (met(margin), self.seen.touched(member).below) {
+        // K (8) concerns the base circle: contact below the involute confirms its violation.
+        let verdict = match (met(margin), self.evidence.touched(member).below) {
             (true, _) => Verdict::Pass,
             (false, 0) => Verdict::Warn,
             (false, _) => Verdict::Fail,
@@ -53,16 +53,16 @@ impl Here<'_> {
         }
     }
 
-    /// The same against the real form circle, as radii on `member`.
+    /// The check of the real form circle, as radii on `member`.
     pub(super) fn form(&self, member: Member) -> Check {
         let gear = self.gear(member);
         let margin = limits::form_margin(self.assembly, member);
-        let touched = self.seen.touched(member);
+        let touched = self.evidence.touched(member);
         let (below, outlines) = (touched.below, touched.least);
         let form = gear.form_radius();
         let formula = limits::active_root_radius(self.assembly, member);
         let least = [formula, outlines].into_iter().flatten().reduce(f64::min);
-        let poses = self.seen.contact.poses();
+        let poses = self.evidence.contact.poses();
         Check {
             unproven: None,
             id: "non_involute_form",
@@ -73,7 +73,7 @@ impl Here<'_> {
             limit: Some(form),
             margin: least.map(|least| least - form),
             unit: "mm",
-            verdict: Here::borne_out(margin, below),
+            verdict: CheckContext::confirmed(margin, below),
             details: vec![
                 ("form_margin_on_line_of_action_mm", margin),
                 ("poses_below_percent", percent(below, poses)),
@@ -82,10 +82,10 @@ impl Here<'_> {
         }
     }
 
-    /// In how many of `poses` `member` is touched below its involute or on the edge that undercut leaves, and the lowest such contact;
-    /// empty where it is not.
+    /// The number of `poses` with contact on `member` below its involute or on its undercut edge, and the lowest such
+    /// contact; empty without any.
     fn touched_in(&self, member: Member, poses: usize) -> String {
-        let touched = self.seen.touched(member);
+        let touched = self.evidence.touched(member);
         let Some(lowest) = &touched.lowest else {
             return String::new();
         };

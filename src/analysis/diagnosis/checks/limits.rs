@@ -1,18 +1,18 @@
 //! Backlash, undercut and contact ratio against their limits.
 
-use super::here::{Here, hundredths};
+use super::context::{CheckContext, hundredths};
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
-use crate::analysis::diagnosis::seen::place;
+use crate::analysis::diagnosis::pose_evidence::place;
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
 use crate::analytic::limits;
 use crate::contact::PoseClass;
 use crate::gear::{Profile, ProfilePart, Side};
 use crate::pair::Member;
 
-/// Contact ratio below which the teeth lose each other.
+/// Contact ratio below which teeth lose contact.
 const LEAST_CONTACT_RATIO: f64 = 1.0;
 
-impl Here<'_> {
+impl CheckContext<'_> {
     pub(super) fn zero(&self, zero: Option<&ZeroDistance>) -> Check {
         let a = self.assembly.center_distance();
         let formula = limits::zero_backlash_distance(self.assembly);
@@ -54,14 +54,14 @@ impl Here<'_> {
         }
     }
 
-    /// K (12), (13): what both teeth take of a pitch; on the outlines, a pitch less the least backlash.
+    /// K (12), (13): the part of a pitch that both teeth occupy; on the outlines, a pitch less the least backlash.
     pub(super) fn backlash(&self) -> Check {
         let pitch = limits::operating_pitch(self.assembly);
         let thickness = |member| limits::operating_thickness(self.assembly, member);
         let formula = thickness(Member::Wheel) + thickness(Member::Pinion);
-        let least = self.seen.least;
+        let least = self.evidence.least;
         let jammed = self
-            .seen
+            .evidence
             .contact
             .of_class(|class| class == PoseClass::Jammed);
         let outlines = least.map(|least| pitch - least);
@@ -85,12 +85,15 @@ impl Here<'_> {
                 0 => least.map_or(String::new(), |least| {
                     format!("least j_wt {} µm", hundredths(least))
                 }),
-                _ => format!("jammed in {jammed} of {} poses", self.seen.contact.poses()),
+                _ => format!(
+                    "jammed in {jammed} of {} poses",
+                    self.evidence.contact.poses()
+                ),
             },
         }
     }
 
-    /// How far the fillet's tangency stands outside the base circle along the line of action (design section 4).
+    /// Distance of the fillet's tangent point outside the base circle along the line of action (design section 4).
     pub(super) fn undercut(&self, member: Member) -> Check {
         let gear = self.gear(member);
         let (basic_data, rack) = (gear.basic_data(), &gear.design().rack);
@@ -139,7 +142,7 @@ impl Here<'_> {
     pub(super) fn contact_ratio(&self) -> Check {
         let formula = limits::contact_ratio(self.assembly);
         let outlines = limits::usable_contact_ratio(self.assembly);
-        // The total contact ratio ε_γ = ε_α + ε_β is what must not fall below 1.
+        // The total contact ratio ε_γ = ε_α + ε_β must not fall below 1.
         let overlap = limits::overlap_ratio(self.assembly);
         let least = formula.min(outlines) + overlap;
         let nominal = limits::nominal_zero_backlash_distance(self.assembly)

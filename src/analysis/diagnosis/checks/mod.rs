@@ -1,7 +1,7 @@
 //! Every check of a pair (design section 7), for each centre distance and material.
 
 mod clearance;
-mod here;
+mod context;
 mod interference;
 mod limits;
 mod off_line;
@@ -11,7 +11,7 @@ use super::check::{Check, CheckName, Verdict};
 use super::clearance::pitches;
 use super::contact_count::ContactCount;
 use super::onset::Onset;
-use super::seen::Seen;
+use super::pose_evidence::PoseEvidence;
 use super::zero_distance::ZeroDistance;
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::extremes::CycleExtremes;
@@ -19,40 +19,40 @@ use crate::analysis::study::{Material, RunPlan, Study};
 use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::{GearPair, Member};
-use here::{Here, Known, Sought};
+use context::{CheckContext, LimitState, SearchedDistances};
 use start::{Start, distinct, matings_of};
 use std::ops::ControlFlow;
 
 pub use start::Searched;
 
-/// All that is to be said of a study's pair.
+/// The diagnosis of a study's pair.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Diagnosis {
     /// Each centre distance and material, in the order of the study.
     pub groups: Vec<Group>,
-    /// What touched over all runs.
+    /// Contacts over all runs.
     pub contact: ContactCount,
 }
 
 /// The pair at one centre distance and of one material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
-    /// As assembled.
+    /// The pair as assembled.
     pub assembly: GearPair,
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
     /// Every check.
     pub checks: Vec<Check>,
-    /// What touched over its poses.
+    /// Contacts over its poses.
     pub contact: ContactCount,
-    /// `a_0` on the outlines: of the material, the same at each centre distance.
+    /// `a_0` on the outlines for this material, the same at each centre distance.
     pub zero: Searched<ZeroDistance>,
-    /// Onset of non-involute contact: of the material, the same at each centre distance.
+    /// Onset of non-involute contact for this material, the same at each centre distance.
     pub onset: Searched<Onset>,
 }
 
 impl Diagnosis {
-    /// The gravest verdict.
+    /// The most severe verdict.
     pub fn verdict(&self) -> Verdict {
         let checks = self.groups.iter().flat_map(|group| &group.checks);
         checks
@@ -71,7 +71,8 @@ impl Diagnosis {
     }
 }
 
-/// How often [`diagnose`] will tick for the runs of `plans`: the pitches over which the clearance of both gears' tips is looked for.
+/// Number of ticks of [`diagnose`] for the runs of `plans`: the pitches over which the clearance of both gears' tips is
+/// searched.
 pub fn pitch_count(plans: &[RunPlan]) -> usize {
     let of_group = |plans: &[RunPlan]| {
         let first = plans.first();
@@ -86,16 +87,16 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
         .sum()
 }
 
-/// Checks the pair of `study`, whose `runs` were simulated and compared; `extremes` are poses from which centre distances are sought too,
-/// those with the least and the greatest backlash of the mesh cycle.
+/// Checks the pair of `study`, whose `runs` were simulated and compared. Centre distances are also searched from the
+/// poses of `extremes`, those with the least and the greatest backlash of the mesh cycle.
 ///
-/// `step` is called before each search over the poses of a material, with what is looked for; `tick` as each pitch of
-/// the clearance is begun, from any thread: a break ends the work.
+/// `step` is called before each search over the poses of a material, with its subject. `tick` is called as each pitch
+/// of the clearance begins, from any thread; a break ends the work.
 ///
-/// A search whose poses are not proven, or which loses a contact, leaves the checks that need it unproven.
+/// A search with unproven poses, or one that loses a contact, leaves its checks unproven.
 ///
 /// # Errors
-/// What `step` returns; [`Error::Interrupted`] after a break.
+/// Errors of `step`; [`Error::Interrupted`] after a break.
 pub fn diagnose(
     study: &Study,
     runs: &[ComparedRun],
@@ -103,23 +104,23 @@ pub fn diagnose(
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Diagnosis, Error> {
-    let seen: Vec<Seen> = runs.iter().filter_map(Seen::of).collect();
+    let evidence: Vec<PoseEvidence> = runs.iter().filter_map(PoseEvidence::of).collect();
     let mut groups: Vec<Group> = Vec::new();
     let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
     let each = runs.chunk_by(|one, other| same_place(place_of(one), place_of(other)));
-    for (runs_here, seen_here) in each.zip(seen.chunk_by(same_group)) {
-        let Some(seen_here) = Seen::sum(seen_here) else {
+    for (group_runs, group) in each.zip(evidence.chunk_by(same_group)) {
+        let Some(group) = PoseEvidence::sum(group) else {
             continue;
         };
-        let seen_here = seen_here.with_least_of(extremes);
-        let (assembly, material) = (&seen_here.assembly, seen_here.material);
+        let group = group.with_least_of(extremes);
+        let (assembly, material) = (&group.assembly, group.material);
         let known = searched.iter().find(|entry| entry.0 == material).cloned();
         let (_, zero, onset) = match known {
             Some(known) => known,
             None => {
                 let of_material = runs.iter().filter(|run| run.run.material == material);
                 let matings = of_material.flat_map(matings_of);
-                let start = Start::new(assembly, material, matings, &seen, extremes);
+                let start = Start::new(assembly, material, matings, &evidence, extremes);
                 step("zero-backlash centre distance")?;
                 let zero = start.zero()?;
                 step("onset of non-involute contact")?;
@@ -129,95 +130,102 @@ pub fn diagnose(
             }
         };
         step("radial clearance")?;
-        let here = Here {
+        let context = CheckContext {
             assembly,
-            seen: &seen_here,
+            evidence: &group,
             allow_off_line: study.allow_off_line_contact,
         };
-        let pitches = pitches(assembly, &distinct(runs_here.iter().flat_map(matings_of)));
-        let all = Sought {
+        let pitches = pitches(assembly, &distinct(group_runs.iter().flat_map(matings_of)));
+        let all = SearchedDistances {
             clear: false,
             pitches: &|| Ok(pitches.clone()),
-            zero: Known::Found(zero.clone()),
-            onset: Known::Found(onset.clone()),
+            zero: LimitState::Found(zero.clone()),
+            onset: LimitState::Found(onset.clone()),
         };
         groups.push(Group {
             assembly: assembly.clone(),
             material,
-            checks: here.checks(&all, tick)?,
-            contact: seen_here.contact.clone(),
+            checks: context.checks(&all, tick)?,
+            contact: group.contact.clone(),
             zero,
             onset,
         });
     }
     Ok(Diagnosis {
         groups,
-        contact: Seen::sum(&seen).map_or_else(Default::default, |all| all.contact),
+        contact: PoseEvidence::sum(&evidence).map_or_else(Default::default, |all| all.contact),
     })
 }
 
-/// The checks that fail, as [`Diagnosis::failed`] has them. No search is made where it is clear without one whether a limit is kept.
+/// The checks that fail, as [`Diagnosis::failed`]. A search is made only if it is needed to decide whether a limit is
+/// met.
 ///
-/// `seen` is what the poses of each run of `study` have shown, in the order of [`Study::runs`]; `cycle` are its extremes.
+/// `evidence` is that of the poses of each run of `study`, in the order of [`Study::runs`]; `cycle` are its extremes.
 ///
 /// # Errors
 /// As [`diagnose`].
 pub fn failed_checks(
     study: &Study,
-    seen: &[Seen],
+    evidence: &[PoseEvidence],
     cycle: &CycleExtremes,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<CheckName>, Error> {
     let mut failed = Vec::new();
     let mut zeros: Vec<(Material, Searched<ZeroDistance>)> = Vec::new();
     let mut onsets: Vec<(Material, Searched<Onset>)> = Vec::new();
-    for seen_here in seen.chunk_by(same_group) {
-        let Some(seen_here) = Seen::sum(seen_here) else {
+    for group in evidence.chunk_by(same_group) {
+        let Some(group) = PoseEvidence::sum(group) else {
             continue;
         };
-        let seen_here = seen_here.with_least_of(&cycle.runs);
-        let (assembly, material) = (&seen_here.assembly, seen_here.material);
-        let here = Here {
+        let group = group.with_least_of(&cycle.runs);
+        let (assembly, material) = (&group.assembly, group.material);
+        let context = CheckContext {
             assembly,
-            seen: &seen_here,
+            evidence: &group,
             allow_off_line: study.allow_off_line_contact,
         };
         let start = || -> Result<Start, Error> {
             let runs = study.runs()?;
             let of_material = runs.iter().filter(|run| run.material == material);
             let matings = of_material.flat_map(|run| run.matings.iter().copied());
-            Ok(Start::new(assembly, material, matings, seen, &cycle.runs))
+            Ok(Start::new(
+                assembly,
+                material,
+                matings,
+                evidence,
+                &cycle.runs,
+            ))
         };
-        let doubt = Seen::doubt(seen.iter().filter(|seen| seen.material == material));
-        let zero = match (&doubt, here.assembles(cycle)) {
-            (None, Some(true)) => Known::Kept,
-            (None, Some(false)) => Known::Missed,
-            _ => Known::Found(once(&mut zeros, material, || start()?.zero())?),
+        let doubt = PoseEvidence::doubt(evidence.iter().filter(|run| run.material == material));
+        let zero = match (&doubt, context.assembles(cycle)) {
+            (None, Some(true)) => LimitState::Kept,
+            (None, Some(false)) => LimitState::Missed,
+            _ => LimitState::Found(cached(&mut zeros, material, || start()?.zero())?),
         };
         let onset = if ExactKernel::new(assembly).keeps_to_involutes(assembly) {
-            Known::Kept
+            LimitState::Kept
         } else {
-            Known::Found(once(&mut onsets, material, || start()?.onset())?)
+            LimitState::Found(cached(&mut onsets, material, || start()?.onset())?)
         };
         let pitches = || {
             let runs = study.runs()?;
-            let here = |run: &&RunPlan| {
+            let same = |run: &&RunPlan| {
                 same_place(
                     (run.assembly.center_distance(), run.material),
                     (assembly.center_distance(), material),
                 )
             };
-            let runs = runs.iter().filter(here);
+            let runs = runs.iter().filter(same);
             let matings = runs.flat_map(|run| run.matings.iter().copied());
             Ok(pitches(assembly, &distinct(matings)))
         };
-        let needed = Sought {
+        let needed = SearchedDistances {
             clear: true,
             pitches: &pitches,
             zero,
             onset,
         };
-        add_failed(&mut failed, &here.checks(&needed, tick)?);
+        add_failed(&mut failed, &context.checks(&needed, tick)?);
     }
     Ok(failed)
 }
@@ -232,18 +240,18 @@ fn add_failed(failed: &mut Vec<CheckName>, checks: &[Check]) {
     }
 }
 
-/// What was found of `material`, sought now if it was not.
-fn once<T: Clone>(
+/// The result for `material`, searched now if it is missing.
+fn cached<T: Clone>(
     found: &mut Vec<(Material, Searched<T>)>,
     material: Material,
-    seek: impl FnOnce() -> Result<Searched<T>, Error>,
+    search: impl FnOnce() -> Result<Searched<T>, Error>,
 ) -> Result<Searched<T>, Error> {
     if let Some((_, known)) = found.iter().find(|entry| entry.0 == material) {
         return Ok(known.clone());
     }
-    let sought = seek()?;
-    found.push((material, sought.clone()));
-    Ok(sought)
+    let found_now = search()?;
+    found.push((material, found_now.clone()));
+    Ok(found_now)
 }
 
 /// Centre distance and material.
@@ -258,7 +266,7 @@ fn same_place(one: Place, other: Place) -> bool {
 }
 
 /// Whether two runs are of one centre distance and material.
-fn same_group(one: &Seen, other: &Seen) -> bool {
-    let place = |seen: &Seen| (seen.assembly.center_distance(), seen.material);
+fn same_group(one: &PoseEvidence, other: &PoseEvidence) -> bool {
+    let place = |run: &PoseEvidence| (run.assembly.center_distance(), run.material);
     same_place(place(one), place(other))
 }

@@ -1,14 +1,14 @@
-//! Contact off the line of action: from which centre distance on, in which poses, what it costs.
+//! Contact off the line of action: from which centre distance on, in which poses, and its cost.
 
-use super::here::{Here, hundredths, percent};
+use super::context::{CheckContext, hundredths, percent};
 use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::onset::{Onset, form_onset};
-use crate::analysis::diagnosis::seen::place;
+use crate::analysis::diagnosis::pose_evidence::place;
 use crate::analytic::limits;
 use crate::contact::PoseClass;
 use crate::pair::Member;
 
-impl Here<'_> {
+impl CheckContext<'_> {
     pub(super) fn onset(&self, onset: Option<&Onset>) -> Check {
         let a = self.assembly.center_distance();
         let form = |member| form_onset(self.assembly, member);
@@ -37,9 +37,9 @@ impl Here<'_> {
     }
 
     pub(super) fn off_line(&self) -> Check {
-        let poses = self.seen.contact.poses();
-        let off = self.seen.contact.off_line;
-        let grave = self.seen.contact.of_class(PoseClass::is_non_involute);
+        let poses = self.evidence.contact.poses();
+        let off = self.evidence.contact.off_line;
+        let grave = self.evidence.contact.of_class(PoseClass::is_non_involute);
         let verdict = match (off, grave) {
             (0, _) => Verdict::Pass,
             (_, 0) => Verdict::Warn,
@@ -48,7 +48,7 @@ impl Here<'_> {
         };
         let mut details = Vec::new();
         let mut note = String::new();
-        if let Some(loss) = &self.seen.contact.loss {
+        if let Some(loss) = &self.evidence.contact.loss {
             details.extend([
                 ("least_loss_um", loss.least * 1e3),
                 ("mean_loss_um", loss.mean * 1e3),

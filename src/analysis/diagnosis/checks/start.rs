@@ -1,42 +1,42 @@
-//! Where the searches for a centre distance start, over all poses of a material.
+//! The starts of the searches for a centre distance, over all poses of a material.
 
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::diagnosis::onset::{Onset, non_involute_onset};
-use crate::analysis::diagnosis::seen::Seen;
+use crate::analysis::diagnosis::pose_evidence::PoseEvidence;
 use crate::analysis::diagnosis::zero_distance::{ZeroDistance, zero_distance};
 use crate::analysis::directions::is_open;
 use crate::analysis::study::Material;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 
-/// What a search over poses came to: found or not there; or why that is not proven.
+/// The result of a search over poses, if any; or the reason why it is unproven.
 pub type Searched<T> = Result<Option<T>, String>;
 
-/// Where searches over the poses of a material start.
+/// The start of searches over the poses of a material.
 pub(super) struct Start {
     assembly: GearPair,
     matings: Vec<Mating>,
-    /// A search from poses that are not proven would be no better than they are.
+    /// The reason for doubt: a search from unproven poses is unproven too.
     doubt: Option<String>,
 }
 
 impl Start {
-    /// From `matings` of `assembly`, and `extremes` of its material; `seen` is what all poses have shown.
+    /// The start from `matings` of `assembly` and `extremes` of its material; `seen` is the evidence of all poses.
     pub fn new(
         assembly: &GearPair,
         material: Material,
         matings: impl Iterator<Item = Mating>,
-        seen: &[Seen],
+        evidence: &[PoseEvidence],
         extremes: &[ComparedRun],
     ) -> Start {
         let beside = || extremes.iter().filter(|run| run.run.material == material);
-        // Of a runout without a direction the one that is worst.
+        // For a runout without direction, the worst direction.
         let worst = beside().find_map(|run| run.run.assembly.data());
         let worst = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
         Start {
             assembly: worst.clone(),
             matings: distinct(matings.chain(beside().flat_map(matings_of))),
-            doubt: Seen::doubt(seen.iter().filter(|seen| seen.material == material)),
+            doubt: PoseEvidence::doubt(evidence.iter().filter(|run| run.material == material)),
         }
     }
 
@@ -51,7 +51,7 @@ impl Start {
     }
 }
 
-/// What `look` finds, unless there is `doubt` about the poses it starts from or it loses a contact.
+/// The result of `look`, unless there is `doubt` about its starting poses or it loses a contact.
 fn search<T>(
     doubt: &Option<String>,
     look: impl FnOnce() -> Result<Option<T>, Error>,

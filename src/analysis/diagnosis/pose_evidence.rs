@@ -1,4 +1,4 @@
-//! What the poses of a run have shown: all that checks ask of them, so that the poses need not be kept.
+//! The evidence of a run's poses for the checks, so that the poses need not be kept.
 
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
@@ -8,42 +8,42 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
 
-/// What was seen at some poses of one centre distance and material.
+/// The evidence of poses of one centre distance and material.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Seen {
+pub struct PoseEvidence {
     /// The pair.
     pub assembly: GearPair,
-    /// Which thickness.
+    /// The thickness.
     pub material: Material,
-    /// What touched, and what it cost.
+    /// Counts of the contacts, and their cost.
     pub contact: ContactCount,
-    /// Least `j_wt`, mm, of these poses and where the cycle has its extremes; `None` where no pose has one.
+    /// Least `j_wt`, mm, of these poses and of the cycle's extremes; `None` if no pose has one.
     pub least: Option<f64>,
-    /// Poses that are not proven.
+    /// Unproven poses.
     pub(super) unproven: usize,
-    /// The first of these, and why it is not.
+    /// The first unproven pose, and the reason.
     pub(super) first_unproven: Option<(Mating, Unproven)>,
-    /// Of the wheel and of the pinion.
+    /// Contacts on the wheel and on the pinion.
     touched: [Touched; 2],
 }
 
-/// Where a gear was touched.
+/// The contacts on one gear.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Touched {
-    /// Poses in which something below its involute, the edge of an undercut flank included, is touched.
+    /// Poses with contact below its involute, including the edge of an undercut flank.
     pub below: usize,
     /// Greatest and least radius of a contact, mm.
     pub greatest: Option<f64>,
     pub least: Option<f64>,
-    /// Pairs of teeth that touch below the involute, and the first contact of those nearest to the root.
+    /// Pairs of teeth with contact below the involute, and the first of the contacts nearest to the root.
     pub pairs: HashSet<(u32, u32)>,
     pub lowest: Option<Contact>,
 }
 
-impl Seen {
-    /// No pose of `assembly` yet.
-    pub fn new(assembly: &GearPair, material: Material) -> Seen {
-        Seen {
+impl PoseEvidence {
+    /// The evidence before the first pose of `assembly`.
+    pub fn new(assembly: &GearPair, material: Material) -> PoseEvidence {
+        PoseEvidence {
             assembly: assembly.clone(),
             material,
             contact: ContactCount::default(),
@@ -54,14 +54,14 @@ impl Seen {
         }
     }
 
-    /// At the poses of `run`; `None` of a pair with a drawn gear.
-    pub fn of(run: &ComparedRun) -> Option<Seen> {
-        let mut seen = Seen::new(run.run.assembly.data()?, run.run.material);
-        run.poses.iter().for_each(|pose| seen.add(pose));
-        Some(seen)
+    /// The evidence of the poses of `run`; `None` for a pair with a drawn gear.
+    pub fn of(run: &ComparedRun) -> Option<PoseEvidence> {
+        let mut evidence = PoseEvidence::new(run.run.assembly.data()?, run.run.material);
+        run.poses.iter().for_each(|pose| evidence.add(pose));
+        Some(evidence)
     }
 
-    /// Takes in a pose.
+    /// Adds a pose.
     pub(crate) fn add(&mut self, pose: &ComparedPose) {
         let result = &pose.simulated;
         self.contact.add(&self.assembly, self.material, pose);
@@ -88,8 +88,8 @@ impl Seen {
         }
     }
 
-    /// Takes in the least `j_wt` of the cycle from `extremes`, the poses where that has them.
-    pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> Seen {
+    /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any.
+    pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> PoseEvidence {
         let here = (self.assembly.center_distance(), self.material);
         let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
         let poses = extremes.iter().filter(|run| place(run) == here);
@@ -100,8 +100,8 @@ impl Seen {
         self
     }
 
-    /// Several together; `None` of none.
-    pub(super) fn sum<'a>(all: impl IntoIterator<Item = &'a Seen>) -> Option<Seen> {
+    /// The sum of several; `None` for none.
+    pub(super) fn sum<'a>(all: impl IntoIterator<Item = &'a PoseEvidence>) -> Option<PoseEvidence> {
         let mut all = all.into_iter();
         let mut sum = all.next()?.clone();
         for other in all {
@@ -124,9 +124,9 @@ impl Seen {
         }
     }
 
-    /// Why nothing is known of poses; `None` where all are proven.
-    pub(super) fn doubt<'a>(all: impl IntoIterator<Item = &'a Seen>) -> Option<String> {
-        let sum = Seen::sum(all)?;
+    /// The reason why poses are unproven; `None` if all are proven.
+    pub(super) fn doubt<'a>(all: impl IntoIterator<Item = &'a PoseEvidence>) -> Option<String> {
+        let sum = PoseEvidence::sum(all)?;
         let (mating, why) = sum.first_unproven.as_ref()?;
         Some(format!(
             "{} of {} poses are unproven; the first is {}: {}",
@@ -139,7 +139,7 @@ impl Seen {
 }
 
 impl Touched {
-    /// Takes in a contact of `member`: whether it is below the involute.
+    /// Adds a contact of `member`. Returns whether it is below the involute.
     fn add(&mut self, assembly: &GearPair, member: Member, side: Side, contact: &Contact) -> bool {
         let here = touch(contact, member);
         self.greatest = greatest(self.greatest, Some(here.radius));
@@ -147,7 +147,7 @@ impl Touched {
         let below = match here.curve {
             ToothPlace::Fillet | ToothPlace::Root => true,
             ToothPlace::Tip | ToothPlace::Flank => false,
-            // An undercut edge: the class knows, of one gear or the other.
+            // An undercut edge: the class tells which gear has it.
             ToothPlace::Involute => {
                 let form = assembly.gear(member).gear().form_radius();
                 here.radius <= form + 1e-7
@@ -224,7 +224,7 @@ mod tests {
         GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
     }
 
-    /// A contact at these radii; all but radius, curve and tooth is of no account here.
+    /// A contact at these radii. Only radius, curve and tooth matter here.
     fn contact(wheel: (ProfilePart, f64), pinion: (ProfilePart, f64), teeth: [u32; 2]) -> Contact {
         let touch = |(curve, radius): (ProfilePart, f64), tooth| Touch {
             tooth,
@@ -242,8 +242,8 @@ mod tests {
         }
     }
 
-    /// Least, greatest and lowest of contacts, by hand: 42.5 and 42.3 on the fillet, 45 on the flank, 46.1 on the tip; the lowest is the first
-    /// of two at one radius.
+    /// Least, greatest and lowest contact, by hand: 42.5 and 42.3 on the fillet, 45 on the flank, 46.1 on the tip. The
+    /// lowest is the first of two at one radius.
     #[test]
     fn the_lowest_contact_is_the_first_at_the_least_radius() {
         use ProfilePart::{Fillet, Involute, Tip};
@@ -281,7 +281,8 @@ mod tests {
         }
     }
 
-    /// The edge that undercut leaves is below the involute of its own gear, not of the mate; a flank that is not undercut has none.
+    /// The edge that undercut leaves is below the involute of its own gear, not of the mate. A flank without undercut
+    /// has none.
     #[test]
     fn an_edge_is_below_the_involute_of_its_own_gear() {
         use ProfilePart::Involute;

@@ -1,9 +1,9 @@
-//! Every check of one pair as assembled, of what was seen of it and of what was sought.
+//! Every check of one assembled pair, from the evidence of its poses and the searched distances.
 
 use super::start::Searched;
 use crate::analysis::diagnosis::check::{Check, Verdict};
 use crate::analysis::diagnosis::onset::Onset;
-use crate::analysis::diagnosis::seen::Seen;
+use crate::analysis::diagnosis::pose_evidence::PoseEvidence;
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
 use crate::analysis::directions::is_open;
 use crate::analysis::extremes::{CycleExtremes, WIDTH};
@@ -13,55 +13,55 @@ use crate::gear::Gear;
 use crate::pair::{GearPair, Mating, Member};
 use std::ops::ControlFlow;
 
-/// What is known of a distance that is sought.
-pub(super) enum Known<T> {
-    /// That its check's limit is kept: nothing was sought.
+/// The state of a check whose value is a searched distance.
+pub(super) enum LimitState<T> {
+    /// The limit is known to be met without a search.
     Kept,
-    /// That it is not.
+    /// The limit is known to be missed without a search.
     Missed,
-    /// What was found.
+    /// The result of the search.
     Found(Searched<T>),
 }
 
-/// What checks need beside what poses have shown.
-pub(super) struct Sought<'a> {
-    /// Whether tips that are clear of all roots in any direction need no further look.
+/// The data of checks besides the evidence of poses.
+pub(super) struct SearchedDistances<'a> {
+    /// Whether to skip tips that are clear of all roots in any direction.
     pub clear: bool,
-    /// Where the pitches begin over which the clearance of the tips is looked for.
+    /// The starts of the pitches over which the clearance of the tips is searched.
     pub pitches: &'a dyn Fn() -> Result<Vec<Mating>, Error>,
-    pub zero: Known<ZeroDistance>,
-    pub onset: Known<Onset>,
+    pub zero: LimitState<ZeroDistance>,
+    pub onset: LimitState<Onset>,
 }
 
-/// One pair as assembled, with what was seen of it.
-pub(super) struct Here<'a> {
+/// One assembled pair with the evidence of its poses.
+pub(super) struct CheckContext<'a> {
     pub assembly: &'a GearPair,
-    pub seen: &'a Seen,
+    pub evidence: &'a PoseEvidence,
     pub allow_off_line: bool,
 }
 
-impl Here<'_> {
-    /// Every check, but for those that are known to be kept.
+impl CheckContext<'_> {
+    /// Every check, except those known to be met.
     pub fn checks(
         &self,
-        sought: &Sought,
+        searched: &SearchedDistances,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Vec<Check>, Error> {
-        let doubt = Seen::doubt([self.seen]);
+        let doubt = PoseEvidence::doubt([self.evidence]);
         let of_poses = |check: Check| match &doubt {
             Some(reason) => check.not_proven(reason),
             None => check,
         };
         let mut checks = Vec::new();
-        let look = |member: &Member| !sought.clear || !self.is_surely_clear(*member);
+        let look = |member: &Member| !searched.clear || !self.is_surely_clear(*member);
         for member in Member::BOTH.into_iter().filter(look) {
-            checks.push(self.clearance(member, &(sought.pitches)()?, tick)?);
+            checks.push(self.clearance(member, &(searched.pitches)()?, tick)?);
         }
         checks.extend(Member::BOTH.map(|member| of_poses(self.k_8(member))));
         checks.extend(Member::BOTH.map(|member| of_poses(self.form(member))));
-        checks.extend(of(&sought.onset, |onset| self.onset(onset)));
+        checks.extend(of(&searched.onset, |onset| self.onset(onset)));
         checks.push(of_poses(self.off_line()));
-        checks.extend(of(&sought.zero, |zero| self.zero(zero)));
+        checks.extend(of(&searched.zero, |zero| self.zero(zero)));
         checks.push(of_poses(self.backlash()));
         checks.extend(Member::BOTH.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
@@ -77,13 +77,13 @@ impl Here<'_> {
         self.gear(Member::Wheel).basic_data().module()
     }
 
-    /// Whether the pair assembles over the whole cycle, where that is beyond doubt and rounding.
+    /// Whether the pair assembles over the whole cycle; `None` if that is uncertain or within rounding.
     pub fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
         let distance = self.assembly.center_distance();
         let runs = cycle.each.iter().filter(|run| {
-            run.material == self.seen.material && run.assembly.center_distance() == distance
+            run.material == self.evidence.material && run.assembly.center_distance() == distance
         });
-        // Over all directions of a runout the search follows one of them.
+        // For all directions of a runout the search follows one of them.
         let beyond = if is_open(self.assembly) {
             10.0 * WIDTH
         } else {
@@ -102,16 +102,16 @@ impl Here<'_> {
     }
 }
 
-/// The check of what is known of a distance: `of_found` of what was found; none where it is known to be kept.
-fn of<T>(known: &Known<T>, of_found: impl Fn(Option<&T>) -> Check) -> Option<Check> {
+/// The check of a searched distance: `of_found` of its result; `None` if the limit is known to be met.
+fn of<T>(known: &LimitState<T>, of_found: impl Fn(Option<&T>) -> Check) -> Option<Check> {
     match known {
-        Known::Kept => None,
-        Known::Missed => Some(Check {
+        LimitState::Kept => None,
+        LimitState::Missed => Some(Check {
             verdict: Verdict::Fail,
             ..of_found(None)
         }),
-        Known::Found(Ok(found)) => Some(of_found(found.as_ref())),
-        Known::Found(Err(reason)) => Some(of_found(None).not_proven(reason)),
+        LimitState::Found(Ok(found)) => Some(of_found(found.as_ref())),
+        LimitState::Found(Err(reason)) => Some(of_found(None).not_proven(reason)),
     }
 }
 

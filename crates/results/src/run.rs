@@ -39,7 +39,10 @@ impl RunRow {
             poses: run.poses,
             unproven: run.unproven,
             summary: run.summary(),
-            contact: run.seen.as_ref().map(|seen| contact_count(&seen.contact)),
+            contact: run
+                .evidence
+                .as_ref()
+                .map(|evidence| contact_count(&evidence.contact)),
             at: [at(least), at(greatest)],
             clearance,
         }

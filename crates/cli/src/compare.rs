@@ -2,7 +2,7 @@
 
 mod drawings;
 
-use super::console::{ScreenArgs, tell};
+use super::console::{ScreenArgs, print_error_line};
 use super::judged::{self, JudgedFormat, print_outcome};
 use super::method::{MethodArgs, agreement};
 use super::outlines::{DrawnArgs, is_drawing};
@@ -98,7 +98,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .tolerance_um
         .and_then(|um| gearlash_files::tolerance_slip("--tolerance-um", um));
     if let Some(warning) = slip {
-        tell(&format!("warning: {warning}"));
+        print_error_line(&format!("warning: {warning}"));
     }
     if args.markdown.is_some() {
         return Err(Error::Usage(

@@ -22,12 +22,12 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 static VERBOSE: AtomicBool = AtomicBool::new(false);
 
 /// Prints notes, too, from now on.
-pub(super) fn be_verbose() {
+pub(super) fn set_verbose() {
     VERBOSE.store(true, Ordering::Relaxed);
 }
 
 /// Prints only results and errors from now on.
-pub(super) fn be_quiet() {
+pub(super) fn set_quiet() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
@@ -112,7 +112,7 @@ pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
 }
 
 /// Writes a warning or note to standard error. Texts from files in it are made harmless.
-pub(super) fn tell(line: &str) {
+pub(super) fn print_error_line(line: &str) {
     if is_quiet() {
         return;
     }
@@ -124,12 +124,15 @@ pub(super) fn tell(line: &str) {
 }
 
 /// Writes the verdict to standard error.
-pub(super) fn tell_verdict(verdict: &VerdictLines) {
-    verdict.lines().iter().for_each(|line| tell(line));
+pub(super) fn print_verdict_lines(verdict: &VerdictLines) {
+    verdict
+        .lines()
+        .iter()
+        .for_each(|line| print_error_line(line));
 }
 
 /// Writes lines to standard error that are already harmless.
-pub(super) fn tell_lines(lines: &str) {
+pub(super) fn print_error_text(lines: &str) {
     let _ = std::io::stderr().lock().write_all(lines.as_bytes());
 }
 
@@ -143,13 +146,13 @@ pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     };
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for message in list {
-            tell(&format!("{kind}: {file}: {message}"));
+            print_error_line(&format!("{kind}: {file}: {message}"));
         }
     }
 }
 
 /// An error where standard output or standard error is one of `sources`, as after `>> pair.toml`.
-pub(super) fn guard(sources: &Sources) -> Result<(), Error> {
+pub(super) fn check_not_input(sources: &Sources) -> Result<(), Error> {
     for (name, file) in streams() {
         let name = Path::new(name);
         if let Some(input) = file.and_then(|file| sources.named_open(name, &file)) {

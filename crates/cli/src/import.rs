@@ -1,6 +1,6 @@
 //! `gearlash import`: the content of a file of measurements, as a table and as lines for a pair file.
 
-use super::console::{ScreenArgs, guard, print};
+use super::console::{ScreenArgs, check_not_input, print};
 use super::rexs::{self, RexsArgs};
 use crate::error::Error;
 use clap::ValueEnum;
@@ -191,7 +191,7 @@ fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
 }
 
 fn show(args: &Args, found: &Imported) -> Result<ExitCode, Error> {
-    guard(&found.sources)?;
+    check_not_input(&found.sources)?;
     print(&match args.format {
         Format::Text => imported(found, &args.screen.screen()),
         Format::Json => found.to_json(),

@@ -16,13 +16,13 @@ pub(super) struct Args {
     #[arg(default_value = "pair.toml")]
     pair: PathBuf,
     #[command(flatten)]
-    from: From,
+    from: Template,
 }
 
 /// The kind of template.
 #[derive(clap::Args)]
 #[group(multiple = false)]
-struct From {
+struct Template {
     /// Short: for what a drawing states, with tolerances
     #[arg(long)]
     drawing: bool,
@@ -34,13 +34,13 @@ struct From {
     outline: bool,
 }
 
-impl From {
+impl Template {
     /// Example values, which the schema explains.
     fn examples(&self) -> &'static str {
         match self {
-            From { drawing: true, .. } => include_str!("init/drawing.toml"),
-            From { measured: true, .. } => include_str!("init/measured.toml"),
-            From { outline: true, .. } => include_str!("init/outline.toml"),
+            Template { drawing: true, .. } => include_str!("init/drawing.toml"),
+            Template { measured: true, .. } => include_str!("init/measured.toml"),
+            Template { outline: true, .. } => include_str!("init/outline.toml"),
             _ => include_str!("init/pair.toml"),
         }
     }

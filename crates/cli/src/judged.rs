@@ -1,7 +1,7 @@
 //! The common part of `check` and `compare`: several files, some of which cannot be read; output formats; the step summary of a
 //! workflow.
 
-use super::console::{ScreenArgs, print, tell_lines};
+use super::console::{ScreenArgs, print, print_error_text};
 use super::studies;
 use crate::error::{Error, exit_code};
 use crate::explain::explain;
@@ -38,7 +38,7 @@ pub(super) fn read<T>(
     paths: &[PathBuf],
     read: impl Fn(&Path) -> Result<T, Error>,
 ) -> Result<Vec<ReadFile<T>>, Error> {
-    studies::name_stdin_once(paths)?;
+    studies::check_stdin_once(paths)?;
     Ok(paths
         .iter()
         .map(|path| (path.clone(), read(path)))
@@ -95,7 +95,7 @@ fn judged_file(
         ends_all => return Err(ends_all),
     }
     if !is_shown {
-        tell_lines(&explain(&error));
+        print_error_text(&explain(&error));
     }
     Ok(JudgedFile::Unreadable {
         file: path.display().to_string(),

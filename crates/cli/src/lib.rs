@@ -11,7 +11,6 @@ mod error;
 mod explain;
 mod gauge;
 mod gears;
-mod gone;
 mod import;
 mod init;
 mod judged;
@@ -25,6 +24,7 @@ mod output;
 mod pictures;
 mod poses;
 mod progress;
+mod removed;
 mod report;
 mod results;
 mod rexs;
@@ -41,7 +41,7 @@ mod worst;
 
 use crate::error::Error;
 use clap::{CommandFactory, Parser, Subcommand};
-use console::{printed, tell, tell_lines};
+use console::{print_error_line, print_error_text, printed};
 use gearlash_files::characters::plain;
 use std::ffi::OsString;
 use std::io::Write;
@@ -106,20 +106,20 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
     let ended = match parse(&words) {
         Ok(cli) => {
             if cli.quiet {
-                console::be_quiet();
+                console::set_quiet();
             }
             if cli.verbose {
-                console::be_verbose();
+                console::set_verbose();
             }
             cap_threads();
             command(cli.command)
         }
-        Err(usage) => gone::error(&words).map_or_else(|| help(&usage), Err),
+        Err(usage) => removed::error(&words).map_or_else(|| help(&usage), Err),
     };
     match ended {
         Ok(code) => code,
         Err(error) => {
-            tell_lines(&explain::explain(&error));
+            print_error_text(&explain::explain(&error));
             ExitCode::from(error.exit_code())
         }
     }
@@ -167,7 +167,7 @@ fn cap_threads() {
         let _ = rayon::ThreadPoolBuilder::new()
             .num_threads(most)
             .build_global();
-        tell(&format!(
+        print_error_line(&format!(
             "note: RAYON_NUM_THREADS={wanted}: {most} threads are used, the most that make sense on this machine"
         ));
     }

@@ -1,6 +1,6 @@
 //! Maps over centre distance and mesh phase, for `check --map` and `chart --kind map`.
 
-use super::console::tell;
+use super::console::print_error_line;
 use super::progress::Progress;
 use crate::error::Error;
 use gearlash::analysis::Analysis;
@@ -59,7 +59,7 @@ fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error>
             Ok(Some(zero)) => drawn.push((group, zero)),
             Ok(None) => {}
             Err(reason) => {
-                tell(&format!(
+                print_error_line(&format!(
                     "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
                     material.name()
                 ));

@@ -1,6 +1,6 @@
 //! `gearlash match`: pairs measured wheels with pinions, and finds the teeth to mark.
 
-use super::console::{ScreenArgs, guard, print, tell, warn};
+use super::console::{ScreenArgs, check_not_input, print, print_error_line, warn};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use crate::error::{Error, exit_code};
@@ -50,13 +50,13 @@ fn target(text: &str) -> Result<f64, String> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let name = gearlash_files::named(&args.pair);
     let stem = Path::new(name.file_stem().unwrap_or_default());
-    guard_folders(args, args.results.path(stem).as_deref())?;
+    check_folders(args, args.results.path(stem).as_deref())?;
     let folders = [args.wheels.as_path(), args.pinions.as_path()];
     let wanted = args.target_um.map(|um| 1e-3 * um);
     let file = read_match(&args.pair, folders, wanted)
         .map_err(|errors| Error::Several(errors.into_iter().map(Error::Input).collect()))?;
     let sources = &file.pair.sources;
-    guard(sources)?;
+    check_not_input(sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
     for (kind, lines) in [
@@ -65,7 +65,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     ] {
         lines
             .iter()
-            .for_each(|line| tell(&format!("{kind}: {line}")));
+            .for_each(|line| print_error_line(&format!("{kind}: {line}")));
     }
     let prepared = args.results.folder(&file.pair.stem, sources, is_own)?;
     let result = matched(&file)?;
@@ -89,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 }
 
 /// An error where both kinds of gears come from one folder, or the next run would read results in `output` as gears.
-fn guard_folders(args: &Args, output: Option<&Path>) -> Result<(), Error> {
+fn check_folders(args: &Args, output: Option<&Path>) -> Result<(), Error> {
     let real = |path: &Path| path.canonicalize().ok();
     let [wheels, pinions] = [&args.wheels, &args.pinions].map(|path| real(path));
     if wheels.is_some() && wheels == pinions {

@@ -1,6 +1,6 @@
 //! `--method` and `--no-certify`, options of several commands.
 
-use super::console::tell;
+use super::console::print_error_line;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::Analysis;
@@ -79,8 +79,8 @@ pub(super) fn agreed(analysis: &Analysis) -> bool {
 pub(super) fn all_proven(unproven: usize) -> bool {
     match unproven {
         0 => return true,
-        1 => tell("warning: 1 pose is UNPROVEN; the result tells which and why"),
-        poses => tell(&format!(
+        1 => print_error_line("warning: 1 pose is UNPROVEN; the result tells which and why"),
+        poses => print_error_line(&format!(
             "warning: {poses} poses are UNPROVEN; the result tells which and why"
         )),
     }
@@ -90,7 +90,7 @@ pub(super) fn all_proven(unproven: usize) -> bool {
 /// Prints on standard error the difference of both methods. Returns whether it passes. Prints nothing for a single method.
 pub(super) fn agreement_of(found: MethodAgreement) -> bool {
     if !found.is_empty() {
-        tell(&in_words(found));
+        print_error_line(&in_words(found));
     }
     found.agrees()
 }

@@ -1,6 +1,6 @@
 //! Limits of the number of poses of a command, in poses and bytes, checked before it begins.
 
-use super::console::tell;
+use super::console::print_error_line;
 use crate::error::Error;
 use gearlash_files::{InputError, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, Problem, numbers};
 use std::path::Path;
@@ -60,9 +60,9 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
 const MANY: u64 = 1_000_000;
 
 /// Reports the size of the result for many `poses`, each of `bytes`; 0 for none.
-pub(super) fn announce(poses: u64, bytes: u64) {
+pub(super) fn report_size(poses: u64, bytes: u64) {
     if poses >= MANY && bytes > 0 {
         let bytes = numbers::bytes(poses.saturating_mul(bytes));
-        tell(&format!("note: {poses} poses, about {bytes} of result"));
+        print_error_line(&format!("note: {poses} poses, about {bytes} of result"));
     }
 }

@@ -71,14 +71,14 @@ impl Progress {
 
     /// Does `work` whose steps take very different times, as searches of a mesh cycle do. No remaining time is shown meanwhile.
     pub fn searching<T>(&self, work: impl FnOnce() -> T) -> T {
-        self.promises(false);
+        self.show_estimate(false);
         let found = work();
-        self.promises(true);
+        self.show_estimate(true);
         found
     }
 
     /// Sets whether the remaining time is shown.
-    fn promises(&self, estimates: bool) {
+    fn show_estimate(&self, estimates: bool) {
         let template = if estimates {
             with_estimate("steps")
         } else {
@@ -111,7 +111,7 @@ fn with_estimate(named: &str) -> String {
 pub(super) fn run_under_bar<'a>(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
     let bar = Progress::of(plan.steps()?, "steps");
     let mut stage = |doing: &str| {
-        bar.promises(doing != analysis::MESH_CYCLE);
+        bar.show_estimate(doing != analysis::MESH_CYCLE);
         bar.now(doing);
     };
     let tick = || bar.tick();

@@ -1,6 +1,6 @@
 //! Gearbox models (REXS): the content of one, and the pair file of a stage.
 
-use super::console::{guard, print};
+use super::console::{check_not_input, print};
 use super::target::Target;
 use crate::error::Error;
 use gearlash_files::rexs::{RexsFile, RexsPair, RexsStage};
@@ -29,7 +29,7 @@ impl RexsArgs {
 /// Prints the content of the model at `path`, and the pair file of a stage.
 pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<ExitCode, Error> {
     let file = gearlash_files::rexs::read(path)?;
-    guard(&file.sources)?;
+    check_not_input(&file.sources)?;
     let name = gearlash_files::named(path).display().to_string();
     let chosen = match (args.stage, &args.output) {
         (None, None) => only(&file).ok(),

@@ -3,7 +3,7 @@
 //! A thread of its own waits for the signal. It removes unfinished files and ends the process, whatever the other threads do.
 //! Files that are just being renamed are finished first, which takes milliseconds. A second signal does not wait for that either.
 
-use super::console::tell;
+use super::console::print_error_line;
 use super::progress;
 use crate::error::Error;
 use crate::output;
@@ -33,8 +33,8 @@ fn end(code: i32) -> ! {
     progress::clear();
     // Held to the end, so that no other thread writes.
     let hint = HINT.lock().unwrap_or_else(PoisonError::into_inner);
-    let ended = output::abandon();
-    tell(&match &*hint {
+    let ended = output::remove_unfinished();
+    print_error_line(&match &*hint {
         Some(hint) => format!("error: interrupted; {hint}"),
         None if ended.written() => {
             "error: interrupted; what had been written before is complete".to_owned()

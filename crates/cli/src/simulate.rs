@@ -74,7 +74,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Format::Json => (POSE_BYTES_JSON, true),
         Format::Text => (0, false),
     };
-    poses::announce(study.pose_count(), bytes);
+    poses::report_size(study.pose_count(), bytes);
 
     // A streamed result appears on the terminal itself.
     let progress = if streamed && std::io::stdout().is_terminal() {

@@ -1,6 +1,6 @@
 //! `gearlash snapshot`: one contact as a picture.
 
-use super::console::tell;
+use super::console::print_error_line;
 use super::distances;
 use super::gears::{MaterialName, material, teeth};
 use super::method::all_proven;
@@ -260,7 +260,7 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, AssembledPair), Err
         ));
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
-        tell(&format!(
+        print_error_line(&format!(
             "note: at centre distance {distance} mm, the least of {}; choose with --center-distance",
             study.center_distances.len()
         ));

@@ -1,6 +1,6 @@
 //! Reads the input of a command.
 
-use super::console::{guard, print, warn};
+use super::console::{check_not_input, print, warn};
 use crate::error::Error;
 use gearlash_files::characters::plain;
 use gearlash_files::outlines::{Drawings, OutlineOptions};
@@ -14,7 +14,7 @@ use std::process::ExitCode;
 /// As [`gearlash_files::read`]; [`Error::OverInput`] where standard output or error is a file that was read.
 pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
     let file = gearlash_files::read(path)?;
-    tell(path, &file.sources, &file.warnings, &file.remarks)?;
+    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -24,7 +24,7 @@ pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
 /// As [`pair`].
 pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     let file = gearlash_files::read_any(path)?;
-    tell(path, &file.sources, &file.warnings, &file.remarks)?;
+    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -35,7 +35,7 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
 pub(super) fn drawings(drawings: &Drawings) -> Result<AnyPair, Error> {
     let file = gearlash_files::read_drawings(drawings)?;
     let name = Path::new(&file.stem);
-    tell(name, &file.sources, &file.warnings, &file.remarks)?;
+    print_error_line(name, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -43,7 +43,7 @@ pub(super) fn drawings(drawings: &Drawings) -> Result<AnyPair, Error> {
 ///
 /// # Errors
 /// [`Error::Usage`].
-pub(super) fn name_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
+pub(super) fn check_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
     let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
     if paths.iter().filter(from_stdin).count() > 1 {
         return Err(Error::Usage(
@@ -81,7 +81,7 @@ pub(super) fn print_inputs(paths: &[PathBuf]) -> Result<ExitCode, Error> {
 /// As [`pair`].
 pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
     let file = gearlash_files::read_gears(path)?;
-    tell(path, &file.sources, &file.warnings, &file.remarks)?;
+    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -91,7 +91,7 @@ pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
 /// As [`pair`].
 pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
     let file = gearlash_files::read_any_gears(path)?;
-    tell(path, &file.sources, &file.warnings, &file.remarks)?;
+    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
@@ -101,18 +101,18 @@ pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
 /// As [`pair`].
 pub(super) fn drawing(path: &Path, options: &OutlineOptions) -> Result<AnyGears, Error> {
     let file = gearlash_files::read_drawing(path, options)?;
-    tell(path, &file.sources, &file.warnings, &file.remarks)?;
+    print_error_line(path, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
 }
 
 /// Reports warnings and notes on the file at `path`; `sources` are the files read.
-fn tell(
+fn print_error_line(
     path: &Path,
     sources: &Sources,
     warnings: &[String],
     remarks: &[String],
 ) -> Result<(), Error> {
-    guard(sources)?;
+    check_not_input(sources)?;
     warn(path, warnings, remarks);
     Ok(())
 }

@@ -3,7 +3,7 @@
 mod results;
 mod rows;
 
-use super::console::{ScreenArgs, guard, print_note, warn};
+use super::console::{ScreenArgs, check_not_input, print_note, warn};
 use super::progress::Progress;
 use super::results::ResultsArgs;
 use crate::error::Error;
@@ -11,7 +11,7 @@ use gearlash::population::{CHUNK, ContributionsError, ROWS_CHUNK, Tally};
 use gearlash_files::tolerance::{
     BLOCK, MOST_ASSEMBLIES, RowsTally, ToleranceFile, ToleranceRun, read_tolerance,
 };
-use results::{guard_worst, is_own, tell_result};
+use results::{check_worst_files, is_own, print_result};
 use rows::RowsFile;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let mut sources = file.pair.sources.clone();
     let rows_files = rows::expanded(&args.from_rows)?;
     rows_files.iter().for_each(|path| sources.add(path));
-    guard(&sources)?;
+    check_not_input(&sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
     if let Some(first) = args.first {
@@ -65,13 +65,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let folder = args.results.path(&file.pair.stem);
     let prepared = args.results.folder(&file.pair.stem, &sources, is_own)?;
     if let Some(folder) = &folder {
-        guard_worst(folder)?;
+        check_worst_files(folder)?;
     }
     let tally = if rows_files.is_empty() {
         let numbers = 1..run.assemblies() + 1;
         let rows = args.rows.as_deref();
         if let (Some(folder), Some(rows)) = (&folder, rows) {
-            rows::guard_results(rows, folder)?;
+            rows::check_not_result(rows, folder)?;
         }
         let rows = rows.map(|path| RowsFile::begin(path, &run, numbers.clone(), true));
         draw(&run, numbers, rows.transpose()?)?
@@ -89,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ContributionsError::Error(error) => Error::Run(error),
         ContributionsError::Overflow(error) => Error::Usage(error.to_string()),
     })?;
-    tell_result(
+    print_result(
         &file,
         &result,
         prepared,

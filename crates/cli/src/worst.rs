@@ -1,6 +1,6 @@
 //! The pose of the whole mesh cycle that `snapshot --worst`, `snapshot --greatest` and `chart --kind field` draw.
 
-use super::console::tell_verdict;
+use super::console::print_verdict_lines;
 use super::progress::Progress;
 use super::verdict;
 use crate::error::Error;
@@ -93,7 +93,7 @@ pub(super) fn find(
     let study = narrowed(option, study, distance, material)?;
     let (found, failed) = verdict::extremes_and_failed_checks(&study)?;
     let verdict = Verdict::of_study(&study, &found.each, failed);
-    tell_verdict(&lines(&verdict));
+    print_verdict_lines(&lines(&verdict));
     let chosen = match wanted {
         Wanted::Least => verdict
             .worst()

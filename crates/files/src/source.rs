@@ -32,7 +32,7 @@ const LONGEST_MESSAGE: usize = 300;
 /// # Errors
 /// One problem with an empty key: not there, a folder, over 64 MiB, unreadable, a pipe without data for 5 s.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
-    let metadata = std::fs::metadata(path).map_err(cannot)?;
+    let metadata = std::fs::metadata(path).map_err(unreadable)?;
     if metadata.is_dir() {
         return Err(Problem::of_file("is a folder", "name the file in it"));
     }
@@ -41,9 +41,9 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
             return Err(too_large(metadata.len(), MOST_BYTES));
         }
         let mut bytes = Vec::new();
-        let file = File::open(path).map_err(cannot)?;
+        let file = File::open(path).map_err(unreadable)?;
         let mut file = file.take(MOST_BYTES + 1);
-        file.read_to_end(&mut bytes).map_err(cannot)?;
+        file.read_to_end(&mut bytes).map_err(unreadable)?;
         return limited(bytes);
     }
     let path = path.to_owned();
@@ -59,7 +59,7 @@ pub fn standard_input() -> Result<Vec<u8>, Problem> {
     if std::io::stdin().is_terminal() {
         let mut bytes = Vec::new();
         let mut input = std::io::stdin().lock().take(MOST_BYTES + 1);
-        input.read_to_end(&mut bytes).map_err(cannot)?;
+        input.read_to_end(&mut bytes).map_err(unreadable)?;
         return limited(bytes);
     }
     by_pieces(|| Ok(std::io::stdin()))
@@ -88,14 +88,16 @@ fn by_pieces<R: Read>(
             }
         }
     };
-    std::thread::Builder::new().spawn(read).map_err(cannot)?;
+    std::thread::Builder::new()
+        .spawn(read)
+        .map_err(unreadable)?;
     let mut bytes = Vec::new();
     loop {
         let piece = pieces.recv_timeout(WAIT).unwrap_or_else(|_| {
             let reason = format!("no data has come for {} s", WAIT.as_secs());
             Err(std::io::Error::new(ErrorKind::TimedOut, reason))
         });
-        let piece = piece.map_err(cannot)?;
+        let piece = piece.map_err(unreadable)?;
         bytes.extend_from_slice(&piece);
         if piece.is_empty() || bytes.len() as u64 > MOST_BYTES {
             return limited(bytes);
@@ -114,7 +116,7 @@ fn limited(bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     Ok(bytes)
 }
 
-fn cannot(error: std::io::Error) -> Problem {
+fn unreadable(error: std::io::Error) -> Problem {
     match error.kind() {
         ErrorKind::NotFound => Problem::of_file("there is no such file", "check name and folder"),
         ErrorKind::TimedOut => Problem::of_file(

@@ -13,10 +13,10 @@ use std::thread;
 use std::time::Duration;
 
 /// Interval at which the interpreter is asked for signals: imperceptible to people, and no load.
-const LISTEN: Duration = Duration::from_millis(50);
+const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// One more than the most threads of a call: the largest machines have some hundred cores.
-const MORE_THREADS: usize = 1025;
+const TOO_MANY_THREADS: usize = 1025;
 
 /// Called when a step of the work begins; a break ends the work.
 pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
@@ -60,8 +60,8 @@ pub fn work<T: Send>(
     };
     let pool = match threads {
         None => None,
-        Some(threads @ (0 | MORE_THREADS..)) => {
-            let most = MORE_THREADS - 1;
+        Some(threads @ (0 | TOO_MANY_THREADS..)) => {
+            let most = TOO_MANY_THREADS - 1;
             let reason = format!("threads = {threads}: allowed is 1 … {most}, or None");
             return Err(error(py, reason));
         }
@@ -84,7 +84,7 @@ pub fn work<T: Send>(
                 done
             });
             let mut raised = None;
-            while let Err(RecvTimeoutError::Timeout) = wait.recv_timeout(LISTEN) {
+            while let Err(RecvTimeoutError::Timeout) = wait.recv_timeout(SIGNAL_INTERVAL) {
                 if raised.is_none() {
                     raised = Python::attach(|py| py.check_signals()).err();
                     stop.store(raised.is_some(), Ordering::Relaxed);

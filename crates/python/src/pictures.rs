@@ -11,7 +11,7 @@ use gearlash::contact::Method;
 use gearlash::gear::Inspection;
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::pose_picture;
-use gearlash_results::verdict::in_short;
+use gearlash_results::verdict::extremes_in_short;
 use pyo3::prelude::*;
 
 const METHOD: Method = Method::Exact { certify: true };
@@ -78,7 +78,7 @@ pub fn over_teeth(
     let course = curves::courses(&analysis.curves).into_iter().next();
     let course = course.ok_or_else(|| error(py, "the pair asks for no poses"))?;
     let course = course.with_cycle(&analysis.extremes.each);
-    let cycle = in_short(&analysis.verdict());
+    let cycle = extremes_in_short(&analysis.verdict());
     let heading = heading(&study.title, &cycle);
     let drawn = if difference {
         chart::difference(&heading, &course, study.tolerance_um)
@@ -119,7 +119,7 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
     })?;
     let cycle = searched
         .as_ref()
-        .map(|analysis| in_short(&analysis.verdict()));
+        .map(|analysis| extremes_in_short(&analysis.verdict()));
     let cycle = cycle.unwrap_or_default();
     let outcomes = by_distance(&all, &[]);
     chart::distance(&heading(&study.title, &cycle), &curve, &outcomes)

@@ -49,11 +49,11 @@ pub fn lost_motion(
 
 /// Centre distance, material, whether poses are proven, and threads: a tuple in Python.
 #[derive(FromPyObject)]
-pub struct How(Option<f64>, Option<String>, bool, Option<usize>);
+pub struct PoseOptions(Option<f64>, Option<String>, bool, Option<usize>);
 
-impl How {
+impl PoseOptions {
     fn assembly(&self, py: Python<'_>, pair: &Pair) -> PyResult<AssembledPair> {
-        let How(distance, material, ..) = self;
+        let PoseOptions(distance, material, ..) = self;
         let (_, assembly) = pair.assembly(py, *distance, material.as_deref())?;
         Ok(assembly)
     }
@@ -67,7 +67,7 @@ pub fn lost_motions<'py>(
     teeth: [PyReadonlyArray1<'py, i64>; 2],
     left: PyReadonlyArray1<'py, bool>,
     fraction: PyReadonlyArray1<'py, f64>,
-    how: How,
+    how: PoseOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let assembly = how.assembly(py, pair)?;
     let [wheels, pinions] = teeth.each_ref().map(|teeth| teeth.as_array());
@@ -89,7 +89,7 @@ pub fn revolution<'py>(
     start: [i64; 2],
     hunting: bool,
     left: bool,
-    how: How,
+    how: PoseOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let assembly = how.assembly(py, pair)?;
     let first = mating(py, &assembly, start, false, 0.0)?;
@@ -121,14 +121,14 @@ pub fn revolution<'py>(
 const MOST_POSES: u64 = 100_000_000;
 
 /// Poses whose array entries a thread makes in one step (tuned: some 0.1 ms).
-const TOGETHER: usize = 256;
+const POSES_PER_TASK: usize = 256;
 
 /// The columns of the poses `matings` as arrays by name, and the centre distance.
 fn found<'py>(
     py: Python<'py>,
     pair: AssembledPair,
     matings: Vec<Mating>,
-    How(_, _, certify, threads): &How,
+    PoseOptions(_, _, certify, threads): &PoseOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let distance = pair.center_distance();
     let found = work(py, *threads, |tick| arrays(&pair, &matings, *certify, tick))?;
@@ -156,7 +156,7 @@ fn arrays(
 ) -> Result<Vec<Array>, Error> {
     let mut all = pose_arrays(pair, []);
     let each = &mut |poses: Vec<PoseResult>| {
-        let parts = poses.into_par_iter().chunks(TOGETHER);
+        let parts = poses.into_par_iter().chunks(POSES_PER_TASK);
         let parts = parts.map(|poses| pose_arrays(pair, poses));
         for part in parts.collect::<Vec<_>>() {
             for (array, more) in all.iter_mut().zip(part) {

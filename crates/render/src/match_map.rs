@@ -48,7 +48,7 @@ pub fn match_map(result: &MatchResult) -> String {
 }
 
 /// The deviation of a pair's backlash from the target, µm, where it has a backlash.
-fn off_um(result: &MatchResult, wheel: usize, pinion: usize) -> Option<f64> {
+fn deviation_um(result: &MatchResult, wheel: usize, pinion: usize) -> Option<f64> {
     let fit = result.matrix.pair_fit(wheel, pinion)?.best;
     fit.off.is_finite().then_some(1e3 * fit.off)
 }
@@ -58,7 +58,7 @@ fn step(result: &MatchResult) -> f64 {
     let [wheels, pinions] = result.names.each_ref().map(Vec::len);
     let pairs = (0..wheels).flat_map(|wheel| (0..pinions).map(move |pinion| (wheel, pinion)));
     let meeting = pairs.filter(|&(wheel, pinion)| meets(result, wheel, pinion));
-    let farthest = meeting.filter_map(|(wheel, pinion)| off_um(result, wheel, pinion));
+    let farthest = meeting.filter_map(|(wheel, pinion)| deviation_um(result, wheel, pinion));
     let farthest = farthest.fold(0.0, f64::max);
     scale::round_down((farthest / 4.0).max(0.1), scale::FINE)
 }
@@ -70,7 +70,7 @@ fn meets(result: &MatchResult, wheel: usize, pinion: usize) -> bool {
 
 /// The shade of a pair; `None` where it has no backlash.
 fn shade(result: &MatchResult, wheel: usize, pinion: usize, step: f64) -> Option<&'static str> {
-    let off = off_um(result, wheel, pinion)?;
+    let off = deviation_um(result, wheel, pinion)?;
     let last = SHADES.len() - 1;
     Some(SHADES[((off / step) as usize).min(last)])
 }
@@ -98,7 +98,7 @@ fn cells(result: &MatchResult, size: [usize; 2], step: f64) -> Group {
     let mut crosses = Group::new();
     for wheel in 0..wheels {
         for pinion in (0..pinions).filter(|pinion| !meets(result, wheel, *pinion)) {
-            crosses.append(missed(&cell([wheel, pinion], size)));
+            crosses.append(cross_out(&cell([wheel, pinion], size)));
         }
     }
     let shades: Vec<Vec<&str>> = shades.collect();
@@ -106,7 +106,7 @@ fn cells(result: &MatchResult, size: [usize; 2], step: f64) -> Group {
 }
 
 /// A cross over a cell, readable on every shade.
-fn missed(cell: &Frame) -> Group {
+fn cross_out(cell: &Frame) -> Group {
     let half = (0.22 * cell.width().min(cell.height())).min(5.0);
     let [x, y] = cell.middle();
     let stroke = |tilt: f64| [[x - half, y - tilt], [x + half, y + tilt]];
@@ -203,7 +203,7 @@ fn legend(result: &MatchResult, step: f64) -> Group {
     }
     y += 26.0;
     let frame = Frame::new([left, y - 12.0], [left + 16.0, y + 4.0]);
-    group.append(missed(&frame));
+    group.append(cross_out(&frame));
     group.append(SMALL.text("misses what is required", [left + 24.0, y]));
     y += 26.0;
     let dot = disc([left + 8.0, y - 4.0], 5.0, INK);

@@ -13,12 +13,12 @@ pub(crate) fn pose_name(mating: &Mating) -> String {
         mating.wheel_tooth,
         mating.pinion_tooth,
         mating.flank.name(),
-        beyond(mating.fraction)
+        fraction_words(mating.fraction)
     )
 }
 
 /// The fraction of a pitch; empty for 0.
-fn beyond(fraction: f64) -> String {
+fn fraction_words(fraction: f64) -> String {
     let amount = trimmed(fraction.abs(), 0, DECIMALS);
     match amount.as_str() {
         "0" => String::new(),

@@ -39,7 +39,7 @@ impl CheckRow {
     }
 
     /// The value on the outlines, as shown to people.
-    fn outlines_seen(&self) -> Value {
+    fn outlines_shown(&self) -> Value {
         match (&self.check.unproven, self.check.outlines) {
             (Some(_), None) => "unproven".into(),
             (_, value) => value.into(),
@@ -61,7 +61,7 @@ impl Row for CheckRow {
                 "" Plain [people(shown("material").spare(2))] => row.of_several(row.material);
                 "formula" Measure [heading(shown("formula").spare(1))] => row.check.formula;
                 "outlines" Plain => row.check.outlines;
-                "" Measure [people(shown("outlines"))] => row.outlines_seen();
+                "" Measure [people(shown("outlines"))] => row.outlines_shown();
                 "limit" Measure [heading(shown("limit"))] => row.check.limit;
                 "margin" Measure [heading(shown("margin"))] => row.check.margin;
                 "unit" Plain => row.check.unit;

@@ -356,7 +356,7 @@ impl<R: Row> Columns<R> {
             let cells = self.csv_values(row).into_iter().map(|value| match value {
                 Value::Absent | Value::Null => String::new(),
                 Value::Text(text) => cell(&text),
-                value => seen(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
+                value => display_text(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
             });
             writer.write_record(cells)?;
         }
@@ -381,7 +381,8 @@ impl<R: Row> Columns<R> {
                 _ => false,
             });
             let cells = values.iter().zip(rows);
-            let cells = cells.map(|(value, row)| seen(value, column.unit, unit, distance(row)));
+            let cells =
+                cells.map(|(value, row)| display_text(value, column.unit, unit, distance(row)));
             (!is_empty).then(|| Shown {
                 heading: match column.unit {
                     Unit::Backlash => heading.renamed(|name| unit::column(unit, name)),
@@ -514,7 +515,7 @@ pub struct Shown {
 }
 
 /// `value` for people, at centre distance `a`, mm.
-fn seen(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String {
+fn display_text(value: &Value, kind: Unit, unit: BacklashUnit, a: f64) -> String {
     match (value, kind) {
         (Value::Absent, _) => String::new(),
         (Value::Null, _) => NONE.to_owned(),

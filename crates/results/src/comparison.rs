@@ -3,7 +3,7 @@
 use crate::column::{Columns, Row, Value, columns};
 use crate::extreme::extremes;
 use crate::judged::{Case, Judged, VERDICT, escape_markdown, mark};
-use crate::layout::{self, Screen, Tone, where_it_is};
+use crate::layout::{self, Screen, Tone, pose_label};
 use crate::pose::{PoseRow, doubts};
 use crate::verdict::lines;
 use crate::verdict_json::verdict_record;
@@ -159,8 +159,9 @@ impl ComparedPair<'_> {
             let outcome = match self.failure(run) {
                 Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
                 None => {
-                    let trouble = trouble(run).map_or(String::new(), |what| format!(" ({what})"));
-                    format!("{}{trouble}", screen.toned(Tone::Good, "ok"))
+                    let trouble_counts =
+                        trouble_counts(run).map_or(String::new(), |what| format!(" ({what})"));
+                    format!("{}{trouble_counts}", screen.toned(Tone::Good, "ok"))
                 }
             };
             let poses = run.poses;
@@ -191,7 +192,7 @@ impl ComparedPair<'_> {
             parts.push(format!(
                 "{unproven} of {} poses: unproven, first {}: {}",
                 run.poses,
-                where_it_is(first),
+                pose_label(first),
                 doubts(first)
             ));
         }
@@ -220,7 +221,7 @@ impl ComparedPair<'_> {
             format!(
                 "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
                 signed_um(difference, 4),
-                where_it_is(pose),
+                pose_label(pose),
                 self.tolerance_um,
                 um_ascii(pose.simulated.error_bound.unwrap_or(0.0), 4),
             )
@@ -266,7 +267,7 @@ impl ComparedRow {
     fn ends(&self) -> [String; 2] {
         let (least, greatest) = self.run.extremes().unzip();
         let at = |length, pose: Option<&ComparedPose>| match pose {
-            Some(pose) => format!("{} at {}", um_ascii(length, 3), where_it_is(pose)),
+            Some(pose) => format!("{} at {}", um_ascii(length, 3), pose_label(pose)),
             None => NONE.to_owned(),
         };
         [at(self.summary.min, least), at(self.summary.max, greatest)]
@@ -283,7 +284,7 @@ impl ComparedRow {
     fn verdict(&self) -> String {
         let word = if self.passed { "ok" } else { "FAIL" };
         let verdict = format!("{} {word}", mark(self.passed));
-        trouble(&self.run).map_or(verdict.clone(), |what| format!("{verdict}; {what}"))
+        trouble_counts(&self.run).map_or(verdict.clone(), |what| format!("{verdict}; {what}"))
     }
 
     fn worst(&self) -> Option<(&ComparedPose, f64)> {
@@ -356,7 +357,7 @@ fn without_value(run: &RunTally) -> String {
 }
 
 /// The number of poses with negative or no backlash, in words; `None` for zero.
-fn trouble(run: &RunTally) -> Option<String> {
+fn trouble_counts(run: &RunTally) -> Option<String> {
     let parts = [
         (run.interfering, "interference"),
         (run.jammed, "jammed"),

@@ -25,7 +25,7 @@ fn fitted(file: &AnyPair) -> Vec<(&'static str, &OutlineGear, FittedInvolute)> {
 }
 
 /// A sentence for each drawn gear that resembles an involute.
-pub fn looks_like(file: &AnyPair) -> Vec<String> {
+pub fn fitted_sentences(file: &AnyPair) -> Vec<String> {
     let each = fitted(file).into_iter();
     each.map(|(name, gear, found)| sentence(name, gear.teeth(), &found))
         .collect()
@@ -37,7 +37,9 @@ pub fn drawn_notes(file: &AnyPair) -> String {
         return String::new();
     }
     let left_out = "A drawn gear has no module and no involute: formulas and checks are left out.";
-    let lines = [left_out.to_owned()].into_iter().chain(looks_like(file));
+    let lines = [left_out.to_owned()]
+        .into_iter()
+        .chain(fitted_sentences(file));
     lines.map(|line| line + "\n").collect()
 }
 

@@ -39,7 +39,7 @@ pub struct Judged {
 
 impl Judged {
     /// The cases without the verdict, whose lines are shown separately.
-    fn beside_the_verdict(&self) -> impl Iterator<Item = &Case> {
+    fn cases_without_verdict(&self) -> impl Iterator<Item = &Case> {
         self.cases.iter().filter(|case| case.name != VERDICT)
     }
 }
@@ -187,7 +187,7 @@ impl Outcome {
                     for line in judged.verdict.lines() {
                         let _ = writeln!(text, "  {line}");
                     }
-                    for case in judged.beside_the_verdict().filter(|case| case.fails()) {
+                    for case in judged.cases_without_verdict().filter(|case| case.fails()) {
                         let message = case.message.replace('\n', "\n    ");
                         let _ =
                             writeln!(text, "  {}: {}: {message}", case.verdict.name(), case.name);
@@ -281,7 +281,7 @@ impl Outcome {
                         judged.verdict
                     );
                     text += &judged.markdown;
-                    let cases = judged.beside_the_verdict();
+                    let cases = judged.cases_without_verdict();
                     let told = cases.filter(|case| case.verdict != Verdict::Pass);
                     let told = told.map(|case| {
                         (

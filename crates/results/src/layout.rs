@@ -317,7 +317,7 @@ impl Table {
 }
 
 /// The name of a pose: mating, fraction to four decimals, flank.
-pub fn where_it_is(pose: &ComparedPose) -> String {
+pub fn pose_label(pose: &ComparedPose) -> String {
     let mating = pose.simulated.pose.mating();
     let beyond = match mating.fraction {
         0.0 => String::new(),

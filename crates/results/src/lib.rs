@@ -59,7 +59,7 @@ pub use checks::{backlash_map_csv, checked, map_csv};
 pub use column::{Array, Shown, Unit, Value, Values};
 pub use comparison::ComparedPair;
 pub use difference::{comparison_json, difference_csv, difference_sentence, turn_words};
-pub use fitted::{drawn_notes, looks_like};
+pub use fitted::{drawn_notes, fitted_sentences};
 pub use pose::{ContactRow, doubts, pose_arrays, pose_page};
 pub use remedies::RemedyRecords;
 pub use verdict_json::{extremes_json, pose_json};

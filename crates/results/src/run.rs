@@ -1,7 +1,7 @@
 //! A run: its centre distance and material, and its summary.
 
 use crate::column::{Column, Columns, Row, Value, columns};
-use crate::layout::{self, where_it_is};
+use crate::layout::{self, pose_label};
 use crate::pose::{ContactRow, PoseRow};
 use gearlash::analysis::compare::{ComparedPose, Summary};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
@@ -31,7 +31,7 @@ impl RunRow {
     /// The row of `run`, with the bearing clearance of its study, mm.
     pub fn new(run: &RunTally, clearance: f64) -> RunRow {
         let (least, greatest) = run.extremes().unzip();
-        let at = |pose: Option<&ComparedPose>| pose.map(where_it_is);
+        let at = |pose: Option<&ComparedPose>| pose.map(pose_label);
         RunRow {
             assembly: run.assembly.clone(),
             material: run.material.name(),

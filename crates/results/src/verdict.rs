@@ -131,7 +131,7 @@ impl VerdictLines {
         let (status, proof) = chosen.map_or_else(Default::default, |(status, proof)| {
             (status.clone(), proof.clone())
         });
-        let (qualifiers, left_out) = packed(sentences, LINES - 1 - rows.len());
+        let (qualifiers, left_out) = fit_sentences(sentences, LINES - 1 - rows.len());
         VerdictLines {
             state,
             status,
@@ -221,26 +221,26 @@ fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
 }
 
 /// `sentences` on at most `lines` lines, and those for which there is no room. The last line counts them.
-fn packed(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
+fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     let most = COLUMNS - 2;
-    let mut packed: Vec<String> = Vec::new();
+    let mut fit_sentences: Vec<String> = Vec::new();
     for (index, sentence) in sentences.iter().enumerate() {
         let sentence = cut(sentence, most);
-        if let Some(last) = packed.last_mut()
+        if let Some(last) = fit_sentences.last_mut()
             && columns(last) + 2 + columns(&sentence) <= most
         {
             *last += ". ";
             *last += &sentence;
-        } else if packed.len() < lines {
-            packed.push(sentence);
-        } else if let Some(last) = packed.last_mut() {
+        } else if fit_sentences.len() < lines {
+            fit_sentences.push(sentence);
+        } else if let Some(last) = fit_sentences.last_mut() {
             let left_out = sentences[index..].to_vec();
             let more = format!(", and {} more", left_out.len());
             *last = cut(last, most - columns(&more)) + &more;
-            return (packed, left_out);
+            return (fit_sentences, left_out);
         }
     }
-    (packed, Vec::new())
+    (fit_sentences, Vec::new())
 }
 
 /// The state of a pair at one centre distance, material and phase.
@@ -448,13 +448,13 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
     let mut distances = Vec::new();
     if verdict.runs.iter().any(is_tight) {
         distances.push(match verdict.assembles_from() {
-            Some(from) => at("Assembles from", upward(from.high), from.doubt),
+            Some(from) => at("Assembles from", rounded_up(from.high), from.doubt),
             None => ("Assembles at no centre distance in mesh".to_owned(), true),
         });
     }
     if verdict.runs.iter().any(is_apart) {
         distances.push(match verdict.meshes_to() {
-            Some(to) => at("In mesh up to", downward(to.low), to.doubt),
+            Some(to) => at("In mesh up to", rounded_down(to.low), to.doubt),
             None => ("In mesh at no centre distance".to_owned(), true),
         });
     }
@@ -472,12 +472,12 @@ fn at(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
 }
 
 /// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
-fn upward(distance: f64) -> f64 {
+fn rounded_up(distance: f64) -> f64 {
     (distance * 1e4).ceil() * 1e-4
 }
 
 /// A distance, mm, rounded down to a ten thousandth: at a higher printed one tips would pass each other.
-fn downward(distance: f64) -> f64 {
+fn rounded_down(distance: f64) -> f64 {
     (distance * 1e4).floor() * 1e-4
 }
 
@@ -772,7 +772,7 @@ fn bearings(verdict: &Verdict) -> Option<String> {
 }
 
 /// Least and greatest of the cycle in one line, for a picture of fewer poses; empty without them.
-pub fn in_short(verdict: &Verdict) -> String {
+pub fn extremes_in_short(verdict: &Verdict) -> String {
     let (Some((_, least)), Some((_, greatest))) = (verdict.least(), verdict.greatest()) else {
         return String::new();
     };

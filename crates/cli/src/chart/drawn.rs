@@ -1,6 +1,6 @@
 //! The data of each kind of chart.
 
-use super::super::console::{tell, tell_verdict};
+use super::super::console::{print_error_line, print_verdict_lines};
 use super::super::gears::{GearName, MaterialName, material};
 use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_of, all_proven};
@@ -20,7 +20,7 @@ use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
 use gearlash_render::chart::{self, Heading};
-use gearlash_results::verdict::{in_short, lines};
+use gearlash_results::verdict::{extremes_in_short, lines};
 
 /// The file of a map.
 const MAP: &str = "chart_map.svg";
@@ -56,7 +56,7 @@ impl DrawnChart {
             .first()
             .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
-            tell(&format!(
+            print_error_line(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
                 courses.len()
             ));
@@ -146,7 +146,7 @@ impl DrawnChart {
             .with_extremes()
             .with_checks();
         let analysis = run_under_bar(&plan)?;
-        tell_verdict(&lines(&analysis.verdict()));
+        print_verdict_lines(&lines(&analysis.verdict()));
         Ok(DrawnChart {
             svg: first_map(maps::of(&analysis)?)?,
             file: MAP.to_owned(),
@@ -194,7 +194,7 @@ fn distance(args: &Args, stated: &[f64]) -> Result<Vec<f64>, Error> {
         return Ok(vec![given]);
     }
     if stated.len() > 1 && args.kind != Kind::Map {
-        tell(&format!(
+        print_error_line(&format!(
             "note: at the least of {} centre distances; choose with --center-distance",
             stated.len()
         ));
@@ -216,7 +216,7 @@ fn requested_distance(args: &Args) -> Result<Option<f64>, Error> {
 /// The map of the most material.
 fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
     if maps.len() > 1 {
-        tell("note: with the most material; `gearlash check --map` draws both");
+        print_error_line("note: with the most material; `gearlash check --map` draws both");
     }
     let first = maps.into_iter().next();
     let none = || Error::Usage("no pose with a backlash was found to map from".to_owned());
@@ -242,8 +242,8 @@ fn in_unit(cycle: String, unit: BacklashUnit) -> String {
 /// Prints the verdict on standard error; returns it in short for the picture.
 fn print_verdict(analysis: &Analysis) -> String {
     let verdict = analysis.verdict();
-    tell_verdict(&lines(&verdict));
-    in_short(&verdict)
+    print_verdict_lines(&lines(&verdict));
+    extremes_in_short(&verdict)
 }
 
 fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String {
@@ -277,7 +277,7 @@ fn whole<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
 fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
     let binding = curves::binding(study, runs.iter().copied());
     let (wheel, pinion) = teeth(binding);
-    tell(&format!(
+    print_error_line(&format!(
         "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
     ));
     binding

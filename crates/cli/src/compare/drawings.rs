@@ -1,7 +1,7 @@
 //! `gearlash compare A.dxf B.svg`: two outlines of one gear.
 
 use super::{Args, Format, of_option};
-use crate::console::{guard, print, warn};
+use crate::console::{check_not_input, print, warn};
 use crate::error::{Error, exit_code};
 use crate::outlines::is_drawing;
 use crate::target::Target;
@@ -33,7 +33,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         paths: [a, b],
         options: args.drawn.options()?,
     })?;
-    guard(&compared.sources)?;
+    check_not_input(&compared.sources)?;
     for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {
         warn(path, &[], remarks);
     }

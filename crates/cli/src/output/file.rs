@@ -1,7 +1,7 @@
 //! One file of results.
 
-use super::made::Made;
-use super::{failed, guard, unfinished};
+use super::made::CreatedFolders;
+use super::{check_not_input, failed, unfinished};
 use crate::error::Error;
 use gearlash_files::Sources;
 use std::fs::File;
@@ -14,7 +14,7 @@ const SUFFIX: &str = ".tmp";
 /// Bytes written to the disk at a time. A signal waits for one piece (tuned: 20 ms on a slow disk).
 const PIECE: usize = 2 << 20;
 /// A younger temporary file may still lack its lock.
-const DEAD_AFTER: Duration = Duration::from_secs(60);
+const ORPHAN_AFTER: Duration = Duration::from_secs(60);
 
 /// A temporary file in the folder of its target, removed when dropped.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ impl Drop for Temporary {
 }
 
 /// Removes the temporary files that killed runs left in `folder`.
-pub(super) fn clear_dead(folder: &Path) {
+pub(super) fn remove_orphans(folder: &Path) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let name = name.to_string_lossy();
@@ -87,7 +87,7 @@ pub(super) fn clear_dead(folder: &Path) {
         }
         let changed = entry.metadata().and_then(|metadata| metadata.modified());
         let age = changed.ok().and_then(|time| time.elapsed().ok());
-        let is_old = age.is_some_and(|age| age > DEAD_AFTER);
+        let is_old = age.is_some_and(|age| age > ORPHAN_AFTER);
         if is_old && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
             let _ = std::fs::remove_file(entry.path());
         }
@@ -128,7 +128,7 @@ pub struct OutputFile {
     named: PathBuf,
     /// The temporary file and the target of an ordinary file; `None`: a pipe or a device, which is written to.
     place: Option<(Temporary, PathBuf)>,
-    made: Made,
+    made: CreatedFolders,
 }
 
 impl OutputFile {
@@ -143,29 +143,31 @@ impl OutputFile {
         if named.file_name().is_none() {
             return Err(wrong("this names no file"));
         }
-        guard(sources, named)?;
+        check_not_input(sources, named)?;
         let (target, made) = match std::fs::metadata(named) {
             Ok(found) if found.is_dir() => {
                 return Err(wrong("this is a folder, name a file in it"));
             }
-            Ok(found) if found.is_file() => {
-                (Some(named.canonicalize().map_err(&failed)?), Made::none())
-            }
-            Ok(_) => (None, Made::none()),
+            Ok(found) if found.is_file() => (
+                Some(named.canonicalize().map_err(&failed)?),
+                CreatedFolders::none(),
+            ),
+            Ok(_) => (None, CreatedFolders::none()),
             Err(_) if named.is_symlink() => {
                 return Err(wrong(
                     "this is a link to a file that is not there; name that file",
                 ));
             }
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                (Some(named.to_path_buf()), Made::folder(folder_of(named))?)
-            }
+            Err(error) if error.kind() == ErrorKind::NotFound => (
+                Some(named.to_path_buf()),
+                CreatedFolders::folder(folder_of(named))?,
+            ),
             Err(error) => return Err(failed(error)),
         };
         let place = match target {
             None => None,
             Some(target) => {
-                clear_dead(folder_of(&target));
+                remove_orphans(folder_of(&target));
                 let temporary = Temporary::new_in(folder_of(&target)).map_err(&failed)?;
                 Some((temporary, target))
             }

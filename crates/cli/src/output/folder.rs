@@ -1,8 +1,8 @@
 //! A folder of results.
 
-use super::file::{NewFile, Temporary, clear_dead};
-use super::made::Made;
-use super::{failed, guard};
+use super::file::{NewFile, Temporary, remove_orphans};
+use super::made::CreatedFolders;
+use super::{check_not_input, failed};
 use crate::error::Error;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
@@ -21,7 +21,7 @@ pub struct OutputFolder {
     new: Vec<(String, Temporary)>,
     /// The path as the user named it.
     path: PathBuf,
-    made: Made,
+    made: CreatedFolders,
     own: Box<dyn Fn(&str) -> bool>,
     sources: Sources,
 }
@@ -41,14 +41,14 @@ impl OutputFolder {
     ) -> Result<OutputFolder, Error> {
         let folder = OutputFolder {
             new: Vec::new(),
-            made: Made::folder(path)?,
+            made: CreatedFolders::folder(path)?,
             path: path.to_path_buf(),
             own: Box::new(own),
             sources: sources.clone(),
         };
-        clear_dead(path);
+        remove_orphans(path);
         for name in folder.present().map_err(failed(path))? {
-            guard(sources, &path.join(&name))?;
+            check_not_input(sources, &path.join(&name))?;
         }
         Temporary::new_in(path).map_err(failed(path))?;
         Ok(folder)
@@ -60,7 +60,7 @@ impl OutputFolder {
     /// [`Error::Output`], [`Error::OverInput`].
     pub fn create(&mut self, name: &str) -> Result<NewFile, Error> {
         let target = self.path.join(name);
-        guard(&self.sources, &target)?;
+        check_not_input(&self.sources, &target)?;
         let failed = failed(&target);
         if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
             return Err(failed(ErrorKind::IsADirectory.into()));
@@ -111,7 +111,7 @@ impl OutputFolder {
             self.add(name, content)?;
         }
         for (name, _) in &self.new {
-            guard(&self.sources, &self.path.join(name))?;
+            check_not_input(&self.sources, &self.path.join(name))?;
         }
         let is_new = |name: &String| self.new.iter().any(|(other, _)| other == name);
         for name in self.present().map_err(failed(&self.path))? {

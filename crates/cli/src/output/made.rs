@@ -5,21 +5,21 @@ use crate::error::Error;
 use std::path::{Path, PathBuf};
 
 /// Folders created for results, removed when dropped.
-pub(super) struct Made {
+pub(super) struct CreatedFolders {
     /// Innermost last.
     folders: Vec<PathBuf>,
 }
 
-impl Made {
+impl CreatedFolders {
     /// No folders.
-    pub fn none() -> Made {
-        Made {
+    pub fn none() -> CreatedFolders {
+        CreatedFolders {
             folders: Vec::new(),
         }
     }
 
     /// Creates the folder at `path` and the missing ones above it.
-    pub fn folder(path: &Path) -> Result<Made, Error> {
+    pub fn folder(path: &Path) -> Result<CreatedFolders, Error> {
         let missing = path
             .ancestors()
             .take_while(|p| !p.as_os_str().is_empty() && !p.exists());
@@ -27,7 +27,7 @@ impl Made {
         folders.reverse();
         let mut list = unfinished();
         list.made.extend(folders.iter().cloned());
-        let made = Made { folders };
+        let made = CreatedFolders { folders };
         let result = std::fs::create_dir_all(path).map_err(failed(path));
         drop(list);
         result.map(|()| made)
@@ -41,7 +41,7 @@ impl Made {
     }
 }
 
-impl Drop for Made {
+impl Drop for CreatedFolders {
     fn drop(&mut self) {
         let mut list = unfinished();
         for folder in self.folders.iter().rev() {

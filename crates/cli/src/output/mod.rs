@@ -36,11 +36,11 @@ fn unfinished() -> MutexGuard<'static, Unfinished> {
 }
 
 /// A lock: while it is held, nothing is unfinished and nothing new begins.
-pub struct Ended {
+pub struct EndLock {
     held: MutexGuard<'static, Unfinished>,
 }
 
-impl Ended {
+impl EndLock {
     /// Whether a file had been renamed to its target.
     pub fn written(&self) -> bool {
         self.held.written
@@ -48,7 +48,7 @@ impl Ended {
 }
 
 /// Removes everything unfinished, for the thread that ends the process. Other threads that write wait until then.
-pub fn abandon() -> Ended {
+pub fn remove_unfinished() -> EndLock {
     let mut held = unfinished();
     for path in std::mem::take(&mut held.temporary) {
         let _ = std::fs::remove_file(path);
@@ -57,7 +57,7 @@ pub fn abandon() -> Ended {
         // Fails for a folder with files, which must stay.
         let _ = std::fs::remove_dir(path);
     }
-    Ended { held }
+    EndLock { held }
 }
 
 fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
@@ -68,7 +68,7 @@ fn failed(path: &Path) -> impl Fn(std::io::Error) -> Error {
 }
 
 /// An error where the file at `path` is one of `sources`.
-fn guard(sources: &Sources, path: &Path) -> Result<(), Error> {
+fn check_not_input(sources: &Sources, path: &Path) -> Result<(), Error> {
     match sources.named(path) {
         None => Ok(()),
         Some(input) => Err(Error::OverInput {

@@ -35,7 +35,7 @@ pub(super) fn is_own(name: &str) -> bool {
 }
 
 /// An error where the results in `folder` would replace a pair file that no run wrote.
-pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
+pub(super) fn check_worst_files(folder: &Path) -> Result<(), Error> {
     for path in (0..WORST).map(|index| folder.join(worst_name(index))) {
         let is_own = match std::fs::read_to_string(&path) {
             Ok(text) => is_worst_file(&text),
@@ -52,7 +52,7 @@ pub(super) fn guard_worst(folder: &Path) -> Result<(), Error> {
 }
 
 /// Prints `result` and writes it to `folder`, if there is one.
-pub(super) fn tell_result(
+pub(super) fn print_result(
     file: &ToleranceFile,
     result: &ToleranceResult,
     folder: Option<OutputFolder>,

@@ -96,7 +96,7 @@ impl<'a> RowsFile<'a> {
             written.map_err(|error| self.failed(&error))?;
             self.length += text.len() as u64;
             self.left.start += count;
-            Ok(self.is_file.then(|| self.how_to_go_on()))
+            Ok(self.is_file.then(|| self.resume_instructions()))
         })
     }
 
@@ -131,11 +131,14 @@ impl<'a> RowsFile<'a> {
             return wrong(&self.path, format!("{reason}; name a file on another disk"));
         }
         let _ = self.file.set_len(self.length);
-        wrong(&self.path, format!("{reason}; {}", self.how_to_go_on()))
+        wrong(
+            &self.path,
+            format!("{reason}; {}", self.resume_instructions()),
+        )
     }
 
     /// The rows of the file, and the commands that compute the rest.
-    fn how_to_go_on(&self) -> String {
+    fn resume_instructions(&self) -> String {
         let path = shell_word(&self.path);
         let next = self.left.start;
         let from = |files: &str| format!("`{}`", self.run.statistics_command(files));
@@ -160,7 +163,7 @@ impl<'a> RowsFile<'a> {
 }
 
 /// An error where rows at `path` would replace a result in `folder`.
-pub(super) fn guard_results(path: &Path, folder: &Path) -> Result<(), Error> {
+pub(super) fn check_not_result(path: &Path, folder: &Path) -> Result<(), Error> {
     let parent = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

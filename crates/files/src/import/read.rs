@@ -23,7 +23,7 @@ pub(super) fn tables(
     let table = checked.table();
     let (file, choice) = (DataFile::of(table)?, Choice::of(table));
     let content = Content::read(&file, (bytes, sheet::MOST_CELLS), table, &choice)?;
-    let from = From {
+    let from = TableSource {
         file: &file,
         content: &content,
         choice: &choice,
@@ -90,13 +90,13 @@ pub(super) fn tables(
 }
 
 /// The source of the tables.
-struct From<'a> {
+struct TableSource<'a> {
     file: &'a DataFile,
     content: &'a Content,
     choice: &'a Choice,
 }
 
-impl From<'_> {
+impl TableSource<'_> {
     fn request<'r>(&'r self, columns: &'r [Column], coverage: Coverage) -> Request<'r> {
         Request {
             file: self.file,

@@ -145,7 +145,7 @@ impl Column {
     /// Whether a column with a heading of this meaning may be this column.
     pub fn may_be(self, Meaning { side, quantity }: Meaning) -> bool {
         if let Some((wanted, kind)) = self.pitch() {
-            let is_unsaid = matches!(quantity, Quantity::Unsaid | Quantity::Pitch);
+            let is_unsaid = matches!(quantity, Quantity::Unstated | Quantity::Pitch);
             return side == Some(wanted) && (is_unsaid || quantity.pitch_kind() == Some(kind));
         }
         quantity == self.description().4 && (self != Column::Deviation || side.is_none())
@@ -157,7 +157,7 @@ impl Column {
         let is_deviation = quantity == Quantity::Deviation;
         let is_unsaid = matches!(
             quantity,
-            Quantity::Unsaid | Quantity::MeasuredRight | Quantity::MeasuredLeft
+            Quantity::Unstated | Quantity::MeasuredRight | Quantity::MeasuredLeft
         );
         if let Some((wanted, _)) = self.pitch() {
             let fits = is_unsaid || quantity.is_pitch() || is_deviation;

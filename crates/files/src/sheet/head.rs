@@ -121,7 +121,8 @@ impl Head {
         let below = Head::of(lines, first.at + 1);
         let means = |heading: &Heading| {
             let quantity = heading.quantity();
-            !heading.own.is_empty() && quantity.is_some_and(|quantity| quantity != Quantity::Unsaid)
+            !heading.own.is_empty()
+                && quantity.is_some_and(|quantity| quantity != Quantity::Unstated)
         };
         if is_one(&below) || (below.has_groups && below.headings.iter().any(means)) {
             Some(below).filter(|below| is_one(below))
@@ -218,7 +219,7 @@ impl Head {
 fn is_group(text: &str, is_above: bool) -> bool {
     let meaning = heading::meaning(heading::name_and_unit(text).0, None);
     meaning.is_some_and(|Meaning { quantity, .. }| {
-        is_above || quantity == Quantity::Unsaid || quantity.is_pitch()
+        is_above || quantity == Quantity::Unstated || quantity.is_pitch()
     })
 }
 

@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Not stated: the heading names only a flank.
-    Unsaid,
+    Unstated,
     Tooth,
     /// A number of an unspecified quantity.
     Number,
@@ -154,7 +154,7 @@ pub fn meaning(name: &str, group: Option<&str>) -> Option<Meaning> {
     let Some(group) = group else { return own };
     match own.map(|own| own.quantity) {
         // Another quantity below the heading of a flank does not belong to the flank.
-        Some(quantity) if quantity != Quantity::Unsaid && !quantity.is_pitch() => own,
+        Some(quantity) if quantity != Quantity::Unstated && !quantity.is_pitch() => own,
         _ => of_words(&format!("{group} {name}")),
     }
 }
@@ -164,7 +164,7 @@ pub fn side(text: &str) -> Option<Side> {
     match of_words(text) {
         Some(Meaning {
             side,
-            quantity: Quantity::Unsaid,
+            quantity: Quantity::Unstated,
         }) => side,
         _ => letter(&plain(text)),
     }
@@ -216,7 +216,7 @@ fn of_words(name: &str) -> Option<Meaning> {
     }
     if rest.is_empty() {
         let quantity = if side.is_some() {
-            Quantity::Unsaid
+            Quantity::Unstated
         } else {
             Quantity::Flank
         };

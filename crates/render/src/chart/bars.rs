@@ -71,7 +71,7 @@ pub fn bar_panels(
         let mut panel =
             panel.ok_or_else(|| PictureError("there are no values to draw".to_owned()))?;
         bars.limit(&mut panel);
-        bars.say_level(&mut panel);
+        bars.add_level_note(&mut panel);
         drawn.push(panel);
     }
     let names = match panels.first() {
@@ -108,7 +108,7 @@ impl BarPanel<'_> {
     }
 
     /// Adds a note where no value exceeds the level.
-    fn say_level(&self, panel: &mut Panel) {
+    fn add_level_note(&self, panel: &mut Panel) {
         let mut values = self.series.iter().flat_map(|bars| &bars.values).flatten();
         // The panel itself notes zeros.
         let zeros = values.clone().all(|value| *value == 0.0);

@@ -18,9 +18,9 @@ const WIDTHS: [f64; 2] = [1.4, 3.6];
 /// Opacity of a stretch in which a fillet touches.
 const SHADE: f64 = 0.2;
 /// Share of the face before its end in which a label is before its line.
-const BESIDE: f64 = 0.2;
+const LABEL_BEFORE: f64 = 0.2;
 /// Distance of a label from its line.
-const ASIDE: f64 = 6.0;
+const LABEL_OFFSET: f64 = 6.0;
 /// Approximate width of a plot, and the style of its labels: the room for them.
 const FIELD_WIDTH: f64 = 704.0;
 const LABEL: TextStyle = TextStyle::new(12.0);
@@ -118,7 +118,7 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
             },
             binding.wheel_tooth,
             binding.pinion_tooth,
-            binds_where(side)
+            binding_words(side)
         ),
         x: Axis::new("", x),
         y: Axis::new("on the path of contact, mm", y),
@@ -142,7 +142,7 @@ fn binding_point(side: &FieldSide, place: f64) -> Option<Mark> {
         .then(|| Mark::dots(vec![(side.binding.section, Some(place))], Look::Plain))
 }
 
-fn binds_where(side: &FieldSide) -> String {
+fn binding_words(side: &FieldSide) -> String {
     let binding = &side.binding;
     let mut words = match binding_line(side) {
         Some(ends) => format!("along its line, z = {} mm", stretch(ends)),
@@ -181,16 +181,17 @@ fn label(line: &ContactLine, side: &FieldSide, [from, to]: [f64; 2]) -> Option<M
         teeth.clone()
     };
     let room = spacing(side).map(|mm| mm / (to - from) * FIELD_WIDTH);
-    let fits = |text: &String| room.is_none_or(|room| LABEL.width(text) + 2.0 * ASIDE < room);
+    let fits =
+        |text: &String| room.is_none_or(|room| LABEL.width(text) + 2.0 * LABEL_OFFSET < room);
     let text = [with_gap, teeth].into_iter().find(fits)?;
     let part = (middle[0] - from) / (to - from);
-    let before = part > 1.0 - BESIDE;
+    let before = part > 1.0 - LABEL_BEFORE;
     // A rising line has room below on its right and above on its left.
     let below = (side_slope(side) > 0.0) != before;
     let sign = |yes| if yes { 1.0 } else { -1.0 };
     Some(Mark::text(
         middle,
-        [sign(!before) * ASIDE, sign(below) * 9.0],
+        [sign(!before) * LABEL_OFFSET, sign(below) * 9.0],
         text,
         if before { Anchor::End } else { Anchor::Start },
     ))

@@ -51,8 +51,8 @@ pub fn revolution_in(
         without_value(without.map(|point| point.status))
     };
     let values = points_of_all().filter_map(|point| point.simulated_um.map(of_um));
-    let beyond = beyond(course);
-    let values = values.chain(beyond.iter().flatten().copied().map(of_um));
+    let cycle_extremes_outside = cycle_extremes_outside(course);
+    let values = values.chain(cycle_extremes_outside.iter().flatten().copied().map(of_um));
     let Some(y) = backlash_range(values, of_um(1.0)) else {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
@@ -126,7 +126,10 @@ pub fn revolution_in(
         }
         _ => {}
     }
-    for (um, word, shift) in [(beyond[0], "least", 14.0), (beyond[1], "greatest", -14.0)] {
+    for (um, word, shift) in [
+        (cycle_extremes_outside[0], "least", 14.0),
+        (cycle_extremes_outside[1], "greatest", -14.0),
+    ] {
         let Some(um) = um else {
             continue;
         };
@@ -152,14 +155,17 @@ pub fn revolution_in(
 }
 
 /// Least and greatest backlash of the mesh cycle, µm, where they exceed those of the course: at other teeth.
-fn beyond(course: &Course) -> [Option<f64>; 2] {
+fn cycle_extremes_outside(course: &Course) -> [Option<f64>; 2] {
     let ends = [(&course.least, -1.0), (&course.greatest, 1.0)];
     let ends = ends.into_iter().zip(course.cycle_um);
-    let mut beyond = ends.map(|((attained, sign), of_cycle)| {
+    let mut cycle_extremes_outside = ends.map(|((attained, sign), of_cycle)| {
         let attained = attained.as_ref().map(|extreme| extreme.backlash_um);
         of_cycle.filter(|um| attained.is_none_or(|attained| sign * (um - attained) >= SHOWN))
     });
-    [beyond.next().flatten(), beyond.next().flatten()]
+    [
+        cycle_extremes_outside.next().flatten(),
+        cycle_extremes_outside.next().flatten(),
+    ]
 }
 
 /// A cross at an extreme, at height `y`, with its words and the binding teeth.

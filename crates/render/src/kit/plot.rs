@@ -228,7 +228,7 @@ mod tests {
     use std::collections::HashSet;
 
     /// Every tick prints its own value, and no two print the same.
-    fn assert_told(range: [f64; 2], most: usize) {
+    fn assert_labels_distinct(range: [f64; 2], most: usize) {
         let ticks = Ticks::new(range, most);
         assert!(ticks.at.len() <= most, "{ticks:?}");
         let step = ticks.at.windows(2).map(|pair| pair[1] - pair[0]);
@@ -256,7 +256,7 @@ mod tests {
     /// Review of issue 6: half micrometres without a decimal read 0, 0, −1, −1, −2, −2, −3.
     #[test]
     fn half_micrometres_have_a_decimal() {
-        assert_told([-3.36, 0.3], 8);
+        assert_labels_distinct([-3.36, 0.3], 8);
         let ticks = Ticks::new([-3.36, 0.3], 8);
         let read = ticks.at.iter().map(|value| ticks.number(*value));
         assert!(read.into_iter().any(|text| text == "−0.5"));
@@ -277,9 +277,9 @@ mod tests {
             middle in -1000.0..1000.0f64, digits in 1.0..9.99f64, power in -4..4i32, most in 2..15usize,
         ) {
             let half = 0.5 * digits * 10f64.powi(power);
-            assert_told([middle - half, middle + half], most);
+            assert_labels_distinct([middle - half, middle + half], most);
             // Zero is included, as in a chart of differences.
-            assert_told([-1.8 * half, 0.2 * half], most);
+            assert_labels_distinct([-1.8 * half, 0.2 * half], most);
         }
     }
 }

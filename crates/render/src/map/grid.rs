@@ -121,7 +121,7 @@ impl Grid<'_> {
     /// Lines across the field. Their names are on the right, moved apart where they would collide. On a narrow screen they are
     /// below the `rows` of the legend, the uppermost first.
     fn drawn_limits(&self, layout: &Layout, rows: usize) -> Group {
-        const APART: f64 = 17.0;
+        const LABEL_SPACING: f64 = 17.0;
         let field = layout.field;
         let (plot, mut group) = (self.plot(field), Group::new());
         // From top to bottom.
@@ -138,12 +138,12 @@ impl Grid<'_> {
         let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
         // Pushed down below the one above, then up from the bottom.
         for i in 1..heights.len() {
-            heights[i] = heights[i].max(heights[i - 1] + APART);
+            heights[i] = heights[i].max(heights[i - 1] + LABEL_SPACING);
         }
-        let mut lowest = field.bottom + 2.0 * APART;
+        let mut lowest = field.bottom + 2.0 * LABEL_SPACING;
         for height in heights.iter_mut().rev() {
             *height = height.min(lowest);
-            lowest = *height - APART;
+            lowest = *height - LABEL_SPACING;
         }
         for (number, ((y, label), at)) in named.iter().zip(heights).enumerate() {
             let spot = if layout.is_narrow {

@@ -63,7 +63,7 @@ fn others(page: &Page) -> Markup {
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
-        @if extremes.iter().all(|run| run.assembly.data().is_some_and(has_like_teeth)) {
+        @if extremes.iter().all(|run| run.assembly.data().is_some_and(has_equal_teeth)) {
             "All teeth of each gear are equal, and so are all matings. "
         }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are "
@@ -77,7 +77,7 @@ fn others(page: &Page) -> Markup {
 }
 
 /// Whether all teeth of each gear are equal.
-fn has_like_teeth(pair: &GearPair) -> bool {
+fn has_equal_teeth(pair: &GearPair) -> bool {
     Member::BOTH
         .iter()
         .all(|member| !pair.gear(*member).has_different_teeth())
@@ -131,7 +131,7 @@ fn phases(page: &Page) -> Markup {
 }
 
 /// Whether backlash is equal at every pose of the centre distance and material of `found`.
-pub(super) fn same_everywhere(page: &Page, found: PoseOfRun) -> bool {
+pub(super) fn is_constant(page: &Page, found: PoseOfRun) -> bool {
     let run = &found.run.run;
     let mut distances = page.distances.iter();
     let here = distances.find(|at| at.center_distance == run.assembly.center_distance());

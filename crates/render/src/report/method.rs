@@ -61,7 +61,7 @@ pub(super) fn section(page: &Page) -> Markup {
             }
             (not_on_paper("how the numbers are found"))
             h3 { "Not in the model" }
-            ul { @for left_out in not_in_the_model(page) { li { (left_out) } } }
+            ul { @for left_out in not_modelled(page) { li { (left_out) } } }
         }
     }
 }
@@ -76,7 +76,7 @@ fn base_index(page: &Page) -> &'static str {
 }
 
 /// Effects that this run does not model.
-fn not_in_the_model(page: &Page) -> Vec<&'static str> {
+fn not_modelled(page: &Page) -> Vec<&'static str> {
     let mut left_out = vec!["Deflection under load.", "Axes that are not parallel."];
     let spec = &page.report.pair.spec;
     let Some(gears) = spec.by_data() else {

@@ -16,10 +16,10 @@ mod method;
 mod models;
 mod notes;
 mod page;
+mod page_frame;
 mod phrases;
 mod poses;
 mod results;
-mod shell;
 mod stated;
 mod table;
 mod tolerance;
@@ -33,7 +33,7 @@ use gearlash::analysis::curves::courses;
 use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
 use maud::html;
 use page::Page;
-use shell::Shell;
+use page_frame::PageFrame;
 
 pub use page::{GearGrades, Report};
 pub use tolerance::{ToleranceReport, tolerance_report};
@@ -94,7 +94,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         (poses::section(&page))
         (method::section(&page))
     };
-    let shell = Shell {
+    let page_frame = PageFrame {
         title: &report.pair.study.title,
         file: report.file,
         date: report.date,
@@ -105,5 +105,5 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
             "The same pair file and version give the same numbers."
         },
     };
-    Ok(shell.page(&main))
+    Ok(page_frame.page(&main))
 }

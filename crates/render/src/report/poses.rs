@@ -29,7 +29,7 @@ pub(super) fn section(page: &Page) -> Markup {
             @if let Some(greatest) = whole.greatest {
                 (figure(page, "greatest", "Greatest backlash", greatest))
             }
-            @if let Some((most, loss)) = most_lost(page) {
+            @if let Some((most, loss)) = greatest_loss(page) {
                 (figure(page, "lost", &format!("Largest loss to contact off the line of action, {} µm", um(Some(loss), 2)), most))
             }
             @if whole.worst.is_some() { p.note { "Scale bars are correct; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
@@ -59,7 +59,7 @@ fn jams(found: &PoseOfRun) -> bool {
 }
 
 /// The pose with the greatest loss beyond all formulas, where that exceeds the tolerance and is not drawn yet.
-fn most_lost<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
+fn greatest_loss<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
     let loss = page.report.analysis.diagnosis.contact.loss.as_ref()?;
     let worst = &loss.worst;
     let is_worst = |found: &PoseOfRun| {

@@ -2,8 +2,8 @@
 
 use super::figures::{figure, not_on_paper};
 use super::marks::mark;
+use super::page_frame::PageFrame;
 use super::phrases::{j_wt, plain, with_symbols};
-use super::shell::Shell;
 use super::stated;
 use super::table::{Table, cells, columns};
 use crate::tolerance::Pictures;
@@ -49,14 +49,14 @@ pub fn tolerance_report(report: &ToleranceReport) -> String {
         (worst(report.result))
         (method(report.result))
     };
-    let shell = Shell {
+    let page_frame = PageFrame {
         title: &about.title,
         file: &about.title,
         date: report.date,
         sections: &sections,
         same: "The same pair file, seed and version give the same numbers, on any number of machines.",
     };
-    shell.page(&main)
+    page_frame.page(&main)
 }
 
 fn result(report: &ToleranceReport) -> Markup {

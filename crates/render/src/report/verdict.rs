@@ -1,6 +1,6 @@
 //! The answer: whether the pair assembles, how much backlash it has, where, and at which teeth.
 
-use super::cycle::same_everywhere;
+use super::cycle::is_constant;
 use super::marks::{mark, marked};
 use super::page::Page;
 use super::phrases::{band, j_wt, touching, with_symbols};
@@ -142,7 +142,7 @@ fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
 /// The backlash of a pose and its teeth in contact.
 fn extreme(page: &Page, found: Option<PoseOfRun>) -> (Markup, String) {
     let [right, left] = touching(found);
-    let teeth = if found.is_some_and(|found| same_everywhere(page, found)) {
+    let teeth = if found.is_some_and(|found| is_constant(page, found)) {
         "all alike".to_owned()
     } else {
         format!("{right} / {left}")

@@ -18,7 +18,7 @@ const ENLARGED: f64 = 0.15;
 /// Pitches across the height of an inset.
 const PITCHES: f64 = 1.6;
 /// Points nearer than this on the sheet are merged: half a line's width.
-const APART: f64 = 0.5;
+const MERGE_WITHIN: f64 = 0.5;
 
 /// The difference of two outlines as the SVG text of a sheet.
 pub fn outline_difference(compared: &ComparedOutlines) -> String {
@@ -82,7 +82,7 @@ fn enlarged(at: &Deviation, factor: f64) -> Point2<f64> {
 fn outlines(found: &OutlineDifference, view: &View, id: &str, ids: &Ids, factor: f64) -> Group {
     let wide = view.frame().grown(MARGIN);
     let spots = |at: &Deviation| [at.point, enlarged(at, factor)].map(|point| view.spot(point));
-    let far = |from: Spot, to: Spot| (from[0] - to[0]).hypot(from[1] - to[1]) >= APART;
+    let far = |from: Spot, to: Spot| (from[0] - to[0]).hypot(from[1] - to[1]) >= MERGE_WITHIN;
     let mut places: Vec<[Spot; 2]> = Vec::new();
     let mut strips: Vec<(bool, Vec<[Spot; 2]>)> = Vec::new();
     for at in &found.along {

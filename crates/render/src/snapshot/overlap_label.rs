@@ -23,7 +23,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut O
     let height = 18.0 * rows.len() as f64 + 6.0;
     let seen: Vec<Spot> = overlap.outline.iter().map(|p| view.spot(*p)).collect();
     let seen = clip::polygon(&seen, &view.frame().grown(-8.0));
-    let target = amidst(&seen, view.frame()).unwrap_or(view.spot(contact.on_locked));
+    let target = interior_point(&seen, view.frame()).unwrap_or(view.spot(contact.on_locked));
     let Some((room, leader)) = place([width, height], target, view.frame(), occupied) else {
         return Group::new();
     };
@@ -43,7 +43,7 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut O
 }
 
 /// A point well inside a closed polygon: the middle of the longest horizontal chord, of several across `frame`.
-fn amidst(polygon: &[Spot], frame: &Frame) -> Option<Spot> {
+fn interior_point(polygon: &[Spot], frame: &Frame) -> Option<Spot> {
     let levels = (1..24).map(|i| frame.top + frame.height() * f64::from(i) / 24.0);
     let chords = levels.flat_map(|y| {
         let edges = (0..polygon.len()).map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]]);

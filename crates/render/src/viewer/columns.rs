@@ -108,7 +108,7 @@ impl RunColumns {
         let assembly = &run.run.assembly;
         let a = assembly.center_distance();
         let is_of = |course: &Course| {
-            let is_phase = viewed.shown.is_beyond || course.phase == run.run.phase;
+            let is_phase = viewed.shown.is_worst_of_cycle || course.phase == run.run.phase;
             is_phase && course.center_distance == a
         };
         let mut drawn = charts.iter().filter(|(_, course)| is_of(course));

@@ -19,7 +19,7 @@ use gearlash::analysis::curves::Course;
 use gearlash::contact::Status;
 use precision::Precision;
 use std::fmt::Write;
-use viewed::{Shown, beyond, outlines, start, viewed};
+use viewed::{Shown, outlines, start, viewed, worst_outside_runs};
 
 /// The style sheet, for the head of the page.
 pub const STYLE: &str = include_str!("viewer.css");
@@ -45,11 +45,14 @@ pub fn fragment(
     charts: &[(&str, &Course)],
 ) -> Result<String, serde_json::Error> {
     let study = analysis.study;
-    let beyond = beyond(analysis);
+    let worst_outside_runs = worst_outside_runs(analysis);
     let turned = analysis.revolution.iter().map(|run| (run, false));
     let runs: Vec<Shown> = turned
-        .chain(beyond.iter().map(|run| (run, true)))
-        .map(|(run, is_beyond)| Shown { run, is_beyond })
+        .chain(worst_outside_runs.iter().map(|run| (run, true)))
+        .map(|(run, is_worst_of_cycle)| Shown {
+            run,
+            is_worst_of_cycle,
+        })
         .collect();
     let Some(start) = start(&runs, analysis) else {
         return Ok(String::new());

@@ -25,12 +25,12 @@ pub fn run(shown: &Shown) -> String {
     };
     let phase = run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    let beyond = if shown.is_beyond {
+    let worst_outside_runs = if shown.is_worst_of_cycle {
         ", worst of the whole mesh cycle"
     } else {
         ""
     };
-    format!("a = {distance} mm{material}{phase}{beyond}")
+    format!("a = {distance} mm{material}{phase}{worst_outside_runs}")
 }
 
 /// The list beside the picture.

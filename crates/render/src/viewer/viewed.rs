@@ -15,7 +15,7 @@ pub struct Shown<'a> {
     /// The run.
     pub run: &'a ComparedRun,
     /// Whether it is the worst pose of the mesh cycle, in addition to the even poses of the revolutions.
-    pub is_beyond: bool,
+    pub is_worst_of_cycle: bool,
 }
 
 /// A run, and the selection of its poses.
@@ -53,7 +53,7 @@ pub fn viewed<'a>(runs: &[Shown<'a>], most: usize, start: [usize; 2]) -> (Vec<Vi
 }
 
 /// A run with the worst pose of the whole mesh cycle, where it is outside the revolutions' runs.
-pub fn beyond(analysis: &Analysis) -> Option<ComparedRun> {
+pub fn worst_outside_runs(analysis: &Analysis) -> Option<ComparedRun> {
     let verdict = analysis.verdict();
     let (extremes, pair, pose) = verdict.worst()?;
     let curves = &analysis.curves;

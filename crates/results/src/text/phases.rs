@@ -1,6 +1,6 @@
 //! Assembly phases, and the teeth to mark.
 
-use crate::layout::{Column, Screen, Table, where_it_is};
+use crate::layout::{Column, Screen, Table, pose_label};
 use crate::unit;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::phases::PhaseGroup;
@@ -28,7 +28,7 @@ pub fn phase_table(group: &PhaseGroup, unit: BacklashUnit, screen: &Screen) -> S
     let mut table = Table::new(columns);
     for run in &group.runs {
         let summary = run.summary();
-        let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
+        let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), pose_label);
         let (least, most) = run.extremes().unzip();
         let mut row = vec![
             mating(run),

@@ -5,7 +5,7 @@ use super::phases::phase_table;
 use super::verdict::heading;
 use crate::column::Row;
 use crate::doubts;
-use crate::layout::{Screen, Tone, where_it_is};
+use crate::layout::{Screen, Tone, pose_label};
 use crate::pose::PoseRow;
 use crate::run::RunRow;
 use crate::unit;
@@ -155,7 +155,7 @@ fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
             "  a = {} mm, {}, {}: {}\n",
             stated_distance(run.assembly.center_distance()),
             run.material.name(),
-            where_it_is(pose),
+            pose_label(pose),
             doubts(pose)
         );
     }

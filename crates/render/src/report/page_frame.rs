@@ -7,7 +7,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 const STYLE: &str = include_str!("style.css");
 
 /// A page without its sections.
-pub(super) struct Shell<'a> {
+pub(super) struct PageFrame<'a> {
     pub title: &'a str,
     /// The pair file, by name.
     pub file: &'a str,
@@ -18,7 +18,7 @@ pub(super) struct Shell<'a> {
     pub same: &'a str,
 }
 
-impl Shell<'_> {
+impl PageFrame<'_> {
     /// The page whose sections are `main`, in UTF-8.
     pub fn page(&self, main: &Markup) -> String {
         let title = self.title();

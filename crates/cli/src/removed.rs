@@ -4,7 +4,7 @@ use crate::error::Error;
 use std::ffi::OsString;
 
 /// A removed command or option.
-struct Gone {
+struct Removed {
     command: &'static str,
     /// The option, with a space and its value where only that value is gone. Empty: the whole command.
     option: &'static str,
@@ -12,23 +12,23 @@ struct Gone {
     instead: &'static str,
 }
 
-const GONE: [Gone; 4] = [
-    Gone {
+const GONE: [Removed; 4] = [
+    Removed {
         command: "export",
         option: "",
         instead: "gearlash check PAIR --format json has the least and greatest backlash of every run",
     },
-    Gone {
+    Removed {
         command: "merge",
         option: "",
         instead: "gearlash tolerance PAIR --from-rows 'rows-*.csv' gives the statistics of the rows of several runs",
     },
-    Gone {
+    Removed {
         command: "tolerance",
         option: "--shard",
         instead: "gearlash tolerance PAIR --first N --assemblies M --rows FILE.csv computes a range of assemblies",
     },
-    Gone {
+    Removed {
         command: "match",
         option: "--shard",
         instead: "gearlash match compares all gears in one run; gearlash.dask in Python uses several machines",
@@ -41,11 +41,11 @@ pub(super) fn error(words: &[OsString]) -> Option<Error> {
     let words: Vec<String> = words.map(|word| word.replacen('=', " ", 1)).collect();
     let command = words.iter().find(|word| !word.starts_with('-'))?;
     let all = words.join(" ") + " ";
-    let gone = GONE.iter().find(|gone| {
-        gone.command == command && all.contains(format!(" {} ", gone.option).trim_start())
+    let removed = GONE.iter().find(|removed| {
+        removed.command == command && all.contains(format!(" {} ", removed.option).trim_start())
     })?;
-    let what = format!("{} {}", gone.command, gone.option);
-    let (what, instead) = (what.trim_end(), gone.instead);
+    let what = format!("{} {}", removed.command, removed.option);
+    let (what, instead) = (what.trim_end(), removed.instead);
     Some(Error::Usage(format!("gearlash {what} is gone: {instead}")))
 }
 
@@ -68,10 +68,10 @@ mod tests {
 
     #[test]
     fn every_entry_is_found_by_its_own_words() {
-        for gone in GONE {
-            let line = format!("gearlash {} {} pair.toml", gone.command, gone.option);
+        for removed in GONE {
+            let line = format!("gearlash {} {} pair.toml", removed.command, removed.option);
             let text = message(&line.replace("  ", " ")).unwrap();
-            assert!(text.ends_with(gone.instead), "{text}");
+            assert!(text.ends_with(removed.instead), "{text}");
         }
     }
 }

@@ -44,9 +44,10 @@ fn both_methods_and_the_certificate_agree_on_random_helical_poses() {
     assert!(used <= most && most < u64::MAX, "{used} of {most}");
 }
 
-/// Tips that stand in the mate's body over a short stretch of the face, between the sections that polygons looked at: the exact method
-/// found them jammed, and `--method both` called that unproven. Of the last the first section that jams does so by less than rounding, and polygons
-/// found it clear: another had to be found that surely does. Sections every 2000th of the face are jammed there, too.
+/// Tips in the mate's body over a short stretch of the face, between the sections that polygons examine. The exact
+/// method found them jammed, and `--method both` called that unproven. In the last pose the first jammed section is so
+/// by less than rounding, and polygons found it clear; another must be found that jams with certainty. Sections every
+/// 2000th of the face also jam there.
 #[test]
 fn a_jam_between_the_sections_is_seen_by_both_methods() {
     for index in [2, 478, 605] {
@@ -202,8 +203,8 @@ fn a_tip_land_that_grazes_a_corner_is_not_turned_too_far() {
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
 }
 
-/// A free gear of three teeth that has turned by more than half a turn from where the first pair faces: its gap was taken for one near −π, and
-/// a contact 12° farther out passed for the tightest. One in two million.
+/// A free gear of three teeth that has turned by more than half a turn from the position of the first pair. Its gap was
+/// counted near −π, and a contact 12° later passed for the tightest. One pose in two million.
 #[test]
 fn a_gap_of_more_than_half_a_turn_is_the_greatest() {
     let tally = run(None, 29, 637_932, 1, LONGEST);

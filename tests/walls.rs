@@ -124,7 +124,7 @@ fn an_import_is_found() {
 /// A file as a module; paths are from the root of its package.
 #[derive(Default)]
 struct Module {
-    /// What it takes from elsewhere.
+    /// Its imports from other modules.
     imports: Vec<String>,
     /// Where the names stand that it imports or hands on: below it they are its own.
     names: BTreeMap<String, String>,
@@ -188,7 +188,7 @@ fn module(name: &str, code: &str) -> Module {
     module
 }
 
-/// The module that defines what stands at `path`: the deepest on the way there, or where its names come from.
+/// The module that defines the item at `path`: the deepest one on the path, or the one that re-exports its names.
 fn definer(modules: &BTreeMap<String, Module>, path: &str, steps: u32) -> String {
     let ends = path.match_indices("::").map(|(at, _)| at);
     let mut ends: Vec<usize> = ends.chain([path.len()]).collect();

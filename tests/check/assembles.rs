@@ -30,7 +30,7 @@ fn pair(teeth: [u32; 2], module: f64, shifts: [f64; 2], distance: f64) -> GearPa
     GearPair::new(wheel, pinion, distance).unwrap()
 }
 
-/// Of 20 000 poses all over the cycle none interferes at `high`; at `low` one does.
+/// No pose of 20 000 over the cycle interferes at `high`; one does at `low`.
 fn hold(pair: &GearPair) -> AssemblesFrom {
     let from = extremes_of(pair).assembles_from.unwrap();
     assert!(from.high - from.low <= 1e-6, "{from:?}");
@@ -46,8 +46,8 @@ fn hold(pair: &GearPair) -> AssemblesFrom {
     from
 }
 
-/// Jammed: the tips of 200 teeth stand in the fillets of 31. What was said before, 115.5738 mm, was the bound of a search given up,
-/// 4 µm off, and called proven.
+/// Jammed: the tips of 200 teeth are in the fillets of 31. An earlier result, 115.5738 mm, was the bound of an
+/// abandoned search, 4 µm off and called proven.
 #[test]
 fn where_tips_in_fillets_bind_it_is_proven() {
     let pair = pair([200, 31], 1.0, [0.0, 0.2], 115.2);
@@ -107,8 +107,9 @@ fn a_search_given_up_has_a_bracket_that_holds() {
     }
 }
 
-/// Perfect gears `e` off their axes in any direction: high teeth that face their mate bring the outlines nearer by `e`, and turned away
-/// farther, at every pose. They assemble from `Σ e` farther than without, and are in mesh up to `Σ e` nearer.
+/// Perfect gears `e` off their axes in any direction. At every pose, high teeth towards the mate bring the outlines
+/// nearer by `e`, and away from it further apart. The pairs assemble from `Σ e` further than without, and are in mesh
+/// up to `Σ e` nearer.
 #[test]
 fn a_runout_in_any_direction_moves_both_ends_by_the_eccentricities() {
     let pair = |distance: f64, share: f64| {

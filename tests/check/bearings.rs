@@ -138,7 +138,7 @@ fn the_poses_of_both_ends_have_their_extremes() {
 
 #[test]
 fn ends_without_a_value_say_why() {
-    // Half a module nearer tips stand in roots, three modules farther nothing meets.
+    // Half a module nearer, tips are in roots; three modules further, nothing meets.
     let found = play(&pair(49.5, 0.0, false), 3.0);
     assert_eq!(found.pressed.status, Status::Jammed);
     assert_eq!(found.apart.status, Status::NoContact);

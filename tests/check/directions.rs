@@ -5,7 +5,7 @@ use gearlash::contact::Doubt;
 use gearlash::gear::{Hand, Pitch, thickness};
 use std::f64::consts::{PI, TAU};
 
-/// What a pair is drawn with.
+/// The drawn data of a pair.
 #[derive(Debug, Clone, Copy)]
 struct Drawn {
     /// Single pitch deviations up to this share of the module.
@@ -96,7 +96,7 @@ fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
             assert!((extreme.pose.simulated.backlash.unwrap() - end).abs() < 1e-10);
         }
         for k in 0..1500 {
-            // Of the assembly phase that is meant.
+            // In the listed assembly phase.
             let near = *[&least.pose, &greatest.pose][k % 2].simulated.pose.mating();
             let cycle = cycle::matings(&pair) as f64;
             let mating = near.onward(&pair, cycle * random.within(0.0, 1.0));
@@ -122,7 +122,7 @@ fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
     }
 }
 
-/// What a drawing says: runout alone.
+/// As in a drawing: runout alone.
 #[test]
 fn gears_off_their_axes_in_any_direction() {
     for locked in [Member::Wheel, Member::Pinion] {
@@ -166,7 +166,7 @@ fn pitch_and_runout_in_any_direction() {
     hold(&drawn, 7, 12, 1.1e-6);
 }
 
-/// Helical gears: the centres of all sections stand alike, whatever the teeth do along the face.
+/// Helical gears: the centres of all sections are the same along the face.
 #[test]
 fn helical_gears_off_their_axes_in_any_direction() {
     for (pitch, open, locked) in [

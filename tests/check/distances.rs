@@ -27,8 +27,8 @@ fn zero_backlash_distance_of_perfect_gears_is_k_17() {
     }
 }
 
-/// The rig pair at most material. At the distance found, model 3 has no backlash at the pose found, the
-/// worst of the sweep's poses is the one model 3 has for worst, and no rotation of the phase has less.
+/// The rig pair at most material. At the distance found, model 3 has no backlash at the pose found. The worst pose of
+/// the sweep is also the worst of model 3, and no rotation of the phase has less.
 #[test]
 fn zero_backlash_distance_of_the_rig_agrees_with_model_3() {
     let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;
@@ -85,7 +85,7 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
     let found = radial_clearance(&assembly, Member::Pinion, &[mating(5, 9)]).unwrap();
     let expected = limits::radial_clearance(&assembly, Member::Pinion) - 0.07;
     assert!((found.distance - expected).abs() <= 1e-6, "{found:?}");
-    // Where the tips stand in the roots, too: 130 − 69 − 62.25 mm, less both displacements.
+    // With tips in the roots as well: 130 − 69 − 62.25 mm, less both displacements.
     let jammed = eccentric(130.0, [(0.04, 5.0), (0.03, 9.5)], 44);
     let found = radial_clearance(&jammed, Member::Wheel, &[mating(4, 9)]).unwrap();
     assert!((found.distance - (-1.25 - 0.07)).abs() <= 1e-6, "{found:?}");
@@ -98,7 +98,7 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
     assert!((found.distance - limits::radial_clearance(&perfect, Member::Wheel)).abs() <= 1e-12);
 }
 
-/// What a progress bar is told beforehand is how often it is moved on.
+/// The announced number of ticks equals the actual one.
 #[test]
 fn each_pitch_of_the_clearance_ticks_once() {
     let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;

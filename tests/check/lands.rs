@@ -1,6 +1,7 @@
 //! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations.
 //!
-//! From the crate come what a pose is and where it puts a tooth; where lands end follows from the drawing and from closed forms.
+//! The crate defines a pose and the position of a tooth; the ends of lands follow from the drawing and from closed
+//! forms.
 
 use super::*;
 use gearlash::gear::Pitch;
@@ -172,9 +173,9 @@ fn no_points_of_lands_are_nearer_than_the_radial_clearance() {
         ([13, 9], [0.3, 0.38, 0.1, 4e-5], 22.9, Member::Wheel),
         ([11, 15], [0.0, 0.25, 0.3, 1e-4], 26.9, Member::Pinion),
         ([12, 8], [0.2, full, 0.06, 2e-5], 20.9, Member::Wheel),
-        // Tips stand in roots.
+        // Tips are in roots.
         ([12, 9], [0.1, 0.3, 0.2, 3e-5], 20.3, Member::Pinion),
-        // Without runout the same distance comes again at each pitch but for what flanks stand off.
+        // Without runout the same distance recurs at each pitch, except for the offsets of flanks.
         ([9, 12], [0.2, 0.2, 0.0, 5e-5], 22.1, Member::Wheel),
     ]
     .into_iter()

@@ -1,4 +1,4 @@
-//! What is drawn across a map of poses, and which rows it has, beside what each limit means.
+//! The limits and the rows of a map of poses, compared with the meaning of each limit.
 
 use super::*;
 use gearlash::analysis::diagnosis::{MAP_ROWS, map};
@@ -11,10 +11,11 @@ fn tip_from_base(pair: &GearPair, gear: Member, distance: f64) -> f64 {
     line - (mate.tip_radius().powi(2) - mate.base_radius().powi(2)).sqrt()
 }
 
-/// At the limits a tip stands on the form circle, or on the base circle, of one gear and outside that of the other; tips have the clearance they are named
-/// by from one gear's roots, and more from the other's. Rows reach as far as they do, and a 20th of a module beyond, but not below tips in roots.
+/// At the limits a tip is on the form circle, or on the base circle, of one gear and outside that of the other. Tips
+/// have the named clearance from one gear's roots, and more from the other's. The rows cover all limits plus a 20th of
+/// a module, but not tips in roots.
 #[test]
-fn limits_of_a_map_are_what_they_say() {
+fn limits_of_a_map_have_their_meaning() {
     for (distance, high) in [
         (132.3, [(0.01, 1.0), (0.02, 3.0)]),
         (112.9, [(0.0, 1.0), (0.02, 3.0)]),

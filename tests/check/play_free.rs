@@ -89,7 +89,7 @@ fn has_no_play(seed: u64, per_pitch: u32, all: bool) {
         })
     });
     assert_eq!(teeth, found.teeth, "{told}");
-    // Of the poses given.
+    // For the given poses.
     let [below, above] = [-1e-9, 1e-9].map(|off| plays(&pair, found.of_poses + off, &matings));
     let worst = matings
         .iter()

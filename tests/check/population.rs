@@ -142,8 +142,8 @@ fn spread_of_thickness_is_the_closed_form() {
     }
 }
 
-/// Three linear quantities: each index is its share of the sum of squares (Saltelli et al. 2010, additive case), first-order and total alike.
-/// 2.04 standard errors of 32 groups are 95 %.
+/// Three linear quantities: each index is its share of the sum of squares, both first-order and total (Saltelli et al.
+/// 2010, additive case). 2.04 standard errors of 32 groups are 95 %.
 #[test]
 fn contributions_of_a_linear_case_lie_within_their_errors() {
     let center_distance = normal(0.01);
@@ -182,8 +182,8 @@ fn contributions_of_a_linear_case_lie_within_their_errors() {
     );
 }
 
-/// One wheel with a runout of any direction, drawn whole, against a pinion whose high tooth is known, of as many teeth: put together alike,
-/// all that varies is the direction, so that its index is 1.
+/// One wheel with a runout of any direction, drawn whole, against a pinion with the same number of teeth and a known
+/// high tooth. Assembled in one phase, only the direction varies, so its index is 1.
 #[test]
 fn the_direction_of_whole_gears_contributes() {
     let open = gear(44, Face::Front).with_runout_of_any_direction(0.015);
@@ -243,7 +243,7 @@ fn sums_do_not_depend_on_how_their_rows_were_cut() {
     }
 }
 
-/// With play the least is that of the axes nearer by it, the greatest that of the axes farther apart.
+/// With play the least is that of the axes nearer by it, the greatest that of the axes further apart by it.
 #[test]
 fn play_of_the_bearings_moves_both_extremes() {
     let scatters = of_thickness(Some(Scatter::table(&[0.01]).unwrap()), None);

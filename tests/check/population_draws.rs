@@ -1,4 +1,4 @@
-//! What is drawn of a population: as often and as wide as it says, and nothing that cannot be.
+//! Draws of a population: their frequency and width as specified, and no impossible values.
 
 use super::population::{closed_form, everything, gear, normal, of_thickness, pair, sums};
 use gearlash::gear::{Face, Side};
@@ -35,7 +35,7 @@ fn drawn_pitch_closes_and_has_its_standard_deviation() {
             count += 1.0;
         }
     }
-    // Of two independent flanks the mean has σ/√2.
+    // The mean of two independent flanks has σ/√2.
     let sigma = (squares / count).sqrt() / (0.003 / 2f64.sqrt());
     assert!((sigma - 1.0).abs() < 4.0 / (2.0 * count).sqrt(), "{sigma}");
 }

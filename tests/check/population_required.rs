@@ -1,4 +1,4 @@
-//! What is required of each assembly of a population, against the verdict of the same pair alone.
+//! Requirements on each assembly of a population, compared with the verdict of the same pair alone.
 
 use super::population::sums;
 use gearlash::analysis::extremes::extremes;

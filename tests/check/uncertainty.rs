@@ -29,7 +29,7 @@ fn wound(teeth: u32, helix_deg: f64, face: Face) -> GearDesign {
     }
 }
 
-/// What a pair is made from.
+/// The inputs of a pair.
 #[derive(Clone)]
 struct Inputs {
     teeth: [u32; 2],

@@ -40,8 +40,8 @@ fn the_margin_to_undercut_is_the_racks() {
     }
 }
 
-/// Where the edge that undercut leaves touches at the form circle, in front of the line of action, a pair has less backlash than model 3 says: a finding
-/// of the check `off_line_contact` and of the comparison alike.
+/// If the edge of an undercut touches at the form circle, in front of the line of action, a pair has less backlash than
+/// model 3. Both the check `off_line_contact` and the comparison report it.
 #[test]
 fn an_undercut_edge_below_the_formula_is_off_the_line() {
     let gear = |name: &str| {

@@ -1,4 +1,4 @@
-//! What a verdict says of its runs, beside the words of what it says: runs of one pair, their extremes set by hand.
+//! The verdict over several runs: runs of one pair, with their extremes set by hand.
 
 use super::*;
 use gearlash::analysis::assembles_from::AssemblesFrom;
@@ -103,7 +103,8 @@ fn a_pair_assembles_if_every_run_does() {
     }
 }
 
-/// Of those that differ by less than brackets are wide the first, else that with the least, or the greatest, backlash.
+/// Among runs that differ by less than the width of brackets, the first; otherwise the one with the least, or the
+/// greatest, backlash.
 #[test]
 fn the_foremost_run_is_the_first_of_equals() {
     let run = run();

@@ -11,7 +11,7 @@ pub struct Published {
     /// Over two balls and over two pins, of the nominal gear.
     pub over_balls: f64,
     pub over_pins: f64,
-    /// Of the dimension over balls, that −115 and −165 µm of thickness in the normal section come to.
+    /// Allowances of the dimension over balls for −115 and −165 µm of thickness in the normal section.
     pub allowances: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! What several test files share: reference data, published cases, random pairs.
+//! Shared parts of several test files: reference data, published cases, random pairs.
 
 #![allow(dead_code, unused_imports)] // each test binary uses its part
 

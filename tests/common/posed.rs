@@ -17,7 +17,7 @@ pub fn pose(path: &Path, flank: Side) -> (GearPair, Mating) {
     (assembly, mating.unwrap())
 }
 
-/// The same of a file of fixtures/grazing.
+/// The pair and mating of a file of fixtures/grazing.
 pub fn grazing(name: &str, flank: Side) -> (GearPair, Mating) {
     pose(
         &Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("fixtures/grazing/{name}.toml")),

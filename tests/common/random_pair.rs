@@ -85,7 +85,7 @@ impl Recipe {
 pub struct Case {
     pub wheel: Recipe,
     pub pinion: Recipe,
-    /// Beyond the zero-backlash distance of the mean teeth, modules.
+    /// Distance above the zero-backlash distance of the mean teeth, modules.
     pub radial_play: f64,
     pub locked: Member,
     pub mating: Mating,

@@ -1,4 +1,4 @@
-//! What a test says when this machine has not what it needs.
+//! The message of a test that this machine cannot run.
 
 use std::io::Write;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -105,7 +105,7 @@ impl<'a> Solid<'a> {
 }
 
 fn overlap(locked: &Solid, free: &Solid) -> bool {
-    // Nothing farther out reaches the other gear.
+    // Nothing further out reaches the other gear.
     let near = |one: &Solid, other: &Solid| {
         let reach = other.gear.reach();
         one.points(other.axis)
@@ -114,9 +114,9 @@ fn overlap(locked: &Solid, free: &Solid) -> bool {
     near(locked, free) || near(free, locked)
 }
 
-/// Rotations of the free gear at which it first overlaps the locked one, clockwise and counter-clockwise, from the
-/// middle between `found`'s contacts, or from where it stands free when there are none. Steps of a
-/// 200th of a pitch: an overlap that lasts less may be missed.
+/// Rotations at which the free gear first overlaps the locked one, clockwise and counter-clockwise. They start from the
+/// middle between `found`'s contacts, or from a free position without contacts. Steps are a 200th of a pitch: a shorter
+/// overlap can be missed.
 pub fn limits(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> [Option<f64>; 2] {
     let free = assembly.free();
     let locked = Solid::new(assembly, assembly.locked(), pose.locked_rotation());

@@ -109,8 +109,8 @@ fn is_solid(assembly: &GearPair, mating: Mating, found: &LostMotion, within: f64
     limits.iter().any(Option::is_some)
 }
 
-/// Two pitches in steps of a sixteenth. Where tips stand farther from the line of centres than the tip circles
-/// cross, nothing touches; everywhere else something does, on both sides.
+/// Two pitches in steps of a sixteenth. Where tips are further from the line of centres than the intersection of the
+/// tip circles, nothing touches. Everywhere else something does, on both sides.
 fn the_rig_pair_at(distance: f64, expected_clear: usize) {
     let assembly = rig(distance);
     let mut clear = 0;
@@ -141,7 +141,7 @@ fn the_rig_pair_at_137_9() {
     the_rig_pair_at(137.9, 26);
 }
 
-/// Of 32 poses 8 were reported as out of mesh in which the far half of a tip land is in the way.
+/// 8 of 32 poses were reported as out of mesh although the far half of a tip land blocks them.
 #[test]
 fn the_rig_pair_at_137_91() {
     the_rig_pair_at(137.91, 24);
@@ -250,7 +250,7 @@ fn random_tips_that_hardly_reach() {
     assert!(tally.count("right contact, locked on free", "tip on tip") > 30);
 }
 
-/// The same at the other end, 1e-4 to 0.1 modules to either side of a tip on a root.
+/// Random tips 1e-4 to 0.1 modules to either side of a tip on a root.
 #[test]
 fn random_tips_near_a_root() {
     let tally = run(Some(Depth::OnRoot), 5, 0, 600, LONGEST);

@@ -276,8 +276,8 @@ fn a_tip_in_a_root_is_jammed() {
     assert!(count(&results, Status::Jammed) > 0);
 }
 
-/// An eccentric gear's tip land just reaches the mate's root land where its high tooth stands on the line of
-/// centres, or just does not: 1 µm either way decides. Thin teeth keep the flanks out of it.
+/// An eccentric gear's tip land just reaches the mate's root land when its high tooth is on the line of centres, or
+/// just does not: 1 µm decides. Thin teeth keep the flanks clear.
 #[test]
 fn a_tip_just_touches_a_root_land() {
     let design = GearDesign {

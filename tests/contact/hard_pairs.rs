@@ -1,5 +1,6 @@
-//! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. What is right there was found by
-//! others: each test names who (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
+//! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. The right results have
+//! other sources; each test names its own (`fixtures/reference/hard/README.md`; brute force is
+//! `tests/common/clearance`).
 
 use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::simulate::simulate;
@@ -176,7 +177,7 @@ fn grazing_bounds() {
     is("grazing_bound_b", &[]);
 }
 
-/// What the polygon method finds is borne out as well as what the exact one does.
+/// The certificate confirms the results of the polygon method like those of the exact one.
 #[test]
 fn polygon_results_are_certified() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/reference/hard");
@@ -221,8 +222,8 @@ fn thin_land_3_7() {
     is("thin_land_3_7", &[(1, -53.379403666, 1e-6)]);
 }
 
-/// A fillet of a wheel of three teeth begins at its parameter 0, where there is always a finer piece, on an involute of 387 teeth
-/// whose finest piece is longer: the search cut the fillet without end. The polygon method says jammed.
+/// The search cut a fillet without end: that of a wheel of three teeth, which begins at its parameter 0, where a finer
+/// piece always exists. It met an involute of 387 teeth whose finest piece is longer. The polygon method reports a jam.
 #[test]
 fn fine_fillet_3_387() {
     is_jammed("fine_fillet_3_387", |poses| {

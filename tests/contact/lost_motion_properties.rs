@@ -9,7 +9,7 @@ use gearlash::gear::ProfilePart;
 use gearlash::pair::{GearPair, Member, Pose};
 use proptest::prelude::*;
 
-/// What a pose comes to: status, and backlash with its bound, both mm of `j_wt` over the scale.
+/// The outcome of a pose: status, and backlash with its bound, both mm of `j_wt` over the scale.
 #[derive(Debug, PartialEq)]
 struct Outcome {
     status: Status,

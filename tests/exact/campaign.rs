@@ -5,7 +5,7 @@ use gearlash::contact::{ExactKernel, ToothPlace};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use random::Random;
 
-/// What a campaign met.
+/// Counts of a campaign.
 #[derive(Default, Debug)]
 pub struct Tally {
     pub poses: usize,
@@ -62,7 +62,7 @@ pub fn compare(assembly: &GearPair, mating: Mating, tally: &mut Tally, seed: u64
     }
 }
 
-/// Which member is which, for messages.
+/// The roles of the gears, for messages.
 pub fn describe(assembly: &GearPair) -> String {
     [Member::Wheel, Member::Pinion]
         .map(|member| {
@@ -82,7 +82,7 @@ pub fn describe(assembly: &GearPair) -> String {
         .join("; ")
 }
 
-/// `count` poses, a new pair each.
+/// `count` poses, each of a new pair.
 pub fn run(count: u64, first_seed: u64) -> Tally {
     let mut tally = Tally::default();
     for seed in first_seed..first_seed + count {
@@ -94,8 +94,8 @@ pub fn run(count: u64, first_seed: u64) -> Tally {
     tally
 }
 
-/// Source: clearance of dense points of either gear in the other's own frame. A quarter of the contacts and more lies off the
-/// line of action; half the free gears are eccentric.
+/// Source: clearance of dense points of either gear in the other's own frame. At least a quarter of the contacts are
+/// off the line of action; half the free gears are eccentric.
 #[test]
 fn random_poses_against_brute_force() {
     let tally = run(60, 1);
@@ -104,20 +104,27 @@ fn random_poses_against_brute_force() {
     assert!(5 * tally.eccentric >= 2 * tally.poses);
 }
 
-/// A number that the environment states, or `default`.
-fn asked(name: &str, default: u64) -> u64 {
+/// A number from the environment, or `default`.
+fn number_from_environment(name: &str, default: u64) -> u64 {
     let stated = std::env::var(name).ok();
     stated.map_or(default, |text| text.parse().expect("a number"))
 }
 
-/// The same, long.
+/// The long version.
 #[test]
 #[ignore = "minutes"]
 fn many_random_poses_against_brute_force() {
-    println!("{:?}", run(asked("POSES", 20_000), asked("SEED", 1_000)));
+    println!(
+        "{:?}",
+        run(
+            number_from_environment("POSES", 20_000),
+            number_from_environment("SEED", 1_000)
+        )
+    );
 }
 
-/// The quick path against branch and bound, `count` pairs with four poses each; returns how many pairs were quick.
+/// The quick method against branch and bound, `count` pairs with four poses each; returns how many pairs used the quick
+/// method.
 fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usize {
     let mut direct = 0;
     let mut worst = 0.0f64;
@@ -151,7 +158,7 @@ fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usiz
                 let names = |contact: &gearlash::contact::Contact| {
                     [contact.wheel, contact.pinion].map(|touch| (touch.tooth, touch.curve))
                 };
-                // Within a hair of a curve's end either name is right.
+                // Very near to a curve's end either name is right.
                 let apart = (one.wheel.radius - other.wheel.radius).abs() > 1e-6;
                 assert!(names(&one) == names(&other) || !apart, "{}", what());
             }
@@ -161,8 +168,8 @@ fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usiz
     direct
 }
 
-/// The first pruned version of an earlier study was wrong in most eccentric poses and right in all
-/// perfect ones: wild pairs, and ordinary ones.
+/// The first pruned version of an earlier study was wrong in most eccentric poses and right in all perfect ones. This
+/// test has wild pairs and ordinary ones.
 #[test]
 fn the_quick_path_finds_what_the_search_finds() {
     quick_against_search(300, 50_000, random::WILD);
@@ -171,17 +178,17 @@ fn the_quick_path_finds_what_the_search_finds() {
         deviation: 3.0,
         shift: (0.0, 0.2),
     };
-    // Most ordinary pairs need no search: else this would compare the search with itself.
+    // Most ordinary pairs need no search; otherwise this would compare the search with itself.
     assert!(quick_against_search(200, 60_000, ordinary) > 170);
 }
 
-/// The same, long.
+/// The long version.
 #[test]
 #[ignore = "minutes"]
 fn the_quick_path_finds_what_the_search_finds_in_many_poses() {
     quick_against_search(
-        asked("POSES", 20_000),
-        asked("SEED", 1_000_000),
+        number_from_environment("POSES", 20_000),
+        number_from_environment("SEED", 1_000_000),
         random::WILD,
     );
 }

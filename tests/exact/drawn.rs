@@ -272,7 +272,7 @@ fn polygons_overlap_just_outside_the_play() {
             continue;
         }
         let (right, left) = (found.right.unwrap(), found.left.unwrap());
-        // Beyond both polygons' chords of 1e-5 mm.
+        // Outside both polygons' chords of 1e-5 mm.
         let off = |contact: &Contact| contact.error + 1e-5;
         if left.rotation - right.rotation < 4.0 * off(&left).max(off(&right)) {
             continue;

@@ -1,4 +1,4 @@
-//! Proven extremes of the mesh cycle against poses of the exact method, which know nothing of their bounds.
+//! Proven extremes of the mesh cycle, compared with poses of the exact method, which do not use their bounds.
 
 #[path = "../common/random_pair.rs"]
 #[allow(dead_code)] // its twin tests use the rest
@@ -18,7 +18,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use random_pair::{case, rough_case};
 
-/// What a bracket may be wide, mm.
+/// Width of a bracket, mm.
 const WIDTH: f64 = 1e-6;
 
 /// Values of one pose are known to 1e-10 mm at the very worst (rounding).
@@ -31,7 +31,7 @@ fn extremes(pair: &GearPair) -> Extremes {
         .unwrap()
 }
 
-/// Poses spread over the cycle by the golden ratio, `count` of them: `j_wt` of each, mm, or how it ends.
+/// `count` poses spread over the cycle by the golden ratio: `j_wt` of each, mm, or its status.
 fn samples(pair: &GearPair, count: u32) -> Vec<Result<f64, Status>> {
     let kernel = ExactKernel::new(pair);
     let radius = pair.operating_pitch_radius(pair.free());
@@ -45,7 +45,7 @@ fn samples(pair: &GearPair, count: u32) -> Vec<Result<f64, Status>> {
         .collect()
 }
 
-/// No sample lies beyond a bracket, proven or not; no jam and no gap in the mesh is missed where the bracket has two ends.
+/// No sample is outside a bracket, proven or not; no jam and no gap in the mesh is missed if the bracket has two ends.
 fn hold(pair: &GearPair, count: u32) -> Result<Extremes, TestCaseError> {
     let found = extremes(pair);
     for sample in samples(pair, count) {
@@ -74,7 +74,8 @@ fn hold(pair: &GearPair, count: u32) -> Result<Extremes, TestCaseError> {
     Ok(found)
 }
 
-/// Ordinary pairs, each gear warmer or colder by up to `expansion`: how many of `count` are proven both ways, none of `poses` beyond.
+/// Ordinary pairs, each gear warmer or colder by up to `expansion`: how many of `count` are proven on both sides, with
+/// none of `poses` outside.
 fn proven_of_ordinary_pairs(count: usize, expansion: f64, poses: u32) -> usize {
     let mut runner = TestRunner::deterministic();
     let each = prop::array::uniform2(-1.0..1.0f64);
@@ -93,15 +94,16 @@ fn proven_of_ordinary_pairs(count: usize, expansion: f64, poses: u32) -> usize {
     proven
 }
 
-/// Rough pairs are jammed or off the line of action for the most part, where nothing is called proven: these are not. One in a hundred was left
-/// after 4000 cells: a corner above the form circle was asked how deep in the fillet it stands, and Newton's method for the direction in which a
-/// pair is separated stood still, or went to and fro, at an end of an involute.
+/// Rough pairs are mostly jammed or off the line of action, where nothing is proven; these are not. Earlier, one in a
+/// hundred stayed open after 4000 cells. The depth in the fillet was evaluated for a corner above the form circle.
+/// Newton's method for the direction of separation stalled or oscillated at an end of an involute.
 #[test]
 fn ordinary_pairs_are_proven_and_hold() {
     assert_eq!(proven_of_ordinary_pairs(400, 0.0, 150), 400);
 }
 
-/// The same with base pitches that differ by up to 0.4 %, some tens of kelvin of a polymer: a few touch off the line of action then.
+/// Ordinary pairs whose base pitches differ by up to 0.4 %, some tens of kelvin of a polymer: a few then touch off the
+/// line of action.
 #[test]
 fn ordinary_pairs_unequally_warm_are_proven_and_hold() {
     assert!(proven_of_ordinary_pairs(40, 0.002, 1500) >= 32);
@@ -118,8 +120,9 @@ proptest! {
         }
     }
 
-    /// Gears of unequal temperature: base pitches differ, so a pair that stands a step on has more room or less. A bound that took them for
-    /// equal said of a wheel of POM on a steel pinion at 50 °C that it has 391.85 µm at least, where a pose has 381.96.
+    /// Gears of unequal temperature: their base pitches differ, so a pair of teeth one step on has more room or less. A
+    /// bound for equal pitches gave 391.85 µm at least for a POM wheel on a steel pinion at 50 °C, where a pose has
+    /// 381.96.
     #[test]
     fn no_pose_of_gears_unequally_warm_lies_beyond(
         case in rough_case(),
@@ -130,7 +133,7 @@ proptest! {
         }
     }
 
-    /// All lengths alike warmer, the housing's too: the same angles.
+    /// All lengths expand equally, including the housing: the angles stay.
     #[test]
     fn a_pair_warm_as_a_whole_turns_as_before(case in rough_case(), expansion in -0.008..0.008f64) {
         let (Ok(pair), Ok(warm)) = (case.try_assemble(1.0), case.warmed([expansion; 2])) else {
@@ -149,7 +152,7 @@ proptest! {
         }
     }
 
-    /// So close that tips stand in fillets, which then bound the lost motion.
+    /// A distance so small that tips are in fillets, which then bound the lost motion.
     #[test]
     fn no_pose_lies_beyond_where_tips_reach_fillets(case in rough_case(), closer in 0.0..0.2f64) {
         let Ok(pair) = case.try_assemble(1.0) else {
@@ -178,7 +181,8 @@ proptest! {
     }
 }
 
-/// From far beyond any shop: undercut, raised tips, three teeth, jams; what fails is a doubt, never a wrong bracket.
+/// Far outside practice: undercut, raised tips, three teeth, jams. A failed search gives a doubt, never a wrong
+/// bracket.
 #[test]
 fn wide_pairs_hold_or_are_doubted() {
     let mut proven = 0;
@@ -195,7 +199,7 @@ fn wide_pairs_hold_or_are_doubted() {
     assert!(proven > 1, "{proven}");
 }
 
-/// Perfect gears: `j_wt` is the same at every pose on the line of action, and follows from the involute (model 2).
+/// Perfect gears: on the line of action `j_wt` is the same at every pose and follows from the involute (model 2).
 #[test]
 fn perfect_gears_have_one_backlash() {
     let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
@@ -219,7 +223,7 @@ fn perfect_gears_have_one_backlash() {
     }
 }
 
-/// A pair whose tips stand in the roots: no least, and a pose to look at.
+/// A pair whose tips are in the roots: it has no least value, but a pose to report.
 #[test]
 fn a_jammed_pair_has_no_least() {
     let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
@@ -230,7 +234,7 @@ fn a_jammed_pair_has_no_least() {
     assert!(found.lost.is_some());
 }
 
-/// Tips that leave each other between two teeth: no greatest.
+/// Tips that lose each other between two teeth: no greatest value.
 #[test]
 fn a_pair_out_of_mesh_has_no_greatest() {
     let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);

@@ -1,4 +1,4 @@
-//! What the width of the face costs.
+//! The effect of the face width on backlash.
 
 use super::helical_pairs::pair_of_the_prototype;
 use gearlash::analysis::extremes::{WIDTH, extremes};

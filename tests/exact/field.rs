@@ -133,8 +133,8 @@ fn lines_hold_contacts(pair: &GearPair) {
     }
 }
 
-/// What a pair lacks until it touches is what the sections have in which it is the tightest, found by the exact method there; where it binds the
-/// point is on its line.
+/// The gap of a pair is the gap of the sections in which it is the tightest, found by the exact method there. Where it
+/// binds, the contact is on its line.
 #[test]
 fn gaps_of_lines_are_those_of_their_sections() {
     let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], Hand::Right, 7);
@@ -210,8 +210,9 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
     }
 }
 
-/// Of a perfect pair ⌊ε_γ⌋ or ⌊ε_γ⌋ + 1 contact lines cross the field of action, ε_γ on the mean of a pitch (ISO 21771: total contact ratio
-/// ε_γ = ε_α + ε_β, ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin α_wt)/p_bt, ε_β = b sin β/(π m_n)).
+/// In a perfect pair ⌊ε_γ⌋ or ⌊ε_γ⌋ + 1 contact lines cross the field of action, and ε_γ on the mean of a pitch.
+/// Source: ISO 21771, total contact ratio ε_γ = ε_α + ε_β, ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin
+/// α_wt)/p_bt, ε_β = b sin β/(π m_n).
 #[test]
 fn as_many_lines_touch_as_the_total_contact_ratio_says() {
     const STEPS: u32 = 200;

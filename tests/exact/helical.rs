@@ -41,7 +41,7 @@ fn runout_alone_costs_no_backlash_along_the_face() {
     }
 }
 
-/// What is wider never has more play; least and greatest fall with the width.
+/// A wider face never has more play; least and greatest fall with the width.
 #[test]
 fn a_wider_face_never_has_more_play() {
     let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], Hand::Right, 2);

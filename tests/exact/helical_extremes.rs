@@ -7,7 +7,7 @@ use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, 
 use gearlash::pair::{GearPair, Mating, Pose};
 use std::f64::consts::TAU;
 
-/// What a bracket may be wide, mm.
+/// Width of a bracket, mm.
 const WIDTH: f64 = 1e-6;
 
 /// Values of one pose are known to 1e-10 mm at the very worst (rounding).

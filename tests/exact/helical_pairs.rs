@@ -27,7 +27,7 @@ impl Draws {
     }
 }
 
-/// What a test's gear is made of.
+/// The data of a test's gear.
 #[derive(Clone, Copy)]
 pub(super) struct Made {
     pub z: u32,

@@ -176,10 +176,10 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
     assert!(touched.into_iter().all(|count| count > 10), "{touched:?}");
 }
 
-/// The same of pairs from a longer run of those draws, of which a tip stands in the root of the eccentric free gear between any sections: found to have
-/// play, or less of an overlap than sections beside have by 0.004 to 0.27 rad.
+/// Pairs from a longer run of those draws with a tip in the root of the eccentric free gear between the sections. They
+/// were found to have play, or 0.004 to 0.27 rad less overlap than neighbouring sections.
 #[test]
-fn a_tip_in_a_root_jams_wherever_along_the_face_it_stands() {
+fn a_tip_in_a_root_jams_anywhere_along_the_face() {
     for state in [
         6_568_607_135_856_689_832,
         10_815_346_586_222_210_270,

@@ -1,4 +1,4 @@
-//! Helical pairs whose gears expand unlike: one base helix angle, two base pitches.
+//! Helical pairs whose gears expand differently: one base helix angle, two base pitches.
 
 use crate::helical_extremes::held;
 use crate::helical_pairs::{Draws, drawn, pair_of_the_prototype};
@@ -8,7 +8,7 @@ use gearlash::gear::{Hand, Side};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 
-/// `pair` with the lengths of its gears times so much, its centre distance and face as they are.
+/// `pair` with the lengths of its gears multiplied by `factors`; centre distance and face stay.
 fn warm(pair: &GearPair, factors: [f64; 2]) -> Option<GearPair> {
     let [wheel, pinion] = [(Member::Wheel, factors[0]), (Member::Pinion, factors[1])]
         .map(|(member, factor)| pair.gear(member).expanded(factor));
@@ -44,7 +44,7 @@ fn turns(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// How far the free gear's teeth stand turned at `b`: `−η b tan β/r`, of the warm radius.
+/// Twist of the free gear's teeth at `b`: `−η b tan β/r`, of the warm radius.
 fn free_twist(pair: &GearPair, b: f64) -> f64 {
     let data = pair.gear(pair.free()).gear().basic_data();
     let eta = match data.hand() {
@@ -54,8 +54,9 @@ fn free_twist(pair: &GearPair, b: f64) -> f64 {
     -eta * b * data.helix_angle().tan() / data.reference_radius()
 }
 
-/// Right and left contact from single sections at `places`, rad beyond the nominal rotation of the measuring plane, each with its error: the teeth
-/// of a section stand turned by the free gear's own twist from where they do in the measuring plane.
+/// Right and left contact from single sections at `places`, rad beyond the nominal rotation of the measuring plane,
+/// each with its error. The teeth of a section are turned by the free gear's own twist from those of the measuring
+/// plane.
 fn by_sections(
     pair: &GearPair,
     pose: &Pose,
@@ -84,9 +85,10 @@ fn by_sections(
     found
 }
 
-/// 161 single sections, which are spur pairs of unequal base pitch, are nowhere tighter than the face, and those where it touches as tight. 33 of polygons agree.
+/// 161 single sections, which are spur pairs of unequal base pitch, are nowhere tighter than the face, and equally
+/// tight at its contact. 33 sections by polygons agree.
 #[test]
-fn sections_and_polygons_bear_unlike_gears_out() {
+fn sections_and_polygons_confirm_unlike_gears() {
     let mut rng = Draws(21);
     let (mut compared, mut within) = (0, 0);
     while compared < 150 {
@@ -136,7 +138,7 @@ fn sections_and_polygons_bear_unlike_gears_out() {
     assert!(within > 20, "{within}");
 }
 
-/// Another way: model 3, which asks of each pair of involutes whether its stretch of line contact meets the face.
+/// Another way: model 3, which tests for each pair of involutes whether its stretch of line contact meets the face.
 #[test]
 fn pairs_of_involutes_of_unlike_gears_have_the_same_contact() {
     let mut rng = Draws(22);
@@ -170,9 +172,9 @@ fn pairs_of_involutes_of_unlike_gears_have_the_same_contact() {
     }
 }
 
-/// Wider never has more play; without any width it is the spur pair of the transverse section; and the extremes hold. Perfect gears of unequal base pitch: the
-/// pair of teeth that is farthest on is the tightest, and a wider face has more of them. In closed form each pitch farther on takes `κ r_w` more,
-/// `κ = (r_b1/r_b2) τ_1 − τ_2`.
+/// A wider face never has more play, a face without width equals the spur pair of the transverse section, and the
+/// extremes hold. Perfect gears of unequal base pitch: the tightest pair of teeth is the one furthest on, and a wider
+/// face has more of them. In closed form each further pitch takes `κ r_w`, with `κ = (r_b1/r_b2) τ_1 − τ_2`.
 #[test]
 fn unlike_gears_lose_play_with_the_width() {
     let pair = pair_of_the_prototype([0.0; 2], [0.0; 2], Hand::Right, 1);
@@ -181,7 +183,7 @@ fn unlike_gears_lose_play_with_the_width() {
     let data = [Member::Wheel, Member::Pinion].map(|member| *pair.gear(member).gear().basic_data());
     let kappa = data[0].base_radius() / data[1].base_radius() * data[0].angular_pitch()
         - data[1].angular_pitch();
-    // So far along the face a pair of teeth comes a pitch farther on.
+    // Distance along the face over which a pair of teeth advances by a pitch.
     let axial = data[0].angular_pitch() / data[0].twist().abs();
     let mut last = f64::INFINITY;
     let mut least = Vec::new();
@@ -196,7 +198,7 @@ fn unlike_gears_lose_play_with_the_width() {
         least.push(0.5 * (end.low + end.high));
     }
     for two in least.windows(2) {
-        // A pitch more on each side, which is where either flank is tightest.
+        // One pitch more on each side, where either flank is tightest.
         let expected = 2.0 * kappa.abs() * radius;
         assert!(
             (two[0] - two[1] - expected).abs() < 3e-6,
@@ -205,7 +207,7 @@ fn unlike_gears_lose_play_with_the_width() {
     }
 }
 
-/// Drawn pairs: no pose of the cycle lies beyond the bracket, and most are proven.
+/// Drawn pairs: no pose of the cycle is outside the bracket, and most brackets are proven.
 #[test]
 fn extremes_of_unlike_gears_hold() {
     let mut rng = Draws(23);

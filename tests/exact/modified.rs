@@ -90,7 +90,7 @@ fn within(one: Option<Contact>, other: Option<Contact>, what: &dyn Fn() -> Strin
         let off = one.rotation - other.rotation;
         let turns = (off / TAU).round();
         let off = (off - TAU * turns).abs();
-        // The last term is the rounding of an angle of so many turns.
+        // The last term is the rounding of an angle of this many turns.
         let bound = one.error + other.error + 1e-14 * (1.0 + turns.abs());
         assert!(
             off <= bound,

@@ -1,4 +1,4 @@
-//! Teeth that no formula has: what is ruled out touches nowhere, and polygons overlap just outside the play.
+//! Teeth outside any formula: excluded pairs of pieces do not touch, and polygons overlap just outside the play.
 
 use super::drawn::{at, closed_by_arcs, cross, turned};
 use crate::outlines::{drawn, measured};
@@ -11,7 +11,8 @@ use gearlash::pair::Member;
 use nalgebra::{Point2, Rotation2};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A tooth that no formula has: from root to tip and back through points whose radii rise and fall again, straight, round or curved between.
+/// An irregular tooth: from root to tip and back through points whose radii rise and fall, with straight or curved
+/// pieces between.
 fn odd_tooth(random: &mut Random, teeth: u32, root: f64, tip: f64) -> Vec<PathSegment> {
     let pitch = TAU / f64::from(teeth);
     let at = |radius: f64, angle: f64| {
@@ -23,7 +24,7 @@ fn odd_tooth(random: &mut Random, teeth: u32, root: f64, tip: f64) -> Vec<PathSe
         let (foot, top) = (random.within(0.2, 0.38), random.within(0.03, 0.22));
         let point = |k: u32| {
             let share = f64::from(k) / f64::from(steps);
-            // A little up and down besides.
+            // A slight additional variation.
             let odd = if k == 0 || k == steps {
                 0.0
             } else {
@@ -54,7 +55,7 @@ fn odd_tooth(random: &mut Random, teeth: u32, root: f64, tip: f64) -> Vec<PathSe
                 ])
             }
             _ => {
-                // Through a middle that lies a tenth of the chord beside it: tan(sweep/4) is twice that.
+                // Through a middle point a tenth of the chord beside it: tan(sweep/4) is twice that.
                 let bulge = random.within(-0.2, 0.2);
                 let left = Rotation2::new(FRAC_PI_2) * (b - a);
                 let centre = a + (b - a) * 0.5 + left * ((1.0 - bulge * bulge) / (4.0 * bulge));
@@ -71,7 +72,7 @@ fn odd_tooth(random: &mut Random, teeth: u32, root: f64, tip: f64) -> Vec<PathSe
     path
 }
 
-/// A wheel of odd teeth, no two alike, its root radius and depth; `None` where curves cross.
+/// A wheel of irregular, different teeth, its root radius and depth; `None` if curves cross.
 fn odd_wheel(random: &mut Random) -> Option<(OutlineGear, f64, f64)> {
     let teeth = 5 + random.tooth(20);
     let root = 0.9 * f64::from(teeth);
@@ -94,7 +95,7 @@ fn odd_wheel(random: &mut Random) -> Option<(OutlineGear, f64, f64)> {
     Some((gear, root, depth))
 }
 
-/// What stands round runs of pieces rules out none that touches. Source: every pair of pieces looked at.
+/// Rectangles around runs of pieces rule out no contact. Source: every pair of pieces.
 #[test]
 fn nothing_that_touches_is_ruled_out() {
     let mut compared = 0;
@@ -124,7 +125,7 @@ fn nothing_that_touches_is_ruled_out() {
             let found = kernel.lost_motion(&mating).unwrap();
             let all = kernel.lost_motion_by_search(&mating).unwrap();
             assert_eq!(found.status(), all.status(), "{seed} {k}");
-            // Of solid ones an overlap of half a turn counts from either side.
+            // For solid poses an overlap of half a turn counts from either side.
             if found.solid {
                 continue;
             }
@@ -142,13 +143,13 @@ fn nothing_that_touches_is_ruled_out() {
     assert!(compared > 500, "{compared}");
 }
 
-/// Wheels of odd teeth, no two alike: polygons overlap just outside the play that is found and not just inside it.
+/// Wheels of irregular, different teeth: polygons overlap just outside the play found, and not just inside it.
 #[test]
 fn odd_teeth_overlap_just_outside_the_play() {
     let (mut clear, mut tight) = (0, 0);
     for seed in 0..160u64 {
         let mut random = Random(seed);
-        // Curves may cross: no gear.
+        // Curves can cross; such an outline is no gear.
         let (Some((wheel, a, b)), Some((pinion, c, d))) =
             (odd_wheel(&mut random), odd_wheel(&mut random))
         else {

@@ -21,7 +21,7 @@ fn outlines(pair: &GearPair) -> OutlinePair {
     OutlinePair::new(wheel, pinion, pair.center_distance(), pair.locked()).unwrap()
 }
 
-/// Both methods at one rotation of the locked gear, near `mating`; polygons bear out what is found.
+/// Both methods at one rotation of the locked gear, near `mating`; polygons confirm the result.
 fn both(pair: &GearPair, mating: Mating) -> (LostMotion, LostMotion) {
     let outlines = outlines(pair);
     let pose = Pose::new(pair, mating);
@@ -214,7 +214,8 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
     assert!(compared > 80, "{compared}");
 }
 
-/// Polygons bear out `found`, and neither rotation a little to either side of it: before it nothing touches, beyond it something has.
+/// Polygons confirm `found`, and no rotation slightly to either side: before it nothing touches, after it something
+/// overlaps.
 fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &LostMotion) {
     assert_eq!(certifier.check(mating, found), Ok(()), "{found:?}");
     let Some((right, left)) = found.right.zip(found.left).filter(|_| !found.solid) else {

@@ -40,7 +40,7 @@ impl Random {
     }
 }
 
-/// What a random pair may be.
+/// The range of a random pair.
 #[derive(Clone, Copy)]
 pub struct Kind {
     /// Tooth numbers.

@@ -9,8 +9,10 @@ use nalgebra::Point2;
 /// Contacts whose distances from the pitch point differ by less are equally near, mm.
 const EQUALLY_NEAR: f64 = 1e-6;
 
-/// The nearer to the pitch point, and of two equally near ones that clockwise on the locked gear at right flanks, counter-clockwise at left ones. Turned on
-/// from where one is named to where the next is, the names change where that one is farther by 1e-6 mm. Source: the rule, and the two points named.
+/// The tie goes to the contact nearer to the pitch point. Between two equally near ones it goes at right flanks to the
+/// one clockwise on the locked gear, at left flanks to the one counter-clockwise. As the gears turn from one named
+/// contact to the next, the name changes where the first is further by 1e-6 mm. Source: the rule, and the two points
+/// named.
 #[test]
 fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
     let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
@@ -54,7 +56,7 @@ fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
                         }
                     }
                     let both = [at(low), at(high)];
-                    // Both stand on one straight path of contact, a base pitch apart.
+                    // Both are on one straight path of contact, a base pitch apart.
                     let gap = (both[0].point - both[1].point).norm();
                     let base_pitch = pair.gear(locked).gear().basic_data().base_pitch();
                     assert!((gap - base_pitch).abs() < 1e-9, "{gap} {base_pitch}");

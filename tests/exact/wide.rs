@@ -1,6 +1,7 @@
-//! The campaign's pairs, far beyond any shop's: the quick path against branch and bound.
+//! The campaign's pairs, far outside practice: the quick method against branch and bound.
 //!
-//! What the quick path leaves out clears the mate by a wide margin in most gears; a wrong condition shows only at the odd ones.
+//! In most gears the pairs that the quick method omits are clear by a wide margin. A wrong condition shows only in
+//! unusual gears.
 
 #[path = "../common/campaign/mod.rs"]
 #[allow(unused_imports)] // nothing is timed here
@@ -11,13 +12,13 @@ use gearlash::contact::{Contact, ExactKernel, Status};
 use gearlash::pair::Pose;
 use rayon::prelude::*;
 
-/// What one pose was.
+/// The properties of one pose.
 struct Met {
     status: Status,
     direct: bool,
 }
 
-/// Both ways agree within the sum of their bounds; `None` where either leaves the pose open.
+/// Both methods agree within the sum of their bounds; `None` if either leaves the pose open.
 fn agree(depth: Option<Depth>, seed: u64, index: u64) -> Option<Met> {
     let drawn = Drawn::new(depth, seed, index);
     let pose = Pose::new(&drawn.assembly, drawn.mating);
@@ -58,7 +59,7 @@ fn run(seed: u64, poses: u64) -> Vec<Met> {
         .collect()
 }
 
-/// Source: branch and bound over all pairs of curves, no case told apart.
+/// Source: branch and bound over all pairs of curves, without special cases.
 #[test]
 fn wide_pairs_touch_where_branch_and_bound_finds() {
     const POSES: u64 = 5000;
@@ -71,16 +72,17 @@ fn wide_pairs_touch_where_branch_and_bound_finds() {
         "{} settled, {direct} direct; {statuses:?}: {found:?}",
         met.len()
     );
-    // Lands that touch between their corners may be more than the search settles.
+    // The search cannot settle some lands that touch between their corners.
     assert!(met.len() as u64 * 100 >= POSES * 95);
-    // Neither path and no status is left out.
+    // Both methods and all statuses occur.
     assert!(direct > 1000 && met.len() - direct > 500);
     assert!(found.iter().all(|&count| count > 100));
 }
 
-/// The locked corner stands beyond the free tip circle at the greatest gap so far, and meets it a little farther on, since
-/// the free gear is eccentric: beyond the tip alone does not rule it out (a mutant that said so was off by 3 µrad).
+/// The locked corner is outside the free tip circle at the greatest gap so far. It meets the circle slightly later,
+/// because the free gear is eccentric. So a place outside the tip alone does not rule it out (a mutant that assumed it
+/// was off by 3 µrad).
 #[test]
-fn a_corner_beyond_an_eccentric_tip_is_not_left_out() {
+fn a_corner_outside_an_eccentric_tip_is_not_omitted() {
     assert!(agree(Some(Depth::Grazing), 7, 49_556).is_some());
 }

@@ -1,7 +1,8 @@
-//! Poses that tell the program from one with a small mistake in it.
+//! Poses that expose a small mistake in the program.
 //!
-//! Each is the first of thousands of random poses at which some one-line change of `src/contact` (a mutant: `tests/README.md`) gave a wrong contact or a
-//! wrong verdict. A method without the change refuses it. Campaigns of a few thousand poses meet most of them by chance. These are few enough for every
+//! Each is the first of thousands of random poses at which a one-line change of `src/contact` (a mutant:
+//! `tests/README.md`) gave a wrong contact or a wrong verdict, and which a method without the change refuses. Campaigns
+//! of a few thousand poses meet most of them by chance. These are few enough for every referee.
 //! referee.
 
 use crate::clearance;
@@ -14,7 +15,7 @@ use gearlash::pair::{GearPair, Member, Pose};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Of the campaign's pairs.
+/// Seed of the campaign's pairs.
 const SEED: u64 = 2;
 
 /// Spur poses at [`depth`].
@@ -27,7 +28,7 @@ const SPUR: [u64; 48] = [
 /// Spur poses whose tips graze: far corners of lands, and corners just beyond a tip.
 const GRAZING: [u64; 3] = [5855, 13216, 25825];
 
-/// Spur poses for what a contact names.
+/// Spur poses for the names of contacts.
 const NAMED: [u64; 28] = [
     2, 5, 14, 16, 17, 18, 19, 30, 39, 42, 46, 52, 60, 72, 75, 80, 121, 129, 214, 285, 390, 397,
     436, 471, 496, 669, 1145, 1326,
@@ -36,14 +37,14 @@ const NAMED: [u64; 28] = [
 /// Spur poses for the polygons and their certificate.
 const CERTIFIED: [u64; 13] = [0, 2, 3, 4, 10, 14, 27, 55, 148, 182, 414, 459, 904];
 
-/// Pairs whose profiles deviate, those that 3 divides with traces.
+/// Pairs whose profiles deviate; multiples of 3 have traces.
 const MODIFIED: [u64; 40] = [
     4, 11, 14, 22, 24, 33, 37, 38, 47, 50, 53, 101, 115, 142, 180, 191, 210, 222, 358, 373, 484,
     512, 562, 773, 967, 1490, 3006, 3008, 3019, 3024, 3026, 3032, 3044, 3063, 3121, 3324, 3354,
     3369, 3435, 3536,
 ];
 
-/// One pose in five grazes, and one stands in a root.
+/// One pose in five grazes, and one has a tip on a root.
 fn depth(index: u64) -> Option<Depth> {
     match index % 5 {
         3 => Some(Depth::Grazing),
@@ -63,13 +64,13 @@ fn cut(assembly: &GearPair) -> CutPair {
     CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module())
 }
 
-/// Complaints of all of `indices`, each with its own.
+/// Complaints of all of `indices`, each with its index.
 fn complaints(indices: &[u64], of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u64, Vec<String>)> {
     let each = indices.par_iter().map(|&index| (index, of(index)));
     each.filter(|(_, against)| !against.is_empty()).collect()
 }
 
-/// Faults of both methods and the certificate, and what is left unproven.
+/// Faults of both methods and the certificate, and unproven poses.
 fn by_both_methods(depth: Option<Depth>, index: u64) -> Vec<String> {
     let tally = run_of(Teeth::Spur, depth, SEED, index..index + 1, LONGEST);
     let found = tally.faults.into_iter().chain(tally.unproven);
@@ -86,7 +87,7 @@ fn spur_poses_hold_against_polygons() {
     assert!(against.is_empty(), "{against:#?}");
 }
 
-/// A pose that both methods got wrong alike. Source: clearance of dense points.
+/// A pose that both methods had wrong in the same way. Source: clearance of dense points.
 #[test]
 fn a_pose_that_both_methods_may_get_wrong_holds_against_brute_force() {
     let (assembly, pose) = drawn(81);
@@ -95,9 +96,9 @@ fn a_pose_that_both_methods_may_get_wrong_holds_against_brute_force() {
     assert!(against.is_empty(), "{against:#?}");
 }
 
-/// Source: the half teeth written anew for the clearance, and the teeth that polygons name.
+/// Source: the independent half teeth of the clearance, and the teeth found by polygons.
 #[test]
-fn contacts_lie_where_they_say() {
+fn contacts_are_where_reported() {
     let against = complaints(&NAMED, |index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
@@ -116,8 +117,8 @@ fn contacts_lie_where_they_say() {
     assert!(against.is_empty(), "{against:#?}");
 }
 
-/// Contacts as found, off by ten bounds and by ten thousand either way, left out, and claimed where there are none; whether each is to be borne out. Of a
-/// jammed pose the rotations mean nothing.
+/// Contacts as found; off by ten bounds and by ten thousand either way; missing; and invented. Each with whether it
+/// must be confirmed. The rotations of a jammed pose have no meaning.
 fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
     let axis = assembly.axis(assembly.free());
     let gear = assembly.gear(assembly.free()).gear();
@@ -135,7 +136,7 @@ fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
     };
     for (right, contact) in [(true, found.right), (false, found.left)] {
         let Some(contact) = contact else {
-            // The other side's, if there is one.
+            // The contact of the other side, if there is one.
             let other = found.right.or(found.left);
             other
                 .into_iter()
@@ -143,7 +144,7 @@ fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
             continue;
         };
         let lever = (contact.point - axis).perp(&contact.normal).abs();
-        // What the finest polygons resolve is some hundreds of ulps.
+        // The finest polygons resolve some hundreds of ulps.
         let known = contact.error + 1e3 * f64::EPSILON * assembly.center_distance() / lever;
         for off in [10.0, -10.0, 1e4, -1e4].map(|bounds| bounds * known) {
             if off.abs() < 1e-3 * pitch {
@@ -157,7 +158,7 @@ fn claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
     claims
 }
 
-/// The same with bounds of a fiftieth of a pitch: within them is right, three of them off is wrong.
+/// Claims with bounds of a fiftieth of a pitch: a contact within them is right, one off by three of them is wrong.
 fn wide_claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool)> {
     let gear = assembly.gear(assembly.free()).gear();
     let wide = gear.basic_data().angular_pitch() / 50.0;
@@ -180,7 +181,7 @@ fn wide_claims(assembly: &GearPair, found: &LostMotion) -> Vec<(LostMotion, bool
     claims
 }
 
-/// What the certificate says that it should not.
+/// The wrong verdicts of the certificate.
 fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
     let cut = cut(assembly);
     let certifier = Certifier::new(cut.kernel(assembly));
@@ -198,9 +199,9 @@ fn misjudged(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String
     wrong.collect()
 }
 
-/// Source: both methods, which are at one on what is right.
+/// Source: both methods, which agree on the right contacts.
 #[test]
-fn the_certificate_bears_out_right_contacts_and_refuses_wrong_ones() {
+fn the_certificate_confirms_right_contacts_and_refuses_wrong_ones() {
     let against = complaints(&CERTIFIED, |index| {
         let (assembly, pose) = drawn(index);
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
@@ -227,7 +228,7 @@ fn deviating_profiles_hold_against_polygons() {
                 (Some(one), Some(other)) => {
                     let turns = (one.rotation - other.rotation) / TAU;
                     let off = (turns - turns.round()).abs() * TAU;
-                    // The last term is the rounding of an angle of so many turns.
+                    // The last term is the rounding of an angle of this many turns.
                     off <= one.error + other.error + 1e-14 * (1.0 + turns.abs())
                 }
                 (one, other) => one.is_none() && other.is_none(),

@@ -1,4 +1,4 @@
-//! Cycles whose proven extremes tell the program from one with a small mistake in it, as `witnesses` does of poses.
+//! Cycles whose proven extremes expose a small mistake in the program, like `witnesses` for poses.
 
 use crate::helical_pairs::{self, Draws};
 use crate::random::{self, Kind, Random};
@@ -7,13 +7,13 @@ use gearlash::contact::{ExactKernel, Extreme, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use rayon::prelude::*;
 
-/// Every fifth is helical; of the others half are near to what is made, and half of the campaign.
+/// Every fifth is helical. Half of the others are close to practice, half from the campaign.
 const CYCLES: [u64; 28] = [
     4, 5, 9, 10, 14, 15, 19, 29, 34, 42, 44, 50, 60, 64, 69, 86, 91, 97, 115, 195, 217, 221, 291,
     329, 365, 367, 427, 604,
 ];
 
-/// What a bracket may be wide, mm.
+/// Width of a bracket, mm.
 const WIDTH: f64 = 1e-6;
 
 /// Values of one pose are known to 1e-10 mm at the very worst (rounding).
@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-10;
 /// Poses spread over the stretch by the golden ratio.
 const POSES: u32 = 250;
 
-/// A pair, and a stretch of its cycle: from a mating on, so many pitches.
+/// A pair, and a stretch of its cycle: a mating, and a number of pitches from there.
 fn drawn(number: u64) -> (GearPair, Mating, u64) {
     let index = number / 5 * 4 + number % 5 % 4;
     let mut random = Random(index.wrapping_mul(77) ^ 0xe1);
@@ -67,7 +67,7 @@ fn least(play: impl Fn(f64) -> f64, pitches: f64) -> f64 {
     best.0
 }
 
-/// What speaks against the extremes of a stretch: all these are proven.
+/// Contradictions to the extremes of a stretch, all of which are proven.
 fn against(number: u64) -> Vec<String> {
     let (pair, first, matings) = drawn(number);
     let kernel = ExactKernel::new(&pair);
@@ -104,7 +104,8 @@ fn against(number: u64) -> Vec<String> {
     against
 }
 
-/// No pose lies beyond a bracket, the pose it names attains it, it is narrow, and it is proven. Source: poses of the exact method.
+/// No pose is outside a bracket, its reported pose attains it, it is narrow, and it is proven. Source: poses of the
+/// exact method.
 #[test]
 fn extremes_of_these_cycles_hold() {
     let complaints: Vec<String> = CYCLES

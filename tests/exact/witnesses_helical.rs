@@ -1,4 +1,4 @@
-//! Helical poses that tell the program from one with a small mistake in it, as `witnesses` does of spur gears.
+//! Helical poses that expose a small mistake in the program, like `witnesses` for spur gears.
 
 use crate::clearance;
 use crate::helical_pairs::{self, Draws};
@@ -10,12 +10,12 @@ use gearlash::pair::{GearPair, Mating, Pose};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Even ones are twice a pose of the campaign, odd ones drawn near to what is made.
+/// Even ones are twice a pose of the campaign; odd ones are drawn close to practice.
 const SECTIONS: [u64; 20] = [
     6, 14, 16, 24, 26, 28, 38, 48, 50, 62, 65, 70, 78, 82, 92, 96, 118, 142, 148, 158,
 ];
 
-/// Sections looked at before the tightest is looked for beside the best of them.
+/// Sections examined before the tightest is searched around the best of them.
 const PLACES: u32 = 60;
 
 fn drawn(number: u64) -> (GearPair, Mating) {
@@ -33,7 +33,7 @@ fn drawn(number: u64) -> (GearPair, Mating) {
     (pair, mating)
 }
 
-/// How far beyond its nominal rotation the free gear comes towards `side`, rad: its contact, and the bound on it.
+/// Rotation beyond nominal that the free gear reaches towards `side`, rad: its contact, and the bound.
 fn room(side: Side, found: &LostMotion, pose: &Pose) -> Option<(f64, Contact)> {
     let contact = match side {
         Side::Right => found.right,
@@ -44,14 +44,14 @@ fn room(side: Side, found: &LostMotion, pose: &Pose) -> Option<(f64, Contact)> {
     Some((-side.sense() * beyond, contact))
 }
 
-/// The same of one section alone, a spur pair.
+/// That rotation for one section alone, a spur pair.
 fn of_section(pair: &GearPair, pose: &Pose, side: Side, b: f64) -> Option<(f64, Contact)> {
     let here = pose.in_section(pair, b);
     let found = ExactKernel::new(&pair.section(b)).lost_motion(&here);
     room(side, &found.unwrap(), &here)
 }
 
-/// What speaks against pose `number` of `pair`: a section that is tighter than its face, or a contact that its own section has not.
+/// Contradictions to pose `number` of `pair`: a section tighter than its face, or a contact that its own section lacks.
 fn against(number: u64, (pair, mating): (GearPair, Mating), sections: u32) -> Option<String> {
     let pose = Pose::new(&pair, mating);
     let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
@@ -95,7 +95,7 @@ fn against(number: u64, (pair, mating): (GearPair, Mating), sections: u32) -> Op
     })
 }
 
-/// Source: single sections, which are spur pairs: of many, and about the tightest of them.
+/// Source: single sections, which are spur pairs: many of them, and some around the tightest.
 #[test]
 fn no_section_is_tighter_than_the_face_of_these() {
     let complaints: Vec<String> = SECTIONS
@@ -105,7 +105,8 @@ fn no_section_is_tighter_than_the_face_of_these() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// What speaks against a pose of the helical campaign of seed 1 whose tips hardly reach each other; brute force has its say in the sections named.
+/// Contradictions to a pose of the helical campaign of seed 1 whose tips barely reach each other. Brute force checks
+/// the reported sections.
 fn against_grazing(number: u64) -> Vec<String> {
     let drawn = Drawn::of(Teeth::Helical, Some(Depth::Grazing), 1, number);
     let pose = Pose::new(&drawn.assembly, drawn.mating);
@@ -126,8 +127,8 @@ fn against_grazing(number: u64) -> Vec<String> {
     complaints
 }
 
-/// Tip circles that overlap by 0.0002 to 0.005 modules: rounding leaves their crossing farther off than the places beside it that were looked at,
-/// and up to 190 µm of what is tightest there were left out. Source: as above, and brute force.
+/// Tip circles that overlap by 0.0002 to 0.005 modules. Rounding moves their crossing further than the places beside it
+/// that were examined, which omitted up to 190 µm. Source: as above, and brute force.
 #[test]
 fn edges_of_tips_that_hardly_overlap_cross_within_rounding() {
     let poses = [274, 304, 592, 632, 826, 921, 1047, 1074, 1221];
@@ -135,7 +136,8 @@ fn edges_of_tips_that_hardly_overlap_cross_within_rounding() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// Tips that meet between the sections looked at, and in none of them: such poses were out of mesh, on one side or on both. Source: as above.
+/// Tips that meet only between the examined sections: such poses were out of mesh on one side or both. Source: as
+/// above.
 #[test]
 fn tips_that_meet_between_all_sections_touch() {
     let poses = [641, 695, 1032];
@@ -143,7 +145,7 @@ fn tips_that_meet_between_all_sections_touch() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// Any poses whose tips hardly reach each other. Source: single sections.
+/// Poses whose tips barely reach each other. Source: single sections.
 #[test]
 fn no_section_is_tighter_than_the_face_of_tips_that_hardly_meet() {
     let complaints: Vec<String> = (0..150u64)
@@ -156,8 +158,9 @@ fn no_section_is_tighter_than_the_face_of_tips_that_hardly_meet() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// Poses of the helical campaign of a seed whose tightest, or whose jam, stands between the sections that hold the tightest of all pairs of involutes.
-/// Of the last, edges cross where rounding leaves unsure, and the bound says so.
+/// Poses of the helical campaign of a seed whose tightest contact, or whose jam, is between the sections that hold the
+/// tightest of all pairs of involutes. In the last one edges cross within an uncertainty that rounding leaves, and the
+/// bound includes it.
 const BETWEEN: [(Option<Depth>, u64, u64); 15] = [
     (None, 2, 4),
     (None, 2, 12),
@@ -176,10 +179,10 @@ const BETWEEN: [(Option<Depth>, u64, u64); 15] = [
     (Some(Depth::Grazing), 3, 1502),
 ];
 
-/// Sections looked at for one that jams.
+/// Sections examined for a jam.
 const JAMS: u32 = 2000;
 
-/// Whether the section at `b`, mm, jams by itself, by more than what is known of its overlap.
+/// Whether the section at `b`, mm, jams by more than the uncertainty of its overlap.
 fn surely_jams(pair: &GearPair, pose: &Pose, b: f64) -> bool {
     let here = pose.in_section(pair, b);
     let found = ExactKernel::new(&pair.section(b)).lost_motion(&here);
@@ -194,7 +197,7 @@ fn surely_jams(pair: &GearPair, pose: &Pose, b: f64) -> bool {
     found.status() == Status::Jammed && is_known
 }
 
-/// What speaks against what is said of jams: a section that jams in a pose that does not, or one that is named and does not jam.
+/// Contradictions about jams: a jammed section of a pose that is not jammed, or a reported one that does not jam.
 fn against_jam(pair: &GearPair, mating: Mating) -> Option<String> {
     let pose = Pose::new(pair, mating);
     let found = ExactKernel::new(pair).lost_motion(&pose).unwrap();
@@ -208,9 +211,9 @@ fn against_jam(pair: &GearPair, mating: Mating) -> Option<String> {
     Some(format!("{jam} jams, {found:?}"))
 }
 
-/// Source: single sections, as above; of those that jam by themselves 2001.
+/// Source: single sections, as above; 2001 of them for jams.
 #[test]
-fn what_touches_or_jams_between_the_sections_of_these_is_found() {
+fn contacts_and_jams_between_sections_are_found() {
     let complaints: Vec<String> = BETWEEN
         .par_iter()
         .flat_map_iter(|&(depth, seed, index)| {

@@ -26,8 +26,8 @@ fn same(pair: &GearPair, outlines: &OutlinePair, mating: Mating) -> Mating {
     mating.onward(pair, -locked.face().ascending() * off / pitch)
 }
 
-/// Whether a point of the locked outline stands within the free gear's root circle, wherever that gear is turned; `None` where none is much nearer or
-/// farther.
+/// Whether a point of the locked outline is within the free gear's root circle at every rotation of that gear; `None`
+/// if that is uncertain.
 fn stands_in_the_body(pair: &GearPair, pose: &Pose) -> Option<bool> {
     let (locked, free) = (pair.locked(), pair.gear(pair.free()));
     let turned = pair.mate_direction(locked) + pose.locked_rotation();
@@ -40,7 +40,7 @@ fn stands_in_the_body(pair: &GearPair, pose: &Pose) -> Option<bool> {
     (over.abs() > 1e-3 * module).then_some(over < 0.0)
 }
 
-/// What is found, the same a little off to either side, and left out; whether each is to be borne out.
+/// The contacts found, moved slightly to either side, and missing, each with whether it must be confirmed.
 fn claims(found: &LostMotion, pitch: f64) -> Vec<(LostMotion, bool)> {
     let mut claims = vec![(*found, true)];
     for (right, contact) in [(true, found.right), (false, found.left)] {

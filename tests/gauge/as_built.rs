@@ -1,4 +1,4 @@
-//! What went in comes out: each reading against the deviations, worked out here from the input lists.
+//! Each reading against the deviations of the model, computed here from the input lists.
 
 use super::*;
 use gearlash::gear::Flank;
@@ -113,9 +113,10 @@ fn datum_axis_pitch_separates_again() {
     }
 }
 
-/// F_r of a pure eccentricity. Ball i stands at |r_K u_i + e| = r_K + e cos χ_i + e² sin² χ_i/(2 r_K) + …, χ_i its angle
-/// from the high tooth. With a space at χ = 0 and one at π (high tooth 1.5, even z) sin vanishes at both and F_r = 2 e with no second order;
-/// with spaces at ±δ beside (odd z: δ = π/z at the low end) F_r = e (1 + cos δ) − e² sin² δ/(2 r_K): the difference to the first order falls fourfold as e halves.
+/// F_r of a pure eccentricity. Ball i is at |r_K u_i + e| = r_K + e cos χ_i + e² sin² χ_i/(2 r_K) + …, with its angle
+/// χ_i from the high tooth. With spaces at χ = 0 and π (high tooth 1.5, even z) the sine vanishes at both, and F_r = 2
+/// e without a second order. With spaces at ±δ beside (odd z: δ = π/z at the low end) F_r = e (1 + cos δ) − e² sin²
+/// δ/(2 r_K): the difference from the first order falls fourfold as e halves.
 #[test]
 fn runout_of_a_pure_eccentricity() {
     let runout = |teeth: u32, high_tooth: f64, eccentricity: f64| {

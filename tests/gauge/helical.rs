@@ -31,8 +31,9 @@ pub(super) fn with_pin(pin: f64, span_teeth: Option<u32>) -> Settings {
     }
 }
 
-/// Published: FVA Workbench examples 1-3 over two balls and over two pins of nominal gears, and the allowances of the dimension over balls
-/// that −115 and −165 µm of thickness in the normal section come to. The thickness that the gauge reads states the gear again.
+/// Published: FVA Workbench examples 1-3, over two balls and over two pins of nominal gears. They include the
+/// allowances of the dimension over balls for −115 and −165 µm of thickness in the normal section. The measured
+/// thickness gives the gear again.
 #[test]
 fn published_dimensions_over_balls_and_over_pins() {
     for Published {
@@ -92,7 +93,7 @@ fn published_dimensions_over_balls_and_over_pins() {
     }
 }
 
-/// Closed form: two perfect gears without play stand at the distance of their involutes, over any face.
+/// Closed form: two perfect gears without play have the distance of their involutes, over any face.
 #[test]
 fn a_perfect_helical_gear_does_not_move_on_the_master() {
     for (teeth, beta, face) in [(23, 24.0, [-10.0, 25.0]), (40, 8.0, [0.0, 0.0])] {
@@ -109,7 +110,8 @@ fn a_perfect_helical_gear_does_not_move_on_the_master() {
     }
 }
 
-/// Closed form, as of a spur gear: between involutes an eccentricity moves the gears alike in every section, `a'' = e cos χ + √(a_0² − e² sin² χ)`.
+/// Closed form, as for a spur gear: an eccentricity moves the gears equally in every section, `a'' = e cos χ + √(a_0² −
+/// e² sin² χ)`.
 #[test]
 fn an_eccentric_helical_gear_moves_as_a_spur_gear_over_any_face() {
     let deviations = Deviations {

@@ -92,8 +92,8 @@ fn a_pure_eccentricity_is_read_in_closed_form() {
     assert!((fit.high_tooth - 9.5).abs() < 1e-9);
 }
 
-/// A fork of two plane faces, inclined by `α_n` to its axis in the normal section and leaning as the teeth do, slid towards the axis of the gear, which
-/// turns until both faces touch: each face is brought to its helicoid in space.
+/// A fork of two plane faces, each at `α_n` to its axis in the normal section and inclined at the helix angle. It
+/// slides towards the axis of the gear, which turns until both faces touch: each face meets its helicoid in space.
 #[test]
 fn a_fork_rides_on_helical_teeth_as_its_closed_form_says() {
     for space in cases() {

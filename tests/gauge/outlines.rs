@@ -309,9 +309,10 @@ fn pins_and_anvils_touch_the_whole_outline() {
     assert!(off.abs() <= 2.0 * CHORD + spans.readings[0].error, "{off}");
 }
 
-/// What no anvil and no pin can be asked of an outline: too many teeth, flanks that an anvil's end alone touches, pins that sink or rest on the root.
+/// Impossible measurements of an outline: too many teeth, flanks that only an anvil's end touches, pins that sink or
+/// rest on the root.
 #[test]
-fn what_has_no_reading_says_why() {
+fn impossible_measurements_have_a_reason() {
     // Flanks that lean by more than half the angle of two teeth.
     let lean = 1.5 * PI / 24.0;
     let outline = read(

@@ -11,7 +11,7 @@ fn perfect(design: GearDesign, thinner: f64) -> AsBuilt {
     AsBuilt::perfect(gear, Face::Front)
 }
 
-/// What the formulas of ISO 21771 say of a gear without deviations, written out here. Lengths in mm.
+/// The formulas of ISO 21771 for a gear without deviations, written out here. Lengths in mm.
 struct Formulas {
     teeth: f64,
     base_pitch: f64,
@@ -22,8 +22,8 @@ struct Formulas {
 }
 
 impl Formulas {
-    /// s = m (π/2 + 2 x tan α) less `thinner`/cos α, s_b = cos α (s + 2 r inv α), p_b = π m cos α,
-    /// d_f = d − 2 m (1.25 − x_E), x_E = x − thinner/(2 m sin α).
+    /// s = m (π/2 + 2 x tan α) less `thinner`/cos α; s_b = cos α (s + 2 r inv α); p_b = π m cos α; d_f = d − 2 m (1.25
+    /// − x_E); x_E = x − thinner/(2 m sin α).
     fn new(teeth: u32, m: f64, alpha_deg: f64, x: f64, thinner: f64) -> Formulas {
         let alpha = alpha_deg.to_radians();
         let (teeth, inv) = (f64::from(teeth), alpha.tan() - alpha);
@@ -86,11 +86,11 @@ fn assert_reads(name: &str, readings: impl Iterator<Item = (f64, f64)>, formula:
     }
 }
 
-/// By default the contacts are near the middle of the active flank, between form circle and tip. Worked out apart from the crate for the
-/// third column: r_Ff from ξ_f = (r sin α − m (1.25 − 0.38 (1 − sin α) − x_E)/sin α)/r_b, ξ at (r_Ff + r_a)/2,
-/// k = (2 r_b ξ − s_b)/p_b + 1 = 5.56, 3.20, 10.14, 3.11, 3.73, 7.81, 22.86, rounded; D_M = d_b (tan(ξ + (p_b − s_b)/d_b) − ξ) = 5.346, 5.940,
-/// 5.177, 2.144, 0.3691, 21.26, 8.489, up to quarters of the module's decade. Undercut z 9 has another form circle: by both ends of
-/// its possible range k = 2.2 … 2.3.
+/// By default the contacts are near the middle of the active flank, between form circle and tip. The third column is
+/// computed independently: r_Ff from ξ_f = (r sin α − m (1.25 − 0.38 (1 − sin α) − x_E)/sin α)/r_b; ξ at (r_Ff +
+/// r_a)/2; k = (2 r_b ξ − s_b)/p_b + 1 = 5.56, 3.20, 10.14, 3.11, 3.73, 7.81, 22.86, rounded; D_M = d_b (tan(ξ + (p_b −
+/// s_b)/d_b) − ξ) = 5.346, 5.940, 5.177, 2.144, 0.3691, 21.26, 8.489, up to quarters of the module's decade. Undercut z
+/// 9 has another form circle: by both ends of its possible range k = 2.2 … 2.3.
 #[test]
 fn reads_the_formulas() {
     let gears = [
@@ -255,9 +255,9 @@ fn names_what_it_touches_off_the_involute() {
     ));
 }
 
-/// A span is one where both anvils touch involutes. At z 44, α 20° W_1 … W_3 would touch below the form circle, and from
-/// W_8 on the tip: (k − 1) 8.856 + 6.247 = 124.035 ξ with ξ from 0.2206 (d_Ff = 127.018) to 0.4878 (d_a = 138) holds for k = 4 … 7. Whatever was asked for,
-/// a gear file states what the gear has.
+/// A valid span has both anvils on involutes. At z 44, α 20° W_1 … W_3 would touch below the form circle, and from W_8
+/// on the tip: (k − 1) 8.856 + 6.247 = 124.035 ξ with ξ from 0.2206 (d_Ff = 127.018) to 0.4878 (d_a = 138) holds for k
+/// = 4 … 7. A gear file states the actual values of the gear, whatever `k` was requested.
 #[test]
 fn a_span_off_the_involute_is_none() {
     let part = perfect(design(44, 3.0, 20.0, 0.0), 0.03);

@@ -75,7 +75,7 @@ pub(super) fn profile(teeth: u32, which: usize) -> Modification {
     }
 }
 
-/// What profiles are put on: both flanks, or one.
+/// The profiles of both flanks: on both, or on one.
 pub(super) fn sides(one: &Modification) -> [[Modification; 2]; 3] {
     let none = Modification::default;
     [

@@ -1,4 +1,5 @@
-//! What a drawing states: tolerance fields, offsets and temperatures, against published tables and closed forms.
+//! Statements of a drawing: tolerance fields, offsets and temperatures, compared with published tables and closed
+//! forms.
 
 use gearlash::analytic::InvolutePair;
 use gearlash::error::GearError;
@@ -6,11 +7,11 @@ use gearlash::gear::{BasicGearData, Face, Gear, GearDesign, ThicknessField};
 use gearlash::metrology::{Measurements, ThicknessStatement, Toleranced};
 use gearlash::pair::DesignatedDistance;
 
-/// Copied from two public programs that print it alike.
+/// Copied from two public programs with equal values.
 const DIN_3967: &str = include_str!("../../fixtures/reference/din_3967.csv");
 
 fn basic_data(diameter: f64) -> BasicGearData {
-    // Beyond a module of 1000 mm no gear goes; teeth make up for it.
+    // The module is limited to 1000 mm, so use more teeth.
     let teeth = if diameter > 1000.0 { 1024 } else { 32 };
     BasicGearData::new(teeth, diameter / f64::from(teeth), 20f64.to_radians()).unwrap()
 }

@@ -128,7 +128,8 @@ fn thickness_that_the_pitch_states_too_is_found_twice() {
     assert_eq!(twice(&measurements), ThicknessBesidePitch::TakenBack);
 }
 
-/// Datum-axis pitch called own-axis, beside the runout it holds; and own-axis pitch called datum-axis, with 30 µm more of a first harmonic on both flanks alike.
+/// Datum-axis pitch declared as own-axis, with its runout; and own-axis pitch declared as datum-axis, with 30 µm more
+/// of a first harmonic on both flanks.
 #[test]
 fn the_first_harmonic_of_pitch_tells_its_axis() {
     let truth = Truth::new();
@@ -156,7 +157,7 @@ fn the_first_harmonic_of_pitch_tells_its_axis() {
         Finding::FirstHarmonicNotEccentricity { left_um, alike, .. } => Some((*left_um, *alike)),
         _ => None,
     });
-    // A wave that moves both flanks alike leaves sin (α − s/d) of its amplitude, s/d = π/(2 z) less the allowance.
+    // A wave that moves both flanks equally leaves sin (α − s/d) of its amplitude, s/d = π/(2 z) less the allowance.
     let basic_data = super::design().basic_data;
     let alpha = basic_data.pressure_angle();
     let half = truth.base_thickness / (2.0 * basic_data.base_radius()) - (alpha.tan() - alpha);

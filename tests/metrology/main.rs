@@ -28,7 +28,7 @@ fn design() -> GearDesign {
     }
 }
 
-/// What was put into a gear: thickness and pitch deviation of each tooth about their means, mm.
+/// The deviations of a model: thickness and pitch deviation of each tooth about their means, mm.
 struct Truth {
     base_thickness: f64,
     per_tooth: Vec<f64>,
@@ -88,7 +88,7 @@ impl Truth {
         }
     }
 
-    /// What a fork reads to first order in `e`, µm: `e cos θ + (x_R − x_L)/(2 tan α)` (`gear::RunoutReadings`).
+    /// The reading of a fork to first order in `e`, µm: `e cos θ + (x_R − x_L)/(2 tan α)` (`gear::RunoutReadings`).
     fn fork(&self) -> ProbeReadings {
         let basic_data = design().basic_data;
         let reading = |index: u32| {
@@ -113,8 +113,8 @@ impl Truth {
         }
     }
 
-    /// The same with pitch about the datum axis, which holds the eccentricity to first order (design section 6:
-    /// `F_R = −e sin(ψ − α)/cos α`, `F_L = −e sin(ψ + α)/cos α`), and a stated runout beside it.
+    /// Measurements with pitch about the datum axis, which contains the eccentricity to first order (design section 6:
+    /// `F_R = −e sin(ψ − α)/cos α`, `F_L = −e sin(ψ + α)/cos α`), and a separate runout.
     fn about_datum(&self, counts: EccentricitySource) -> Measurements {
         let basic_data = design().basic_data;
         let alpha = basic_data.pressure_angle();
@@ -152,7 +152,7 @@ fn measured(measurements: &Measurements) -> MeasuredGear {
         .unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 
-/// What `of` makes of the one finding that it is about.
+/// The value of `of` for the only finding to which it applies.
 fn only<T>(gear: &MeasuredGear, of: impl Fn(&Finding) -> Option<T>) -> T {
     let mut found: Vec<T> = gear.findings.iter().filter_map(of).collect();
     assert_eq!(found.len(), 1, "{:#?}", gear.findings);

@@ -1,4 +1,4 @@
-//! What was put in comes out: mean thickness, each flank's place, eccentricity.
+//! The deviations of a model are found again: mean thickness, each flank's place, eccentricity.
 
 use super::{ECCENTRICITY, HIGH_TOOTH, SPANNED, TEETH, Truth, measured, only};
 use gearlash::gear::Side;

@@ -209,7 +209,7 @@ fn the_formula_takes_the_deviation_where_it_touches() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// What is taken off lets nothing touch sooner.
+    /// Removing metal never makes anything touch sooner.
     #[test]
     fn taking_off_never_takes_play(
         amount in 0.0..0.1f64,

@@ -1,4 +1,4 @@
-//! What the programs of each `examples/` print.
+//! The output of the programs of each `examples/`.
 
 // The frame of each program is not run here.
 #[allow(dead_code)]

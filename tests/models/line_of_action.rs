@@ -140,8 +140,8 @@ fn check_complete(assembly: &GearPair, mating: Mating) -> Result<(), TestCaseErr
     Ok(())
 }
 
-/// Whether the contact of one facing pair lies on both involutes, by the equations of model 3 written out for
-/// each side in the picture frame, the free gear's rotation by plain iteration.
+/// Whether the contact of one facing pair is on both involutes, by the equations of model 3. They are written out for
+/// each side in the picture frame, with the free gear's rotation by plain iteration.
 fn plain_contact(assembly: &GearPair, pose: &Pose, side: Side, steps: i64) -> bool {
     let (locked, free) = (
         assembly.gear(assembly.locked()),

@@ -283,7 +283,7 @@ fn runout(case: &Case) {
     let eccentric = |member: Member, rotation: f64, direction: f64| {
         let perfect = assembly.gear(member);
         let teeth = f64::from(perfect.gear().basic_data().teeth());
-        // The high tooth stands at rotation + ascending (high − 1) τ from the mate.
+        // The high tooth is at rotation + ascending (high − 1) τ from the mate.
         let steps = (direction - rotation) * perfect.face().ascending() * teeth / (2.0 * PI);
         let deviations = Deviations {
             eccentricity,

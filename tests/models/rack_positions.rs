@@ -1,8 +1,8 @@
-//! Fillet, involute and root land against the rack tool that cuts them, put to one place of its roll after the other.
+//! Fillet, involute and root land, compared with the rack tool that cuts them at many positions of its roll.
 //!
-//! Nothing here is solved for: the tool is a trapezium with a circular tip round in the normal section, and a point of the transverse
-//! section is held against it with its lengths along the pitch line times `cos β`. Whatever the tool cuts lies inside it somewhere; what
-//! it leaves as a flank it touches and nowhere covers.
+//! No equation is solved. The tool is a trapezium with circular tips in the normal section. For a point of the
+//! transverse section its lengths along the pitch line are multiplied by `cos β`. Removed material is inside the tool
+//! at some position. The tool touches the remaining flank and covers it nowhere.
 
 use gearlash::gear::{BasicGearData, BasicRack, Gear, GearDesign, Hand, Profile, ProfilePart};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -13,7 +13,7 @@ struct Cutting {
     radius: f64,
     teeth: f64,
     cos_beta: f64,
-    /// Of the normal section.
+    /// In the normal section.
     alpha: f64,
     /// Centre of the tip round: from the tool tooth's middle, normal section, and below the pitch line, mm.
     centre: [f64; 2],

@@ -2,11 +2,10 @@
 //!
 //! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--helical] [--depth any|grazing|on-root]
 //! [--longest SECONDS] [--brute] [--print I]`.
-//! Whole gears are a referee besides: just inside both contacts of a clear pose no metal may stand in the other gear's.
-//! Ends with 1 when the methods differ by more than both error bounds together, disagree on a status, or the
-//! certificate refuses; or when a class of contact was not met; poses that a method gave up are
-//! counted and named. The
-//! first such poses are printed as pair files. `--brute` asks brute force instead of the polygon method.
+//! Whole gears are a further referee: just inside both contacts of a clear pose no metal may be in the other gear. It
+//! exits with 1 if the methods differ by more than the sum of both error bounds, disagree on a status, or the
+//! certificate refuses. It also does if a class of contact did not occur. Abandoned poses are counted and named. The
+//! first such poses are printed as pair files. `--brute` uses brute force instead of the polygon method.
 
 #[path = "../common/campaign/mod.rs"]
 mod campaign;
@@ -144,7 +143,7 @@ fn whole(kind: Teeth, depth: Option<Depth>, seed: u64, indices: Range<u64>) -> V
     indices.into_par_iter().filter_map(complaint).collect()
 }
 
-/// What brute force has against the exact method, and poses it gave up.
+/// Contradictions of brute force to the exact method, and abandoned poses.
 fn brute(depth: Option<Depth>, seed: u64, first: u64, poses: u64) -> Vec<(u64, String)> {
     let indices = (first..first + poses).into_par_iter();
     let complaints = indices.filter_map(|index| {

@@ -26,7 +26,7 @@ const CLOSER: [f64; 2] = [0.0, limits::RECOMMENDED_CLEARANCE - limits::LEAST_CLE
 /// Root radii of the tool, modules.
 const ROOT_RADII: [f64; 2] = [0.38, 0.2];
 
-/// What both say of one pair.
+/// The findings of both for one pair.
 struct Finding {
     k_8: bool,
     undercut: bool,

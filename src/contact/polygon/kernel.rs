@@ -116,9 +116,9 @@ pub(super) fn finest_chord(assembly: &GearPair) -> f64 {
 
 /// Positions of the locked teeth that the free gear can reach, counted counter-clockwise from the mating's.
 ///
-/// A ray at the angle `ζ` from the line of centres, of length `R_l`, is nearest to the free axis at its end, or at the
-/// foot of the perpendicular, `a sin ζ`, if it reaches that. The greatest `ζ` whose distance is still `R_f` bounds the
-/// window. A tooth extends half a pitch to either side of its centre, and deviations add up to another half.
+/// Take a ray of length `R_l` at the angle `ζ` from the line of centres. It is nearest to the free axis at its end, or
+/// at the foot of the perpendicular, `a sin ζ`, if it reaches that. The greatest `ζ` whose distance is still `R_f`
+/// bounds the window. A tooth extends half a pitch to either side of its centre, and deviations add up to another half.
 pub(super) fn steps_in_reach(assembly: &GearPair, pose: &Pose) -> Range<i64> {
     let locked = assembly.gear(assembly.locked());
     let a = assembly.center_distance();

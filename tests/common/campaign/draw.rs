@@ -1,7 +1,7 @@
-//! A pair of gears and a pose of it, from a seed and a number.
+//! A pair of gears and one of its poses, from a seed and a number.
 //!
-//! Drawn from far outside what a shop makes, on purpose; what cannot exist (pointed teeth, closed spaces, no involute
-//! left) is drawn again.
+//! The draws go far outside practice on purpose. Impossible gears (pointed teeth, closed spaces, no involute left) are
+//! drawn again.
 
 use super::gear::Numbers;
 use super::pair_file;
@@ -11,10 +11,10 @@ use gearlash::gear::{AsBuilt, Hand, Side};
 use gearlash::pair::{GearPair, Mating, Member};
 use std::sync::Arc;
 
-/// Poses of one drawn pair: each at its own centre distance, with its own locked gear, mating and fraction.
+/// Poses per pair, each with its own centre distance, locked gear, mating and fraction.
 pub const POSES_A_PAIR: u64 = 4;
 
-/// What a campaign draws.
+/// The gears of a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Teeth {
     Spur,
@@ -22,17 +22,17 @@ pub enum Teeth {
     Helical,
 }
 
-/// Apart from the numbers of the gears: helical pairs are those of spur pairs, wound.
+/// Separate from the numbers of the gears: helical pairs are those spur pairs, twisted.
 const HELIX: u64 = 0x4845_4c49;
 
-/// How far the gears of a pose are apart.
+/// The distance of the gears of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Depth {
-    /// From jammed to tips that hardly reach; mostly in mesh.
+    /// From jammed to tips that barely reach; mostly in mesh.
     Any,
-    /// Tip circles that overlap by 0.2 m down to 1e-4 m, or nearly so: nothing but the tips is left of the mesh.
+    /// Tip circles that overlap, or nearly, by 0.2 m down to 1e-4 m: only the tips are left of the mesh.
     Grazing,
-    /// The other end: tips within 0.1 m to 1e-4 m of a root, on either side of touching it.
+    /// The opposite: tips within 0.1 m to 1e-4 m of a root, on either side of contact.
     OnRoot,
 }
 
@@ -52,7 +52,7 @@ impl Depth {
 pub struct Pair {
     numbers: Arc<[Numbers; 2]>,
     gears: [AsBuilt; 2],
-    /// Gears and pairs drawn before that cannot exist.
+    /// Number of impossible gears and pairs drawn before.
     pub redrawn: u64,
     seed: u64,
     number: u64,
@@ -74,7 +74,7 @@ impl Pair {
         Pair::of(Teeth::Spur, seed, number)
     }
 
-    /// The same of either kind.
+    /// [`Pair::new`] for spur or helical gears.
     pub fn of(kind: Teeth, seed: u64, number: u64) -> Pair {
         let mut random = Random::of(seed, number);
         let mut winding = Random::of(seed ^ HELIX, number);
@@ -87,7 +87,7 @@ impl Pair {
         loop {
             let undercut = random.chance(0.25);
             let first = random.decades(3.0, if undercut { 16.0 } else { 401.0 }) as u32;
-            // An undercut gear's mate may have any number of teeth.
+            // The mate of an undercut gear can have any number of teeth.
             let second = random.decades(3.0, 401.0) as u32;
             let module = random.decades(0.05, 20.0);
             let alpha = if random.chance(0.4) {
@@ -103,7 +103,7 @@ impl Pair {
             let hands = [hand, hand.mate()];
             let [wheel, pinion] = [0, 1].map(|k: usize| {
                 let teeth = teeth[k];
-                // A gear at a time: a pair of which both can exist would be rare, and the odd ones rarer.
+                // One gear at a time: a pair with two possible gears would be rare, and unusual ones rarer.
                 (0..50).find_map(|_| {
                     let mut numbers = Numbers::draw(&mut random, teeth, module, alpha);
                     if kind == Teeth::Helical {
@@ -134,7 +134,7 @@ impl Pair {
         &self.gears
     }
 
-    /// Pose `k` of the pair, at `depth` or at any.
+    /// Pose `k` of the pair, at `depth` or at any depth.
     pub fn pose(&self, k: u64, depth: Option<Depth>) -> Drawn {
         let mut random = Random::of(!self.seed, self.number * POSES_A_PAIR + k);
         let bundles = [
@@ -148,7 +148,8 @@ impl Pair {
         let depth = depth.unwrap_or(drawn);
         let locked = random.pick(&[Member::Wheel, Member::Pinion]);
         let [wheel, pinion] = &self.gears;
-        // What cannot be assembled (base circles that overlap) is drawn again; gears that can nowhere stand so near, farther apart.
+        // A pose that cannot be assembled (overlapping base circles) is drawn again. Gears that can never be so near
+        // get a greater distance.
         let depths = std::iter::repeat_n(depth, 20).chain(std::iter::repeat(Depth::Any));
         let assembly = depths
             .map(|depth| self.distance(&mut random, depth))
@@ -213,12 +214,12 @@ impl Pair {
 }
 
 impl Drawn {
-    /// Pose number `index` of the campaign of `seed`, at `depth` or at any, of spur gears.
+    /// Pose number `index` of the campaign of `seed` for spur gears, at `depth` or at any depth.
     pub fn new(depth: Option<Depth>, seed: u64, index: u64) -> Drawn {
         Drawn::of(Teeth::Spur, depth, seed, index)
     }
 
-    /// The same of either kind.
+    /// [`Drawn::new`] for spur or helical gears.
     pub fn of(kind: Teeth, depth: Option<Depth>, seed: u64, index: u64) -> Drawn {
         Pair::of(kind, seed, index / POSES_A_PAIR).pose(index % POSES_A_PAIR, depth)
     }

@@ -6,7 +6,7 @@ use gearlash::gear::{
 };
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// What kind of basic rack a gear was cut by.
+/// The kind of basic rack that cut a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RackKind {
     /// ISO 53 A.
@@ -19,7 +19,7 @@ pub enum RackKind {
     Sharp,
     /// The greatest root radius that fits.
     FullRound,
-    /// Anything between.
+    /// Any value in between.
     Any,
 }
 
@@ -66,7 +66,7 @@ impl RackKind {
     }
 }
 
-/// How the tip circle differs from the one the rack and `x` call for.
+/// Difference of the tip circle from that of the rack and `x`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Tip {
     AsGenerated,
@@ -107,18 +107,18 @@ pub struct Numbers {
     pub helix: Option<(f64, Hand)>,
 }
 
-/// How the deviations of a gear's teeth go round.
+/// Pattern of the deviations around a gear.
 #[derive(Clone, Copy)]
 enum Pattern {
     Random,
-    /// Every other tooth farther along: hand-over at tip corners.
+    /// Every other tooth is offset: hand-over at tip corners.
     Alternating,
-    /// A single tooth off, and by more than all could be.
+    /// A single tooth is off, by more than all could be.
     One(u32),
 }
 
 impl Numbers {
-    /// A gear that may or may not exist.
+    /// The numbers of a gear that may be impossible.
     pub fn draw(
         random: &mut Random,
         teeth: u32,
@@ -174,7 +174,7 @@ impl Numbers {
         numbers
     }
 
-    /// The same teeth in the normal section, wound: all circles grow by 1/cos β.
+    /// The same teeth in the normal section, twisted: all circles grow by 1/cos β.
     pub fn wind(&mut self, angle_deg: f64, hand: Hand) {
         let reference = f64::from(self.teeth) * self.module_mm;
         self.tip_diameter_mm += reference / angle_deg.to_radians().cos() - reference;
@@ -213,19 +213,19 @@ impl Numbers {
             };
             (0..self.teeth).map(off).collect()
         };
-        // Per-tooth thickness moves a flank by half of it.
+        // Thickness by tooth moves a flank by half of it.
         match self.teeth % 3 {
             0 => self.per_tooth_um = list(um),
             1 => (self.right_um, self.left_um) = (list(um), list(um)),
             _ => {
-                // Both flanks along: a tooth out of place, as thick as it was.
+                // Both flanks together: a tooth out of place with its thickness unchanged.
                 self.right_um = list(um);
                 self.left_um = self.right_um.clone();
             }
         }
     }
 
-    /// The gear, if it can exist.
+    /// The gear, if it is possible.
     pub fn build(&self) -> Option<AsBuilt> {
         let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let alpha = self.pressure_angle_deg.to_radians();

@@ -1,9 +1,9 @@
 //! Random poses for both methods, from a seed: the campaign of exact against polygon, each exact result certified.
 //!
-//! Used by `tests/tools/campaign.rs` and tests. A pair is drawn as numbers of a pair file (`gear`, `draw`), so
-//! that any pose can be printed and run again (`pair_file`). What is drawn goes far beyond what a shop makes, and leans
-//! towards the awkward: undercut teeth, tips turned down or raised, hand-over on tip corners, eccentric axes, tips deep in
-//! roots, tips that hardly reach.
+//! `tests/tools/campaign.rs` and tests use it. A pair is drawn as the numbers of a pair file (`gear`, `draw`), so that
+//! any pose can be printed and run again (`pair_file`). The draws go far beyond practice and favour difficult cases.
+//! Examples are undercut teeth, tips turned down or raised, hand-over on tip corners, eccentric axes, tips deep in
+//! roots, and tips that barely reach.
 
 #![allow(dead_code)] // each test binary uses its part
 
@@ -33,12 +33,12 @@ use watch::Watch;
 
 /// Poses `first..first + poses` of `seed` of spur gears, all at `depth` or mixed, by both methods on all threads.
 ///
-/// The process ends when a pose takes longer than `longest`: a search without end is a fault that would hide all others.
+/// The process ends if a pose takes longer than `longest`: an endless search is a fault that would hide all others.
 pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Duration) -> Tally {
     run_of(Teeth::Spur, depth, seed, first..first + poses, longest)
 }
 
-/// The same of either kind.
+/// [`run`] for spur or helical gears.
 pub fn run_of(
     kind: Teeth,
     depth: Option<Depth>,

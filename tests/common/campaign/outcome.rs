@@ -1,4 +1,4 @@
-//! What both methods and the certificate say about one pose, and what of it is a fault.
+//! The results of both methods and the certificate for one pose, and the faults among them.
 
 use super::draw::Drawn;
 use super::over_face;
@@ -11,42 +11,42 @@ use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
-/// A contact this near to the form circle, mm, is the joint of involute and fillet.
+/// Distance from the form circle, mm, within which a contact is at the joint of involute and fillet.
 const JOINT: f64 = 1e-6;
 
-/// What took how long: exact method, polygon method, certificate, proof by directions.
+/// The timed methods: exact, polygon, certificate, proof by directions.
 pub const METHODS: [&str; 4] = ["exact", "polygon", "certificate", "proof"];
 
-/// A result is moved by so many bounds, and neither certificate nor prover may accept it.
+/// Number of bounds by which a result is moved; then neither certificate nor prover may accept it.
 const MOVED: f64 = 3.0;
 
-/// How a pose came out.
+/// The outcome of a pose.
 pub enum Verdict {
-    /// Both methods within their bounds of each other, the certificate in favour.
-    Borne(Agreement),
-    /// One of them gave up: not wrong, and not proven.
+    /// Both methods are within their bounds of each other, and the certificate confirms them.
+    Confirmed(Agreement),
+    /// One method gave up: the pose is unproven, not wrong.
     Unproven(String),
     /// They contradict each other.
     Fault(String),
 }
 
-/// How near two methods were.
+/// Agreement of two methods.
 pub struct Agreement {
     /// Greatest difference of a rotation, and both bounds together, µm of `j_wt`.
     pub difference_um: f64,
     pub bound_um: f64,
-    /// Statuses that differ within what they are known to.
+    /// Statuses that differ within their uncertainty.
     pub border: Option<&'static str>,
 }
 
-/// One pose, run.
+/// One pose, with its results.
 pub struct Outcome {
     pub exact: Option<LostMotion>,
     pub verdict: Verdict,
     pub times: [Duration; 4],
-    /// Why the exact result is left to the polygons, where the prover does not prove it.
+    /// The reason why the exact result is left to the polygons, if the prover does not prove it.
     pub left_to_polygons: Option<&'static str>,
-    /// Units of effort that the exact method took, and might have taken.
+    /// Effort of the exact method, and its limit.
     pub effort: [u64; 2],
 }
 
@@ -100,7 +100,7 @@ impl Outcome {
     }
 }
 
-/// Of a result that `prover` proves, a rotation that it proves too where it is moved by [`MOVED`] bounds.
+/// A rotation of a result that `prover` proves, and also proves after a move by [`MOVED`] bounds.
 fn accepts_moved(prover: &Prover, pose: &Pose, found: &LostMotion) -> Option<String> {
     if found.solid {
         return None;
@@ -133,9 +133,9 @@ fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) 
     format!("exact   {exact:?}\npolygon {polygon:?}")
 }
 
-/// Both rotations of both methods must lie within both bounds together, of jammed poses too; statuses must be
-/// the same, but where the difference says less than the bounds do. Where teeth stand in the mate's body at every
-/// rotation (`solid`) and both methods say jammed, a tooth meets the mate several times, and which contact is named means nothing.
+/// Both rotations of both methods must be within the sum of both bounds, also for jammed poses. Statuses must be equal,
+/// unless the difference is within the bounds. If teeth are in the mate's body at every rotation (`solid`) and both
+/// methods report a jam, a tooth meets the mate several times. Then the reported contact has no meaning.
 fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
     let assembly = &drawn.assembly;
     let fault =
@@ -159,7 +159,7 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
                 let bound = one.error + other.error;
                 if !(apart <= bound) && both_jammed && (exact.solid || polygon.solid) {
                     agreement.border = Some("a tooth in the mate's body: other contacts");
-                    return Verdict::Borne(agreement);
+                    return Verdict::Confirmed(agreement);
                 }
                 if !(apart <= bound) {
                     let (apart, bound) = (apart * um, bound * um);
@@ -172,7 +172,7 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
             }
             _ if loses_contact_nearby(drawn, cut) => {
                 agreement.border = Some("contact or none");
-                return Verdict::Borne(agreement);
+                return Verdict::Confirmed(agreement);
             }
             _ => {
                 return fault(format!(
@@ -183,7 +183,7 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
     }
     agreement.border = match (exact.status(), polygon.status()) {
         (one, other) if one == other => None,
-        // Rotations agree: lost motions of two signs lie within the bounds of zero.
+        // Rotations agree: lost motions of opposite sign are within the bounds of zero.
         (Status::Clear, _) | (_, Status::Clear) => Some("lost motion zero"),
         // Rotations agree, names do not.
         _ if begins_a_land(assembly, exact) || begins_a_land(assembly, polygon) => {
@@ -194,10 +194,10 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
             return fault(format!("the statuses differ: {one} and {other}"));
         }
     };
-    Verdict::Borne(agreement)
+    Verdict::Confirmed(agreement)
 }
 
-/// Whether a tip circle reaches the centre of the mate's outline: jammed by definition, and no rotation means anything.
+/// Whether a tip circle reaches the centre of the mate's outline: jammed by definition, and rotations have no meaning.
 pub fn reaches_the_centre(assembly: &GearPair) -> bool {
     let passes = |one: Member| {
         let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));
@@ -206,8 +206,8 @@ pub fn reaches_the_centre(assembly: &GearPair) -> bool {
     passes(Member::Wheel) || passes(Member::Pinion)
 }
 
-/// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status. A tool
-/// without a flat leaves no land: there the name must be the same.
+/// Whether a contact is where a fillet ends and a root land begins: either name is right, and so is either status. A
+/// tool without a flat leaves no land; then the names must be equal.
 fn begins_a_land(assembly: &GearPair, found: &LostMotion) -> bool {
     let on = |member: Member, touch: &Touch| {
         let gear = assembly.gear(member).gear();
@@ -222,9 +222,9 @@ fn begins_a_land(assembly: &GearPair, found: &LostMotion) -> bool {
         .any(|contact| on(Member::Wheel, &contact.wheel) || on(Member::Pinion, &contact.pinion))
 }
 
-/// Whether within the rounding of the centre distance (1000 ulps: coordinates of both outlines are some dozens of operations on
-/// lengths of up to that) one method or the other finds a side with contact and without: tips that graze
-/// each other so nearly that the distance as a number does not say whether they do.
+/// Whether, within the rounding of the centre distance, a method finds a side both with contact and without. That
+/// rounding is 1000 ulps, for some dozens of operations on lengths up to the distance. It concerns tips that graze each
+/// other so closely that the distance as a number does not decide.
 fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
     let here = &drawn.assembly;
     let a = here.center_distance();

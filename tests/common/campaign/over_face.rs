@@ -7,8 +7,8 @@ use gearlash::pair::Pose;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-/// What both methods, and exact method and certificate, say about a helical pose. The times of the polygon method and of the certificate are with
-/// that of the exact one, and of making their kernels.
+/// The results of both methods, and of exact method and certificate, for a helical pose. The times of the polygon
+/// method and of the certificate include that of the exact method and of their kernels.
 pub fn outcome(drawn: &Drawn, cut: &CutPair) -> Outcome {
     let assembly = &drawn.assembly;
     let pose = Pose::new(assembly, drawn.mating);
@@ -38,8 +38,8 @@ pub fn outcome(drawn: &Drawn, cut: &CutPair) -> Outcome {
     }
 }
 
-/// A certificate that fails, and methods that differ by more than both bounds or on the status, are faults; where effort ends one of them it is not
-/// proven.
+/// Faults are a failed certificate, and methods that differ by more than both bounds or in status. If effort ends a
+/// method, the pose is unproven.
 fn judge(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
     let um = drawn.assembly.operating_pitch_radius(drawn.assembly.free()) * 1e3;
     if let Err(unproven) = &certified.found {
@@ -61,7 +61,7 @@ fn judge(drawn: &Drawn, both: &PoseResult, certified: &PoseResult) -> Verdict {
                 agreement.difference_um = mm.abs() * 1e3;
             }
             agreement.bound_um = found.error().unwrap_or(0.0) * um;
-            Verdict::Borne(agreement)
+            Verdict::Confirmed(agreement)
         }
         Err(unproven) if unproven.reason.starts_with("the exact") => {
             Verdict::Fault(unproven.reason.clone())

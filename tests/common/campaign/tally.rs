@@ -1,4 +1,4 @@
-//! What a campaign met, by class.
+//! The counts of a campaign, by class.
 
 use super::draw::{Depth, Drawn, Pair};
 use super::gear::{RackKind, Tip};
@@ -8,8 +8,8 @@ use gearlash::pair::Member;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// Curves that can meet, the locked gear's first; `joint`: where involute and fillet meet. A fillet is hollow: it meets
-/// another only where the other's is convex (never) or at an end.
+/// Curves that can meet, the locked gear's first; `joint`: where involute and fillet meet. A fillet is hollow, so it
+/// meets another only at an end of the other (never at a convex place, because fillets have none).
 const CONTACTS: [&str; 9] = [
     "involute on involute",
     "tip on involute",
@@ -22,7 +22,7 @@ const CONTACTS: [&str; 9] = [
     "involute on fillet",
 ];
 
-/// Helix angles, degrees, from the one named on.
+/// Helix angles, degrees, with the name of the range that starts there.
 const HELICES: [(f64, &str); 3] = [
     (0.0, "below 10°"),
     (10.0, "10° to 30°"),
@@ -36,20 +36,20 @@ const FACES: [(f64, &str); 3] = [
     (30.0, "above 30 modules"),
 ];
 
-/// Classes that only a long campaign meets, by its number of poses.
+/// Number of poses from which a campaign must include the rare classes.
 const RARE: u64 = 20_000;
 
-/// Faults, and poses unproven, kept with their reasons.
+/// Number of faults and unproven poses that are kept with their reasons.
 const KEPT: usize = 200;
 
-/// Counts, and what was found.
+/// Counts and findings.
 #[derive(Default)]
 pub struct Tally {
     pub poses: u64,
     pub redrawn: u64,
-    /// Class of classes, class: poses (contacts: sides).
+    /// Poses by class of classes and class (contacts: sides).
     pub classes: BTreeMap<(&'static str, String), u64>,
-    /// Greatest difference of two rotations that lie within their bounds, and greatest bounds, µm of `j_wt`.
+    /// Greatest difference of two rotations within their bounds, and greatest bounds, µm of `j_wt`.
     pub greatest_um: f64,
     pub greatest_bound_um: f64,
     pub faults: Vec<(u64, String)>,
@@ -57,11 +57,11 @@ pub struct Tally {
     pub border: Vec<(u64, &'static str)>,
     /// Poses that the prover leaves to the polygons.
     pub left: Vec<u64>,
-    /// Of each method: all time, the slowest pose, and its index.
+    /// For each method: total time, slowest pose, and its index.
     pub times: [(Duration, Duration, u64); 4],
-    /// Effort of the exact method: the greatest of a pose, what it might have been, and the pose's index.
+    /// Effort of the exact method: the greatest of a pose, its limit, and the pose's index.
     pub effort: ([u64; 2], u64),
-    /// Poses of which one method took longer than the issue allows, 0.1 s.
+    /// Poses for which one method took longer than 0.1 s.
     pub slow: u64,
 }
 
@@ -88,7 +88,7 @@ impl Tally {
         let limit = Duration::from_millis(100);
         self.slow += u64::from(outcome.times.iter().any(|&took| took > limit));
         match outcome.verdict {
-            Verdict::Borne(agreement) => {
+            Verdict::Confirmed(agreement) => {
                 self.greatest_um = self.greatest_um.max(agreement.difference_um);
                 self.greatest_bound_um = self.greatest_bound_um.max(agreement.bound_um);
                 self.border
@@ -99,7 +99,7 @@ impl Tally {
         }
     }
 
-    /// Both tallies together, the other's poses after this one's.
+    /// Both tallies together, with the other's poses after this one's.
     pub fn and(mut self, other: Tally) -> Tally {
         self.poses += other.poses;
         self.redrawn += other.redrawn;
@@ -130,7 +130,7 @@ impl Tally {
         self.classes.get(&key).copied().unwrap_or(0)
     }
 
-    /// Classes that a campaign of `depth` should have met and did not.
+    /// Classes that a campaign of `depth` must include and does not.
     pub fn empty(&self, depth: Option<Depth>) -> Vec<String> {
         let helical = self.count("teeth", "helical") > 0;
         let expected = expected(helical, depth, self.poses >= RARE);
@@ -142,7 +142,7 @@ impl Tally {
             .collect()
     }
 
-    /// The counts and times, for people.
+    /// The counts and times as text.
     pub fn report(&self) -> String {
         let mut lines = vec![format!(
             "{} poses, {} gears that cannot exist drawn again",
@@ -182,7 +182,7 @@ impl Tally {
         lines.join("\n")
     }
 
-    /// Keeps no more reasons than anybody reads; the numbers of all.
+    /// Keeps a limited number of reasons; counts stay complete.
     pub fn shorten(&mut self) {
         for list in [&mut self.faults, &mut self.unproven] {
             for (_, reason) in list.iter_mut().skip(KEPT) {
@@ -192,7 +192,7 @@ impl Tally {
     }
 }
 
-/// What `drawn` and its outcome are counted as.
+/// The classes of `drawn` and its outcome.
 fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
     let assembly = &drawn.assembly;
     let (locked, free) = (assembly.locked(), assembly.free());

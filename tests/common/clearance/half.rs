@@ -1,16 +1,16 @@
-//! The analytic half tooth, written anew: half the tooth's thickness as an angle over the radius, and the signed
-//! clearance of any point from it.
+//! An independent half tooth from formulas: half the tooth's thickness as an angle over the radius, and the signed
+//! clearance of any point.
 //!
-//! Frame: the gear's centre at the origin, the tooth's centre line, turned with the flank, on +x; the flank lies at
-//! negative angles. Left half teeth are mirrored into it.
+//! Frame: the gear's centre is the origin, and the tooth's centre line, turned with the flank, is on +x. The flank is
+//! at negative angles. Left half teeth are mirrored into this frame.
 
 use gearlash::gear::{AsBuilt, Gear, RollCurve, Side};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Places of the fillet's parameter kept to start its inversion from.
+/// Parameters of the fillet that are stored as starts of its inversion.
 const TABLE: usize = 64;
 
-/// What all teeth of a gear share.
+/// The data that all teeth of a gear share.
 pub struct Half {
     base: f64,
     pub tip: f64,
@@ -18,26 +18,27 @@ pub struct Half {
     reference: f64,
     /// `ψ_b`, half the angle of a tooth on the base circle.
     half_base: f64,
-    /// Depth `h` of the tool's tip round's centre below the pitch line, and its radius `ρ`, mm.
+    /// Depth `h` of the centre of the tool's tip radius below the pitch line, and that radius `ρ`, mm.
     depth: f64,
     round: f64,
-    /// `ρ/cos β`: in the transverse section of a helical gear the round is an ellipse, so wide along the pitch line.
+    /// `ρ/cos β`: in the transverse section of a helical gear the tool's tip is an ellipse with this half width along
+    /// the pitch line.
     wide: f64,
-    /// Angle from the tooth's centre line to where the root land begins.
+    /// Angle from the tooth's centre line to the start of the root land.
     pub land: f64,
-    /// Fillet: greatest `γ`, and the radius there, where the involute takes over.
+    /// Fillet: greatest `γ`, and the radius there, where the involute starts.
     gamma: f64,
     pub form: f64,
     /// Radii at `γ` in equal steps.
     table: Vec<f64>,
-    /// What the profile has beyond the involute, along its normal.
+    /// The profile deviation from the involute, along its normal.
     deviation: Option<RollCurve>,
 }
 
-/// Where one tooth's half ends at either end: angles from its centre line.
+/// The two ends of one tooth's half: angles from its centre line.
 #[derive(Clone, Copy)]
 pub struct Ends {
-    /// Beyond the centre line: the tip corner of the tooth's other flank.
+    /// Past the centre line: the tip corner of the tooth's other flank.
     pub far: f64,
     /// On the flank's side: the middle of the space.
     pub space: f64,
@@ -54,12 +55,12 @@ impl Ends {
     }
 }
 
-/// How far a point is from a half tooth.
+/// The clearance of a point from a half tooth.
 #[derive(Clone, Copy)]
 pub struct Clearance {
     /// Negative in the metal.
     pub mm: f64,
-    /// Of a point in the metal: the nearest of its bounds is not a curve but the cut at an end of the half tooth.
+    /// For a point in the metal: whether its nearest bound is the cut at an end of the half tooth instead of a curve.
     pub cut: bool,
     /// Distance from that end.
     pub end: f64,
@@ -71,7 +72,7 @@ impl Half {
         let design = gear.design();
         let basic_data = &design.basic_data;
         let (teeth, module) = (f64::from(basic_data.teeth()), basic_data.module());
-        // Of the normal section; seen from the front the tool is 1/cos β wider, and as high.
+        // Data of the normal section; in the transverse section the tool is wider by 1/cos β, and equally high.
         let (normal, cos) = (basic_data.pressure_angle(), basic_data.helix_angle().cos());
         let alpha = (normal.tan() / cos).atan();
         let reference = 0.5 * module * teeth / cos;
@@ -82,7 +83,7 @@ impl Half {
             - 0.25 * PI * module / normal.tan();
         let round = design.rack.root_radius() * module;
         let depth = design.rack.dedendum() * module - round - fed;
-        // From the middle of the tool's tip to the centre of its round.
+        // From the middle of the tool's tip to the centre of its radius.
         let flat = 0.25 * PI * module
             - (design.rack.dedendum() * module - round) * normal.tan()
             - round / normal.cos();
@@ -108,7 +109,7 @@ impl Half {
         half
     }
 
-    /// The same with a profile deviation, the fillet turned so that it meets the flank where it ends.
+    /// The half tooth with a profile deviation, its fillet turned to meet the end of the flank.
     pub fn deviating(self, deviation: &RollCurve) -> Half {
         let nominal = self.involute(self.form);
         let mut half = Half {
@@ -119,14 +120,14 @@ impl Half {
         half
     }
 
-    /// Undercut: the fillet ends where it crosses the involute, outside of where the tool's flank would have begun it.
+    /// Undercut: the fillet ends where it crosses the involute, outside the start of the tool's flank.
     fn end_fillet(&mut self) {
         let alpha = FRAC_PI_2 - self.gamma;
         let touching = self.reference * alpha.sin() - self.rolled_to(self.gamma)[0] / alpha.sin();
         if touching >= 0.0 {
             return;
         }
-        // Metal is what neither the round nor the flank takes; beyond the crossing the round takes less.
+        // Metal is outside both the tip radius and the flank; past the crossing the tip radius removes less.
         let (mut low, mut high) = (0.0, self.gamma);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
@@ -137,20 +138,21 @@ impl Half {
         self.gamma = high;
     }
 
-    /// Polar coordinates of the fillet at `γ`, the contact normal's angle from the radius through the pitch point.
+    /// Polar coordinates of the fillet at `γ`, where the contact normal has that angle from the radius through the
+    /// pitch point.
     ///
-    /// The normal through the pitch point makes `γ` with the depth, so the point lies (depth) × tan γ aside.
+    /// The normal through the pitch point makes `γ` with the depth, so the point is (depth) × tan γ beside it.
     fn fillet(&self, gamma: f64) -> (f64, f64) {
         let [deep, rolled] = self.rolled_to(gamma);
         let (out, aside) = (self.reference - deep, deep * gamma.tan());
         (out.hypot(aside), aside.atan2(out) - rolled - self.land)
     }
 
-    /// Depth below the pitch line, mm, of the point of the tool's round whose normal makes `γ` with the depth, and how far the gear has to roll until
-    /// that passes the pitch point, rad.
+    /// The point on the tool's tip whose normal makes `γ` with the depth: its depth below the pitch line, mm, and the
+    /// roll, rad, until that normal passes the pitch point.
     ///
-    /// The round is an ellipse, `ρ/cos β` along the pitch line and `ρ` deep: from its centre, at the depth `h`, that point lies
-    /// `(ρ/cos β)² sin γ/N` aside and `ρ² cos γ/N` deeper, `N = √((ρ/cos β)² sin² γ + ρ² cos² γ)`.
+    /// The tip is an ellipse, `ρ/cos β` wide along the pitch line and `ρ` deep. From its centre at the depth `h` the
+    /// point is `(ρ/cos β)² sin γ/N` aside and `ρ² cos γ/N` deeper, with `N = √((ρ/cos β)² sin² γ + ρ² cos² γ)`.
     fn rolled_to(&self, gamma: f64) -> [f64; 2] {
         let (sin, cos) = gamma.sin_cos();
         let size = (self.wide * sin).hypot(self.round * cos);
@@ -163,7 +165,7 @@ impl Half {
         [deep, (deep * gamma.tan() - from_centre[0]) / self.reference]
     }
 
-    /// `γ` of the fillet at `radius`: bracketed by the table, then the secant rule kept in its bracket (Illinois).
+    /// `γ` of the fillet at `radius`: bracketed by the table, then the secant rule within its bracket (Illinois).
     fn gamma_at(&self, radius: f64) -> f64 {
         let k = self.table.partition_point(|&r| r <= radius).clamp(1, TABLE);
         let at = |k: usize| self.gamma * k as f64 / TABLE as f64;
@@ -210,13 +212,13 @@ impl Half {
         self.half_base - (self.rolled(tangent) - tangent.atan())
     }
 
-    /// The roll of the point whose tangent to the base circle is `tangent` base radii long: the involute's way, less what stands out.
+    /// The roll of the point whose tangent to the base circle is `tangent` base radii long, less the deviation.
     fn rolled(&self, tangent: f64) -> f64 {
         let Some(deviation) = &self.deviation else {
             return tangent;
         };
         let mut roll = tangent;
-        // Contracts: a deviation's slope is a small part of the base radius.
+        // A contraction: the slope of a deviation is a small part of the base radius.
         for _ in 0..200 {
             let next = tangent - deviation.at(roll) / self.base;
             if (next - roll).abs() <= 1e-16 {
@@ -227,27 +229,29 @@ impl Half {
         roll
     }
 
-    /// Half the tooth's angle at `radius`, root circle or above; beyond the tip of the involute produced.
+    /// Half the tooth's angle at `radius`, from the root circle up; outside the tip circle that of the extended
+    /// involute.
     pub fn half_angle(&self, radius: f64) -> f64 {
         self.edge(radius).0
     }
 
-    /// That, and how much of the flank's normal points along the circle.
+    /// Half the tooth's angle, and the component of the flank's normal along the circle.
     fn edge(&self, radius: f64) -> (f64, f64) {
         if radius >= self.form {
             return (self.involute(radius), (self.base / radius).min(1.0));
         }
         let gamma = self.gamma_at(radius);
         let (_, angle) = self.fillet(gamma);
-        // The normal stands γ off the radius through the pitch point.
+        // The normal is `γ` off the radius through the pitch point.
         let pitch_point = -self.rolled_to(gamma)[1] - self.land;
         (-angle, (pitch_point - gamma - angle).sin().abs())
     }
 
-    /// Signed clearance of the point (x, y): distance to first order near the half tooth's curves, negative in its metal.
+    /// Signed clearance of the point (x, y): its distance to first order near the half tooth's curves, negative in the
+    /// metal.
     ///
-    /// Metal: below the tip circle between flank and far corner, and below the root circle as far as the middle of the space.
-    /// What lies behind an end of the half tooth belongs to other half teeth: the metal is cut off along the radius there.
+    /// The metal is below the tip circle between flank and far corner, and below the root circle to the middle of the
+    /// space. Metal past an end belongs to other half teeth, so it is cut off along the radius there.
     pub fn clearance(&self, x: f64, y: f64, ends: Ends) -> Clearance {
         let (radius, angle) = (x.hypot(y), y.atan2(x));
         let beyond = (angle - ends.far) * radius;
@@ -269,7 +273,7 @@ impl Half {
         }
         let (half, across) = self.edge(radius);
         let beside = (-half - angle) * radius * across;
-        // Beyond the end of the space all of the half tooth lies on the other side of the radius there.
+        // Past the end of the space the whole half tooth is on the other side of the radius there.
         let from_flank = beside.max(radius - self.tip).max(before);
         let from_tooth = if from_flank < 0.0 && beyond > 0.0 {
             to_corner
@@ -284,7 +288,7 @@ impl Half {
         }
     }
 
-    /// The whole half tooth from 0, the far corner, to 4, the middle of the space: a curve each.
+    /// The whole half tooth from 0, the far corner, to 4, the middle of the space: one unit per curve.
     pub fn along(&self, t: f64, ends: Ends) -> [f64; 2] {
         let curve = (t as usize).min(3);
         self.point(curve, t - curve as f64, ends)

@@ -1,10 +1,10 @@
 //! Brute force: clearance of dense points of either gear in the other's own frame.
 //!
-//! Nothing of either method is used: no gap over the radius, no search tree, no polygons, no distance of shapes. From the
-//! crate come what a pose is and where it puts a tooth (`Pose`, `AsBuilt`: angles, offsets, displacement, the
-//! middle of a space); the half tooth itself is written anew in `half`. A side's contact is where, the free gear
-//! turned in from open, a right half tooth first touches the right half tooth it faces (left halves likewise):
-//! there the least clearance of all points of all facing pairs, of both gears' points, changes its sign.
+//! It uses nothing of either method: no gap over the radius, no search tree, no polygons, no distance of shapes. The
+//! crate only defines a pose and the position of a tooth (`Pose`, `AsBuilt`: angles, offsets, displacement, the middle
+//! of a space). `half` computes the half tooth independently. Turn the free gear in from open. The contact of the right
+//! side is where a right half tooth first touches the right half tooth it faces; left halves likewise. There the least
+//! clearance of all points of all facing pairs changes its sign.
 
 #![allow(dead_code)] // each test binary uses its part
 
@@ -26,10 +26,11 @@ pub use verdict::{against, contacts};
 #[allow(unused_imports)] // likewise
 pub use whole::{overlap, overlap_just_inside};
 
-/// Points a curve before zooming.
+/// Points per curve before refinement.
 const POINTS: usize = 24;
 
-/// Local minima within this many modules of the least are zoomed: points 0.05 m apart on curves bent by 1/(0.05 m) miss 0.01 m.
+/// Distance from the least, in modules, within which local minima are refined: points 0.05 m apart on curves of
+/// curvature 1/(0.05 m) miss 0.01 m.
 const NEAR: f64 = 0.03;
 
 /// A facing pair: the two teeth, and the ends of both half teeth.
@@ -38,7 +39,7 @@ struct Faced {
     free_tooth: u32,
     halves: [Rc<Half>; 2],
     ends: [Ends; 2],
-    /// Place on the centre line and radius of a circle about each half tooth.
+    /// Centre on the centre line, and radius, of a circle about each half tooth.
     circles: [(f64, f64); 2],
 }
 
@@ -55,7 +56,7 @@ pub struct Referee<'a> {
 /// Golden section.
 const RATIO: f64 = 0.618_033_988_749_894_8;
 
-/// Least value of `f` seen by a golden section search between `low` and `high`.
+/// Least value of `f` that a golden section search finds between `low` and `high`.
 fn least_between(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut c, mut d) = (high - RATIO * (high - low), low + RATIO * (high - low));
     let (mut at_c, mut at_d) = (f(c), f(d));
@@ -75,7 +76,7 @@ fn least_between(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     least
 }
 
-/// Whether any stretch of negative values was entered or left over a curve.
+/// Whether any stretch of negative values begins or ends at a curve.
 fn crosses(found: &[f64], along: impl Fn(usize) -> f64, at: impl Fn(f64) -> Clearance) -> bool {
     (1..found.len()).any(|k| {
         let (mut clear, mut over) = match (found[k - 1] < 0.0, found[k] < 0.0) {
@@ -104,7 +105,7 @@ impl<'a> Referee<'a> {
         let basic_data = *gear.gear().basic_data();
         let teeth = i64::from(basic_data.teeth());
         let mating = pose.mating().tooth(assembly.locked());
-        // From the locked tooth that points at the mate, once round.
+        // From the locked tooth that points at the mate, once around.
         let ahead = pose.locked_rotation() + gear.tooth_angle(f64::from(mating));
         let middle = -(ahead / basic_data.angular_pitch()).round() as i64;
         let axis = assembly.axis(assembly.free());
@@ -141,19 +142,19 @@ impl<'a> Referee<'a> {
         }
     }
 
-    /// Rounding of a clearance, mm: some dozens of operations on lengths up to the distance, turned by `rotation`.
+    /// Rounding of a clearance, mm: a few dozen operations on lengths up to the distance, turned by `rotation`.
     pub fn rounding(&self, pose: &Pose) -> f64 {
         let turned = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
         let size = self.assembly.center_distance() + self.locked.half.tip + self.free.half.tip;
         64.0 * f64::EPSILON * size * turned
     }
 
-    /// Least clearance of the side, mm, the free gear at `rotation`.
+    /// Least clearance of the side, mm, with the free gear at `rotation`.
     pub fn least(&self, rotation: f64) -> f64 {
         self.look(rotation, 4.0 * self.module)
     }
 
-    /// Least clearance, as far as it is below `most`.
+    /// Least clearance, if it is below `most`.
     fn look(&self, rotation: f64, most: f64) -> f64 {
         let mut least = most;
         for pair in &self.pairs {
@@ -180,15 +181,15 @@ impl<'a> Referee<'a> {
 
     /// Least clearance of one half tooth's points from the other, at most `least`.
     ///
-    /// Negative only where the one crosses the other's *curve*: a stretch within the metal that came in over the cut at an end
-    /// of the half tooth crosses that of another tooth, or none.
+    /// It is negative only where one crosses the other's *curve*. A stretch in the metal that came in over the cut at
+    /// an end of the half tooth crosses the curve of another tooth, or none.
     fn points(
         &self,
         (one, from, its): (&Half, Frame, Ends),
         (other, to, ends): (&Half, Frame, Ends),
         mut least: f64,
     ) -> f64 {
-        // Points this far beyond the tip circle matter to nobody.
+        // Points this far outside the tip circle do not matter.
         let out = other.tip + NEAR * self.module + least.max(0.0);
         let at = |t: f64| {
             let [x, y] = to.seen(from.out(one.along(t, its)));
@@ -211,7 +212,7 @@ impl<'a> Referee<'a> {
         if lowest < 0.0 && crosses(&found, along, at) {
             return least.min(lowest);
         }
-        // A dip between two points is shallow: what bounds it is what it came in over.
+        // A minimum between two points is shallow: its bound is where it came in.
         let shallow = |t: f64| {
             let found = at(t);
             if found.mm < 0.0 && found.cut {
@@ -231,7 +232,7 @@ impl<'a> Referee<'a> {
             if here > least + NEAR * self.module {
                 continue;
             }
-            // On either side: curves are joined at an angle.
+            // On either side, because curves meet at an angle.
             for (i, j) in [(k.saturating_sub(1), k), (k, (k + 1).min(4 * POINTS))] {
                 if found[i] >= 0.0 && found[j] >= 0.0 && i < j {
                     least = least.min(least_between(along(i), along(j), shallow));
@@ -246,16 +247,17 @@ impl<'a> Referee<'a> {
         -self.side.sense()
     }
 
-    /// Whether the tip circles are apart, wherever eccentric outlines stand.
+    /// Whether the tip circles are apart for any direction of the eccentricities.
     fn out_of_reach(&self) -> bool {
         let reach =
             [self.assembly.locked(), self.assembly.free()].map(|m| self.assembly.gear(m).reach());
         reach[0] + reach[1] < self.assembly.center_distance()
     }
 
-    /// The first contact, the free gear turned in over `pitches` of its own on either side of `near`; `None` when none.
+    /// The first contact when the free gear is turned in over `pitches` of its own on either side of `near`; `None`
+    /// without any.
     ///
-    /// By steps of a 200th of a pitch; a step that has its least clearance inside is looked into.
+    /// Steps are a 200th of a pitch. A step whose least clearance is inside it is refined.
     pub fn contact(&self, near: f64, pitches: f64) -> Option<f64> {
         let gear = self.assembly.gear(self.assembly.free()).gear();
         let pitch = gear.basic_data().angular_pitch();
@@ -285,11 +287,11 @@ impl<'a> Referee<'a> {
         None
     }
 
-    /// Steps on the open side, ever wider, from `first` to `pitches` of the free gear, rad.
+    /// Steps on the open side, of growing width, from `first` to `pitches` of the free gear, rad.
     pub fn open_steps(&self, first: f64, pitches: f64) -> impl Iterator<Item = f64> {
         let gear = self.assembly.gear(self.assembly.free()).gear();
         let most = pitches * gear.basic_data().angular_pitch();
-        // Not finer than a millionth of a pitch: overlap that begins nearer lasts longer, or is what `first` sees.
+        // Not finer than a millionth of a pitch: overlap that begins nearer lasts longer, or is visible at `first`.
         let start = first.max(1e-6 * most);
         (1..60)
             .map(move |k| start * 1.5f64.powi(k))
@@ -320,7 +322,7 @@ impl<'a> Referee<'a> {
         None
     }
 
-    /// Contact between a clear rotation and one that overlaps.
+    /// The contact between a clear rotation and an overlapping one.
     pub fn between(&self, mut clear: f64, mut over: f64) -> f64 {
         for _ in 0..60 {
             let middle = 0.5 * (clear + over);

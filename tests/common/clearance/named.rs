@@ -1,4 +1,4 @@
-//! Whether a contact lies where it says: on the curves and teeth that it names, its normal across both.
+//! Whether a contact is where it is reported: on its curves and teeth, with its normal across both.
 
 use super::half::{Ends, Half};
 use super::stood::Frame;
@@ -9,7 +9,7 @@ use gearlash::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::rc::Rc;
 
-/// Of a module: how far a point steps off a curve to see which way its normal points.
+/// Step off a curve that shows the direction of its normal, in modules.
 const STEP: f64 = 1e-6;
 
 /// A half tooth that a contact names.
@@ -26,7 +26,7 @@ impl Named {
     }
 }
 
-/// What speaks against the teeth, curves, radii, points and normals of `found`.
+/// Contradictions in the teeth, curves, radii, points and normals of `found`.
 pub fn named(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
     let sides = [(Side::Right, found.right), (Side::Left, found.left)];
     let contacts = sides
@@ -84,7 +84,7 @@ fn of_side(assembly: &GearPair, pose: &Pose, side: Side, contact: &Contact) -> V
         }
         slopes.push((beyond - within) / (2.0 * step));
     }
-    // Of a corner the normal is that of the curve it touches: one of both curves has it.
+    // At a corner the normal is that of the curve it touches, so it belongs to one of both curves.
     let corner =
         |touch: &Touch| touch.curve == ProfilePart::Tip || touch.curve == ProfilePart::Root;
     let corners = corner(&contact.wheel) && corner(&contact.pinion);

@@ -1,4 +1,4 @@
-//! A gear of the pair where it stands, and the frames of its half teeth.
+//! A gear of the pair at its position, and the frames of its half teeth.
 
 use super::POINTS;
 use super::half::{Ends, Half};
@@ -6,7 +6,7 @@ use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member};
 use std::rc::Rc;
 
-/// One gear of the pair and where its tooth 1 stands.
+/// One gear of the pair and the direction of its tooth 1.
 pub(super) struct Stood<'a> {
     pub(super) assembly: &'a GearPair,
     pub(super) member: Member,
@@ -47,7 +47,7 @@ impl<'a> Stood<'a> {
         }
     }
 
-    /// A circle about a half tooth in its frame: half way up the centre line, and how far its farthest point is.
+    /// A circle about a half tooth in its frame: half way up the centre line, and the distance of its furthest point.
     pub(super) fn circle(&self, half: &Half, ends: Ends) -> (f64, f64) {
         let middle = 0.5 * (self.half.root + self.half.tip);
         let points = (0..=4 * POINTS).map(|k| {
@@ -55,7 +55,7 @@ impl<'a> Stood<'a> {
             let [x, y] = half.along(t, ends);
             (x - middle).hypot(y)
         });
-        // Between points of a curve bent outwards lies a little more.
+        // Between points of a convex curve the distance is slightly greater.
         (middle, 1.01 * points.fold(0.0, f64::max))
     }
 

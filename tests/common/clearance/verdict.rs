@@ -1,4 +1,4 @@
-//! Whether a claimed pair of contacts holds.
+//! Whether a reported pair of contacts is right.
 
 use super::Referee;
 use super::whole::{overlap, overlap_everywhere};
@@ -7,27 +7,28 @@ use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 
-/// Pitches of the free gear looked at on the open side of a contact, and on either side where none is claimed: what is
-/// farther from the nominal rotation, deviations and eccentricities of a third of a pitch and all, faces other teeth.
+/// Pitches of the free gear to examine on the open side of a contact, and on either side without one. Deviations and
+/// eccentricities of a third of a pitch are included; anything further from the nominal rotation faces other teeth.
 const PITCHES: f64 = 1.5;
 
-/// Brute force's own contacts, right and left.
+/// The contacts of brute force, right and left.
 pub fn contacts(assembly: &GearPair, pose: &Pose) -> [Option<f64>; 2] {
     Side::BOTH.map(|side| Referee::new(assembly, pose, side).contact(pose.free_rotation(), PITCHES))
 }
 
-/// What speaks against `found`, empty when nothing does.
+/// Contradictions to `found`; empty if it is right.
 ///
-/// At a rotation more open than claimed by the error bound nothing may overlap by more than rounding, nor farther open; as
-/// much more closed something must, or be as near as rounding. Where no contact is claimed there must be none. In the
-/// middle of the lost motion of a clear pose no metal stands in the other gear's. Of a pose called solid metal must
-/// stand in metal wherever the free gear is turned. Where a tip reaches over the mate's axis every pose must be jammed.
+/// At a rotation more open by the error bound, and at all further open ones, nothing may overlap by more than rounding.
+/// At a rotation more closed by the bound something must overlap, or be as near as rounding. Without a reported contact
+/// there must be none. In the middle of the lost motion of a clear pose no metal may be in the other gear. In a solid
+/// pose metal must be in metal at every rotation of the free gear. If a tip reaches over the mate's axis every pose
+/// must be jammed.
 pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
     let reach = |member: Member| {
         assembly.gear(member).reach() + assembly.gear(member.mate()).eccentricity()
     };
     if reach(Member::Wheel).max(reach(Member::Pinion)) >= assembly.center_distance() {
-        // The mate's shaft, which is in neither outline, stands in the way.
+        // The mate's shaft blocks it, which is in neither outline.
         return match found.status() {
             Status::Jammed => vec![],
             _ => vec!["a tip reaches over the mate's axis, yet it is not jammed".to_owned()],
@@ -54,7 +55,7 @@ pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<Stri
         let at = |more_open: f64| contact.rotation + referee.opening() * more_open;
         let over = |more_open: f64| referee.least(at(more_open)) < -rounding;
         let early = over(contact.error) || referee.open_steps(contact.error, PITCHES).any(over);
-        // Of a wide bound the closed end may lie beyond all that touches: somewhere within it must.
+        // With a wide bound the closed end can be past all contacts; some rotation within it must overlap.
         let within = (0..40).map(|k| -contact.error * 0.5f64.powi(k));
         let late = within
             .chain([0.0])
@@ -85,7 +86,7 @@ pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<Stri
     complaints
 }
 
-/// What stands in the way in the middle of a clear pose's lost motion.
+/// The overlap in the middle of a clear pose's lost motion, if any.
 fn in_the_middle(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Option<String> {
     let (right, left) = found.right.zip(found.left)?;
     let middle = 0.5 * (right.rotation + left.rotation);

@@ -1,4 +1,4 @@
-//! Whole gears: does any of the one's metal stand in the other's? Points of the outlines, all teeth, both flanks, bodies.
+//! Whole gears: whether metal of one is in the other. Points of the outlines, all teeth, both flanks, bodies.
 
 use super::Stood;
 use super::half::Half;
@@ -6,16 +6,17 @@ use gearlash::contact::LostMotion;
 use gearlash::gear::{AsBuilt, Side};
 use gearlash::pair::{GearPair, Pose};
 
-/// How far inside a contact whole gears must be clear, rad: what points 1/60 of a curve apart may miss is of no matter, and rounding is less.
+/// Distance inside a contact at which whole gears must be clear, rad. Points 1/60 of a curve apart miss no more, and
+/// rounding is less.
 const INSIDE: f64 = 1e-7;
 
-/// Points a curve.
+/// Points per curve.
 const POINTS: usize = 60;
 
-/// Rotations of the free gear looked at for one that frees it, all round.
+/// Rotations of the free gear, all round, that are tested for one without overlap.
 const ROTATIONS: u32 = 400;
 
-/// Depth to which some point stands in the other gear's metal, mm: 0 when none does, the free gear at `rotation`.
+/// Greatest depth of a point in the other gear's metal, mm, with the free gear at `rotation`; 0 without any.
 pub fn overlap(assembly: &GearPair, pose: &Pose, rotation: f64) -> f64 {
     let locked = Stood::new(assembly, assembly.locked());
     let free = Stood::new(assembly, assembly.free());
@@ -23,7 +24,7 @@ pub fn overlap(assembly: &GearPair, pose: &Pose, rotation: f64) -> f64 {
     deepest(stand[0], stand[1]).max(deepest(stand[1], stand[0]))
 }
 
-/// What speaks against a clear pose just inside either contact: metal of whole gears in the other's. Half teeth do not see a tooth that
+/// Metal of whole gears in each other just inside either contact of a clear pose. Half teeth do not show a tooth that
 /// reaches the mate's far flank.
 pub fn overlap_just_inside(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Option<String> {
     let play = found.angle().filter(|play| *play > 4.0 * INSIDE)?;
@@ -43,7 +44,7 @@ pub fn overlap_just_inside(assembly: &GearPair, pose: &Pose, found: &LostMotion)
     })
 }
 
-/// Whether the gears overlap wherever the free one is turned to.
+/// Whether the gears overlap at every rotation of the free one.
 pub fn overlap_everywhere(assembly: &GearPair, pose: &Pose) -> bool {
     let gear = assembly.gear(assembly.free()).gear();
     let pitch = gear.basic_data().angular_pitch();
@@ -79,11 +80,11 @@ fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64)) -> f64 
     most
 }
 
-/// Depth of a point in the metal of a gear, not positive outside.
+/// Depth of a point in the metal of a gear; zero or less outside.
 fn depth(stood: &Stood, rotation: f64, point: [f64; 2]) -> f64 {
     let gear: &AsBuilt = stood.assembly.gear(stood.member);
     let half: &Half = &stood.half;
-    // The frame of tooth 1 as it would stand undisturbed.
+    // The frame of tooth 1 without deviations.
     let first = stood.frame(rotation, Side::Right, 1);
     let [x, y] = first.seen(point);
     let radius = x.hypot(y);

@@ -75,7 +75,7 @@ impl Printer {
         }
     }
 
-    fn unless_gone<T>(
+    fn ignore_closed_pipe<T>(
         &mut self,
         nothing: T,
         write: impl FnOnce(&mut BufWriter<std::io::Stdout>) -> std::io::Result<T>,
@@ -95,11 +95,11 @@ impl Printer {
 
 impl Write for Printer {
     fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
-        self.unless_gone(content.len(), |output| output.write(content))
+        self.ignore_closed_pipe(content.len(), |output| output.write(content))
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        self.unless_gone((), |output| output.flush())
+        self.ignore_closed_pipe((), |output| output.flush())
     }
 }
 

@@ -59,17 +59,17 @@ impl DrawnArgs {
         let options = std::array::from_fn(|k| OutlineOptions {
             units: self.units.as_deref(),
             center: self.center.as_deref(),
-            layer: of(&self.layer, k).map(String::as_str),
-            id: of(&self.id, k).map(String::as_str),
-            number: of(&self.number, k).copied(),
-            at_mm: of(&self.at_mm, k).copied(),
+            layer: value_of(&self.layer, k).map(String::as_str),
+            id: value_of(&self.id, k).map(String::as_str),
+            number: value_of(&self.number, k).copied(),
+            at_mm: value_of(&self.at_mm, k).copied(),
         });
         Ok(options)
     }
 }
 
 /// The value for the drawing `k`: its own, or the only one.
-fn of<T>(values: &[T], k: usize) -> Option<&T> {
+fn value_of<T>(values: &[T], k: usize) -> Option<&T> {
     match values {
         [one] => Some(one),
         several => several.get(k),

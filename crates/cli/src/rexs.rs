@@ -32,8 +32,10 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
     check_not_input(&file.sources)?;
     let name = gearlash_files::named(path).display().to_string();
     let chosen = match (args.stage, &args.output) {
-        (None, None) => only(&file).ok(),
-        (None, Some(_)) => Some(only(&file).map_err(|why| Error::Usage(format!("{name}: {why}")))?),
+        (None, None) => only_readable_stage(&file).ok(),
+        (None, Some(_)) => {
+            Some(only_readable_stage(&file).map_err(|why| Error::Usage(format!("{name}: {why}")))?)
+        }
         (Some(id), _) => Some(pair(&name, stage(&name, &file, id)?)?),
     };
     let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");
@@ -46,7 +48,12 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
                     text += &format!("\n{}", pair.pair_file);
                 }
             }
-            None => text += &format!("\n{}\n", only(&file).err().unwrap_or_default()),
+            None => {
+                text += &format!(
+                    "\n{}\n",
+                    only_readable_stage(&file).err().unwrap_or_default()
+                )
+            }
         }
         print(&text)?;
     }
@@ -57,7 +64,7 @@ pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<Ex
 }
 
 /// The only readable stage, or the remedy.
-fn only(file: &RexsFile) -> Result<&RexsPair, String> {
+fn only_readable_stage(file: &RexsFile) -> Result<&RexsPair, String> {
     let mut pairs = file
         .stages
         .iter()

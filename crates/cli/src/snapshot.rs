@@ -199,7 +199,7 @@ fn wanted(args: &Args) -> Option<(&'static str, Wanted)> {
     }
 }
 
-fn which() -> Error {
+fn missing_subject() -> Error {
     Error::Usage(
         "which pose? give --mating W,P and --flank right|left, --worst or --greatest".to_owned(),
     )
@@ -222,7 +222,7 @@ fn subject(args: &Args, study: Study) -> Result<(Found, String), Error> {
         return Ok((found, format!("{name}_a{distance}_{end}.svg")));
     }
     let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
-        return Err(which());
+        return Err(missing_subject());
     };
     let (material, assembly) = assembly(args, &study)?;
     let flank = flank.side();

@@ -43,7 +43,7 @@ pub struct Checked<'a> {
 impl<'a> Checked<'a> {
     /// The file `table`, checked against `schema`.
     pub fn new(schema: &'static Value, table: Table<'a>) -> Checked<'a> {
-        let mut walk = Walk {
+        let mut walk = SchemaCheck {
             root: schema,
             reading: table.reading(),
             bad: Vec::new(),
@@ -88,7 +88,7 @@ impl<'a> Checked<'a> {
 }
 
 /// The check of one file.
-struct Walk<'a> {
+struct SchemaCheck<'a> {
     root: &'static Value,
     reading: &'a Reading,
     bad: Vec<String>,
@@ -105,7 +105,7 @@ struct ValuePlace<'k> {
     place: Option<usize>,
 }
 
-impl Walk<'_> {
+impl SchemaCheck<'_> {
     fn add(&mut self, key: String, value: Option<&Node>, reason: String, help: String) {
         self.reading.add(Problem {
             value: value.map(Node::shown),

@@ -53,6 +53,6 @@ pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, 
             .any(|(at, _)| at == 0 || name[..at].ends_with('_'))
     };
     let mut taken = UNSUPPORTED.iter();
-    let (_, key_reason) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
-    Some((key_reason, "remove it"))
+    let (_, reason) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
+    Some((reason, "remove it"))
 }

@@ -77,7 +77,7 @@ pub fn lost_motions<'py>(
     {
         matings.push(mating(py, &assembly, [*wheel, *pinion], *left, *fraction)?);
     }
-    found(py, assembly, matings, &how)
+    pose_columns(py, assembly, matings, &how)
 }
 
 /// One wheel revolution, or every mating of the cycle, on one flank.
@@ -114,7 +114,7 @@ pub fn revolution<'py>(
             *mating = mating.at_flank(&assembly, Side::Left);
         }
     }
-    found(py, assembly, matings, &how)
+    pose_columns(py, assembly, matings, &how)
 }
 
 /// Most poses that one call generates: 90 bytes each while it works.
@@ -124,7 +124,7 @@ const MOST_POSES: u64 = 100_000_000;
 const POSES_PER_TASK: usize = 256;
 
 /// The columns of the poses `matings` as arrays by name, and the centre distance.
-fn found<'py>(
+fn pose_columns<'py>(
     py: Python<'py>,
     pair: AssembledPair,
     matings: Vec<Mating>,

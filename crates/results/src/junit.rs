@@ -32,17 +32,17 @@ pub(crate) fn junit(name: &str, suites: &[Suite]) -> io::Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     let cases: Vec<&TestCase> = suites.iter().flat_map(|suite| &suite.cases).collect();
-    let all = counted("testsuites", name, &cases);
-    within(&mut xml, all, suites, |xml, suite| {
+    let all = counted_tag("testsuites", name, &cases);
+    write_within(&mut xml, all, suites, |xml, suite| {
         let cases: Vec<&TestCase> = suite.cases.iter().collect();
-        let tag = counted("testsuite", &plain(&suite.file), &cases);
+        let tag = counted_tag("testsuite", &plain(&suite.file), &cases);
         let output = (!suite.output.is_empty()).then(|| Part::Output(suite.output.join("\n")));
         let parts: Vec<Part> = cases.into_iter().map(Part::Case).chain(output).collect();
-        within(xml, tag, &parts, |xml, part| match part {
+        write_within(xml, tag, &parts, |xml, part| match part {
             Part::Case(case) => write_case(xml, suite, case),
             Part::Output(text) => {
                 let tag = BytesStart::new("system-out");
-                within(xml, tag, &[text], |xml, text| {
+                write_within(xml, tag, &[text], |xml, text| {
                     xml.write_event(Event::Text(BytesText::new(&plain(text))))
                 })
             }
@@ -64,19 +64,19 @@ fn write_case(xml: &mut Xml, suite: &Suite, case: &TestCase) -> io::Result<()> {
     let failure = case.failure.iter().map(|reason| ("failure", reason));
     let error = case.error.iter().map(|reason| ("error", reason));
     let reasons: Vec<(&str, &String)> = failure.chain(error).collect();
-    within(xml, tag, &reasons, |xml, (kind, reason)| {
+    write_within(xml, tag, &reasons, |xml, (kind, reason)| {
         let lines: Vec<String> = reason.lines().map(plain).collect();
         let mut tag = BytesStart::new(*kind);
         let first = lines.first().map_or("", String::as_str);
         tag.push_attribute(("message", first));
-        within(xml, tag, &[lines.join("\n")], |xml, text| {
+        write_within(xml, tag, &[lines.join("\n")], |xml, text| {
             xml.write_event(Event::Text(BytesText::new(text)))
         })
     })
 }
 
 /// A tag with its name and the numbers of `cases`, of failures and of errors. No case is skipped.
-fn counted<'a>(tag: &'a str, name: &str, cases: &[&TestCase]) -> BytesStart<'a> {
+fn counted_tag<'a>(tag: &'a str, name: &str, cases: &[&TestCase]) -> BytesStart<'a> {
     let count = |of: fn(&TestCase) -> bool| cases.iter().filter(|case| of(case)).count();
     let mut tag = BytesStart::new(tag);
     tag.push_attribute(("name", name));
@@ -92,7 +92,7 @@ fn counted<'a>(tag: &'a str, name: &str, cases: &[&TestCase]) -> BytesStart<'a> 
 }
 
 /// Writes `tag` around `each` of `list`, or an empty tag.
-fn within<T>(
+fn write_within<T>(
     xml: &mut Xml,
     tag: BytesStart,
     list: &[T],

@@ -158,7 +158,7 @@ impl VerdictLines {
     /// The lines, without line ends.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first()];
-        lines.extend(aligned(&self.rows));
+        lines.extend(aligned_rows(&self.rows));
         lines.extend(self.qualifiers.iter().map(|line| format!("  {line}")));
         lines
     }
@@ -184,7 +184,7 @@ fn cut(text: &str, most: usize) -> String {
 }
 
 /// The first of `candidates` that fits a line, else the last, cut.
-fn fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> String {
+fn first_fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> String {
     let mut last = String::new();
     for candidate in candidates {
         if columns(&candidate) <= most {
@@ -196,7 +196,7 @@ fn fitting(candidates: impl IntoIterator<Item = String>, most: usize) -> String 
 }
 
 /// The rows in columns, in the longest wording that fits.
-fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
+fn aligned_rows(rows: &[ExtremeRow]) -> Vec<String> {
     let tier = |tier: usize| -> Vec<String> {
         let cells: Vec<Vec<String>> = rows.iter().map(|row| row.cells(tier)).collect();
         let widths = |column: usize| {
@@ -223,24 +223,24 @@ fn aligned(rows: &[ExtremeRow]) -> Vec<String> {
 /// `sentences` on at most `lines` lines, and those for which there is no room. The last line counts them.
 fn fit_sentences(sentences: Vec<String>, lines: usize) -> (Vec<String>, Vec<String>) {
     let most = COLUMNS - 2;
-    let mut fit_sentences: Vec<String> = Vec::new();
+    let mut filled: Vec<String> = Vec::new();
     for (index, sentence) in sentences.iter().enumerate() {
         let sentence = cut(sentence, most);
-        if let Some(last) = fit_sentences.last_mut()
+        if let Some(last) = filled.last_mut()
             && columns(last) + 2 + columns(&sentence) <= most
         {
             *last += ". ";
             *last += &sentence;
-        } else if fit_sentences.len() < lines {
-            fit_sentences.push(sentence);
-        } else if let Some(last) = fit_sentences.last_mut() {
+        } else if filled.len() < lines {
+            filled.push(sentence);
+        } else if let Some(last) = filled.last_mut() {
             let left_out = sentences[index..].to_vec();
             let more = format!(", and {} more", left_out.len());
             *last = cut(last, most - columns(&more)) + &more;
-            return (fit_sentences, left_out);
+            return (filled, left_out);
         }
     }
-    (fit_sentences, Vec::new())
+    (filled, Vec::new())
 }
 
 /// The state of a pair at one centre distance, material and phase.
@@ -294,8 +294,8 @@ pub(crate) fn status(all: &[Place]) -> [String; 2] {
 
 /// The centre distances, the material and the phases of the places `here`, where they are not all.
 fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
-    let distances = each(here.iter().map(|place| place.distance));
-    let everywhere = each(all.iter().map(|place| place.distance)).len();
+    let distances = distinct(here.iter().map(|place| place.distance));
+    let everywhere = distinct(all.iter().map(|place| place.distance)).len();
     let mut text = match (distances.len(), everywhere) {
         (_, 1) => format!("at a = {} mm", stated_distance(distances[0])),
         (2, 2) => "at both distances".to_owned(),
@@ -311,20 +311,20 @@ fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
     };
     let is_here = |place: &&Place| distances.contains(&place.distance);
     let within = || all.iter().filter(is_here);
-    if let [material] = each(here.iter().map(|place| place.material))[..]
-        && each(within().map(|place| place.material)).len() > 1
+    if let [material] = distinct(here.iter().map(|place| place.material))[..]
+        && distinct(within().map(|place| place.material)).len() > 1
     {
         text += &format!(", {}", material.words());
     }
-    let phases = each(here.iter().filter_map(|place| place.phase));
-    let possible = each(within().filter_map(|place| place.phase)).len();
+    let phases = distinct(here.iter().filter_map(|place| place.phase));
+    let possible = distinct(within().filter_map(|place| place.phase)).len();
     if phases.len() < possible {
         text += &format!(" in {} of {possible} phases", phases.len());
     }
     text
 }
 
-pub(crate) fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+pub(crate) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     let mut each = Vec::new();
     for item in items {
         if !each.contains(&item) {
@@ -400,7 +400,7 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         return vec![String::new()];
     }
     let matings = verdict.matings();
-    let covered = each(verdict.runs.iter().filter_map(|run| run.covers));
+    let covered = distinct(verdict.runs.iter().filter_map(|run| run.covers));
     let over = match (CoveredPhases::of(verdict.runs), &covered[..]) {
         (_, []) => format!("{matings} matings"),
         (CoveredPhases::All, phases) => format!("{matings} matings × {} phases", phases.len()),
@@ -448,20 +448,20 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
     let mut distances = Vec::new();
     if verdict.runs.iter().any(is_tight) {
         distances.push(match verdict.assembles_from() {
-            Some(from) => at("Assembles from", rounded_up(from.high), from.doubt),
+            Some(from) => distance_words("Assembles from", rounded_up(from.high), from.doubt),
             None => ("Assembles at no centre distance in mesh".to_owned(), true),
         });
     }
     if verdict.runs.iter().any(is_apart) {
         distances.push(match verdict.meshes_to() {
-            Some(to) => at("In mesh up to", rounded_down(to.low), to.doubt),
+            Some(to) => distance_words("In mesh up to", rounded_down(to.low), to.doubt),
             None => ("In mesh at no centre distance".to_owned(), true),
         });
     }
     distances
 }
 
-fn at(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
+fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
     let unless_proven = match doubt {
         // The first line already states it.
         None | Some(Doubt::Sampled) => "",
@@ -633,7 +633,7 @@ pub(crate) fn limit(unmet: &Unmet) -> String {
     };
     let text = format!("Requirement {whether}: {name} {sign} {limit} {unit}, found {found}");
     if unmet.with_play {
-        fitting(
+        first_fitting(
             [format!("{text} with bearing clearance"), text],
             COLUMNS - 2,
         )
@@ -666,7 +666,7 @@ fn checks(verdict: &Verdict) -> Option<String> {
         format!("{count}: {}{more}", titles[..named].join(", "))
     };
     let candidates = (1..=titles.len()).rev().map(with);
-    Some(fitting(candidates, COLUMNS - 2))
+    Some(first_fitting(candidates, COLUMNS - 2))
 }
 
 /// A check's title up to its first comma, semicolon or bracket.
@@ -688,7 +688,7 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
         };
         let extremes = verdict.runs.iter().filter_map(of);
         let extremes: Vec<RunExtreme> = extremes.filter(|of| !is_sampled(of)).collect();
-        let reasons = each(extremes.iter().filter_map(doubt)).join(", ");
+        let reasons = distinct(extremes.iter().filter_map(doubt)).join(", ");
         if reasons.is_empty() {
             continue;
         }

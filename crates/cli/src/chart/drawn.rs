@@ -85,7 +85,7 @@ impl DrawnChart {
         let unit = args.unit.unit(study)?;
         let whole = match args.mating {
             Some(_) => None,
-            None => Some(whole(args, study)?),
+            None => Some(whole_analysis(args, study)?),
         };
         let all: Vec<&ComparedRun> = whole.iter().flat_map(Analysis::all).collect();
         let followed = match args.mating {
@@ -265,7 +265,7 @@ fn suffix(unit: BacklashUnit) -> String {
 }
 
 /// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as in a report.
-fn whole<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
+fn whole_analysis<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
     // These poses only select and bound the curve; the drawn curve itself is certified.
     let method = Method::Exact { certify: false };
     let plan = Plan::new(study, method).with_revolution().with_extremes();

@@ -185,7 +185,9 @@ impl OutputFile {
     /// [`Error::Output`]; an older file is kept.
     pub fn write(mut self, content: &str) -> Result<(), Error> {
         let written = match &self.place {
-            None => special(&self.named).and_then(|mut file| file.write_all(content.as_bytes())),
+            None => {
+                open_special(&self.named).and_then(|mut file| file.write_all(content.as_bytes()))
+            }
             Some((temporary, target)) => temporary
                 .writer()
                 .and_then(|mut file| {
@@ -201,7 +203,7 @@ impl OutputFile {
 }
 
 /// Opens a pipe or a device. A pipe without a reader is an error, not a wait.
-fn special(path: &Path) -> std::io::Result<File> {
+fn open_special(path: &Path) -> std::io::Result<File> {
     let mut options = std::fs::OpenOptions::new();
     options.write(true);
     #[cfg(unix)]

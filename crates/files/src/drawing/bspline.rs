@@ -79,7 +79,7 @@ impl BSpline {
             let piece = self.piece(span, equal);
             match exact(&piece).filter(|_| equal) {
                 Some(segment) => segments.push(segment),
-                None => bound = bound.max(fit(&piece, MOST_HALVINGS, &mut segments)?),
+                None => bound = bound.max(fit_cubics(&piece, MOST_HALVINGS, &mut segments)?),
             }
         }
         Some((segments, bound))
@@ -134,7 +134,11 @@ pub fn raised([a, b, c]: [Point2<f64>; 3]) -> [Point2<f64>; 4] {
 }
 
 /// Adds cubic curves that follow a rational Bézier curve, halved as often as needed; how far they may lie from it.
-fn fit(piece: &[Vector3<f64>], halvings: u32, segments: &mut Vec<PathSegment>) -> Option<f64> {
+fn fit_cubics(
+    piece: &[Vector3<f64>],
+    halvings: u32,
+    segments: &mut Vec<PathSegment>,
+) -> Option<f64> {
     let curve = hermite(piece);
     let bound = distance(piece, &curve);
     if bound <= FIT_MM {
@@ -145,8 +149,8 @@ fn fit(piece: &[Vector3<f64>], halvings: u32, segments: &mut Vec<PathSegment>) -
         .checked_sub(1)
         .filter(|_| segments.len() <= MOST_SEGMENTS)?;
     let [left, right] = halves(piece);
-    let left = fit(&left, halvings, segments)?;
-    Some(left.max(fit(&right, halvings, segments)?))
+    let left = fit_cubics(&left, halvings, segments)?;
+    Some(left.max(fit_cubics(&right, halvings, segments)?))
 }
 
 /// The cubic curve with the ends and the end derivatives of a rational Bézier curve.
@@ -174,7 +178,7 @@ fn distance(piece: &[Vector3<f64>], curve: &[Point2<f64>; 4]) -> f64 {
         // The product of both: Σ C(n,i) C(3,j) / C(n+3,i+j) a_i b_j over i + j = index.
         let pairs = (index.saturating_sub(3)..=index.min(degree)).map(|i| (i, index - i));
         let terms = pairs.map(|(i, j)| {
-            let share = choose(degree, i) * choose(3, j) / choose(degree + 3, index);
+            let share = binomial(degree, i) * binomial(3, j) / binomial(degree + 3, index);
             (piece[i].xy() - curve[j].coords * piece[i].z) * share
         });
         terms.sum::<Vector2<f64>>().norm()
@@ -183,7 +187,7 @@ fn distance(piece: &[Vector3<f64>], curve: &[Point2<f64>; 4]) -> f64 {
 }
 
 /// Binomial coefficient.
-fn choose(of: usize, count: usize) -> f64 {
+fn binomial(of: usize, count: usize) -> f64 {
     (0..count).fold(1.0, |product, index| {
         product * (of - index) as f64 / (index + 1) as f64
     })

@@ -103,7 +103,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         };
         if let Some(comment) = text.strip_prefix('#') {
             if let Some(unit) = commented_unit(comment) {
-                state(&mut stated, unit, line)?;
+                record_unit(&mut stated, unit, line)?;
             }
             continue;
         }
@@ -124,7 +124,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
         // Numbers of a third column are heights.
         let z = cells
             .get(2)
-            .filter(|z| !rows.is_empty() || named(z, "z").is_none());
+            .filter(|z| !rows.is_empty() || heading_unit(z, "z").is_none());
         if let Some(z) = z {
             let first = *height.get_or_insert(*z);
             let value = |text| written(text).map(|number| number.value);
@@ -146,13 +146,16 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
             }),
             _ if rows.is_empty()
                 && !header
-                && named(x, "x").is_some()
-                && named(y, "y").is_some() =>
+                && heading_unit(x, "x").is_some()
+                && heading_unit(y, "y").is_some() =>
             {
                 header = true;
-                for name in [named(x, "x"), named(y, "y")].into_iter().flatten() {
+                for name in [heading_unit(x, "x"), heading_unit(y, "y")]
+                    .into_iter()
+                    .flatten()
+                {
                     if !name.is_empty() {
-                        state(&mut stated, name, line)?;
+                        record_unit(&mut stated, name, line)?;
                     }
                 }
             }
@@ -184,7 +187,7 @@ fn commented_unit(comment: &str) -> Option<&str> {
 }
 
 /// The text of a heading behind `axis`, without its brackets: a unit or nothing; `None` for any other heading.
-fn named<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
+fn heading_unit<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
     let (first, rest) = heading.trim_matches('"').split_at_checked(1)?;
     let unit = rest.trim_matches([' ', '(', ')', '[', ']', '_']);
     (first.eq_ignore_ascii_case(axis) && (unit.is_empty() || Unit::named(unit).is_some()))
@@ -192,7 +195,7 @@ fn named<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
 }
 
 /// Takes the unit stated in `line`.
-fn state(stated: &mut Stated, name: &str, line: usize) -> Result<(), DrawingError> {
+fn record_unit(stated: &mut Stated, name: &str, line: usize) -> Result<(), DrawingError> {
     let wrong = |reason: String| {
         let help = "state one unit: mm, inch, cm, m or um";
         Err(DrawingError::at(format!("line {line}"), reason, help))

@@ -61,7 +61,7 @@ impl DrawingError {
     /// A layer or id (`what`) that the file does not have; `known` are those that it has.
     pub(super) fn not_there(what: &str, name: &str, known: &[String]) -> DrawingError {
         let name = cut(name, LONGEST_NAME);
-        let reason = format!("has no {what} \"{name}\", {}", has(known));
+        let reason = format!("has no {what} \"{name}\", {}", available_names(known));
         DrawingError::new(reason, "give one of these, or leave it out")
     }
 
@@ -79,7 +79,7 @@ impl DrawingError {
         let help = if gap_mm < MEANT_TO_MEET_MM {
             format!(
                 "close the gap in the drawing, or state that ends so near are one point: join_mm = {}",
-                above(gap_mm)
+                rounded_above(gap_mm)
             )
         } else {
             "close the path, delete it, or name the `layer` or `id` of the outline alone".to_owned()
@@ -94,7 +94,7 @@ pub fn at(point: &Point2<f64>) -> String {
 }
 
 /// The names in the file.
-fn has(known: &[String]) -> String {
+fn available_names(known: &[String]) -> String {
     if known.is_empty() {
         return "and no other".to_owned();
     }
@@ -111,7 +111,7 @@ fn has(known: &[String]) -> String {
 }
 
 /// A number of two digits above `gap`.
-fn above(gap: f64) -> f64 {
+fn rounded_above(gap: f64) -> f64 {
     let unit = 10f64.powi(gap.max(SAME_MM).log10().floor() as i32 - 1);
     let above = ((gap / unit).floor() + 1.0) * unit;
     // The shortest decimal of it.

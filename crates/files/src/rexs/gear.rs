@@ -81,19 +81,19 @@ impl<'a> Gear<'a> {
         let (teeth, module, helix) = basics(&gear)?;
         let id = gear.component().id;
         let flanks = flanks(document, id)?;
-        let pressure_angle = shared(&flanks, "normal_pressure_angle", DEGREE)?;
+        let pressure_angle = common_value(&flanks, "normal_pressure_angle", DEGREE)?;
         let Some(pressure_angle) = pressure_angle else {
             return Err(Fault::LeftOut(format!(
                 "the flanks of {} have no normal_pressure_angle",
                 gear.component().place()
             )));
         };
-        let mut shift = shared(&flanks, "addendum_modification_coefficient", NUMBER)?;
+        let mut shift = common_value(&flanks, "addendum_modification_coefficient", NUMBER)?;
         if shift.is_none() {
-            let mm = shared(&flanks, "addendum_modification", MILLIMETRE)?;
+            let mm = common_value(&flanks, "addendum_modification", MILLIMETRE)?;
             shift = mm.map(|mm| mm / module);
         }
-        let addendum = shared(&flanks, "addendum_coefficient_basic_profile", NUMBER)?;
+        let addendum = common_value(&flanks, "addendum_coefficient_basic_profile", NUMBER)?;
         let basic_data = BasicGearData::new(teeth, module, pressure_angle.to_radians());
         let basic_data = basic_data.and_then(|data| match helix {
             None => Ok(data),
@@ -288,7 +288,7 @@ fn settings<'a>(
 }
 
 /// The common value of all flanks that state it.
-fn shared(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fault> {
+fn common_value(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fault> {
     let mut all: Option<f64> = None;
     for flank in flanks {
         match (all, flank.number(id, unit)?) {

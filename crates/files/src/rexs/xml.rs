@@ -49,11 +49,11 @@ pub fn read(text: &str) -> Result<Document, Problem> {
         match part.tag_name().name() {
             "relations" => {
                 seen(document.relations.is_empty())?;
-                document.relations = of(part, "relation", relation)?;
+                document.relations = children_named(part, "relation", relation)?;
             }
             "components" => {
                 seen(document.components.is_empty())?;
-                document.components = of(part, "component", component)?;
+                document.components = children_named(part, "component", component)?;
             }
             "load_spectrum" => document.others.push("load_spectrum".to_owned()),
             _ => {
@@ -72,7 +72,7 @@ fn component(node: Node) -> Result<Component, Problem> {
         id: id(node)?,
         kind: text_of(need(node, "type")?),
         name: shown(node.attribute("name").unwrap_or_default()),
-        attributes: of(node, "attribute", attribute)?,
+        attributes: children_named(node, "attribute", attribute)?,
     })
 }
 
@@ -93,14 +93,14 @@ fn relation(node: Node) -> Result<Relation, Problem> {
     Ok(Relation {
         id: id(node)?,
         kind: text_of(need(node, "type")?),
-        refs: of(node, "ref", |node| {
+        refs: children_named(node, "ref", |node| {
             Ok((text_of(need(node, "role")?), id(node)?))
         })?,
     })
 }
 
 /// Each child of `parent`; all must be called `name`.
-fn of<T>(
+fn children_named<T>(
     parent: Node,
     name: &str,
     read: impl Fn(Node) -> Result<T, Problem>,

@@ -270,18 +270,18 @@ impl<'a> Found<'a> {
         let mut words = Vec::new();
         if !lines.is_empty() {
             let labels = lines.iter().filter(|(_, label)| !label.is_empty());
-            let labels = some(labels.map(|(_, label)| file.quote(label)));
+            let labels = first_words(labels.map(|(_, label)| file.quote(label)));
             let labels = if labels.is_empty() {
                 labels
             } else {
                 format!(" ({labels})")
             };
-            let runs = some(runs.into_iter().map(run));
+            let runs = first_words(runs.into_iter().map(run));
             words.push(format!("line{} {runs}{labels}", plural(lines.len())));
         }
         let columns = &self.left_out.columns;
         if !columns.is_empty() {
-            let shown = some(
+            let shown = first_words(
                 columns
                     .iter()
                     .map(|place| self.head.shown_one(file, *place)),
@@ -396,7 +396,7 @@ fn teeth_named(teeth: &[u32]) -> String {
 }
 
 /// The first of `words`, and the number of others.
-fn some(words: impl Iterator<Item = String>) -> String {
+fn first_words(words: impl Iterator<Item = String>) -> String {
     let words: Vec<String> = words.collect();
     let named = words
         .iter()

@@ -63,7 +63,7 @@ pub fn gears(
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
     let mut grouped = GroupedWarnings::default();
     for path in files {
-        match one(&path, member, file.reading()) {
+        match read_one(&path, member, file.reading()) {
             Ok((gear, has_band, warned)) => {
                 gears.push(gear);
                 grouped.add(&path, &warned);
@@ -104,7 +104,7 @@ fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
 
 /// The gear of a gear file, or the `member` of a pair file: the middle of a thickness band, whether there is a band, and the
 /// file's warnings.
-fn one(
+fn read_one(
     path: &Path,
     member: Member,
     reading: &Reading,

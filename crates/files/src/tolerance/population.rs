@@ -77,7 +77,7 @@ fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         thickness_correlation: tolerance.thickness_correlation,
     };
     let own = own?;
-    let first = marked(&pair, &own);
+    let first = marked_tooth(&pair, &own);
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = file.reading().keep(population)?;
     let clearance = pair.study.bearing_clearance;
@@ -257,7 +257,7 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
 }
 
 /// The pinion tooth that meets wheel tooth 1, for gears that are always assembled as at the start of the sweep.
-fn marked(pair: &PairFile, own: &GearPair) -> u32 {
+fn marked_tooth(pair: &PairFile, own: &GearPair) -> u32 {
     match pair.study.sweep {
         Some(SweepPlan::Revolution {
             start: (wheel_tooth, pinion_tooth),

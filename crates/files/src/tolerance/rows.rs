@@ -317,12 +317,12 @@ impl<'a> RowsTally<'a> {
             }
             if range.start < next {
                 let other = &self.sources[before];
-                let doubled = named(&(range.start..range.end.min(next)));
+                let doubled = range_words(&(range.start..range.end.min(next)));
                 duplicate.push(format!("{doubled} in {name} and {other}"));
             }
             if range.end > total + 1 {
                 let rest = range.start.max(total + 1)..range.end;
-                beyond.push(format!("{} in {name}", named(&rest)));
+                beyond.push(format!("{} in {name}", range_words(&rest)));
             }
             if range.end > next {
                 (next, before) = (range.end, *source);
@@ -336,7 +336,7 @@ impl<'a> RowsTally<'a> {
         if let Some(first) = missing.first() {
             let file = format!("rows_{}.csv", first.start);
             let command = self.run.rows_command(first.clone(), Path::new(&file));
-            let list = listed(missing.iter().map(named));
+            let list = first_listed(missing.iter().map(range_words));
             problems.push(Problem::of_file(
                 format!("rows are missing, of {total} assemblies: {list}"),
                 format!("compute them, the first by {command}"),
@@ -344,7 +344,10 @@ impl<'a> RowsTally<'a> {
         }
         if !duplicate.is_empty() {
             problems.push(Problem::of_file(
-                format!("rows are there twice: {}", listed(duplicate.into_iter())),
+                format!(
+                    "rows are there twice: {}",
+                    first_listed(duplicate.into_iter())
+                ),
                 "name rows of each assembly once",
             ));
         }
@@ -352,7 +355,7 @@ impl<'a> RowsTally<'a> {
             problems.push(Problem::of_file(
                 format!(
                     "rows lie beyond the {total} assemblies of the run: {}",
-                    listed(beyond.into_iter())
+                    first_listed(beyond.into_iter())
                 ),
                 "state more with --assemblies, or leave them out",
             ));
@@ -381,7 +384,7 @@ fn wrong(source: &str, reason: impl Display, help: &str) -> InputError {
 }
 
 /// "assembly 7", "assemblies 7 to 9".
-fn named(range: &Range<u64>) -> String {
+fn range_words(range: &Range<u64>) -> String {
     let last = range.end - 1;
     if range.start == last {
         format!("assembly {last}")
@@ -391,7 +394,7 @@ fn named(range: &Range<u64>) -> String {
 }
 
 /// The first of `each`, and the number of others.
-fn listed(each: impl ExactSizeIterator<Item = String>) -> String {
+fn first_listed(each: impl ExactSizeIterator<Item = String>) -> String {
     let more = each.len().saturating_sub(MOST_LISTED);
     let first: Vec<String> = each.take(MOST_LISTED).collect();
     let mut text = first.join(", ");

@@ -45,7 +45,7 @@ pub fn difference(
         let mut marks = of(models[1], Look::Plain);
         marks.extend(of(models[0], Look::Left));
         panels.push(Panel {
-            title: format!("minus models 1 and 2{}", thin(course)),
+            title: format!("minus models 1 and 2{}", thin_line_material(course)),
             x: Axis {
                 name: String::new(),
                 ..course_axis(course)
@@ -143,7 +143,10 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         Anchor::Start,
     ));
     Some(Panel {
-        title: format!("minus model 3, separate scale{}", thin(course)),
+        title: format!(
+            "minus model 3, separate scale{}",
+            thin_line_material(course)
+        ),
         x: course_axis(course),
         y: Axis::new(name, y),
         height: 230.0,
@@ -176,7 +179,7 @@ fn unit(largest: f64) -> (f64, &'static str) {
 }
 
 /// The material of the thin lines, for a title.
-fn thin(course: &Course) -> &'static str {
+fn thin_line_material(course: &Course) -> &'static str {
     let mut lines = course.lines.iter();
     if lines.any(|line| line.material == Material::Least) {
         " (thin: least material)"

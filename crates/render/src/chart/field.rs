@@ -73,7 +73,7 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
     sheet::draw(heading, &details, &entries, &panels)
 }
 
-fn look(side: Side) -> Look {
+fn side_look(side: Side) -> Look {
     match side {
         Side::Right => Look::Right,
         Side::Left => Look::Left,
@@ -102,7 +102,7 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
         let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
         marks.push(Mark::line(
             points,
-            look(side.side),
+            side_look(side.side),
             WIDTHS[usize::from(line.binds)],
         ));
         marks.extend(label(line, side, x));
@@ -241,7 +241,7 @@ fn gaps(side: &FieldSide, x: [f64; 2]) -> Panel {
     let mut marks = shades(side);
     marks.push(Mark::line(
         side.sections.iter().map(|s| (s.at, value(s))).collect(),
-        look(side.side),
+        side_look(side.side),
         1.6,
     ));
     marks.extend(binding_point(side, 0.0));

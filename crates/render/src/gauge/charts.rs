@@ -107,7 +107,7 @@ fn subtitle(gauged: &GaugedGear) -> String {
 }
 
 /// The mean, which is the chart's zero, and the formula's value.
-fn means(mean: f64, formula: Option<f64>) -> String {
+fn mean_words(mean: f64, formula: Option<f64>) -> String {
     let formula = formula.map_or(String::new(), |mm| format!(", formula {} mm", fixed(mm, 6)));
     format!("mean {} mm{formula}", fixed(mean, 6))
 }
@@ -136,7 +136,11 @@ fn length_chart(
         look: Look::Plain,
     }];
     let panel = BarPanel {
-        title: &format!("{}, {}", length.name, means(length.mean, length.formula)),
+        title: &format!(
+            "{}, {}",
+            length.name,
+            mean_words(length.mean, length.formula)
+        ),
         y_axis: &format!("{} − mean, µm", by_tooth.symbol),
         series: &series,
         limits: Vec::new(),
@@ -347,7 +351,7 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
         roll.master.basic_data().teeth(),
         um(roll.total().found, 3),
         um(roll.tooth_to_tooth().found, 3),
-        means(mean, gauged.gauged.formula.distance)
+        mean_words(mean, gauged.gauged.formula.distance)
     );
     let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");
     let axes = LineAxes {

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 pub(super) fn section(page: &Page) -> Markup {
     html! {
         p.note { (simulated(page)) }
-        p.note { (others(page)) (phases(page)) }
+        p.note { (other_poses(page)) (phases(page)) }
     }
 }
 
@@ -58,7 +58,7 @@ fn simulated(page: &Page) -> String {
     format!("Over {} poses: {words}.{extremes}{drawn}", page.whole.poses)
 }
 
-fn others(page: &Page) -> Markup {
+fn other_poses(page: &Page) -> Markup {
     let extremes = &page.report.analysis.extremes.each;
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();

@@ -62,7 +62,7 @@ fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String;
     let runouts = specs.map(EitherGearSpec::runout);
     let mut rows = vec![
         ("drawing", of(&|spec, _| plain(&spec.file), &by_its_data)),
-        ("chosen path", drawn(&|spec, _| chosen(spec))),
+        ("chosen path", drawn(&|spec, _| selection(spec))),
         ("unit", drawn(&unit)),
         ("centre in the drawing, mm", drawn(&centre)),
         ("parts of the outline", drawn(&parts)),
@@ -101,7 +101,7 @@ fn by_its_data(spec: &GearSpec) -> String {
     )
 }
 
-fn chosen(spec: &OutlineSpec) -> String {
+fn selection(spec: &OutlineSpec) -> String {
     match (&spec.layer, &spec.id) {
         (Some(layer), _) => format!("layer {}", plain(layer)),
         (_, Some(id)) => format!("id {}", plain(id)),

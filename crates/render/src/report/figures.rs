@@ -50,7 +50,7 @@ fn id(number: usize) -> String {
 
 /// The courses whose charts are in the page, each with the chart's id.
 pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
-    let drawn = drawn(page);
+    let drawn = drawn_courses(page);
     drawn
         .into_iter()
         .map(|number| (id(number), &page.courses[number]))
@@ -58,7 +58,7 @@ pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
 }
 
 /// The indices of those courses; the one with the least backlash of all comes first.
-fn drawn(page: &Page) -> Vec<usize> {
+fn drawn_courses(page: &Page) -> Vec<usize> {
     let least = page.whole.least.and_then(|least| {
         let run = &least.run.run;
         let is_of = |course: &Course| {
@@ -104,7 +104,7 @@ fn over_teeth(
     what: &str,
     draw: impl Fn(usize, &Course) -> Result<Markup, PictureError>,
 ) -> Result<Markup, PictureError> {
-    let drawn = drawn(page);
+    let drawn = drawn_courses(page);
     let left_out = page.courses.len() - drawn.len();
     let draw = |number: usize| draw(number, &page.courses[number]);
     let Some((first, rest)) = drawn.split_first() else {

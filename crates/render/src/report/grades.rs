@@ -57,7 +57,7 @@ pub(super) fn table(page: &Page) -> Markup {
 }
 
 /// The flank and the axis of a reading.
-fn of(pitch: Option<(PitchAxis, Flank)>) -> &'static str {
+fn flank_and_axis(pitch: Option<(PitchAxis, Flank)>) -> &'static str {
     match pitch {
         Some((PitchAxis::Datum, Flank::Right)) => ", right flanks, datum axis",
         Some((PitchAxis::Datum, Flank::Left)) => ", left flanks, datum axis",
@@ -90,7 +90,7 @@ fn graded(gear: &GearGrades, reading: &GradedReading) -> Vec<Markup> {
     cells![
         gear.name,
         sign,
-        html! { (name) (of(reading.pitch)) },
+        html! { (name) (flank_and_axis(reading.pitch)) },
         um(Some(reading.measured), 3),
         grade,
         um(Some(tolerance), 1),
@@ -121,7 +121,7 @@ fn ungraded(gear: &str, pitch: &PitchReadings, flank: Flank) -> [Vec<Markup>; 3]
         ),
     ]
     .map(|(letter, index, name, mm)| {
-        let name = html! { (name) (of(Some((pitch.axis, flank)))) };
+        let name = html! { (name) (flank_and_axis(Some((pitch.axis, flank)))) };
         cells![
             gear,
             symbol(letter, index),

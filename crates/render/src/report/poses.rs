@@ -17,7 +17,7 @@ const OTHERS: &str = "least backlash at the other centre distances";
 
 pub(super) fn section(page: &Page) -> Markup {
     let whole = &page.whole;
-    let others = others(page);
+    let others = other_distances(page);
     html! {
         section id="poses" {
             h2 { "Worst poses" }
@@ -78,7 +78,7 @@ fn greatest_loss<'a>(page: &Page<'a>) -> Option<(PoseOfRun<'a>, f64)> {
 }
 
 /// The least poses of the other centre distances, where there are few.
-fn others<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
+fn other_distances<'a>(page: &Page<'a>) -> Vec<PoseOfRun<'a>> {
     let distance = |found: PoseOfRun| found.run.run.assembly.center_distance();
     let drawn = page.whole.least.map(distance);
     let least = page.distances.iter().filter_map(|at| at.all.least);

@@ -89,7 +89,7 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
 }
 
 /// A value that can come from a fit to readings: at most four decimals.
-fn found(number: f64) -> String {
+fn fitted_number(number: f64) -> String {
     let full = shortest(number);
     let short = shortest(rounded(number, 4));
     if short.len() < full.len() {
@@ -101,12 +101,12 @@ fn found(number: f64) -> String {
 
 /// `F_r`, µm.
 pub(super) fn runout(stated: &RunoutSpec) -> String {
-    found(stated.total_um)
+    fitted_number(stated.total_um)
 }
 
 /// The tooth of the runout.
 pub(super) fn high_tooth(stated: &RunoutSpec) -> String {
-    stated.high_tooth.map_or("–".to_owned(), found)
+    stated.high_tooth.map_or("–".to_owned(), fitted_number)
 }
 
 /// Kind and number of the pitch deviations. `by_tooth`: the teeth differ in thickness.

@@ -19,7 +19,7 @@ pub(super) fn columns(headings: &str) -> Vec<Column> {
     let each = headings.split('|').map(|column| {
         let (heading, classes) = column.split_once(':').unwrap_or((column, ""));
         Column {
-            heading: set(heading.trim()),
+            heading: heading_markup(heading.trim()),
             classes: classes.trim().to_owned(),
             is_shown: true,
         }
@@ -28,7 +28,7 @@ pub(super) fn columns(headings: &str) -> Vec<Column> {
 }
 
 /// A heading with its symbols.
-fn set(heading: &str) -> Markup {
+fn heading_markup(heading: &str) -> Markup {
     html! {
         @for (number, word) in heading.split(' ').enumerate() {
             @if number > 0 { " " }
@@ -82,7 +82,7 @@ impl<'a> Table<'a> {
         let named_by = shown.iter().position(|column| column.unit != Unit::Grave);
         let named_by = named_by.unwrap_or(0);
         let columns = shown.iter().map(|column| Column {
-            heading: set(column.heading.heading()),
+            heading: heading_markup(column.heading.heading()),
             classes: match (column.heading.is_left(), column.unit) {
                 (_, Unit::Grave) => "w".to_owned(),
                 (false, Unit::Plain) | (true, _) => String::new(),

@@ -110,14 +110,14 @@ fn formula(page: &Page) -> Markup {
             "There is no pose where simulation and line-of-action formula both give a value: nothing was compared. "
         }
         @if of.poses > of.both {
-            (without(page)) ". "
+            (why_not_compared(page)) ". "
         }
         (off_line(page))
     }
 }
 
 /// The reason why the other poses cannot be compared.
-fn without(page: &Page) -> String {
+fn why_not_compared(page: &Page) -> String {
     let of = &page.agreement;
     let parts = [
         (page.whole.jammed, "jammed"),

@@ -110,7 +110,7 @@ fn table(page: &Page) -> Markup {
         let [(least, teeth_at_least), (greatest, teeth_at_greatest)] = [least, greatest];
         cells![
             stated_distance(at.center_distance),
-            fits(&at.all, is_settled(page, at.center_distance)),
+            assembles_cell(&at.all, is_settled(page, at.center_distance)),
             least,
             teeth_at_least,
             um(at.all.mean, 2),
@@ -162,7 +162,7 @@ fn is_settled(page: &Page, center_distance: f64) -> bool {
 }
 
 /// Whether a pair assembles, in a word or two, from its poses and whether the mesh cycle is settled.
-fn fits(all: &Outcome, settled: bool) -> Markup {
+fn assembles_cell(all: &Outcome, settled: bool) -> Markup {
     let (verdict, word) = match all {
         all if all.jammed > 0 => (Verdict::Fail, "no: jammed"),
         all if all.interfering > 0 => (Verdict::Fail, "no: interference"),

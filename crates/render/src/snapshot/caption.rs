@@ -68,7 +68,7 @@ pub fn draw_turning(
             steps.len()
         );
     }
-    let words = format!("{words} · {}", drawn(scene));
+    let words = format!("{words} · {}", drawn_contact(scene));
     let style = TextStyle::new(16.0).fitted(&words, room, LEAST);
     let result = style.text(&style.shortened(&words, room), [left, 97.0]);
     heading(view, left, room).add(result)
@@ -98,7 +98,7 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
         Ok(_) => what,
         Err(unproven) => format!("unproven, no contact is drawn: {}", unproven.reason),
     };
-    format!("{what} · {}", drawn(scene))
+    format!("{what} · {}", drawn_contact(scene))
 }
 
 /// The face for which the result of a section holds; empty for spur gears.
@@ -111,7 +111,7 @@ fn over_face(view: &Snapshot) -> String {
 }
 
 /// The contact in which the free gear is drawn.
-fn drawn(scene: &Scene) -> String {
+fn drawn_contact(scene: &Scene) -> String {
     let free = scene.assembly().free().name();
     match scene.drawn() {
         FreePlacement::AtContact(side) => format!(

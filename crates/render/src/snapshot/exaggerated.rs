@@ -40,7 +40,7 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         .add(wheel_numbers)
         .add(pinion_numbers);
     for ((member, tooth), frame) in Member::BOTH.into_iter().zip(mating).zip(INSETS) {
-        sheet = sheet.add(whole(view, gears, member, tooth, frame));
+        sheet = sheet.add(whole_gear(view, gears, member, tooth, frame));
     }
     let modified = Member::BOTH.map(|member| gears.found(member).profile.is_some());
     format!("{}\n", sheet.add(legend(modified.contains(&true))))
@@ -102,7 +102,13 @@ fn ghost_line(points: &[Spot], width: f64) -> Path {
 }
 
 /// A whole gear on the left of `frame`, its deviations on the right.
-fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, frame: Frame) -> Group {
+fn whole_gear(
+    view: &Snapshot,
+    gears: &Exaggeration,
+    member: Member,
+    tooth: u32,
+    frame: Frame,
+) -> Group {
     let [drawn, perfect] = gears.placed(view.drawn_pose(), member);
     let square = Frame {
         right: frame.left + frame.height(),

@@ -196,7 +196,7 @@ fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -
         |low: f64, high: f64| (0..=16).map(move |i| low + (high - low) * f64::from(i) / 16.0);
     let spots: Vec<Spot> = steps(inner.top + dy, inner.bottom - dy)
         .flat_map(|y| steps(inner.left + dx, inner.right - dx).map(move |x| [x, y]))
-        .filter(|spot| holds(metal[0], *spot) && !holds(metal[1], *spot))
+        .filter(|spot| contains(metal[0], *spot) && !contains(metal[1], *spot))
         .collect();
     let far = |spot: &Spot| (spot[0] - middle[0]).hypot(spot[1] - middle[1]);
     [16.0, 8.0, kit::CLEAR].into_iter().find_map(|clear| {
@@ -209,7 +209,7 @@ fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -
 }
 
 /// Whether `spot` is inside a closed polygon: a ray to the right crosses it an odd number of times.
-fn holds(polygon: &[Spot], [x, y]: Spot) -> bool {
+fn contains(polygon: &[Spot], [x, y]: Spot) -> bool {
     let mut inside = false;
     for (i, to) in polygon.iter().enumerate() {
         let from = polygon[(i + polygon.len() - 1) % polygon.len()];

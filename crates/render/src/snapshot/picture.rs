@@ -74,7 +74,7 @@ fn draw(view: &Snapshot, ids: &Ids, layout: &Layout) -> (SVG, f64) {
     let links = links.iter().fold(Group::new(), |group, link| {
         group.add(link.draw(&taken, layout.is_sheet))
     });
-    let shown = shown(&scene, &main);
+    let shown = legend_content(&scene, &main);
     // The result for the whole face can come from another section.
     let in_section = view.section.is_some() && scene.contacts().iter().any(|m| m.gap < 0.0);
     let shown = Shown {
@@ -129,7 +129,7 @@ fn slots<'s>(
 }
 
 /// The parts that the legend must explain.
-fn shown(scene: &Scene, main: &View) -> Shown {
+fn legend_content(scene: &Scene, main: &View) -> Shown {
     let contacts = scene.contacts();
     let members = Member::BOTH;
     let touches = contacts

@@ -29,52 +29,52 @@ fn gear(gauged: &GaugedGear) -> Value {
         "gear": gauged.name,
         "material": gauged.material.name(),
         "teeth": gauged.teeth(),
-        "spans": of(&read.spans, |spans| json!({
+        "spans": reading_or_reason(&read.spans, |spans| json!({
             "teeth": spans.teeth,
             "formula_mm": formula.span,
             "readings": spans.readings.iter().map(span).collect::<Value>(),
         })),
-        "pins": of(&read.pins, |pins| json!({
+        "pins": reading_or_reason(&read.pins, |pins| json!({
             "pin_mm": pins.diameter,
             "formula_two_mm": formula.over_two,
             "two": over(&pins.two),
             "formula_three_mm": formula.over_three,
             "three": over(&pins.three),
         })),
-        "runout": of(&read.runout, |runout| json!({
+        "runout": reading_or_reason(&read.runout, |runout| json!({
             "ball_mm": runout.diameter,
             "total_um": runout.total() * 1e3,
             "error_bound_um": runout.error() * 1e3,
             "readings": runout.readings.iter().map(ball).collect::<Value>(),
         })),
-        "eccentricity": of(&read.eccentricity, |found| json!({
+        "eccentricity": reading_or_reason(&read.eccentricity, |found| json!({
             "um": found.amount * 1e3,
             "high_tooth": found.high_tooth,
             "error_bound_um": found.error * 1e3,
         })),
-        "pitch_own": of(&read.pitch_own, pitch),
-        "pitch_datum": of(&read.pitch_datum, pitch),
-        "thickness": of(&read.thickness, |thickness| json!({
+        "pitch_own": reading_or_reason(&read.pitch_own, pitch),
+        "pitch_datum": reading_or_reason(&read.pitch_datum, pitch),
+        "thickness": reading_or_reason(&read.thickness, |thickness| json!({
             "circle_mm": 2.0 * thickness.radius,
             "formula_mm": formula.thickness,
             "error_bound_um": thickness.error * 1e3,
             "arc_mm": thickness.arcs,
         })),
-        "root": of(&read.root, |root| json!({
+        "root": reading_or_reason(&read.root, |root| json!({
             "diameter_mm": 2.0 * root.radius,
             "formula_mm": formula.root.map(|root| 2.0 * root),
             "error_bound_um": 2.0 * root.error * 1e3,
         })),
-        "profile": of(&read.profile, |found| json!({
+        "profile": reading_or_reason(&read.profile, |found| json!({
             "error_bound_um": found.error * 1e3,
             "right": profiles(found.flank(Flank::Right)),
             "left": profiles(found.flank(Flank::Left)),
         })),
-        "grades": of(&read.grades, |graded| json!({
+        "grades": reading_or_reason(&read.grades, |graded| json!({
             "source": GRADE_SOURCE,
             "values": graded.iter().map(grade).collect::<Vec<_>>(),
         })),
-        "roll": of(&read.roll, |found| json!({
+        "roll": reading_or_reason(&read.roll, |found| json!({
             "master_teeth": found.master.basic_data().teeth(),
             "master_tip_diameter_mm": 2.0 * found.master.tip_radius(),
             "formula_mm": formula.distance,
@@ -123,7 +123,7 @@ fn of_helix(read: &Gauged, spec: &GearSpec, hand: Hand, shown: &mut Value) {
 }
 
 /// A reading as `shown`, or the reason why it was not taken.
-fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
+fn reading_or_reason<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
     match read {
         Ok(read) => shown(read),
         Err(reason) => json!({ "not_measured": reason.to_string() }),

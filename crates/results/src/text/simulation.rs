@@ -45,7 +45,7 @@ pub fn simulation(
     }
     let groups = phase_groups(runs);
     if groups.is_empty() {
-        text += &listed(study);
+        text += &listed_note(study);
         text += &run_table(study, runs, unit, screen);
         let models = if study.is_drawn() { "" } else { MODELS };
         let of = unit::measure(unit);
@@ -83,7 +83,7 @@ fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
 }
 
 /// A note on the poses of the rows below, where they could be mistaken for the whole cycle.
-fn listed(study: &Study) -> String {
+fn listed_note(study: &Study) -> String {
     let of = if study.sweeps() {
         "Of the poses swept"
     } else {

@@ -57,13 +57,13 @@ impl OutcomeKind {
 /// The backlash of one assembly over its whole mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
-    /// How it ends.
+    /// Its kind.
     pub kind: OutcomeKind,
-    /// Least `j_wt`, mm: no pose has less. `None` where a pose is jammed, or none was found.
+    /// Least `j_wt`, mm: no pose has less. `None` if a pose is jammed, or none was found.
     pub least: Option<f64>,
-    /// Greatest `j_wt`, mm: no pose has more. `None` where a pose is out of mesh, or none was found.
+    /// Greatest `j_wt`, mm: no pose has more. `None` if a pose is out of mesh, or none was found.
     pub greatest: Option<f64>,
-    /// Whether those that there are of both are proven; `false` where there is none.
+    /// Whether its extremes are proven; `false` without any.
     pub is_proven: bool,
 }
 
@@ -91,7 +91,7 @@ impl Assembly {
         self.phase
     }
 
-    /// The same pair put together in another phase.
+    /// The same pair assembled in another phase.
     pub(super) fn in_phase(&self, phase: u32) -> Assembly {
         Assembly {
             phase,
@@ -99,8 +99,8 @@ impl Assembly {
         }
     }
 
-    /// The pair with its least and that with its greatest backlash: its axes as near, and as far apart, as their bearings allow. `None` where
-    /// there is no such pair.
+    /// The pair with its least and that with its greatest backlash: the axes as near, and as far apart, as the bearings
+    /// allow. `None` if one of them is impossible.
     pub(crate) fn ends(&self) -> Option<[GearPair; 2]> {
         let distance = self.pair.center_distance();
         if self.clearance > 0.0 {
@@ -111,7 +111,8 @@ impl Assembly {
         }
     }
 
-    /// Its extremes: with play in the bearings the least with the axes as near, the greatest with them as far apart as that allows.
+    /// Its extremes. With bearing clearance the axes are as near as possible for the least, and as far apart as
+    /// possible for the greatest.
     ///
     /// # Errors
     /// The proven extremes of the assembly. Only a stopped calculation is an error: a pose that fails is an outcome.
@@ -147,7 +148,7 @@ impl Assembly {
     }
 }
 
-/// Jammed where the axes are near, else out of mesh where they are far, else as where they are near.
+/// Jammed when the axes are near; otherwise out of mesh when they are far; otherwise as when they are near.
 fn worse(near: Status, far: Status) -> Status {
     match (near, far) {
         (Status::Jammed, _) => Status::Jammed,
@@ -157,7 +158,7 @@ fn worse(near: Status, far: Status) -> Status {
 }
 
 impl Outcome {
-    /// The same pair with its axes near, as here, or far, as in `far`: the least of the one, the greatest of the other.
+    /// The least of the pair with near axes (this outcome) and the greatest of the pair with far axes (`far`).
     #[cfg(feature = "matching")]
     pub(crate) fn with_far(&self, far: &Outcome) -> Outcome {
         let kind = match (self.kind, far.kind) {
@@ -189,7 +190,7 @@ impl Outcome {
     }
 
     fn of(found: &Extremes) -> Outcome {
-        // The safe end of a proven bracket; of a wide one the attained value.
+        // The safe end of a proven bracket; the attained value of a wide one.
         let value = |extreme: Extreme, safe: f64| {
             if extreme.is_proven() {
                 safe
@@ -240,7 +241,7 @@ mod tests {
         })
     }
 
-    /// An outcome without extremes is not proven; a jammed pair is proven by the extreme that it has.
+    /// An outcome without extremes is unproven; a jammed pair is proven if its one extreme is.
     #[test]
     fn nothing_is_proven_of_an_outcome_without_values() {
         let doubt = Some(Some(Doubt::Effort));

@@ -1,17 +1,19 @@
 //! The contribution of each scatter to the variance of the least and of the greatest backlash.
 //!
-//! Sobol's indices of independent quantities `x_1 … x_k`: of the variance `V` of `f`, the share that the mean of `f` at a given `x_i`
-//! has (first order: by `x_i` alone), and the share that is left on average where all but `x_i` are given (total: with all that it does
-//! together with others). Two independent samples `A` and `B` of all quantities and, for each `i`, the sample `AB_i` which is `A`
-//! but for `x_i`, taken from `B`, give both (Saltelli et al. 2010):
+//! Sobol's indices of independent quantities `x_1 … x_k` are shares of the variance `V` of `f`. The first-order index
+//! is the share of the mean of `f` at a given `x_i`: the effect of `x_i` alone. The total index is the share that is
+//! left on average with all but `x_i` given: the effect including interactions. Both come from two independent samples
+//! `A` and `B` of all quantities and, for each `i`, the sample `AB_i`, which is `A` except for `x_i` from `B` (Saltelli
+//! et al. 2010):
 //!
 //! ```text
 //! V_i  = E[f(B) (f(AB_i) − f(A))]       B and AB_i share x_i alone: E[f(B) f(AB_i)] = E²[f] + V_i; B and A nothing: E[f(B) f(A)] = E²[f]
 //! V_Ti = E[(f(A) − f(AB_i))²]/2         they share all but x_i: half the mean square difference of two with the same rest is its variance
 //! ```
 //!
-//! `f(B)` is taken about the mean of all, which changes no expectation of the first and makes it scatter less. The standard errors are
-//! those of the jackknife over [`GROUPS`] groups of rows. All sums are of integers, and add up whichever way the rows are cut.
+//! `f(B)` is taken about the mean of all, which keeps the expectation of `V_i` and reduces its scatter. The standard
+//! errors are those of the jackknife over [`GROUPS`] groups of rows. All sums are integers, so they do not depend on
+//! the order of the rows.
 
 use super::factor::Factor;
 use super::members::Population;
@@ -22,16 +24,16 @@ use crate::error::Error;
 use crate::parallel;
 use std::ops::ControlFlow;
 
-/// Groups of rows that the standard errors come from: row `j` belongs to group `j` modulo this.
+/// Number of groups of rows for the standard errors: row `j` belongs to group `j` modulo this.
 pub const GROUPS: usize = 32;
 
-/// Rows that one core takes at a time: one tick each.
+/// Rows per core and tick.
 pub const ROWS_CHUNK: u64 = 8;
 
-/// Rows that are in memory at a time (tuned: enough for many threads, some 100 kB).
+/// Rows in memory at a time (tuned: enough for many threads, about 100 kB).
 const BLOCK: u64 = 1024;
 
-/// Why there are no contributions.
+/// The reason why there are no contributions.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ContributionsError {
     /// A calculation failed, or was interrupted.
@@ -42,12 +44,12 @@ pub enum ContributionsError {
     Overflow(#[from] Overflow),
 }
 
-/// Sums over the rows of a group, of one extreme in tenths of a nanometre.
+/// Sums over the rows of a group, for one extreme, in tenths of a nanometre.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct GroupSums {
-    /// Rows of which every assembly has the extreme.
+    /// Rows in which every assembly has the extreme.
     rows: u64,
-    /// Rows without.
+    /// Other rows.
     left_out: u64,
     /// `Σ f(A)`, `Σ f(B)`, `Σ f(A)²`, `Σ f(B)²`, `Σ f(A) f(B)`.
     samples: [i128; 5],
@@ -67,22 +69,22 @@ pub struct Estimate {
 /// The contribution of one quantity to the variance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contribution {
-    /// Which.
+    /// The quantity.
     pub factor: Factor,
-    /// By itself.
+    /// First-order effect.
     pub first: Estimate,
-    /// With all that it does together with others.
+    /// Total effect, with interactions.
     pub total: Estimate,
 }
 
 /// The contributions to one extreme.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contributions {
-    /// Rows they come from.
+    /// Rows used.
     pub rows: u64,
-    /// Rows left out, an assembly of which has no such extreme.
+    /// Rows not used, because an assembly has no such extreme.
     pub left_out: u64,
-    /// In the order of [`Population::factors`]; empty where nothing varies or too few rows are left.
+    /// In the order of [`Population::factors`]; empty if nothing varies or too few rows are left.
     pub each: Vec<Contribution>,
 }
 
@@ -112,7 +114,7 @@ impl GroupSums {
             self.left_out += 1;
             return Ok(());
         };
-        // No product of two i64 is beyond i128.
+        // No product of two i64 exceeds i128.
         let times = |one: i64, other: i64| i128::from(one) * i128::from(other);
         let each = mixed
             .iter()
@@ -125,7 +127,7 @@ impl GroupSums {
         })
     }
 
-    /// `None` where the rest does not fit.
+    /// `None` on overflow.
     fn without(&self, other: &GroupSums) -> Option<GroupSums> {
         let mut rest = self.clone();
         rest.rows -= other.rows;
@@ -135,7 +137,7 @@ impl GroupSums {
         Some(rest)
     }
 
-    /// First-order and total share of each quantity; `None` where nothing varies, or sums do not fit.
+    /// First-order and total share of each quantity; `None` if nothing varies, or on overflow.
     fn indices(&self) -> Option<Vec<[f64; 2]>> {
         let n = self.rows as f64;
         let [a, b, aa, bb, ab] = self.samples;
@@ -165,7 +167,7 @@ impl Contributions {
             factors: vec![[0; 4]; factors.len()],
             ..GroupSums::default()
         };
-        // Each group fitted, and all of them did when they were added; else nothing is said.
+        // The groups were summed without overflow before; otherwise there is no result.
         let fits = groups.iter().all(|group| all.add(group).is_ok());
         let none = Contributions {
             rows: all.rows,
@@ -205,19 +207,19 @@ impl Contributions {
 }
 
 /// Least and greatest `j_wt` of an assembly, tenths of a nanometre.
-type Both = [Option<i64>; 2];
+type LeastAndGreatest = [Option<i64>; 2];
 
 /// `f` of A, of B, and of each AB_i.
 struct Evaluated {
-    a: Both,
-    b: Both,
-    mixed: Vec<Both>,
+    a: LeastAndGreatest,
+    b: LeastAndGreatest,
+    mixed: Vec<LeastAndGreatest>,
 }
 
 impl Evaluated {
     /// Row `number` of both samples.
     fn new(population: &Population, seed: u64, number: u64) -> Result<Evaluated, Error> {
-        let both = |run: &dyn Fn(Factor) -> Run| -> Result<Both, Error> {
+        let both = |run: &dyn Fn(Factor) -> Run| -> Result<LeastAndGreatest, Error> {
             let draw = |factor| Draw {
                 seed,
                 run: run(factor),
@@ -247,15 +249,16 @@ impl Evaluated {
         })
     }
 
-    /// The values of the least (0) or the greatest (1); `None` where an assembly lacks it.
+    /// The values of the least (0) or the greatest (1); `None` if an assembly lacks it.
     fn of_extreme(&self, end: usize) -> Option<(i64, i64, Vec<i64>)> {
         let mixed: Option<Vec<i64>> = self.mixed.iter().map(|both| both[end]).collect();
         Some((self.a[end]?, self.b[end]?, mixed?))
     }
 }
 
-/// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`: two assemblies a row and one for
-/// each quantity. `tick` is called once every [`ROWS_CHUNK`] rows, from any thread; where it breaks, the work ends.
+/// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`. A row
+/// has two assemblies and one for each quantity. `tick` is called once every [`ROWS_CHUNK`] rows, from any thread; a
+/// break ends the work.
 ///
 /// # Errors
 /// [`ContributionsError`].

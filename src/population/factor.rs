@@ -1,13 +1,13 @@
-//! The quantities that scatter, each by itself, and which numbers each is drawn from.
+//! The quantities that scatter independently, and the random numbers of each.
 
 use crate::pair::Member;
 
-/// A quantity that scatters by itself.
+/// A quantity that scatters independently.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Factor {
     /// Thickness of a gear.
     Thickness(Member),
-    /// Thickness of both gears, where it is correlated.
+    /// Thickness of both gears, if correlated.
     Thicknesses,
     /// Runout of a gear, with its direction.
     Runout(Member),
@@ -15,18 +15,18 @@ pub enum Factor {
     Pitch(Member),
     /// Thickness of each tooth of a gear.
     PerTooth(Member),
-    /// Which whole gear is taken.
+    /// Choice of a whole gear.
     Gear(Member),
     /// Centre distance.
     CenterDistance,
     /// Play of the bearings.
     BearingPlay,
-    /// How the gears are put together.
+    /// Assembly phase.
     Phase,
 }
 
 impl Factor {
-    /// All there are.
+    /// All quantities.
     pub const ALL: [Factor; 14] = [
         Factor::Thicknesses,
         Factor::Thickness(Member::Wheel),
@@ -44,7 +44,7 @@ impl Factor {
         Factor::Phase,
     ];
 
-    /// Which numbers it is drawn from: never to be changed, or a seed would mean another population.
+    /// The number of its random stream. It must never change: a seed would give another population.
     pub(super) fn quantity(self) -> u32 {
         let of = |first, member| first + 8 * u32::from(member == Member::Pinion);
         match self {

@@ -1,4 +1,4 @@
-//! The worst case and the root sum of squares: what designers reckoned with before they drew.
+//! Classic tolerance analysis: the worst case and the root sum of squares.
 
 use super::assembly::Assembly;
 use super::members::Population;
@@ -10,25 +10,26 @@ use crate::gear::{AsBuilt, Deviations};
 use crate::pair::Member;
 use crate::parallel;
 
-/// How many standard deviations of a flank's cumulative pitch deviation the worst case takes.
+/// Standard deviations of a flank's cumulative pitch deviation in the worst case.
 pub const PITCH_LIMIT_SIGMAS: f64 = 3.0;
 
-/// Least and greatest `j_wt`, mm, with every scatter at its limits, and by the root sum of squares. `None` where a pair there is jammed,
-/// out of mesh or none. Where the assembly phase scatters, each is the least, or the greatest, of all phases.
+/// Least and greatest `j_wt`, mm, with every scatter at its limits, and by the root sum of squares. `None` if a pair
+/// there is jammed, out of mesh or impossible. If the assembly phase scatters, they are the least and the greatest of
+/// all phases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitCases {
-    /// Each scatter at its mean, a drawn runout or pitch at 0, and all else as the pair has it.
+    /// Each scatter at its mean, a drawn runout or pitch at 0, and everything else as in the pair.
     pub mean: [Option<f64>; 2],
-    /// The least with all at their limits to one side, the greatest with all to the other.
+    /// The least with all scatters at one limit, the greatest with all at the other.
     pub worst: [Option<f64>; 2],
-    /// `j − √(Σ Δ_i²)` and `j + √(Σ Δ_i²)`: `Δ_i` what each alone changes of the mean's, of the least at its limit towards less backlash, of
-    /// the greatest at that towards more.
+    /// `j − √(Σ Δ_i²)` and `j + √(Σ Δ_i²)`. `Δ_i` is the effect of one quantity alone: on the least at its limit
+    /// towards less backlash, on the greatest at its limit towards more.
     pub root_sum_of_squares: [Option<f64>; 2],
 }
 
 /// A quantity at a limit, all others at their mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Alone {
+enum SingleFactor {
     Thickness(Member),
     Runout(Member),
     Pitch(Member),
@@ -37,41 +38,42 @@ enum Alone {
     Play,
 }
 
-const EACH: [Alone; 10] = [
-    Alone::Thickness(Member::Wheel),
-    Alone::Thickness(Member::Pinion),
-    Alone::Runout(Member::Wheel),
-    Alone::Runout(Member::Pinion),
-    Alone::Pitch(Member::Wheel),
-    Alone::Pitch(Member::Pinion),
-    Alone::PerTooth(Member::Wheel),
-    Alone::PerTooth(Member::Pinion),
-    Alone::Distance,
-    Alone::Play,
+const EACH: [SingleFactor; 10] = [
+    SingleFactor::Thickness(Member::Wheel),
+    SingleFactor::Thickness(Member::Pinion),
+    SingleFactor::Runout(Member::Wheel),
+    SingleFactor::Runout(Member::Pinion),
+    SingleFactor::Pitch(Member::Wheel),
+    SingleFactor::Pitch(Member::Pinion),
+    SingleFactor::PerTooth(Member::Wheel),
+    SingleFactor::PerTooth(Member::Pinion),
+    SingleFactor::Distance,
+    SingleFactor::Play,
 ];
 
-/// Towards less or more backlash.
+/// The direction of a limit: less or more backlash.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Towards {
     Less,
     More,
 }
 
-/// Both, of `population`; `None` where whole gears are drawn, which have no limits.
+/// The limit cases of `population`; `None` if whole gears are drawn, which have no limits.
 ///
-/// An assembly phase has no limits. Where it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its greatest may come
-/// from different phases.
+/// An assembly phase has no limits. If it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its
+/// greatest can come from different phases.
 ///
-/// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
-/// numbers that close on the circle: the flanks in contact are taken [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative
-/// deviation out, or in, on both sides of both gears. For `z` closed single deviations of standard deviation `σ` about their mean, that deviation is
+/// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction.
+/// Pitch is a list of numbers that close on the circle. The flanks in contact are [`PITCH_LIMIT_SIGMAS`] standard
+/// deviations of a cumulative deviation out, or in, on both sides of both gears. For `z` closed single deviations of
+/// standard deviation `σ` about their mean, that deviation is
 ///
 /// ```text
 /// σ_F² = (z + 1)/12 σ²
 /// ```
 ///
-/// as `f_i = g_i − mean(g)` with `σ_g² = σ² z/(z − 1)` makes `F_i = Σ_j c(i − j) g_j`, `c(m) = (z − 1)/(2z) − m/z` at `m = 0 … z − 1`, and
-/// `Σ c² = (z² − 1)/(12 z)`.
+/// because `f_i = g_i − mean(g)` with `σ_g² = σ² z/(z − 1)` gives `F_i = Σ_j c(i − j) g_j`, with `c(m) = (z − 1)/(2z) −
+/// m/z` at `m = 0 … z − 1`, and `Σ c² = (z² − 1)/(12 z)`.
 ///
 /// # Errors
 /// As [`Assembly::outcome`].
@@ -84,7 +86,7 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     {
         return Ok(None);
     }
-    let both = |of: &dyn Fn(Alone) -> bool| {
+    let both = |of: &dyn Fn(SingleFactor) -> bool| {
         let less = case(population, of, Towards::Less)?.0;
         Ok::<_, Error>([less, case(population, of, Towards::More)?.1])
     };
@@ -95,7 +97,7 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
         let moved = both(&|one| one == alone)?;
         for end in 0..2 {
             let change = moved[end].zip(mean[end]).map(|(moved, mean)| moved - mean);
-            if let Alone::Thickness(member) = alone {
+            if let SingleFactor::Thickness(member) = alone {
                 thickness[usize::from(member == Member::Pinion)][end] = change;
             }
             squares[end] = squares[end]
@@ -124,28 +126,29 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     }))
 }
 
-impl Alone {
+impl SingleFactor {
     fn scatters(self, scatters: &Scatters) -> bool {
         match self {
-            Alone::Thickness(member) => scatters.of(member).thickness.is_some(),
-            Alone::Runout(member) => scatters.of(member).runout.is_some(),
-            Alone::Pitch(member) => scatters.of(member).pitch.is_some(),
-            Alone::PerTooth(member) => scatters.of(member).per_tooth.is_some(),
-            Alone::Distance => scatters.center_distance.is_some(),
-            Alone::Play => scatters.bearing_play.is_some(),
+            SingleFactor::Thickness(member) => scatters.of(member).thickness.is_some(),
+            SingleFactor::Runout(member) => scatters.of(member).runout.is_some(),
+            SingleFactor::Pitch(member) => scatters.of(member).pitch.is_some(),
+            SingleFactor::PerTooth(member) => scatters.of(member).per_tooth.is_some(),
+            SingleFactor::Distance => scatters.center_distance.is_some(),
+            SingleFactor::Play => scatters.bearing_play.is_some(),
         }
     }
 }
 
-/// Least and greatest with the quantities that `at_limit` says at their limit, all else at its mean, over the phases there may be.
+/// Least and greatest with the quantities `at_limit` at their limit and all others at their mean, over the possible
+/// phases.
 fn case(
     population: &Population,
-    at_limit: &dyn Fn(Alone) -> bool,
+    at_limit: &dyn Fn(SingleFactor) -> bool,
     towards: Towards,
 ) -> Result<(Option<f64>, Option<f64>), Error> {
     let assembly = match assembly(population, at_limit, towards) {
         Ok(assembly) => assembly,
-        // As a draw that is no gear: there is no such case.
+        // An impossible gear: the case does not exist.
         Err(_) => return Ok((None, None)),
     };
     let pair = assembly.pair();
@@ -156,7 +159,7 @@ fn case(
     };
     let each = parallel::map(phases, |phase| assembly.in_phase(phase).outcome());
     let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
-    // A phase in which there is none leaves nothing that holds of all.
+    // A phase without a value leaves no value for all.
     let least = each.iter().map(|found| found.least);
     let least = least.reduce(|one, other| Some(one?.min(other?)));
     let greatest = each.iter().map(|found| found.greatest);
@@ -166,25 +169,25 @@ fn case(
 
 fn assembly(
     population: &Population,
-    at_limit: &dyn Fn(Alone) -> bool,
+    at_limit: &dyn Fn(SingleFactor) -> bool,
     towards: Towards,
 ) -> Result<Assembly, GearError> {
     let (pair, scatters) = (population.pair(), population.scatters());
-    // More material is less backlash, more distance more of it.
+    // More material means less backlash, more distance means more.
     let [less, more] = match towards {
         Towards::Less => [1, 0],
         Towards::More => [0, 1],
     };
-    let of = |scatter: &Option<Scatter>, alone: Alone, side: usize| match scatter {
+    let of = |scatter: &Option<Scatter>, alone: SingleFactor, side: usize| match scatter {
         None => 0.0,
         Some(scatter) if at_limit(alone) => scatter.limits()[side],
         Some(scatter) => scatter.mean(),
     };
     let gear = |member: Member| {
         let (own, scatter) = (pair.gear(member), scatters.of(member));
-        let thicker = of(&scatter.thickness, Alone::Thickness(member), less);
-        let each = of(&scatter.per_tooth, Alone::PerTooth(member), less);
-        let pitch = if at_limit(Alone::Pitch(member)) {
+        let thicker = of(&scatter.thickness, SingleFactor::Thickness(member), less);
+        let each = of(&scatter.per_tooth, SingleFactor::PerTooth(member), less);
+        let pitch = if at_limit(SingleFactor::Pitch(member)) {
             pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 }
         } else {
             0.0
@@ -200,18 +203,18 @@ fn assembly(
         };
         let gear = own.varied(thicker, &further)?;
         match &scatter.runout {
-            Some(runout) if at_limit(Alone::Runout(member)) => {
+            Some(runout) if at_limit(SingleFactor::Runout(member)) => {
                 gear.with_runout_of_any_direction(0.5 * runout.limits()[1])
             }
             Some(_) => gear.with_runout(0.0, 1.0),
             None => Ok(gear),
         }
     };
-    let farther = of(&scatters.center_distance, Alone::Distance, more);
+    let farther = of(&scatters.center_distance, SingleFactor::Distance, more);
     let distance = pair.center_distance() + farther;
     let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
     let play = match &scatters.bearing_play {
-        Some(play) if at_limit(Alone::Play) => play.limits()[1],
+        Some(play) if at_limit(SingleFactor::Play) => play.limits()[1],
         Some(play) => play.mean(),
         None => population.clearance(),
     };
@@ -223,6 +226,6 @@ fn assembly(
 fn pitch_limit(scatter: &GearScatter, gear: &AsBuilt) -> f64 {
     let z = f64::from(gear.gear().basic_data().teeth());
     let sigma = scatter.pitch.unwrap_or(0.0) * ((z + 1.0) / 12.0).sqrt();
-    // An arc of the transverse section; thickness is that of the normal one.
+    // An arc of the transverse section; thickness is in the normal section.
     2.0 * PITCH_LIMIT_SIGMAS * sigma * gear.gear().basic_data().helix_cos()
 }

@@ -9,7 +9,7 @@ use crate::error::GearError;
 use crate::gear::{AsBuilt, Deviations, Pitch};
 use crate::pair::{GearPair, Member};
 
-/// A pair and what scatters about it.
+/// A pair and its scatters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Population {
     pair: GearPair,
@@ -20,7 +20,7 @@ pub struct Population {
 }
 
 impl Population {
-    /// Pairs like `pair`, but for `scatters`.
+    /// The population of pairs equal to `pair` except for `scatters`.
     ///
     /// # Errors
     /// [`PopulationError`].
@@ -57,19 +57,19 @@ impl Population {
         })
     }
 
-    /// This population with a radial play of both bearings together, mm, where none scatters.
+    /// This population with a radial clearance of both bearings together, mm, if none scatters.
     #[must_use]
     pub fn with_bearing_clearance(self, clearance: f64) -> Population {
         Population { clearance, ..self }
     }
 
-    /// This population with wheel tooth 1 on pinion tooth `phase` at their right flanks, where the phase does not scatter.
+    /// This population with wheel tooth 1 on pinion tooth `phase` at their right flanks, if the phase does not scatter.
     #[must_use]
     pub fn with_phase(self, phase: u32) -> Population {
         Population { phase, ..self }
     }
 
-    /// The pair about which it scatters.
+    /// The pair without scatter.
     pub fn pair(&self) -> &GearPair {
         &self.pair
     }
@@ -79,17 +79,17 @@ impl Population {
         &self.scatters
     }
 
-    /// Play of both bearings where none scatters, mm.
+    /// Clearance of both bearings if none scatters, mm.
     pub(super) fn clearance(&self) -> f64 {
         self.clearance
     }
 
-    /// The pinion tooth that meets wheel tooth 1 where the phase does not scatter.
+    /// The pinion tooth that meets wheel tooth 1 if the phase does not scatter.
     pub(super) fn phase(&self) -> u32 {
         self.phase
     }
 
-    /// The quantities that scatter, each by itself, in a fixed order.
+    /// The quantities that scatter independently, in a fixed order.
     pub fn factors(&self) -> &[Factor] {
         &self.factors
     }
@@ -97,12 +97,12 @@ impl Population {
     /// The assembly of `draw`.
     ///
     /// # Errors
-    /// Numbers that no gear or pair has.
+    /// Values of an impossible gear or pair.
     pub fn assembly(&self, draw: Draw) -> Result<Assembly, GearError> {
         self.assembled(&|_| draw)
     }
 
-    /// The assembly whose quantities are each of a draw of their own.
+    /// The assembly whose quantities have separate draws.
     pub(super) fn assembled(&self, of: &dyn Fn(Factor) -> Draw) -> Result<Assembly, GearError> {
         let stream = |factor: Factor| of(factor).stream(factor.quantity());
         let one = |scatter: &Option<Scatter>, factor: Factor| {
@@ -129,7 +129,7 @@ impl Population {
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
     }
 
-    /// Where in their distributions the thicknesses of wheel and pinion stand.
+    /// Shares of the thicknesses of wheel and pinion in their distributions.
     fn thickness_shares(&self, stream: &dyn Fn(Factor) -> Stream) -> [f64; 2] {
         let correlation = self.scatters.thickness_correlation;
         if correlation == 0.0 {
@@ -155,7 +155,7 @@ impl Population {
 }
 
 impl GearScatter {
-    /// One gear like `own`, its thickness at `share` of the distribution.
+    /// One gear like `own`, with its thickness at `share` of the distribution.
     fn draw(
         &self,
         own: &AsBuilt,

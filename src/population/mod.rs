@@ -1,14 +1,14 @@
-//! A population of gear pairs: what scatters from one assembly to the next, and the statistics of many assemblies.
+//! A population of gear pairs: the scatter between assemblies, and the statistics of many assemblies.
 //!
-//! A [`Population`] is a pair and the [`Scatter`] of its numbers. [`Population::assembly`] draws one assembly, whose proven extremes over the
-//! whole mesh cycle are its [`Outcome`]. [`Sample::rows`] draws any range of them, a [`Row`] each. A [`Tally`] sums rows in whole numbers, in
-//! any order, and [`Statistics`] are read off it. Beside it stand the worst case and the root sum of squares ([`limit_cases`]), and the
-//! [`contributions`] of each scatter, from samples of their own.
+//! A [`Population`] is a pair and the [`Scatter`] of its numbers. [`Population::assembly`] draws one assembly, whose
+//! proven extremes over the whole mesh cycle are its [`Outcome`]. [`Sample::rows`] draws any range of them, one [`Row`]
+//! each. A [`Tally`] sums rows in integers, in any order, and gives the [`Statistics`]. [`limit_cases`] computes the
+//! worst case and the root sum of squares. The [`contributions`] of each scatter use separate samples.
 //!
 //! An assembly is a function of seed and number alone (`stream`). Its extremes are compared with the limits of a [`Requirement`], by the
 //! quantities of [`crate::analysis::requirement`]. `gearlash-files` (`tolerance`) reads a population and files of rows, and writes results.
 //!
-//! Nothing here knows a file: a measured gear is an [`AsBuilt`](crate::gear::AsBuilt) as any other.
+//! Nothing here knows a file: a measured gear is an [`AsBuilt`](crate::gear::AsBuilt) like any other.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};

@@ -1,4 +1,4 @@
-//! The limits that each assembly must keep, and how one stands to them.
+//! The limits on each assembly, and their evaluation.
 
 use super::assembly::{Assembly, Outcome, OutcomeKind};
 use super::spread::tenths;
@@ -6,24 +6,24 @@ use crate::analysis::extremes::WIDTH;
 use crate::analysis::requirement::{Limits, Quantity, Requirements};
 use crate::pair::GearPair;
 
-/// Quantities beside `j_wt` that can be limited.
+/// Quantities besides `j_wt` that can be limited.
 const OTHERS: [Quantity; 6] = Quantity::BESIDE_OPERATING_BACKLASH;
 
-/// The limits that each assembly must keep over its whole mesh cycle: `j_wt`, mm, and what else a pair can be held to ([`Quantity`]), each as
-/// [`Verdict`](crate::analysis::verdict::Verdict) judges it: with play in the bearings the least with the axes pressed together, the greatest with
-/// them apart.
+/// The limits on each assembly over its whole mesh cycle: `j_wt`, mm, and other quantities ([`Quantity`]). Each is
+/// judged as by [`Verdict`](crate::analysis::verdict::Verdict): with bearing clearance the axes are pressed together
+/// for the least and apart for the greatest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Requirement {
     backlash: Limits,
     others: [Limits; OTHERS.len()],
 }
 
-/// How an assembly stands to what is required.
+/// The evaluation of an assembly against the requirement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standing {
-    /// Whether something falls below its least.
+    /// Whether a quantity is below its lower limit.
     pub below: bool,
-    /// Whether something exceeds its greatest.
+    /// Whether a quantity is above its upper limit.
     pub above: bool,
     /// Distance to the nearest limit, tenths of a nanometre (a lost motion counts on the operating pitch circle). `None` without a limit
     /// or a value.
@@ -39,7 +39,7 @@ impl Requirement {
         }
     }
 
-    /// All that is `required`. Where no backlash has a least, the pair must assemble.
+    /// All limits in `required`. Without a lower limit on backlash, the pair must assemble.
     pub fn of(required: &Requirements) -> Requirement {
         let of = |quantity| {
             let mut each = required.iter();
@@ -52,12 +52,12 @@ impl Requirement {
         }
     }
 
-    /// The least `j_wt` allowed that is stated, mm.
+    /// The stated lower limit of `j_wt`, mm.
     pub fn min(&self) -> Option<f64> {
         self.backlash.min
     }
 
-    /// The greatest, mm.
+    /// The stated upper limit, mm.
     pub fn max(&self) -> Option<f64> {
         self.backlash.max
     }
@@ -68,12 +68,13 @@ impl Requirement {
         each.filter(|(_, limits)| *limits != Limits::default())
     }
 
-    /// How `assembly` stands to it, of which `outcome` comes.
+    /// The evaluation of `assembly` with the result `outcome`.
     pub fn standing(&self, assembly: &Assembly, outcome: &Outcome) -> Standing {
         self.standing_of(outcome, || assembly.ends())
     }
 
-    /// How a pair stands to it of which `outcome` comes; `ends` are the pairs with the least and with the greatest backlash.
+    /// The evaluation of a pair with the result `outcome`; `ends` are the pairs with the least and with the greatest
+    /// backlash.
     pub(crate) fn standing_of(
         &self,
         outcome: &Outcome,
@@ -114,7 +115,7 @@ impl Requirement {
         }
     }
 
-    /// The lower limit of the least `j_wt`: where no backlash has a least, no interference that is proven.
+    /// The lower limit of the least `j_wt`; without a lower limit on backlash, no proven interference.
     fn lower(&self) -> Option<f64> {
         let mut others = self.others();
         let is_limited = others.any(|(quantity, limits)| {
@@ -123,8 +124,8 @@ impl Requirement {
         self.backlash.min.or((!is_limited).then_some(-WIDTH))
     }
 
-    /// The least and the greatest `j_wt`, mm, with which the first of `ends` keeps the limits of every backlash to below and the second those to
-    /// above; a radial one to first order, `j_wt = 2 j_r tan α_wt`.
+    /// The range of `j_wt`, mm, in which the first of `ends` meets the lower limits of every backlash and the second
+    /// the upper ones. A radial limit is converted to first order, `j_wt = 2 j_r tan α_wt`.
     #[cfg(feature = "matching")]
     pub fn as_operating_backlash(&self, ends: &[GearPair; 2]) -> Limits {
         let mut all = self.backlash;
@@ -147,7 +148,7 @@ impl Requirement {
     }
 }
 
-/// How much is left to a `limit` of `quantity`, mm; negative: it is missed. `None` where there is no backlash to judge it by.
+/// Margin to a `limit` of `quantity`, mm; negative if it is missed. `None` without a backlash.
 fn left_of(
     quantity: Quantity,
     limit: f64,

@@ -1,7 +1,7 @@
-//! One assembly of a run, as its statistics need it.
+//! One assembly of a run, reduced to the data of its statistics.
 //!
-//! Lengths are whole tenths of a nanometre, a tenth of the width of a proven bracket. Sums of whole numbers do not depend on their order, so
-//! that rows computed anywhere give the same statistics to the last bit.
+//! Lengths are whole tenths of a nanometre, a tenth of the width of a proven bracket. Sums of integers do not depend on
+//! their order, so rows computed anywhere give the same statistics to the last bit.
 
 use super::assembly::{Outcome, OutcomeKind};
 use super::requirement::Standing;
@@ -12,24 +12,24 @@ use super::spread::tenths;
 pub struct Row {
     /// Number of the assembly, from 1.
     pub number: u64,
-    /// How it ends.
+    /// Its kind.
     pub kind: OutcomeKind,
     /// Least `j_wt` over the mesh cycle, tenths of a nanometre.
     pub least: Option<i64>,
     /// Greatest `j_wt`, tenths of a nanometre.
     pub greatest: Option<i64>,
-    /// Whether every extreme that it has is proven; `false` without any.
+    /// Whether all its extremes are proven; `false` without any.
     pub is_proven: bool,
-    /// Whether something falls below its least allowed value.
+    /// Whether a quantity is below its lower limit.
     pub is_below: bool,
-    /// Whether something exceeds its greatest allowed value.
+    /// Whether a quantity is above its upper limit.
     pub is_above: bool,
     /// Distance to the nearest limit, tenths of a nanometre. `None` without a limit or a value.
     pub margin: Option<i64>,
 }
 
 impl Row {
-    /// The row of assembly `number`, which ends as `outcome` and stands to the requirement as `standing`.
+    /// The row of assembly `number` with its `outcome` and `standing`.
     pub fn new(number: u64, outcome: &Outcome, standing: &Standing) -> Row {
         Row {
             number,
@@ -58,7 +58,7 @@ impl Row {
         self.is_below || self.is_above || !has_result
     }
 
-    /// Whether it has an extreme that is not proven.
+    /// Whether it has an unproven extreme.
     pub(super) fn is_doubtful(&self) -> bool {
         (self.least.is_some() || self.greatest.is_some()) && !self.is_proven
     }

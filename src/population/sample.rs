@@ -9,17 +9,17 @@ use crate::error::Error;
 use crate::parallel;
 use std::ops::{ControlFlow, Range};
 
-/// Assemblies that one core takes at a time: one tick each.
+/// Assemblies per core and tick.
 pub const CHUNK: u64 = 32;
 
-/// A population of which assemblies are drawn.
+/// A population with the limits and the seed of a sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample<'a> {
     /// The population.
     pub population: &'a Population,
-    /// The limits that each assembly must keep.
+    /// The limits on each assembly.
     pub requirement: Requirement,
-    /// The seed: another one draws other assemblies.
+    /// The seed; another one draws other assemblies.
     pub seed: u64,
 }
 
@@ -33,10 +33,10 @@ impl Sample<'_> {
         }
     }
 
-    /// The outcome of assembly `number`, and how it stands to the requirement.
+    /// The outcome of assembly `number`, and its evaluation against the requirement.
     ///
     /// # Errors
-    /// As [`super::Assembly::outcome`]. Numbers that no gear has are an outcome.
+    /// As [`super::Assembly::outcome`]. Values of an impossible gear are an outcome.
     pub fn outcome(&self, number: u64) -> Result<(Outcome, Standing), Error> {
         match self.population.assembly(self.draw(number)) {
             Ok(assembly) => {
@@ -51,8 +51,8 @@ impl Sample<'_> {
         }
     }
 
-    /// The rows of the assemblies `numbers`, in their order. `tick` is called once every [`CHUNK`] assemblies, from any thread; where it breaks,
-    /// the work ends.
+    /// The rows of the assemblies `numbers`, in order. `tick` is called once every [`CHUNK`] assemblies, from any
+    /// thread; a break ends the work.
     ///
     /// # Errors
     /// As [`Sample::outcome`]; [`Error::Interrupted`].

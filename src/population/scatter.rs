@@ -1,20 +1,20 @@
-//! How one number scatters, and what it is at a given share of the population.
+//! The distribution of one number over a population.
 
 use statrs::function::erf::{erfc, erfc_inv};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 use std::sync::Arc;
 
-/// Where a distribution without an end is cut for the worst case, standard deviations from the mean.
+/// Standard deviations from the mean at which the worst case cuts a distribution without an end.
 pub const LIMIT_SIGMAS: f64 = 3.0;
 
 /// The share of a Rayleigh distribution below its limit: that of a normal one within [`LIMIT_SIGMAS`].
 pub const LIMIT_SHARE: f64 = 0.9973;
 
-/// How one number scatters from assembly to assembly, in its own unit.
+/// The scatter of one number from assembly to assembly, in its own unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scatter {
     law: Law,
-    /// Between them the worst case is taken.
+    /// The range of the worst case.
     limits: [f64; 2],
 }
 
@@ -28,7 +28,7 @@ enum Law {
     Table(Arc<[f64]>),
 }
 
-/// Numbers that describe no distribution.
+/// Invalid parameters of a distribution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ScatterError {
     /// Not a finite number.
@@ -42,7 +42,7 @@ pub enum ScatterError {
         /// The upper one.
         high: f64,
     },
-    /// A number that lies outside the limits.
+    /// A number outside the limits.
     #[error("{what} {value} lies outside the limits {low} … {high}")]
     Outside {
         /// Name of the quantity.
@@ -62,7 +62,7 @@ pub enum ScatterError {
         /// The number.
         value: f64,
     },
-    /// A table of nothing.
+    /// An empty table.
     #[error("the table has no values")]
     Empty,
 }
@@ -125,7 +125,7 @@ impl Scatter {
         })
     }
 
-    /// Most often at `mode`, at the limits never.
+    /// Triangular: most frequent at `mode`, zero at the limits.
     ///
     /// # Errors
     /// [`ScatterError::Limits`], [`ScatterError::Outside`].
@@ -137,7 +137,7 @@ impl Scatter {
         })
     }
 
-    /// Normal, without limits: the worst case takes [`LIMIT_SIGMAS`] either way.
+    /// Normal, without limits; the worst case uses [`LIMIT_SIGMAS`] either way.
     ///
     /// # Errors
     /// [`ScatterError::NotPositive`].
@@ -151,7 +151,8 @@ impl Scatter {
         })
     }
 
-    /// Normal about `mean` with the process capability `C_pk = min(high − mean, mean − low)/(3 σ)`: some lie beyond the limits.
+    /// Normal about `mean` with the process capability `C_pk = min(high − mean, mean − low)/(3 σ)`: some values exceed
+    /// the limits.
     ///
     /// # Errors
     /// [`ScatterError::Limits`], [`ScatterError::Outside`], [`ScatterError::NotPositive`].
@@ -171,8 +172,8 @@ impl Scatter {
         })
     }
 
-    /// The length of a vector with two normal components of standard deviation `scale`: of an eccentricity. The worst case takes
-    /// what [`LIMIT_SHARE`] of all lie below.
+    /// The length of a vector with two normal components of standard deviation `scale`, such as an eccentricity. The
+    /// worst case uses the value that [`LIMIT_SHARE`] of all do not reach.
     ///
     /// # Errors
     /// [`ScatterError::NotPositive`].
@@ -194,7 +195,7 @@ impl Scatter {
         Scatter::rayleigh(high / Law::Rayleigh { scale: 1.0 }.at(LIMIT_SHARE))
     }
 
-    /// One of `values`, each as often as it stands there.
+    /// One of `values`, each as often as it is listed.
     ///
     /// # Errors
     /// [`ScatterError::Empty`], [`ScatterError::NotFinite`].
@@ -209,22 +210,22 @@ impl Scatter {
         })
     }
 
-    /// The value below which the share `p` of all lie, `0 < p < 1`.
+    /// The value below which the share `p` of all values is, `0 < p < 1`.
     pub fn at(&self, p: f64) -> f64 {
         self.law.at(p)
     }
 
-    /// The value that the worst case takes at the low end, and at the high end.
+    /// The values of the worst case at the low end, and at the high end.
     pub fn limits(&self) -> [f64; 2] {
         self.limits
     }
 
-    /// Whether none lies beyond the limits.
+    /// Whether no value exceeds the limits.
     pub fn is_bounded(&self) -> bool {
         !matches!(self.law, Law::Normal { .. } | Law::Rayleigh { .. })
     }
 
-    /// The mean of all.
+    /// The mean of all values.
     pub fn mean(&self) -> f64 {
         match &self.law {
             Law::Fixed(value) => *value,
@@ -268,7 +269,7 @@ impl Law {
     }
 }
 
-/// The standard normal deviate below which the share `p` lies.
+/// The standard normal deviate below which the share `p` is.
 pub(super) fn standard_normal(p: f64) -> f64 {
     -SQRT_2 * erfc_inv(2.0 * p)
 }

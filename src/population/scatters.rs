@@ -1,4 +1,4 @@
-//! The scatters of a pair and of its gears, and errors of scatters that cannot be.
+//! The scatters of a pair and of its gears, and their errors.
 
 use super::factor::Factor;
 use super::scatter::Scatter;
@@ -13,8 +13,8 @@ pub struct GearScatter {
     pub thickness: Option<Scatter>,
     /// Runout `F_r`, twice the eccentricity, in place of the pair's; its direction is uniform.
     pub runout: Option<Scatter>,
-    /// Standard deviation of the single pitch deviations `f_p`, each by itself but that they close on the circle; right and left flanks
-    /// apart. On top of the pair's pitch.
+    /// Standard deviation of the single pitch deviations `f_p`, independent except that they close on the circle; right
+    /// and left flanks separately. In addition to the pair's pitch.
     pub pitch: Option<f64>,
     /// Additional thickness of each tooth, on top of the pair's.
     pub per_tooth: Option<Scatter>,
@@ -31,38 +31,38 @@ pub struct Scatters {
     pub pinion: GearScatter,
     /// Addition to the centre distance.
     pub center_distance: Option<Scatter>,
-    /// Radial play of both bearings together: the axes may move this much nearer or apart.
+    /// Radial clearance of both bearings together: the axes can move nearer or apart by this.
     pub bearing_play: Option<Scatter>,
     /// Whether the assembly phase is any of the gcd(z_1, z_2), or always one ([`with_phase`](crate::population::Population::with_phase)).
     pub phase: bool,
-    /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 where both gears come from one batch.
+    /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 if both gears come from one batch.
     pub thickness_correlation: f64,
 }
 
-/// Scatter that no population can have.
+/// Invalid scatters of a population.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PopulationError {
-    /// A runout or a play below 0.
+    /// A negative runout or clearance.
     #[error("{what} reaches {low} mm, it cannot be below 0")]
     Negative {
         /// Name of the quantity.
         what: &'static str,
-        /// The least there may be, mm.
+        /// The lowest value in its distribution, mm.
         low: f64,
     },
-    /// A correlation that is none.
+    /// A value that is no correlation.
     #[error("the correlation is {0}, it must be −1 … 1")]
     Correlation(f64),
-    /// A correlation of what does not scatter.
+    /// A correlation without two scattering quantities.
     #[error("a correlation of both thicknesses, of which one at least does not scatter")]
     NothingToCorrelate,
-    /// A standard deviation that is none.
+    /// A value that is no standard deviation.
     #[error("the standard deviation of the pitch is {0} mm, it must be above 0")]
     Pitch(f64),
-    /// Whole gears beside other scatter of the same gear, or none of them.
+    /// Whole gears in addition to another scatter of the same gear, or an empty list of them.
     #[error("whole gears are drawn, at least one, and nothing of them scatters beside")]
     WholeGears,
-    /// A whole gear that is no such wheel, or pinion.
+    /// A whole gear that does not match the wheel, or the pinion.
     #[error("gear {number} of the list has {what} {found}, not {wanted}")]
     OtherGear {
         /// Its place in the list, from 1.
@@ -100,7 +100,7 @@ impl Scatters {
         }
         for member in Member::BOTH {
             let (of, gear) = (self.of(member), pair.gear(member));
-            // A runout without a direction has any.
+            // A runout without direction can have any.
             let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
             let open = match &of.gears {
                 Some(gears) => gears.iter().any(is_open),
@@ -182,7 +182,7 @@ impl GearScatter {
 
 pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), PopulationError> {
     let [low, _] = scatter.limits();
-    // The least of all: a normal one has none.
+    // The lowest value; a normal distribution has none.
     let least = scatter.at(f64::MIN_POSITIVE).min(low);
     let right = least >= 0.0;
     right
@@ -190,7 +190,7 @@ pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), 
         .ok_or(PopulationError::Negative { what, low: least })
 }
 
-/// Ways to put the gears together.
+/// Number of assembly phases.
 pub(super) fn phase_count(pair: &GearPair) -> u32 {
     SweepPlan::phase_count(pair.teeth(Member::Wheel), pair.teeth(Member::Pinion))
 }

@@ -1,4 +1,4 @@
-//! How one length is spread over a population, in sums of whole numbers: their order does not matter.
+//! The distribution of one length over a population, in integer sums that do not depend on order.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub(super) fn tenths(mm: f64) -> i64 {
 /// Width of a bin of the histogram, tenths of a nanometre.
 pub const BIN_TENTHS_NM: i64 = 100;
 
-/// Sums that 128 bits do not hold: lengths of metres, or more assemblies than anyone draws.
+/// Overflow of 128-bit sums: lengths of metres, or far too many assemblies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the sums over the population do not fit 128 bits")]
 pub struct Overflow;

@@ -12,23 +12,23 @@ pub const CONFIDENCE: f64 = 0.95;
 /// Shares of the population below the quantiles that are reported: of a normal one its mean ± 3 σ, ± 2 σ, and the mean.
 pub const QUANTILES: [f64; 5] = [0.00135, 0.02275, 0.5, 0.97725, 0.99865];
 
-/// A share of a population, as a sample shows it.
+/// A share of a population, estimated from a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
-    /// How many of the sample.
+    /// Number in the sample.
     pub count: u64,
-    /// Their share of it.
+    /// Share of the sample.
     pub share: f64,
-    /// Lower end of the share of the population, with [`CONFIDENCE`].
+    /// Lower end of the confidence interval, with [`CONFIDENCE`].
     pub low: f64,
-    /// Upper end.
+    /// Upper end of the confidence interval.
     pub high: f64,
 }
 
 impl Share {
-    /// `count` of `total`, with the interval of Clopper and Pearson: at its lower end `p`, `count` or more are drawn with
-    /// the probability `(1 − confidence)/2`; at its upper end, `count` or fewer. Sums of the binomial distribution are quantiles of the beta
-    /// distribution: Beta(k, n − k + 1) below, Beta(k + 1, n − k) above.
+    /// `count` of `total`, with the interval of Clopper and Pearson. At its lower end, `count` or more are drawn with
+    /// the probability `(1 − confidence)/2`; at its upper end, `count` or fewer. Sums of the binomial distribution are
+    /// quantiles of the beta distribution: Beta(k, n − k + 1) below, Beta(k + 1, n − k) above.
     pub fn of(count: u64, total: u64) -> Share {
         let (k, n) = (count as f64, total as f64);
         let tail = 0.5 * (1.0 - CONFIDENCE);
@@ -49,7 +49,8 @@ impl Share {
     }
 }
 
-/// Where the beta distribution has `p` below, between `ends`, by halving: the crate's own inverse does not end for a million and more.
+/// The quantile `p` of the beta distribution between `ends`, by halving: the crate's own inverse does not end for a
+/// million and more.
 fn beta_quantile([a, b]: [f64; 2], p: f64, ends: [f64; 2]) -> f64 {
     let [low, high] = bisect(ends[0], ends[1], 0.0, |x| beta_reg(a, b, x) < p);
     0.5 * (low + high)
@@ -58,40 +59,42 @@ fn beta_quantile([a, b]: [f64; 2], p: f64, ends: [f64; 2]) -> f64 {
 /// One extreme over the population; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpreadStatistics {
-    /// How many have it: mean and standard deviation are of these alone. The jammed have no least, those out of mesh no greatest, and of
-    /// what is jammed or out of mesh the other need not have been found.
+    /// Number of assemblies with this extreme; mean and standard deviation are theirs alone. Jammed assemblies have no
+    /// least, those out of mesh no greatest, and for both the other extreme may be missing.
     pub count: u64,
-    /// Mean of those that have it; `None` of none.
+    /// Mean of these; `None` without any.
     pub mean: Option<f64>,
-    /// Standard deviation of the population of those that have it, estimated with `n − 1`; `None` of less than two.
+    /// Standard deviation of these in the population, estimated with `n − 1`; `None` for less than two.
     pub sigma: Option<f64>,
-    /// The [`QUANTILES`], to the width of a bin of the histogram; `None` where those that have no such extreme reach so far.
+    /// The [`QUANTILES`], to the width of a bin of the histogram; `None` if assemblies without the extreme reach that
+    /// far.
     pub quantiles: [Option<f64>; 5],
-    /// The least of all and its assembly.
+    /// The lowest value, and its assembly.
     pub least: Option<(f64, u64)>,
-    /// The greatest of all and its assembly.
+    /// The highest value, and its assembly.
     pub greatest: Option<(f64, u64)>,
 }
 
-/// All that is reported of a population.
+/// The reported statistics of a population.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statistics {
-    /// Assemblies drawn.
+    /// Number of assemblies.
     pub total: u64,
-    /// With less than the requirement at a pose.
+    /// Assemblies below a lower limit.
     pub below: Share,
-    /// With more.
+    /// Assemblies above an upper limit.
     pub above: Share,
-    /// Not meeting it.
+    /// Assemblies that do not meet the requirement.
     pub outside: Share,
-    /// Least `j_wt`. The jammed have less than any.
+    /// Least `j_wt`. Jammed assemblies count as lower than any value.
     pub least: SpreadStatistics,
-    /// Greatest `j_wt`. Assemblies out of mesh count as greater than any value.
+    /// Greatest `j_wt`. Assemblies out of mesh count as higher than any value.
     pub greatest: SpreadStatistics,
     /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. It implies shares only for normal
     /// populations of assemblies that have both extremes.
     pub cp: Option<f64>,
-    /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the limits there are.
+    /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the existing
+    /// limits.
     pub cpk: Option<f64>,
 }
 
@@ -177,8 +180,8 @@ fn quantile(spread: &Spread, p: f64, lower: u64, all: u64) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// Both ends by the binomial distribution itself, summed: at the lower end `count` or more are drawn with 2.5 %, at the upper end
-    /// `count` or fewer. None and all: 1 − 0.025^(1/n) (Clopper and Pearson 1934).
+    /// Source: both ends by the binomial distribution itself, summed. At the lower end `count` or more are drawn with
+    /// 2.5 %, at the upper end `count` or fewer. None and all: 1 − 0.025^(1/n) (Clopper and Pearson 1934).
     #[test]
     fn intervals_are_those_of_the_binomial_distribution() {
         let up_to = |k: u64, n: u64, p: f64| -> f64 {

@@ -1,35 +1,35 @@
-//! Random numbers that depend on nothing but what they are for.
+//! Random numbers with random access: number i of assembly n does not depend on any other draw.
 //!
-//! ChaCha with 8 rounds in its counter mode: the key is the seed and the run, the stream the number of the assembly, and each quantity has
-//! a stretch of the stream that no other reaches. So any number of any assembly is had without those before it, and whoever draws it,
-//! in whatever order, draws the same.
+//! ChaCha with 8 rounds in its counter mode. The key is the seed and the run, and the stream is the number of the
+//! assembly. Each quantity has its own stretch of the stream. So any number is drawn without the previous ones, with
+//! the same result in any order.
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
-/// One draw of a population: an assembly, and what it is drawn for.
+/// One draw of a population: an assembly, and its purpose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Draw {
-    /// Another seed, another population.
+    /// The seed; another one gives another population.
     pub seed: u64,
-    /// The run that it belongs to.
+    /// The purpose of the run.
     pub run: Run,
     /// The number of the assembly, from 1.
     pub number: u64,
 }
 
-/// Purpose of a sample of assemblies. Each purpose has numbers of its own.
+/// Purpose of a sample of assemblies. Each purpose has its own numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Run {
     /// The population.
     Population,
-    /// One of two independent samples that contributions are found from.
+    /// The first of two independent samples for contributions.
     First,
-    /// The other.
+    /// The second of them.
     Second,
 }
 
-/// Blocks of 64 bytes that a quantity has: more than any gear has numbers.
+/// Blocks of 64 bytes per quantity: more than the numbers of any gear.
 const BLOCKS: u64 = 1 << 32;
 
 impl Draw {
@@ -60,7 +60,7 @@ impl Stream {
 mod tests {
     use super::*;
 
-    /// Neither seed, run, assembly nor quantity share a number, and none depends on what was drawn before.
+    /// Seed, run, assembly and quantity never share a number, and no number depends on earlier draws.
     #[test]
     fn every_draw_has_numbers_of_its_own() {
         let mut seen = std::collections::HashSet::new();

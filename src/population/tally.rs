@@ -11,7 +11,7 @@ pub const WORST: usize = 10;
 /// Number of equal stretches of the assemblies, each with a count of those outside the requirement.
 pub const STRETCHES: usize = 64;
 
-/// Number of assemblies that end in each way.
+/// Number of assemblies of each kind.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Backlash at every pose.
@@ -29,7 +29,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// All.
+    /// All kinds.
     pub fn total(&self) -> u64 {
         self.clear
             + self.interference
@@ -51,18 +51,18 @@ impl Counts {
     }
 }
 
-/// Sums over the assemblies of one run. The order in which they are counted does not matter.
+/// Sums over the assemblies of one run, independent of their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Tally {
-    /// Ways in which they end.
+    /// Kinds of the assemblies.
     pub counts: Counts,
-    /// Assemblies with an extreme that is not proven.
+    /// Assemblies with an unproven extreme.
     pub doubtful: u64,
-    /// Assemblies below the requirement at a pose.
+    /// Assemblies below a lower limit.
     pub below: u64,
-    /// Assemblies above it.
+    /// Assemblies above an upper limit.
     pub above: u64,
-    /// Assemblies that do not meet it: below, above, or without a result.
+    /// Assemblies that do not meet the requirement: below, above, or without a result.
     pub outside: u64,
     /// Their number in each of [`STRETCHES`] equal stretches of the run.
     pub outside_by_stretch: Vec<u64>,

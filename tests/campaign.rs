@@ -44,10 +44,9 @@ fn both_methods_and_the_certificate_agree_on_random_helical_poses() {
     assert!(used <= most && most < u64::MAX, "{used} of {most}");
 }
 
-/// Tips in the mate's body over a short stretch of the face, between the sections that polygons examine. The exact
-/// method found them jammed, and `--method both` called that unproven. In the last pose the first jammed section is so
-/// by less than rounding, and polygons found it clear; another must be found that jams with certainty. Sections every
-/// 2000th of the face also jam there.
+/// Tips in the mate's body over a short stretch of the face, between the sections that polygons examine. The exact method found them
+/// jammed, and `--method both` called that unproven. In the last pose the first jammed section is so by less than rounding, and polygons
+/// found it clear; another must be found that jams with certainty. Sections every 2000th of the face also jam there.
 #[test]
 fn a_jam_between_the_sections_is_seen_by_both_methods() {
     for index in [2, 478, 605] {

@@ -1,10 +1,9 @@
 //! Simulated against analytic backlash, and the verdict for a CI run.
 //!
-//! Model 3 (line of action) is exact where involutes touch inside both gears' tip and form circles, so it must agree
-//! there. For flanks whose profiles deviate it uses the deviation at its own contact point. It can then exceed the
-//! simulation by an amount quadratic in the tilt of the normals. If a tip corner, an undercut edge or a fillet touches,
-//! a real pair has less backlash than the formula says. That is a separate finding: the formula does not apply to this
-//! pair.
+//! Model 3 (line of action) is exact where involutes touch inside both gears' tip and form circles, so it must agree there. For flanks
+//! whose profiles deviate it uses the deviation at its own contact point. It can then exceed the simulation by an amount quadratic in the
+//! tilt of the normals. If a tip corner, an undercut edge or a fillet touches, a real pair has less backlash than the formula says. That is
+//! a separate finding: the formula does not apply to this pair.
 
 use crate::analysis::simulate::Run;
 use crate::analysis::study::Study;
@@ -23,8 +22,7 @@ use crate::pair::GearPair;
 pub enum Verdict {
     /// Within tolerance + error bound.
     Agrees,
-    /// Nothing to compare: the pose is jammed or out of mesh, and the formula finds no contact either; or a gear is
-    /// drawn.
+    /// Nothing to compare: the pose is jammed or out of mesh, and the formula finds no contact either; or a gear is drawn.
     Nothing,
     /// The simulation is below the formula because a tip, an undercut edge, a fillet or a root touches off the line of
     /// action. Or profiles deviate: a tilted normal moves the contact along the flanks.

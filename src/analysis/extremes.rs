@@ -1,11 +1,10 @@
 //! The least and the greatest backlash of every run of a study, over its whole mesh cycle and every rotation.
 //!
-//! Teeth of a 17/100 pair meet in 1700 matings; one wheel revolution contains 17 of them. All matings and all rotations
-//! between poses decide whether the pair assembles. [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes)
-//! proves the bounds. Its extreme poses are then simulated like any other, with certificate and formulas. `cycles`
-//! lists the cycles and both ends of the bearing clearance; [`super::verdict`] draws the conclusions. The checks in the
-//! verdict use the evidence of poses (`diagnosis::PoseEvidence`), so that poses need not be kept. `failed_checks` runs
-//! only the checks whose outcome is not yet known, `diagnose` all.
+//! Teeth of a 17/100 pair meet in 1700 matings; one wheel revolution contains 17 of them. All matings and all rotations between poses
+//! decide whether the pair assembles. [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes) proves the bounds. Its extreme poses
+//! are then simulated like any other, with certificate and formulas. `cycles` lists the cycles and both ends of the bearing clearance;
+//! [`super::verdict`] draws the conclusions. The checks in the verdict use the evidence of poses (`diagnosis::PoseEvidence`), so that poses
+//! need not be kept. `failed_checks` runs only the checks whose outcome is not yet known, `diagnose` all.
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
@@ -45,8 +44,7 @@ pub struct RunExtremes {
     pub greatest: Option<RunExtreme>,
     /// A pose that is jammed or out of mesh.
     pub lost: Option<PairPose>,
-    /// For a pair that does not assemble: the centre distance from which it does. `None` if there is none up to tips
-    /// that pass each other.
+    /// For a pair that does not assemble: the centre distance from which it does. `None` if there is none up to tips that pass each other.
     pub assembles_from: Option<AssemblesFrom>,
     /// For a pair out of mesh: the centre distance up to which it is in mesh.
     pub meshes_to: Option<MeshesTo>,
@@ -72,8 +70,7 @@ pub struct BearingEnd {
     pub assembly: AssembledPair,
     /// The status of its worst pose.
     pub status: Status,
-    /// The least of the pair pressed together, `None` if it is jammed; the greatest of the pair pulled apart, `None` if
-    /// it is out of mesh.
+    /// The least of the pair pressed together, `None` if it is jammed; the greatest of the pair pulled apart, `None` if it is out of mesh.
     pub extreme: Option<RunExtreme>,
 }
 
@@ -82,8 +79,7 @@ pub struct BearingEnd {
 pub struct CycleExtremes {
     /// Each centre distance, material and assembly phase.
     pub each: Vec<RunExtremes>,
-    /// Their poses, run by run: least, greatest, lost, and the binding one at the distance from which the pair
-    /// assembles.
+    /// Their poses, run by run: least, greatest, lost, and the binding one at the distance from which the pair assembles.
     pub runs: Vec<ComparedRun>,
 }
 

@@ -82,8 +82,7 @@ impl<'a> FaceExtreme<'a> {
     }
 }
 
-/// The extremes of `study` over parts of its common face, from one section to the whole face (`full` is its result);
-/// empty for spur gears.
+/// The extremes of `study` over parts of its common face, from one section to the whole face (`full` is its result); empty for spur gears.
 ///
 /// The parts are nested about the middle of the common face, like narrower gears in the same place; the measuring plane
 /// stays fixed. A wider part never has more play.

@@ -39,8 +39,7 @@ pub struct MeasuredMating {
     pub with_clearance: Option<Band>,
 }
 
-/// The bands of a mating: means of the right-flank and the left-flank pose; `None` if a pose has no value or was not
-/// run.
+/// The bands of a mating: means of the right-flank and the left-flank pose; `None` if a pose has no value or was not run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Bands {

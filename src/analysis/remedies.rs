@@ -320,8 +320,7 @@ impl Search<'_> {
         }
     }
 
-    /// A place at which the worst run does not fit and one at which it does, between its present place and the end of
-    /// `range`.
+    /// A place at which the worst run does not fit and one at which it does, between its present place and the end of `range`.
     fn between(
         &self,
         [own, end]: [f64; 2],

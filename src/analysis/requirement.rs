@@ -65,9 +65,8 @@ impl Quantity {
         }
     }
 
-    /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest)
-    /// of the cycle. The radial clearance does not depend on backlash: both gears are off their axes in the worse
-    /// (better) direction.
+    /// Value of the quantity for `assembly` at a pose with the backlash `j_wt`, mm, the least (`is_max`: the greatest) of the cycle. The
+    /// radial clearance does not depend on backlash: both gears are off their axes in the worse (better) direction.
     pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
         let all = assembly.backlash(j_wt);
         match self {

@@ -1,5 +1,4 @@
-//! A study of a pair: two gears as measured, their positions, and the poses to run. Lengths in mm unless the name says
-//! µm.
+//! A study of a pair: two gears as measured, their positions, and the poses to run. Lengths in mm unless the name says µm.
 
 use super::requirement::Requirements;
 use super::uncertainty::Uncertainty;
@@ -151,8 +150,7 @@ impl Study {
         }
     }
 
-    /// The poses `sweep` of a pair with a drawn gear, with its wheel and pinion of each material at each centre
-    /// distance, mm.
+    /// The poses `sweep` of a pair with a drawn gear, with its wheel and pinion of each material at each centre distance, mm.
     pub fn of_drawn(
         title: &str,
         gears: Vec<(Material, OutlineGear, OutlineGear)>,

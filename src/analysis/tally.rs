@@ -136,8 +136,7 @@ impl RunTally {
         self.verdicts[verdict as usize]
     }
 
-    /// Number of poses with a simulated backlash and none by model 3, although the gears have one: no involutes reach
-    /// each other.
+    /// Number of poses with a simulated backlash and none by model 3, although the gears have one: no involutes reach each other.
     pub fn simulated_alone(&self) -> usize {
         match self.assembly.data() {
             Some(_) => self.valued - self.compared,

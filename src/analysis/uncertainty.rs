@@ -1,8 +1,7 @@
 //! Uncertainty of the least and the greatest backlash from the uncertainties of the measurements.
 //!
-//! Standard uncertainties of the inputs are multiplied by the derivatives of `j_wt` at the extreme's own pose and
-//! summed as independent ones (JCGM 100, 5.1.2: law of propagation of uncertainty). With `c = cos α_t` and `c_w = cos
-//! α_wt`:
+//! Standard uncertainties of the inputs are multiplied by the derivatives of `j_wt` at the extreme's own pose and summed as independent
+//! ones (JCGM 100, 5.1.2: law of propagation of uncertainty). With `c = cos α_t` and `c_w = cos α_wt`:
 //!
 //! ```text
 //! base thickness of a gear, s_b:      ∂j_wt/∂s_b = −1/c_w            (j_bn falls by the added base thickness)
@@ -38,8 +37,7 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Expanded uncertainty `U` of `j_wt` at an extreme's pose on `assembly`, mm; `None` without a contact on either
-    /// side.
+    /// Expanded uncertainty `U` of `j_wt` at an extreme's pose on `assembly`, mm; `None` without a contact on either side.
     pub fn of(&self, assembly: &GearPair, extreme: &PoseResult) -> Option<f64> {
         let found = extreme.proven()?;
         let touching = [found.right?, found.left?];

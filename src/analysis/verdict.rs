@@ -135,8 +135,7 @@ impl<'a> Verdict<'a> {
         all.then_some(true)
     }
 
-    /// Whether the pair passes: it meets its limits, or, without limits, it is proven to assemble. Checks are judged
-    /// separately.
+    /// Whether the pair passes: it meets its limits, or, without limits, it is proven to assemble. Checks are judged separately.
     pub fn passes(&self) -> bool {
         match self.requirement {
             Requirement::None => self.assembles() == Some(true),
@@ -169,8 +168,7 @@ impl<'a> Verdict<'a> {
         self.foremost(1.0, |run| run.greatest.as_ref())
     }
 
-    /// The run with the least backlash when the axes are pressed together within their bearings; `None` without bearing
-    /// clearance.
+    /// The run with the least backlash when the axes are pressed together within their bearings; `None` without bearing clearance.
     pub fn least_pressed(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let pressed = |run: &'a RunExtremes| run.bearings.as_ref()?.pressed.extreme.as_ref();
         self.foremost(-1.0, pressed)
@@ -301,8 +299,7 @@ fn unmet(required: &Requirements, runs: &[RunExtremes]) -> Vec<Unmet> {
     unmet
 }
 
-/// The least or the greatest of a quantity over a run. With bearing clearance the axes are pressed together, or pulled
-/// apart.
+/// The least or the greatest of a quantity over a run. With bearing clearance the axes are pressed together, or pulled apart.
 fn end(quantity: Quantity, run: &RunExtremes, is_max: bool) -> FoundEnd {
     let (assembly, extreme) = match (&run.bearings, is_max) {
         (Some(play), true) => (&play.apart.assembly, play.apart.extreme.as_ref()),

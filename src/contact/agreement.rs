@@ -2,8 +2,7 @@
 
 use super::pose_result::{PolygonDifference, PoseResult};
 
-/// Agreement of both methods over some poses. Each pose is judged by its own allowance; one that exceeds it is
-/// [`super::Unproven`].
+/// Agreement of both methods over some poses. Each pose is judged by its own allowance; one that exceeds it is [`super::Unproven`].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MethodAgreement {

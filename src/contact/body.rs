@@ -1,7 +1,6 @@
 //! Teeth in the solid body of the mate: a pose that no rotation of the free gear can free.
 //!
-//! Below its root circle a gear is solid, and its axis is a shaft. Either of two conditions suffices for an overlap,
-//! without any contact:
+//! Below its root circle a gear is solid, and its axis is a shaft. Either of two conditions suffices for an overlap, without any contact:
 //!
 //! 1. A tip land of the locked gear is nearer to the free axis than `r_f − e`, with the free gear's eccentricity `e`. There
 //!    is metal at every rotation.
@@ -11,9 +10,8 @@
 //! A tip circle can also reach over the mate's axis, with three or four long teeth and a very small root circle. Then
 //! no pose of the pair can be assembled ([`reaches_over_an_axis`]).
 //!
-//! For condition 2, the circle of radius `ρ` about a centre `d` away is inside the disc of radius `r_f` over `2
-//! acos((d² + ρ² − r_f²)/(2 d ρ))`. This is greatest at `ρ² = d² − r_f²`. Between form and tip circle a tooth is at
-//! least as wide, in angle, as its tip land.
+//! For condition 2, the circle of radius `ρ` about a centre `d` away is inside the disc of radius `r_f` over `2 acos((d² + ρ² − r_f²)/(2 d
+//! ρ))`. This is greatest at `ρ² = d² − r_f²`. Between form and tip circle a tooth is at least as wide, in angle, as its tip land.
 //!
 //! Without these conditions a pose can still be jammed; its contacts show that ([`super::LostMotion::status`]).
 
@@ -32,10 +30,9 @@ pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
 
 /// Whether a free flank can touch the far flank of the locked tooth that it faces.
 ///
-/// Only gears of three or four teeth can. Both base circles then lie on one side of the contact normal, which is their
-/// outer tangent. The lengths of the flanks along it, `T = r_b ξ`, have the sum `√(B² − (r_b1 − r_b2)²)`, where `B` is
-/// the distance of the outlines' centres. A flank is longest at its tip. A free gear's far flank is never met first,
-/// because a force on it turns the gear the other way.
+/// Only gears of three or four teeth can. Both base circles then lie on one side of the contact normal, which is their outer tangent. The
+/// lengths of the flanks along it, `T = r_b ξ`, have the sum `√(B² − (r_b1 − r_b2)²)`, where `B` is the distance of the outlines' centres.
+/// A flank is longest at its tip. A free gear's far flank is never met first, because a force on it turns the gear the other way.
 pub(super) fn may_meet_far_flanks(assembly: &GearPair) -> bool {
     let gears = Member::BOTH.map(|member| assembly.gear(member));
     let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
@@ -189,9 +186,8 @@ mod tests {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Excess angle of the locked root circle over the widest space, on circles between the free form and tip circle,
-    /// for any turn of the free gear. Source: a walk along the circles from the direction of the locked centre until
-    /// outside the root circle.
+    /// Excess angle of the locked root circle over the widest space, on circles between the free form and tip circle, for any turn of the
+    /// free gear. Source: a walk along the circles from the direction of the locked centre until outside the root circle.
     fn space_filled(assembly: &GearPair, placed: &Placed) -> f64 {
         let (root, free) = (
             placed.as_built().gear().root_radius(),

@@ -130,8 +130,7 @@ mod tests {
     use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Hand};
     use crate::pair::Mating;
 
-    /// All sections of a face share one budget. If it is spent, neither method nor certificate has a result, and both
-    /// report why.
+    /// All sections of a face share one budget. If it is spent, neither method nor certificate has a result, and both report why.
     #[test]
     fn polygons_of_a_wide_face_end_by_the_effort_of_a_pose() {
         let gear = |hand, face| {

@@ -6,8 +6,7 @@
 use crate::pair::GearPair;
 use std::cell::Cell;
 
-/// Budget of one pose (tuned): under 0.1 s, since the most expensive units take up to 0.6 µs for helical pairs on a
-/// busy machine.
+/// Budget of one pose (tuned): under 0.1 s, since the most expensive units take up to 0.6 µs for helical pairs on a busy machine.
 const OF_POSE: u64 = 150_000;
 
 /// The remaining budget of a search.
@@ -31,9 +30,8 @@ impl Effort {
         Effort::new(OF_POSE)
     }
 
-    /// The budget of the extremes of a pair over one mesh cycle. It includes the distance up to which the pair is in
-    /// mesh, and for helical pairs the distance from which it assembles (tuned: about 2 s for spur pairs, 5 to 10 s for
-    /// helical ones).
+    /// The budget of the extremes of a pair over one mesh cycle. It includes the distance up to which the pair is in mesh, and for helical
+    /// pairs the distance from which it assembles (tuned: about 2 s for spur pairs, 5 to 10 s for helical ones).
     pub fn of_extremes(assembly: &GearPair) -> Effort {
         Effort::new(if assembly.is_helical() {
             9_000_000

@@ -91,8 +91,7 @@ impl<'a> Exaggeration<'a> {
         }
     }
 
-    /// Offsets of a tooth's right and left flank from their perfect places, mm along the reference circle, plus = more
-    /// metal.
+    /// Offsets of a tooth's right and left flank from their perfect places, mm along the reference circle, plus = more metal.
     pub fn flanks_of(&self, member: Member, tooth: u32) -> [f64; 2] {
         let drawn = &self.drawn[usize::from(member == Member::Pinion)];
         let radius = drawn.gear().basic_data().reference_radius();

@@ -163,8 +163,7 @@ pub enum Status {
     Jammed,
     /// Out of mesh: at least one side has nothing to touch.
     NoContact,
-    /// Unproven: a certificate failed, a contact was lost or two methods differ. A [`LostMotion`] never has this
-    /// status.
+    /// Unproven: a certificate failed, a contact was lost or two methods differ. A [`LostMotion`] never has this status.
     Unproven,
 }
 
@@ -198,9 +197,8 @@ pub struct LostMotion {
     pub right: Option<Contact>,
     /// Limit of counter-clockwise rotation.
     pub left: Option<Contact>,
-    /// Whether no rotation can free the free gear, independent of the contacts. Teeth are in the solid body of the
-    /// mate, or reach over its axis, or overlap by a pitch or more. A further turn would only bring the next tooth to
-    /// the same place.
+    /// Whether no rotation can free the free gear, independent of the contacts. Teeth are in the solid body of the mate, or reach over its
+    /// axis, or overlap by a pitch or more. A further turn would only bring the next tooth to the same place.
     pub solid: bool,
 }
 
@@ -212,9 +210,8 @@ impl LostMotion {
         solid: true,
     };
 
-    /// Shifts the right rotation into (−π, π], and the left one by whole turns so that both keep their distance, each
-    /// counted from the `nominal` rotation, rad. Gears of three teeth that barely reach each other can turn by more
-    /// than half a turn.
+    /// Shifts the right rotation into (−π, π], and the left one by whole turns so that both keep their distance, each counted from the
+    /// `nominal` rotation, rad. Gears of three teeth that barely reach each other can turn by more than half a turn.
     pub(super) fn normalised(mut self, nominal: f64) -> LostMotion {
         let turns = |angle: f64| (angle / TAU).round();
         let whole = |contact: &Contact| turns(contact.rotation - nominal);

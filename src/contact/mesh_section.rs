@@ -76,8 +76,7 @@ impl MeshSection {
         })
     }
 
-    /// The section in which the flank of a pose of `assembly` touches; `None` for spur gears, whose sections are all
-    /// equal.
+    /// The section in which the flank of a pose of `assembly` touches; `None` for spur gears, whose sections are all equal.
     ///
     /// # Errors
     /// None: the section is on the common face.
@@ -90,8 +89,7 @@ impl MeshSection {
         MeshSection::new(assembly, &pose.pose, found, at).map(Some)
     }
 
-    /// Place over the face of `assembly` where the flank of `pose` touches, mm; without contact the place nearest to
-    /// the measuring plane.
+    /// Place over the face of `assembly` where the flank of `pose` touches, mm; without contact the place nearest to the measuring plane.
     pub fn of_contact(assembly: &GearPair, pose: &Pose, over_face: Option<&LostMotion>) -> f64 {
         let contact = over_face.and_then(|found| match pose.mating().flank {
             Side::Right => found.right,
@@ -121,8 +119,7 @@ impl MeshSection {
         self.alone.as_ref()
     }
 
-    /// Rotation of the free gear, rad, at which some section stops it on the pose's flank; `None` without a lost
-    /// motion.
+    /// Rotation of the free gear, rad, at which some section stops it on the pose's flank; `None` without a lost motion.
     pub fn held(&self) -> Option<f64> {
         self.held
     }

@@ -109,8 +109,7 @@ impl OverFace {
         .map(|(beyond, _)| beyond)
     }
 
-    /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear, whose angular pitch
-    /// is `pitch`, rad.
+    /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear, whose angular pitch is `pitch`, rad.
     pub fn found(self, nominal: f64, pitch: f64) -> FoundOverFace {
         let jam = self.jam.or(self.seems_jammed);
         // A jam independent of contacts: nothing was turned in that section.

@@ -285,8 +285,7 @@ impl<'a> Scene<'a> {
 
     /// The metal in both gears at `contact`, nearest its points; `None` if they do not overlap there.
     ///
-    /// The outlines have chords within a two-thousandth of the depth, which keeps the area of a thin piece accurate to
-    /// a few thousandths.
+    /// The outlines have chords within a two-thousandth of the depth, which keeps the area of a thin piece accurate to a few thousandths.
     pub fn overlap(&self, contact: &DrawnContact) -> Option<Overlap> {
         if contact.gap >= 0.0 {
             return None;

@@ -21,8 +21,7 @@ use std::ops::ControlFlow;
 pub enum Method {
     /// On the smooth curves.
     Exact {
-        /// Whether directions prove each pose. Polygons check one pose in [`POLYGONS_EVERY`], and each pose without
-        /// such a proof.
+        /// Whether directions prove each pose. Polygons check one pose in [`POLYGONS_EVERY`], and each pose without such a proof.
         certify: bool,
     },
     /// On the smooth curves. Each pose is proven by directions and checked by polygons.
@@ -137,8 +136,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The contacts at `pose`, and the difference of the polygon method if both are used. `index` counts the poses of a
-    /// sweep.
+    /// The contacts at `pose`, and the difference of the polygon method if both are used. `index` counts the poses of a sweep.
     fn find(&self, pose: &Pose, index: usize) -> Result<SolvedPose, Error> {
         // One budget for all work at this pose.
         let effort = Effort::of_pose();
@@ -323,8 +321,7 @@ fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>
 /// `cut` are the gears of `assembly`; `clearance` is the sum `c` of both radial bearing clearances, mm. `tick` is
 /// called as each pose begins, from any thread; a break ends the sweep.
 ///
-/// A pose is [`Unproven`] if its contact is lost, its certificate fails or both methods disagree. The other poses are
-/// still found.
+/// A pose is [`Unproven`] if its contact is lost, its certificate fails or both methods disagree. The other poses are still found.
 ///
 /// # Errors
 /// [`Error::Interrupted`] after a break; a centre distance `a − c` at which the base circles overlap.
@@ -532,8 +529,7 @@ fn pose_result<S: FindPose>(
 }
 
 impl AssembledPair {
-    /// Lost motion where the teeth of `mating` meet, checked by polygons. For many poses use [`sweep_blocks`] or
-    /// [`sweep_outlines`].
+    /// Lost motion where the teeth of `mating` meet, checked by polygons. For many poses use [`sweep_blocks`] or [`sweep_outlines`].
     ///
     /// # Errors
     /// None for a pose: an unproven one is [`Unproven`] in the result.

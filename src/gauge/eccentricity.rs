@@ -25,10 +25,9 @@ pub struct Eccentricity {
 
 /// The centre of the circle through `points`, and the factor from the error of a point to that of the centre.
 ///
-/// A point that is off by `δ_i` changes its left side by `u_i·δ_i`. It changes its row by `δ_i/ρ_0`, which times the
-/// unknown `c` is `c/ρ_0` as much. The sum is at most `(1 + |c|/ρ_0) |δ_i|`. The solution is `N⁻¹ Σ row_i side_i`, so
-/// the centre moves by at most `Σ ‖(N⁻¹ row_i)_xy‖ (1 + |c|/ρ_0) |δ_i|`. (For `z` points evenly around, `N` is diagonal
-/// with `z/2`, and the sum is 2.)
+/// A point that is off by `δ_i` changes its left side by `u_i·δ_i`. It changes its row by `δ_i/ρ_0`, which times the unknown `c` is `c/ρ_0`
+/// as much. The sum is at most `(1 + |c|/ρ_0) |δ_i|`. The solution is `N⁻¹ Σ row_i side_i`, so the centre moves by at most `Σ ‖(N⁻¹
+/// row_i)_xy‖ (1 + |c|/ρ_0) |δ_i|`. (For `z` points evenly around, `N` is diagonal with `z/2`, and the sum is 2.)
 fn centre(points: &[Point2<f64>]) -> Option<(Vector2<f64>, f64)> {
     let first = points.first()?.coords.norm();
     let row = |point: &Point2<f64>| Vector3::new(point.x / first, point.y / first, 1.0);
@@ -85,9 +84,8 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// The bound is reached: if every point moves by δ along its part of the solution, the centre moves by the sum. For
-    /// points evenly around that is 2 (closed form: N = diag(z/2, z/2, z)). If half of them are bunched, the centre is
-    /// less certain.
+    /// The bound is reached: if every point moves by δ along its part of the solution, the centre moves by the sum. For points evenly
+    /// around that is 2 (closed form: N = diag(z/2, z/2, z)). If half of them are bunched, the centre is less certain.
     #[test]
     fn errors_of_points_reach_the_bound_of_the_centre() {
         let circle = |place: fn(f64) -> f64| -> Vec<Point2<f64>> {
@@ -120,8 +118,7 @@ mod tests {
                 most = most.max(sum / delta);
             }
             assert!(most <= growth * (1.0 + 1e-6), "{most} {growth}");
-            // The bound adds lengths, the worst case only their components along one direction: 2/π of them for even
-            // points.
+            // The bound adds lengths, the worst case only their components along one direction: 2/π of them for even points.
             assert!(most > 0.6 * growth, "{most} {growth}");
         }
     }

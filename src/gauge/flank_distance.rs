@@ -9,8 +9,7 @@ use super::workpiece::{Place, Workpiece};
 use crate::gear::Side;
 use nalgebra::{Point2, UnitComplex, Vector2};
 
-/// Sections on each side of the measuring plane that are compared before the search for the nearest. For an involute
-/// one would suffice.
+/// Sections on each side of the measuring plane that are compared before the search for the nearest. For an involute one would suffice.
 const SECTIONS: i32 = 3;
 /// Limit of steps towards the nearest section: alternately false position and halving.
 const MOST_STEPS: usize = 60;

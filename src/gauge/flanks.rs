@@ -42,8 +42,7 @@ impl PitchReadings {
         differences.fold(0.0, f64::max)
     }
 
-    /// Greatest cumulative deviation over an eighth of the teeth, `F_p(z/8)`, mm, over the nearest whole number of
-    /// pitches.
+    /// Greatest cumulative deviation over an eighth of the teeth, `F_p(z/8)`, mm, over the nearest whole number of pitches.
     pub fn eighth(&self, own: Flank) -> f64 {
         let curve = self.cumulative.flank(own);
         let pitches = usize::max(1, (curve.len() + 4) / 8);

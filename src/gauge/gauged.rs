@@ -155,8 +155,7 @@ pub fn gauge(
     })
 }
 
-/// The pitch readings of [`gauge`] for `gear`, about the datum axis and about the gear's own centre, as far as
-/// possible.
+/// The pitch readings of [`gauge`] for `gear`, about the datum axis and about the gear's own centre, as far as possible.
 pub fn pitches(gear: &AsBuilt) -> Vec<PitchReadings> {
     let work = Workpiece::new(gear);
     let read = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));

@@ -1,11 +1,9 @@
 //! The virtual gauge: it measures a model of a gear as a shop measures the gear.
 //!
-//! Anvils, pins, balls, measuring circles and a master gear touch the outline itself, on polygons that are cut finer
-//! around each contact. No reading is computed from the gear's deviations. The tests compare the readings with the
-//! deviations of the model.
+//! Anvils, pins, balls, measuring circles and a master gear touch the outline itself, on polygons that are cut finer around each contact.
+//! No reading is computed from the gear's deviations. The tests compare the readings with the deviations of the model.
 //!
-//! A gear given by its outline alone has no reference circle and no master: only spans and pins are measured
-//! ([`gauge_outline`]).
+//! A gear given by its outline alone has no reference circle and no master: only spans and pins are measured ([`gauge_outline`]).
 //!
 //! A helical gear is measured in the measuring plane. A ball touches the flanks beside that plane, and a span is
 //! measured along the normal of the helix, so both also use the sections in which they touch.

@@ -4,10 +4,9 @@
 //! two spaces are opposite. Two pins then use the space after tooth `i` and the one `(z − 1)/2` further on. Three pins
 //! add the space `(z + 1)/2` further on, and one anvil touches both.
 //!
-//! On a helical gear these are dimensions over balls with their centres in the measuring plane. A cylindrical pin lies
-//! along its space, on the helix through the centre of a ball. It touches where that ball does, and its middle has the
-//! ball's distance from the axis. Pins slide along their spaces until they are opposite each other. So the anvils
-//! measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
+//! On a helical gear these are dimensions over balls with their centres in the measuring plane. A cylindrical pin lies along its space, on
+//! the helix through the centre of a ball. It touches where that ball does, and its middle has the ball's distance from the axis. Pins
+//! slide along their spaces until they are opposite each other. So the anvils measure `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
 use super::Unmeasured;
 use super::seat::Seat;

@@ -1,11 +1,10 @@
 //! Profile deviation: a stylus along the tangents of the base circle, roll by roll.
 //!
-//! The tangent at a roll `ξ` crosses an involute at `r_b ξ` from its point on the base circle. The further distance of
-//! the flank is its deviation, plus = more material. The reference is the involute of the mean thickness in its
-//! undisturbed place, so the pitch is no part of a profile. The evaluation follows ISO 1328-1 with the involute as
-//! design profile. Over the evaluation range a least-squares mean line is fitted over the roll. `f_Hα` is the rise of
-//! the mean line over the range, `f_fα` the range of the deviation about the mean line, and `F_α` the range of the
-//! deviation itself.
+//! The tangent at a roll `ξ` crosses an involute at `r_b ξ` from its point on the base circle. The further distance of the flank is its
+//! deviation, plus = more material. The reference is the involute of the mean thickness in its undisturbed place, so the pitch is no part
+//! of a profile. The evaluation follows ISO 1328-1 with the involute as design profile. Over the evaluation range a least-squares mean line
+//! is fitted over the roll. `f_Hα` is the rise of the mean line over the range, `f_fα` the range of the deviation about the mean line, and
+//! `F_α` the range of the deviation itself.
 
 use super::Unmeasured;
 use super::spread::{ends, mean, range};
@@ -113,8 +112,7 @@ impl FlankProfiles {
     }
 }
 
-/// Measures the profile of every flank. It is evaluated between the `radii` of the own right and left flanks, or over
-/// the whole flank.
+/// Measures the profile of every flank. It is evaluated between the `radii` of the own right and left flanks, or over the whole flank.
 pub(super) fn profile(
     work: &Workpiece,
     radii: [Option<[f64; 2]>; 2],

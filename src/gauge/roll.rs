@@ -1,8 +1,7 @@
 //! Double-flank roll test: the gear rolls without play against a perfect master gear.
 //!
-//! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion, bracketed to 1e-10
-//! mm. Poses an even part of a pitch apart give the curve. More poses are added where extremes are possible (see
-//! [`super::roll_extremes`]).
+//! The centre distance `a''` of each pose is the one at which the exact kernel finds no lost motion, bracketed to 1e-10 mm. Poses an even
+//! part of a pitch apart give the curve. More poses are added where extremes are possible (see [`super::roll_extremes`]).
 
 use super::Unmeasured;
 use super::master::master;
@@ -63,8 +62,7 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of
-/// further poses.
+/// Rolls `gear` through one revolution over its `face`. `tick` is called as each pose begins, `more` with the number of further poses.
 pub(super) fn roll(
     gear: &AsBuilt,
     master_teeth: Option<u32>,
@@ -120,8 +118,7 @@ pub(super) fn roll(
 
 /// The pose of `mating` at `guess`, rolled without play.
 ///
-/// The rotation of a mating depends slightly on the centre distance. The pose is turned back by that, so that poses are
-/// even in rotation.
+/// The rotation of a mating depends slightly on the centre distance. The pose is turned back by that, so that poses are even in rotation.
 fn sample(
     bench: &PairAtDistance,
     guess: f64,
@@ -164,9 +161,8 @@ fn sample(
 
 /// `|da''/dφ|`, mm/rad, while the contacts stay the same.
 ///
-/// The gear turns by `dφ`, the master by `dθ`, and its axis moves by `da`. A contact at `p` with the normal `n` stays
-/// closed if `(q × n) dθ + n_x da = (p × n) dφ`, with `q` from the master's axis. Right and left contact give two such
-/// equations for `dθ` and `da`.
+/// The gear turns by `dφ`, the master by `dθ`, and its axis moves by `da`. A contact at `p` with the normal `n` stays closed if `(q × n) dθ
+/// + n_x da = (p × n) dφ`, with `q` from the master's axis. Right and left contact give two such equations for `dθ` and `da`.
 fn slope(found: &LostMotion, distance: f64) -> f64 {
     let (Some(right), Some(left)) = (&found.right, &found.left) else {
         return f64::INFINITY;

@@ -1,9 +1,8 @@
 //! The position of a pin or ball at rest in a tooth space.
 //!
-//! Its centre is half its diameter from both flanks of the space, in the measuring plane of a helical gear. The
-//! gradient of the distance from an outline is the unit vector from the nearest place. So Newton's method on the two
-//! distances converges quadratically. It starts on the tip circle in the middle of the space. The half teeth include
-//! fillets, root and tip corners; a ball that stops there reports it.
+//! Its centre is half its diameter from both flanks of the space, in the measuring plane of a helical gear. The gradient of the distance
+//! from an outline is the unit vector from the nearest place. So Newton's method on the two distances converges quadratically. It starts on
+//! the tip circle in the middle of the space. The half teeth include fillets, root and tip corners; a ball that stops there reports it.
 
 use super::Unmeasured;
 use super::flank_distance::{Nearest, OneFlank, nearest};
@@ -101,8 +100,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
         }
         centre += step * (longest / length).min(1.0);
         if length <= work.bound() {
-            // Each distance is within the bound. A centre between two gradients of the determinant D moves by at most
-            // √2 · √2/|D| as much.
+            // Each distance is within the bound. A centre between two gradients of the determinant D moves by at most √2 · √2/|D| as much.
             let error = length + 2.0 * work.bound() / gradients.determinant().abs();
             return Ok(seated(centre, error, found));
         }

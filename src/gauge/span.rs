@@ -1,18 +1,16 @@
 //! Span `W_k`: two parallel anvils closed on the flanks of `k` teeth.
 //!
-//! Both anvils are plane and reach down to the form circle. A space is narrow, so an anvil can touch only the flank
-//! that bounds the spanned teeth. The closed anvils measure the distance of the two contacts along their common normal.
-//! Rocking keeps that distance while both touch involutes, because the contacts move along one line of action. It falls
-//! once an anvil tilts over a tip corner or leaves the involute's lower end. The reading is the greatest distance, with
-//! the anvils in the middle of the plateau.
+//! Both anvils are plane and reach down to the form circle. A space is narrow, so an anvil can touch only the flank that bounds the spanned
+//! teeth. The closed anvils measure the distance of the two contacts along their common normal. Rocking keeps that distance while both
+//! touch involutes, because the contacts move along one line of action. It falls once an anvil tilts over a tip corner or leaves the
+//! involute's lower end. The reading is the greatest distance, with the anvils in the middle of the plateau.
 //!
 //! Flanks whose profiles deviate have no plateau: with a slope on one of them the distance grows to its end. Then the
 //! anvils are perpendicular to the middle of the spanned teeth, so that both touch at the same height, as a shop reads
 //! them. A span in a gear file means that reading ([`crate::metrology`]).
 //!
-//! On helical teeth the anvils are tilted by the base helix angle, parallel to the straight lines of the flanks. Their
-//! normal is that of the helix. Both contacts are on one such normal, in sections `W_k sin β_b` apart, with the
-//! measuring plane in the middle.
+//! On helical teeth the anvils are tilted by the base helix angle, parallel to the straight lines of the flanks. Their normal is that of
+//! the helix. Both contacts are on one such normal, in sections `W_k sin β_b` apart, with the measuring plane in the middle.
 
 use super::Unmeasured;
 use super::spread::{ends, mean};
@@ -90,8 +88,7 @@ pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
     }
 }
 
-/// The reason why `spans` are not valid: a span needs both anvils on involutes between the form circle and the tip
-/// corner.
+/// The reason why `spans` are not valid: a span needs both anvils on involutes between the form circle and the tip corner.
 fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
     let gear = work.as_built.gear();
     let off = |ends: fn(&Workpiece, &Touch) -> bool| {
@@ -189,8 +186,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     let mut apart = 0.0;
     for _ in 0..MOST_ROCKS {
         let (span, join, ahead) = read(along, apart);
-        // Each place is at most a chord behind its curve. No direction gives more than the distance of its two
-        // contacts.
+        // Each place is at most a chord behind its curve. No direction gives more than the distance of its two contacts.
         if join.norm().hypot(apart) - span.length <= work.bound() {
             return Ok(span);
         }

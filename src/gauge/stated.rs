@@ -40,9 +40,8 @@ pub(super) struct Readings<'a> {
 
 /// The thickness of `gear` for a gear file, or the reason why none can state it.
 ///
-/// Spans are stated only if reading the file gives the same spans: `k` must have its contact on the involute of a gear
-/// of that thickness. An allowance is that of the involutes, without the contribution of `as_built`'s profiles at the
-/// reference circle.
+/// Spans are stated only if reading the file gives the same spans: `k` must have its contact on the involute of a gear of that thickness.
+/// An allowance is that of the involutes, without the contribution of `as_built`'s profiles at the reference circle.
 pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickness, Unmeasured> {
     let gear = as_built.gear();
     if let Err(reason) = read.pitch {

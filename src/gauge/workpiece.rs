@@ -1,8 +1,7 @@
 //! The gear on the bench: its outline, cut coarsely, and finer where something touches.
 //!
-//! Equal teeth share two half teeth. A query uses the frame of the half tooth (see [`HalfTooth`]); the caller turns it
-//! there. A coarse polygon selects the stretch that can touch. That stretch is cut again until chords are as near their
-//! curve as f64 allows.
+//! Equal teeth share two half teeth. A query uses the frame of the half tooth (see [`HalfTooth`]); the caller turns it there. A coarse
+//! polygon selects the stretch that can touch. That stretch is cut again until chords are as near their curve as f64 allows.
 
 use crate::contact::PolylineShape;
 use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side, involute};
@@ -114,8 +113,7 @@ impl<'a> Workpiece<'a> {
         (tooth - 1 + steps) % teeth + 1
     }
 
-    /// Contact of a plane face of outward normal `along` that closes on the flank of `side` of `tooth`: tip land or
-    /// involute.
+    /// Contact of a plane face of outward normal `along` that closes on the flank of `side` of `tooth`: tip land or involute.
     ///
     /// The face ends at the form circle. Vertices are on their curve, and chords within `δ` of it. A chord with both
     /// ends more than `δ` behind the foremost vertex is not in contact.
@@ -160,8 +158,7 @@ impl<'a> Workpiece<'a> {
                 let (curve, _) = on.half.locate(found.segment, &found.at);
                 return (self.place(found.at, curve), found.distance);
             }
-            // The curve is at most δ further away than its nearest chord, and any chord at most δ further than its
-            // curve.
+            // The curve is at most δ further away than its nearest chord, and any chord at most δ further than its curve.
             let window = on
                 .shape
                 .near_point(&point, found.distance + 2.0 * chordal_error);
@@ -173,9 +170,8 @@ impl<'a> Workpiece<'a> {
     /// Intersection of the involute of `side` of `tooth` with the circle of `radius` about `centre`, and the error
     /// bound along that circle, mm; `None` if they do not intersect.
     ///
-    /// If the chord moves by `δ` across, the intersection moves by `δ/cos` along the circle, where `cos` is between the
-    /// chord's normal and the circle. On a chord of length `h` the squared distance is taken as linear: off by `h²/(8
-    /// radius)`, far below `δ`.
+    /// If the chord moves by `δ` across, the intersection moves by `δ/cos` along the circle, where `cos` is between the chord's normal and
+    /// the circle. On a chord of length `h` the squared distance is taken as linear: off by `h²/(8 radius)`, far below `δ`.
     pub fn crossing(
         &self,
         side: Side,
@@ -225,8 +221,7 @@ impl<'a> Workpiece<'a> {
     /// Position of the flank of `side` of `tooth` on the tangent to the base circle at the roll `xi`, mm from the point
     /// of tangency, with its error bound. `None` if the tangent does not meet the flank.
     ///
-    /// An involute of the mean thickness in its undisturbed place is at `r_b ξ`. The tangent is nearly normal to the
-    /// flank.
+    /// An involute of the mean thickness in its undisturbed place is at `r_b ξ`. The tangent is nearly normal to the flank.
     pub fn along_tangent(&self, side: Side, tooth: u32, xi: f64) -> Option<(f64, f64)> {
         let gear = self.as_built.gear();
         let angle = xi - gear.half_base_angle();

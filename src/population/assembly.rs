@@ -111,8 +111,7 @@ impl Assembly {
         }
     }
 
-    /// Its extremes. With bearing clearance the axes are as near as possible for the least, and as far apart as
-    /// possible for the greatest.
+    /// Its extremes. With bearing clearance the axes are as near as possible for the least, and as far apart as possible for the greatest.
     ///
     /// # Errors
     /// The proven extremes of the assembly. Only a stopped calculation is an error: a pose that fails is an outcome.

@@ -1,19 +1,17 @@
 //! The contribution of each scatter to the variance of the least and of the greatest backlash.
 //!
-//! Sobol's indices of independent quantities `x_1 … x_k` are shares of the variance `V` of `f`. The first-order index
-//! is the share of the mean of `f` at a given `x_i`: the effect of `x_i` alone. The total index is the share that is
-//! left on average with all but `x_i` given: the effect including interactions. Both come from two independent samples
-//! `A` and `B` of all quantities and, for each `i`, the sample `AB_i`, which is `A` except for `x_i` from `B` (Saltelli
-//! et al. 2010):
+//! Sobol's indices of independent quantities `x_1 … x_k` are shares of the variance `V` of `f`. The first-order index is the share of the
+//! mean of `f` at a given `x_i`: the effect of `x_i` alone. The total index is the share that is left on average with all but `x_i` given:
+//! the effect including interactions. Both come from two independent samples `A` and `B` of all quantities and, for each `i`, the sample
+//! `AB_i`, which is `A` except for `x_i` from `B` (Saltelli et al. 2010):
 //!
 //! ```text
 //! V_i  = E[f(B) (f(AB_i) − f(A))]       B and AB_i share x_i alone: E[f(B) f(AB_i)] = E²[f] + V_i; B and A nothing: E[f(B) f(A)] = E²[f]
 //! V_Ti = E[(f(A) − f(AB_i))²]/2         they share all but x_i: half the mean square difference of two with the same rest is its variance
 //! ```
 //!
-//! `f(B)` is taken about the mean of all, which keeps the expectation of `V_i` and reduces its scatter. The standard
-//! errors are those of the jackknife over [`GROUPS`] groups of rows. All sums are integers, so they do not depend on
-//! the order of the rows.
+//! `f(B)` is taken about the mean of all, which keeps the expectation of `V_i` and reduces its scatter. The standard errors are those of
+//! the jackknife over [`GROUPS`] groups of rows. All sums are integers, so they do not depend on the order of the rows.
 
 use super::factor::Factor;
 use super::members::Population;
@@ -256,9 +254,8 @@ impl Evaluated {
     }
 }
 
-/// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`. A row
-/// has two assemblies and one for each quantity. `tick` is called once every [`ROWS_CHUNK`] rows, from any thread; a
-/// break ends the work.
+/// The contributions to the least and to the greatest `j_wt`, from the first `rows` of both samples with `seed`. A row has two assemblies
+/// and one for each quantity. `tick` is called once every [`ROWS_CHUNK`] rows, from any thread; a break ends the work.
 ///
 /// # Errors
 /// [`ContributionsError`].

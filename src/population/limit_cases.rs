@@ -13,9 +13,8 @@ use crate::parallel;
 /// Standard deviations of a flank's cumulative pitch deviation in the worst case.
 pub const PITCH_LIMIT_SIGMAS: f64 = 3.0;
 
-/// Least and greatest `j_wt`, mm, with every scatter at its limits, and by the root sum of squares. `None` if a pair
-/// there is jammed, out of mesh or impossible. If the assembly phase scatters, they are the least and the greatest of
-/// all phases.
+/// Least and greatest `j_wt`, mm, with every scatter at its limits, and by the root sum of squares. `None` if a pair there is jammed, out
+/// of mesh or impossible. If the assembly phase scatters, they are the least and the greatest of all phases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitCases {
     /// Each scatter at its mean, a drawn runout or pitch at 0, and everything else as in the pair.
@@ -63,10 +62,9 @@ enum Towards {
 /// An assembly phase has no limits. If it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its
 /// greatest can come from different phases.
 ///
-/// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction.
-/// Pitch is a list of numbers that close on the circle. The flanks in contact are [`PITCH_LIMIT_SIGMAS`] standard
-/// deviations of a cumulative deviation out, or in, on both sides of both gears. For `z` closed single deviations of
-/// standard deviation `σ` about their mean, that deviation is
+/// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
+/// numbers that close on the circle. The flanks in contact are [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative deviation out, or
+/// in, on both sides of both gears. For `z` closed single deviations of standard deviation `σ` about their mean, that deviation is
 ///
 /// ```text
 /// σ_F² = (z + 1)/12 σ²
@@ -139,8 +137,7 @@ impl SingleFactor {
     }
 }
 
-/// Least and greatest with the quantities `at_limit` at their limit and all others at their mean, over the possible
-/// phases.
+/// Least and greatest with the quantities `at_limit` at their limit and all others at their mean, over the possible phases.
 fn case(
     population: &Population,
     at_limit: &dyn Fn(SingleFactor) -> bool,

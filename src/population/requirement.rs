@@ -73,8 +73,7 @@ impl Requirement {
         self.standing_of(outcome, || assembly.ends())
     }
 
-    /// The evaluation of a pair with the result `outcome`; `ends` are the pairs with the least and with the greatest
-    /// backlash.
+    /// The evaluation of a pair with the result `outcome`; `ends` are the pairs with the least and with the greatest backlash.
     pub(crate) fn standing_of(
         &self,
         outcome: &Outcome,

@@ -151,8 +151,7 @@ impl Scatter {
         })
     }
 
-    /// Normal about `mean` with the process capability `C_pk = min(high − mean, mean − low)/(3 σ)`: some values exceed
-    /// the limits.
+    /// Normal about `mean` with the process capability `C_pk = min(high − mean, mean − low)/(3 σ)`: some values exceed the limits.
     ///
     /// # Errors
     /// [`ScatterError::Limits`], [`ScatterError::Outside`], [`ScatterError::NotPositive`].

@@ -49,8 +49,7 @@ impl Share {
     }
 }
 
-/// The quantile `p` of the beta distribution between `ends`, by halving: the crate's own inverse does not end for a
-/// million and more.
+/// The quantile `p` of the beta distribution between `ends`, by halving: the crate's own inverse does not end for a million and more.
 fn beta_quantile([a, b]: [f64; 2], p: f64, ends: [f64; 2]) -> f64 {
     let [low, high] = bisect(ends[0], ends[1], 0.0, |x| beta_reg(a, b, x) < p);
     0.5 * (low + high)
@@ -66,8 +65,7 @@ pub struct SpreadStatistics {
     pub mean: Option<f64>,
     /// Standard deviation of these in the population, estimated with `n − 1`; `None` for less than two.
     pub sigma: Option<f64>,
-    /// The [`QUANTILES`], to the width of a bin of the histogram; `None` if assemblies without the extreme reach that
-    /// far.
+    /// The [`QUANTILES`], to the width of a bin of the histogram; `None` if assemblies without the extreme reach that far.
     pub quantiles: [Option<f64>; 5],
     /// The lowest value, and its assembly.
     pub least: Option<(f64, u64)>,
@@ -93,8 +91,7 @@ pub struct Statistics {
     /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. It implies shares only for normal
     /// populations of assemblies that have both extremes.
     pub cp: Option<f64>,
-    /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the existing
-    /// limits.
+    /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the existing limits.
     pub cpk: Option<f64>,
 }
 

@@ -1,8 +1,7 @@
 //! Random numbers with random access: number i of assembly n does not depend on any other draw.
 //!
-//! ChaCha with 8 rounds in its counter mode. The key is the seed and the run, and the stream is the number of the
-//! assembly. Each quantity has its own stretch of the stream. So any number is drawn without the previous ones, with
-//! the same result in any order.
+//! ChaCha with 8 rounds in its counter mode. The key is the seed and the run, and the stream is the number of the assembly. Each quantity
+//! has its own stretch of the stream. So any number is drawn without the previous ones, with the same result in any order.
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};

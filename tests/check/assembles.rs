@@ -107,9 +107,8 @@ fn a_search_given_up_has_a_bracket_that_holds() {
     }
 }
 
-/// Perfect gears `e` off their axes in any direction. At every pose, high teeth towards the mate bring the outlines
-/// nearer by `e`, and away from it further apart. The pairs assemble from `Σ e` further than without, and are in mesh
-/// up to `Σ e` nearer.
+/// Perfect gears `e` off their axes in any direction. At every pose, high teeth towards the mate bring the outlines nearer by `e`, and away
+/// from it further apart. The pairs assemble from `Σ e` further than without, and are in mesh up to `Σ e` nearer.
 #[test]
 fn a_runout_in_any_direction_moves_both_ends_by_the_eccentricities() {
     let pair = |distance: f64, share: f64| {

@@ -124,8 +124,7 @@ fn a_corner_that_costs_nothing_is_not_off_the_line_of_action() {
     assert_eq!(check.note, "");
 }
 
-/// The cost of contact off the line of action is model 3's backlash less the simulation's, for every pose of both
-/// materials.
+/// The cost of contact off the line of action is model 3's backlash less the simulation's, for every pose of both materials.
 #[test]
 fn losses_are_those_of_all_poses() {
     let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;

@@ -1,7 +1,6 @@
 //! Radial clearance as built, beside the nearest of many points of tip lands and root lands at many rotations.
 //!
-//! The crate defines a pose and the position of a tooth; the ends of lands follow from the drawing and from closed
-//! forms.
+//! The crate defines a pose and the position of a tooth; the ends of lands follow from the drawing and from closed forms.
 
 use super::*;
 use gearlash::gear::Pitch;

@@ -11,9 +11,8 @@ fn tip_from_base(pair: &GearPair, gear: Member, distance: f64) -> f64 {
     line - (mate.tip_radius().powi(2) - mate.base_radius().powi(2)).sqrt()
 }
 
-/// At the limits a tip is on the form circle, or on the base circle, of one gear and outside that of the other. Tips
-/// have the named clearance from one gear's roots, and more from the other's. The rows cover all limits plus a 20th of
-/// a module, but not tips in roots.
+/// At the limits a tip is on the form circle, or on the base circle, of one gear and outside that of the other. Tips have the named
+/// clearance from one gear's roots, and more from the other's. The rows cover all limits plus a 20th of a module, but not tips in roots.
 #[test]
 fn limits_of_a_map_have_their_meaning() {
     for (distance, high) in [

@@ -103,8 +103,7 @@ fn a_pair_assembles_if_every_run_does() {
     }
 }
 
-/// Among runs that differ by less than the width of brackets, the first; otherwise the one with the least, or the
-/// greatest, backlash.
+/// Among runs that differ by less than the width of brackets, the first; otherwise the one with the least, or the greatest, backlash.
 #[test]
 fn the_foremost_run_is_the_first_of_equals() {
     let run = run();

@@ -114,9 +114,8 @@ fn overlap(locked: &Solid, free: &Solid) -> bool {
     near(locked, free) || near(free, locked)
 }
 
-/// Rotations at which the free gear first overlaps the locked one, clockwise and counter-clockwise. They start from the
-/// middle between `found`'s contacts, or from a free position without contacts. Steps are a 200th of a pitch: a shorter
-/// overlap can be missed.
+/// Rotations at which the free gear first overlaps the locked one, clockwise and counter-clockwise. They start from the middle between
+/// `found`'s contacts, or from a free position without contacts. Steps are a 200th of a pitch: a shorter overlap can be missed.
 pub fn limits(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> [Option<f64>; 2] {
     let free = assembly.free();
     let locked = Solid::new(assembly, assembly.locked(), pose.locked_rotation());

@@ -1,6 +1,5 @@
-//! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. The right results have
-//! other sources; each test names its own (`fixtures/reference/hard/README.md`; brute force is
-//! `tests/common/clearance`).
+//! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. The right results have other sources; each
+//! test names its own (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
 
 use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::simulate::simulate;

@@ -123,8 +123,7 @@ fn many_random_poses_against_brute_force() {
     );
 }
 
-/// The quick method against branch and bound, `count` pairs with four poses each; returns how many pairs used the quick
-/// method.
+/// The quick method against branch and bound, `count` pairs with four poses each; returns how many pairs used the quick method.
 fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usize {
     let mut direct = 0;
     let mut worst = 0.0f64;

@@ -102,8 +102,7 @@ fn ordinary_pairs_are_proven_and_hold() {
     assert_eq!(proven_of_ordinary_pairs(400, 0.0, 150), 400);
 }
 
-/// Ordinary pairs whose base pitches differ by up to 0.4 %, some tens of kelvin of a polymer: a few then touch off the
-/// line of action.
+/// Ordinary pairs whose base pitches differ by up to 0.4 %, some tens of kelvin of a polymer: a few then touch off the line of action.
 #[test]
 fn ordinary_pairs_unequally_warm_are_proven_and_hold() {
     assert!(proven_of_ordinary_pairs(40, 0.002, 1500) >= 32);
@@ -120,9 +119,8 @@ proptest! {
         }
     }
 
-    /// Gears of unequal temperature: their base pitches differ, so a pair of teeth one step on has more room or less. A
-    /// bound for equal pitches gave 391.85 µm at least for a POM wheel on a steel pinion at 50 °C, where a pose has
-    /// 381.96.
+    /// Gears of unequal temperature: their base pitches differ, so a pair of teeth one step on has more room or less. A bound for equal
+    /// pitches gave 391.85 µm at least for a POM wheel on a steel pinion at 50 °C, where a pose has 381.96.
     #[test]
     fn no_pose_of_gears_unequally_warm_lies_beyond(
         case in rough_case(),
@@ -181,8 +179,7 @@ proptest! {
     }
 }
 
-/// Far outside practice: undercut, raised tips, three teeth, jams. A failed search gives a doubt, never a wrong
-/// bracket.
+/// Far outside practice: undercut, raised tips, three teeth, jams. A failed search gives a doubt, never a wrong bracket.
 #[test]
 fn wide_pairs_hold_or_are_doubted() {
     let mut proven = 0;

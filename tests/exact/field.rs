@@ -210,9 +210,8 @@ fn a_drawn_section_stands_as_the_whole_face_holds_it() {
     }
 }
 
-/// In a perfect pair ⌊ε_γ⌋ or ⌊ε_γ⌋ + 1 contact lines cross the field of action, and ε_γ on the mean of a pitch.
-/// Source: ISO 21771, total contact ratio ε_γ = ε_α + ε_β, ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin
-/// α_wt)/p_bt, ε_β = b sin β/(π m_n).
+/// In a perfect pair ⌊ε_γ⌋ or ⌊ε_γ⌋ + 1 contact lines cross the field of action, and ε_γ on the mean of a pitch. Source: ISO 21771, total
+/// contact ratio ε_γ = ε_α + ε_β, ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin α_wt)/p_bt, ε_β = b sin β/(π m_n).
 #[test]
 fn as_many_lines_touch_as_the_total_contact_ratio_says() {
     const STEPS: u32 = 200;

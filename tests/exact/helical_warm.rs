@@ -54,9 +54,8 @@ fn free_twist(pair: &GearPair, b: f64) -> f64 {
     -eta * b * data.helix_angle().tan() / data.reference_radius()
 }
 
-/// Right and left contact from single sections at `places`, rad beyond the nominal rotation of the measuring plane,
-/// each with its error. The teeth of a section are turned by the free gear's own twist from those of the measuring
-/// plane.
+/// Right and left contact from single sections at `places`, rad beyond the nominal rotation of the measuring plane, each with its error.
+/// The teeth of a section are turned by the free gear's own twist from those of the measuring plane.
 fn by_sections(
     pair: &GearPair,
     pose: &Pose,

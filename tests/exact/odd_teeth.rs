@@ -11,8 +11,7 @@ use gearlash::pair::Member;
 use nalgebra::{Point2, Rotation2};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// An irregular tooth: from root to tip and back through points whose radii rise and fall, with straight or curved
-/// pieces between.
+/// An irregular tooth: from root to tip and back through points whose radii rise and fall, with straight or curved pieces between.
 fn odd_tooth(random: &mut Random, teeth: u32, root: f64, tip: f64) -> Vec<PathSegment> {
     let pitch = TAU / f64::from(teeth);
     let at = |radius: f64, angle: f64| {

@@ -214,8 +214,7 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
     assert!(compared > 80, "{compared}");
 }
 
-/// Polygons confirm `found`, and no rotation slightly to either side: before it nothing touches, after it something
-/// overlaps.
+/// Polygons confirm `found`, and no rotation slightly to either side: before it nothing touches, after it something overlaps.
 fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &LostMotion) {
     assert_eq!(certifier.check(mating, found), Ok(()), "{found:?}");
     let Some((right, left)) = found.right.zip(found.left).filter(|_| !found.solid) else {

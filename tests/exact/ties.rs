@@ -9,10 +9,9 @@ use nalgebra::Point2;
 /// Contacts whose distances from the pitch point differ by less are equally near, mm.
 const EQUALLY_NEAR: f64 = 1e-6;
 
-/// The tie goes to the contact nearer to the pitch point. Between two equally near ones it goes at right flanks to the
-/// one clockwise on the locked gear, at left flanks to the one counter-clockwise. As the gears turn from one named
-/// contact to the next, the name changes where the first is further by 1e-6 mm. Source: the rule, and the two points
-/// named.
+/// The tie goes to the contact nearer to the pitch point. Between two equally near ones it goes at right flanks to the one clockwise on the
+/// locked gear, at left flanks to the one counter-clockwise. As the gears turn from one named contact to the next, the name changes where
+/// the first is further by 1e-6 mm. Source: the rule, and the two points named.
 #[test]
 fn of_pairs_that_tie_the_nearer_to_the_pitch_point_is_named() {
     let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);

@@ -1,7 +1,6 @@
 //! The campaign's pairs, far outside practice: the quick method against branch and bound.
 //!
-//! In most gears the pairs that the quick method omits are clear by a wide margin. A wrong condition shows only in
-//! unusual gears.
+//! In most gears the pairs that the quick method omits are clear by a wide margin. A wrong condition shows only in unusual gears.
 
 #[path = "../common/campaign/mod.rs"]
 #[allow(unused_imports)] // nothing is timed here
@@ -79,9 +78,8 @@ fn wide_pairs_touch_where_branch_and_bound_finds() {
     assert!(found.iter().all(|&count| count > 100));
 }
 
-/// The locked corner is outside the free tip circle at the greatest gap so far. It meets the circle slightly later,
-/// because the free gear is eccentric. So a place outside the tip alone does not rule it out (a mutant that assumed it
-/// was off by 3 µrad).
+/// The locked corner is outside the free tip circle at the greatest gap so far. It meets the circle slightly later, because the free gear
+/// is eccentric. So a place outside the tip alone does not rule it out (a mutant that assumed it was off by 3 µrad).
 #[test]
 fn a_corner_outside_an_eccentric_tip_is_not_omitted() {
     assert!(agree(Some(Depth::Grazing), 7, 49_556).is_some());

@@ -104,8 +104,7 @@ fn against(number: u64) -> Vec<String> {
     against
 }
 
-/// No pose is outside a bracket, its reported pose attains it, it is narrow, and it is proven. Source: poses of the
-/// exact method.
+/// No pose is outside a bracket, its reported pose attains it, it is narrow, and it is proven. Source: poses of the exact method.
 #[test]
 fn extremes_of_these_cycles_hold() {
     let complaints: Vec<String> = CYCLES

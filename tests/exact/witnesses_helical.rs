@@ -105,8 +105,7 @@ fn no_section_is_tighter_than_the_face_of_these() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// Contradictions to a pose of the helical campaign of seed 1 whose tips barely reach each other. Brute force checks
-/// the reported sections.
+/// Contradictions to a pose of the helical campaign of seed 1 whose tips barely reach each other. Brute force checks the reported sections.
 fn against_grazing(number: u64) -> Vec<String> {
     let drawn = Drawn::of(Teeth::Helical, Some(Depth::Grazing), 1, number);
     let pose = Pose::new(&drawn.assembly, drawn.mating);
@@ -136,8 +135,7 @@ fn edges_of_tips_that_hardly_overlap_cross_within_rounding() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// Tips that meet only between the examined sections: such poses were out of mesh on one side or both. Source: as
-/// above.
+/// Tips that meet only between the examined sections: such poses were out of mesh on one side or both. Source: as above.
 #[test]
 fn tips_that_meet_between_all_sections_touch() {
     let poses = [641, 695, 1032];
@@ -158,9 +156,8 @@ fn no_section_is_tighter_than_the_face_of_tips_that_hardly_meet() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
-/// Poses of the helical campaign of a seed whose tightest contact, or whose jam, is between the sections that hold the
-/// tightest of all pairs of involutes. In the last one edges cross within an uncertainty that rounding leaves, and the
-/// bound includes it.
+/// Poses of the helical campaign of a seed whose tightest contact, or whose jam, is between the sections that hold the tightest of all
+/// pairs of involutes. In the last one edges cross within an uncertainty that rounding leaves, and the bound includes it.
 const BETWEEN: [(Option<Depth>, u64, u64); 15] = [
     (None, 2, 4),
     (None, 2, 12),

@@ -26,8 +26,7 @@ fn same(pair: &GearPair, outlines: &OutlinePair, mating: Mating) -> Mating {
     mating.onward(pair, -locked.face().ascending() * off / pitch)
 }
 
-/// Whether a point of the locked outline is within the free gear's root circle at every rotation of that gear; `None`
-/// if that is uncertain.
+/// Whether a point of the locked outline is within the free gear's root circle at every rotation of that gear; `None` if that is uncertain.
 fn stands_in_the_body(pair: &GearPair, pose: &Pose) -> Option<bool> {
     let (locked, free) = (pair.locked(), pair.gear(pair.free()));
     let turned = pair.mate_direction(locked) + pose.locked_rotation();

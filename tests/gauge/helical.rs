@@ -31,9 +31,8 @@ pub(super) fn with_pin(pin: f64, span_teeth: Option<u32>) -> Settings {
     }
 }
 
-/// Published: FVA Workbench examples 1-3, over two balls and over two pins of nominal gears. They include the
-/// allowances of the dimension over balls for −115 and −165 µm of thickness in the normal section. The measured
-/// thickness gives the gear again.
+/// Published: FVA Workbench examples 1-3, over two balls and over two pins of nominal gears. They include the allowances of the dimension
+/// over balls for −115 and −165 µm of thickness in the normal section. The measured thickness gives the gear again.
 #[test]
 fn published_dimensions_over_balls_and_over_pins() {
     for Published {
@@ -110,8 +109,7 @@ fn a_perfect_helical_gear_does_not_move_on_the_master() {
     }
 }
 
-/// Closed form, as for a spur gear: an eccentricity moves the gears equally in every section, `a'' = e cos χ + √(a_0² −
-/// e² sin² χ)`.
+/// Closed form, as for a spur gear: an eccentricity moves the gears equally in every section, `a'' = e cos χ + √(a_0² − e² sin² χ)`.
 #[test]
 fn an_eccentric_helical_gear_moves_as_a_spur_gear_over_any_face() {
     let deviations = Deviations {

@@ -309,8 +309,7 @@ fn pins_and_anvils_touch_the_whole_outline() {
     assert!(off.abs() <= 2.0 * CHORD + spans.readings[0].error, "{off}");
 }
 
-/// Impossible measurements of an outline: too many teeth, flanks that only an anvil's end touches, pins that sink or
-/// rest on the root.
+/// Impossible measurements of an outline: too many teeth, flanks that only an anvil's end touches, pins that sink or rest on the root.
 #[test]
 fn impossible_measurements_have_a_reason() {
     // Flanks that lean by more than half the angle of two teeth.

@@ -1,5 +1,4 @@
-//! Statements of a drawing: tolerance fields, offsets and temperatures, compared with published tables and closed
-//! forms.
+//! Statements of a drawing: tolerance fields, offsets and temperatures, compared with published tables and closed forms.
 
 use gearlash::analytic::InvolutePair;
 use gearlash::error::GearError;

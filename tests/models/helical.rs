@@ -24,9 +24,8 @@ fn design(z: u32, module: f64, beta_deg: f64, shift: f64, rack: [f64; 3]) -> Gea
 
 const RACK: [f64; 3] = [1.0, 1.25, 0.25];
 
-/// Published: FVA Workbench examples 1-3 (z 27/51 and 23/34). They have dimensions over two balls and over two pins of
-/// nominal gears. They also have the allowances of the dimension over balls for −115 and −165 µm of tooth thickness in
-/// the normal section.
+/// Published: FVA Workbench examples 1-3 (z 27/51 and 23/34). They have dimensions over two balls and over two pins of nominal gears. They
+/// also have the allowances of the dimension over balls for −115 and −165 µm of tooth thickness in the normal section.
 #[test]
 fn over_balls_and_over_pins() {
     for Published {

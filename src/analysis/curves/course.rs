@@ -18,8 +18,7 @@ pub struct Course {
     pub phase: Option<(u32, u32)>,
     /// First and last place: wheel teeth, or pitches since the first pose.
     pub span: [f64; 2],
-    /// Number of wheel teeth if places are tooth numbers (which restart at 1); `None` if they are pitches since the
-    /// first pose.
+    /// Number of wheel teeth if places are tooth numbers (which restart at 1); `None` if they are pitches since the first pose.
     pub teeth: Option<u32>,
     /// Wheel and pinion tooth of the first right-flank pose.
     pub start: (u32, u32),
@@ -29,8 +28,7 @@ pub struct Course {
     pub least: Option<Extreme>,
     /// The greatest.
     pub greatest: Option<Extreme>,
-    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, over every phase and material, µm;
-    /// `None` if unknown.
+    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, over every phase and material, µm; `None` if unknown.
     pub cycle_um: [Option<f64>; 2],
 }
 

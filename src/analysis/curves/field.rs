@@ -1,17 +1,14 @@
-//! The field of action of helical gears at one pose: the contacts of tooth pairs over the common face and along the
-//! path of contact.
+//! The field of action of helical gears at one pose: the contacts of tooth pairs over the common face and along the path of contact.
 //!
-//! In every transverse section involutes touch on the line of action, the common tangent of the displaced base circles.
-//! It is the same in all sections, because their centres are constant along the face. The contact of a pair moves along
-//! it with the twist of the teeth. At `b` mm along the face its roll on the wheel is less by `τ_1 b`. Its place on the
-//! path,
+//! In every transverse section involutes touch on the line of action, the common tangent of the displaced base circles. It is the same in
+//! all sections, because their centres are constant along the face. The contact of a pair moves along it with the twist of the teeth. At
+//! `b` mm along the face its roll on the wheel is less by `τ_1 b`. Its place on the path,
 //!
 //! ```text
 //! s = r_b1 ξ_1 − T r_b1/(r_b1 + r_b2),
 //! ```
 //!
-//! counts from the pitch point towards the pinion's end of the tangent of length `T`. It changes by `∓ tan β_b` per mm:
-//! a straight line.
+//! counts from the pitch point towards the pinion's end of the tangent of length `T`. It changes by `∓ tan β_b` per mm: a straight line.
 
 use super::stretches::stretches;
 use super::tangent::{PathLimit, Tangent};
@@ -23,8 +20,7 @@ use crate::pair::{GearPair, Member, Pose};
 
 /// Number of sections besides the ends of contact lines (tuned: a few pixels of a chart each).
 const SPACES: u32 = 160;
-/// Gap below which an involute also touches, mm, beyond the errors of both contacts: rolls and rotations are sums of
-/// several angles.
+/// Gap below which an involute also touches, mm, beyond the errors of both contacts: rolls and rotations are sums of several angles.
 const ROUNDING: f64 = 1e-10;
 
 /// The field of action at a pose, with the free gear held on each side in turn.
@@ -98,8 +94,7 @@ pub struct BindingContact {
 pub struct FieldSection {
     /// Place along the face, mm.
     pub at: f64,
-    /// Further turn of the free gear, along the line of action, with this section alone, mm; `None` without contact in
-    /// it.
+    /// Further turn of the free gear, along the line of action, with this section alone, mm; `None` without contact in it.
     pub gap: Option<f64>,
     /// Kind of the contact that would hold it.
     pub kind: Option<ContactKind>,
@@ -211,8 +206,7 @@ impl<'a> Held<'a> {
         free.gear().base_radius()
     }
 
-    /// Distance along the line of action, mm, of the free gear from a contact that is `turn`, rad, past its present
-    /// one.
+    /// Distance along the line of action, mm, of the free gear from a contact that is `turn`, rad, past its present one.
     fn gap(&self, turn: f64) -> f64 {
         self.side.sense() * wrap_angle(turn) * self.radius()
     }
@@ -298,8 +292,7 @@ fn by_member<T>(assembly: &GearPair, locked: T, free: T) -> (T, T) {
     }
 }
 
-/// The line through `place` at `at` with this slope, clipped to face and path; `None` if it only grazes them by
-/// rounding.
+/// The line through `place` at `at` with this slope, clipped to face and path; `None` if it only grazes them by rounding.
 fn clipped(
     at: f64,
     place: f64,

@@ -109,9 +109,8 @@ pub fn with_revolution_pose_count(study: &Study) -> u64 {
     own + revolution_pose_count(study)
 }
 
-/// `study` with a sweep over whole revolutions: its own, or one wheel revolution from wheel tooth 1, in the assembly
-/// phase of its first mating, at 16 steps per pitch. Unlike a study of measured rows it can be moved to other centre
-/// distances ([`Study::at`]).
+/// `study` with a sweep over whole revolutions: its own, or one wheel revolution from wheel tooth 1, in the assembly phase of its first
+/// mating, at 16 steps per pitch. Unlike a study of measured rows it can be moved to other centre distances ([`Study::at`]).
 pub fn with_sweep(mut study: Study) -> Study {
     if !study.sweeps() {
         study.sweep = Some(SweepPlan::Revolution {

@@ -33,8 +33,7 @@ pub struct OverDistance {
     pub clearance: f64,
     /// Whether the bands have two ends: most and least material.
     pub two_materials: bool,
-    /// For a pair that does not assemble at a stated distance: the distance from which it does, mm. The curve reaches
-    /// it.
+    /// For a pair that does not assemble at a stated distance: the distance from which it does, mm. The curve reaches it.
     pub assembles_from: Option<f64>,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,

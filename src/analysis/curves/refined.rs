@@ -21,8 +21,7 @@ use crate::pair::{Mating, ToothNumbers};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// Bend that is not drawn, as a part of the range of all curves at its centre distance: a chart is about 300 units
-/// high.
+/// Bend that is not drawn, as a part of the range of all curves at its centre distance: a chart is about 300 units high.
 const FLAT: f64 = 1.0 / 300.0;
 /// The least range of a chart, mm: below it rounding would bend a curve.
 const LEAST_RANGE: f64 = 1e-3;

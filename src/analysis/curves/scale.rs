@@ -70,8 +70,7 @@ pub(super) fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iter
 
 /// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.
 ///
-/// Ascending teeth of the locked gear come into mesh. On its mate numbers ascend with them if the two faces point in
-/// opposite directions.
+/// Ascending teeth of the locked gear come into mesh. On its mate numbers ascend with them if the two faces point in opposite directions.
 fn wheel_sense(assembly: &impl ToothNumbers) -> f64 {
     let ascending = |member| assembly.shown_face(member).ascending();
     match assembly.locked() {

@@ -1,5 +1,4 @@
-//! The line of action of a pair in contact: the common tangent of the displaced base circles, and the limits of the
-//! path of contact.
+//! The line of action of a pair in contact: the common tangent of the displaced base circles, and the limits of the path of contact.
 
 use crate::contact::Contact;
 use crate::gear::{Placed, Side};

@@ -17,8 +17,7 @@ use std::ops::ControlFlow;
 /// Samples per pitch before the least distance is refined (tuned: a root land takes part in a twentieth of a pitch;
 /// elsewhere the distance grows steadily).
 const STEPS: u32 = 32;
-/// Accuracy of the rotation, pitches. The distance changes by up to a module per pitch at a land's end, so this gives
-/// 1e-9 of that.
+/// Accuracy of the rotation, pitches. The distance changes by up to a module per pitch at a land's end, so this gives 1e-9 of that.
 const PITCHES: f64 = 1e-9;
 
 /// The place where a tip is nearest to a root.

@@ -185,9 +185,8 @@ mod tests {
         }
     }
 
-    /// A full tip radius leaves root lands without length. Where teeth are thicker, they are the middle of the space
-    /// between their flanks. Half the difference in thickness of two neighbours, as an angle, moves them by half of
-    /// that off the middle of the pitch.
+    /// A full tip radius leaves root lands without length. Where teeth are thicker, they are the middle of the space between their flanks.
+    /// Half the difference in thickness of two neighbours, as an angle, moves them by half of that off the middle of the pitch.
     #[test]
     fn a_closed_root_land_is_its_middle() {
         let alpha = 20f64.to_radians();

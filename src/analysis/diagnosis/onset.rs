@@ -9,8 +9,7 @@ use crate::parallel;
 
 /// Width of the bracket, mm: a nanometre, far below any adjustment of a centre distance.
 const WIDTH: f64 = 1e-6;
-/// Range, in pitches, in which the rotation is refined about the last pose that touches: wider than the steps of a
-/// default sweep.
+/// Range, in pitches, in which the rotation is refined about the last pose that touches: wider than the steps of a default sweep.
 const BESIDE: f64 = 1.0 / 8.0;
 /// Refinements of the rotation, each eight times finer: the last steps are 1/32768 of a pitch.
 const REFINEMENTS: usize = 4;
@@ -42,9 +41,8 @@ pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
 
 /// Finds the onset over `matings`, then turns the gears from the pose that touches first.
 ///
-/// A pose with contact below an involute is assumed to have it at every lesser distance. So the bracket needs only the
-/// poses that touch at its lower end. `None` if no pose has such contact even at the least distance that the base
-/// circles allow.
+/// A pose with contact below an involute is assumed to have it at every lesser distance. So the bracket needs only the poses that touch at
+/// its lower end. `None` if no pose has such contact even at the least distance that the base circles allow.
 ///
 /// # Errors
 /// A lost contact.

@@ -281,8 +281,7 @@ mod tests {
         }
     }
 
-    /// The edge that undercut leaves is below the involute of its own gear, not of the mate. A flank without undercut
-    /// has none.
+    /// The edge that undercut leaves is below the involute of its own gear, not of the mate. A flank without undercut has none.
     #[test]
     fn an_edge_is_below_the_involute_of_its_own_gear() {
         use ProfilePart::Involute;

@@ -40,9 +40,8 @@ pub struct ZeroDistance {
     pub teeth: [(u32, u32); 2],
 }
 
-/// Finds `a_0` of the gears of `assembly`. It searches `matings` first, then turns the gears from the lowest of them
-/// until the play rises, and repeats at the distance without play. A minimum between two matings that neither shows is
-/// missed.
+/// Finds `a_0` of the gears of `assembly`. It searches `matings` first, then turns the gears from the lowest of them until the play rises,
+/// and repeats at the distance without play. A minimum between two matings that neither shows is missed.
 ///
 /// Play rises with the centre distance, so the root is bracketed. `None` without matings, or without a root between
 /// touching base circles and tips that pass each other.
@@ -68,8 +67,7 @@ pub fn zero_distance(
         return Ok(None);
     };
     let (mut last, mut worst) = (bracket, matings[first]);
-    // Continues with a pose whose root is at a greater distance. Returns whether it is greater by more than a bracket's
-    // width.
+    // Continues with a pose whose root is at a greater distance. Returns whether it is greater by more than a bracket's width.
     let go_on = |last: &mut [f64; 2], worst: &mut Mating, one: Mating| -> Result<_, Error> {
         let next = root(assembly, last[0], |distance| least_of(&[one], distance))?;
         Ok(next.map(|next| {
@@ -339,9 +337,8 @@ mod tests {
         GearPair::new(wheel, pinion, 40.5).unwrap()
     }
 
-    /// Straight play, play with a bend at or beside its root, and play that jams below it, from near and far. The
-    /// bracket contains the sign change and has the requested width after few evaluations: two secants for straight
-    /// play, at most two per halving for any.
+    /// Straight play, play with a bend at or beside its root, and play that jams below it, from near and far. The bracket contains the sign
+    /// change and has the requested width after few evaluations: two secants for straight play, at most two per halving for any.
     #[test]
     fn a_sign_change_is_bracketed_in_few_evaluations() {
         let pair = pair([0.0; 2]);

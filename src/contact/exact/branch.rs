@@ -7,8 +7,7 @@ use super::shape::C;
 use crate::contact::gap::{Arc, Origin, greatest};
 use crate::gear::{ProfilePart, smooth};
 
-/// The greatest gap of two half teeth over `curves`, if it exceeds `floor`. The nodes used are subtracted from
-/// `nodes_left`.
+/// The greatest gap of two half teeth over `curves`, if it exceeds `floor`. The nodes used are subtracted from `nodes_left`.
 pub(super) fn search(
     locked: &Placed,
     free: &Placed,
@@ -58,9 +57,8 @@ fn stretches<'a>(
     smooth(on.curve.edges(), low, high).map(arc)
 }
 
-/// One whole curve of the free gear, if it has any length. About its own centre a land has one radius, on which only
-/// its clockwise end can touch. That is the corner of a tip land (which also ends the involute), or the middle of the
-/// space for a root land.
+/// One whole curve of the free gear, if it has any length. About its own centre a land has one radius, on which only its clockwise end can
+/// touch. That is the corner of a tip land (which also ends the involute), or the middle of the space for a root land.
 fn free_range(free: &Placed, curve: ProfilePart) -> Option<(f64, f64)> {
     if !free.has(curve) {
         return None;

@@ -80,8 +80,7 @@ fn outer_end(half: &Placed) -> (f64, f64) {
     (roll, point.norm_sqr().sqrt())
 }
 
-/// `X = Q × n` of the involute at the tip corner, with `Q` from the free axis. It is at most 0 where a locked involute
-/// turns back.
+/// `X = Q × n` of the involute at the tip corner, with `Q` from the free axis. It is at most 0 where a locked involute turns back.
 pub(super) fn tip_arm(half: &Placed) -> f64 {
     let shape = half.shape;
     let corner = half.centre * half.direction.conj() + shape.corners()[0].1;

@@ -1,16 +1,14 @@
 //! The place along the face where an edge touches its mate's fillet tightest in a helical pair.
 //!
-//! Along the axis the teeth roll on circles about both centres of a section. The common point `P` of the circles, the
-//! pitch point, is fixed. The gap between an edge and a smooth curve is stationary where the normal of the curve passes
-//! through `P`. On a fillet the normal at `γ` passes through a point of the generating pitch circle, `r sin γ` from the
-//! gear's centre. Through `P`, at `r_w` from the centre, it is at `ω = asin(r sin γ/r_w)` from the line of centres. The
-//! fillet's point is `r cos γ − L − r_w cos ω` from `P` along it. The edge must be at its radius about its own centre
-//! there. That is one equation for `γ`, common to all teeth.
+//! Along the axis the teeth roll on circles about both centres of a section. The common point `P` of the circles, the pitch point, is
+//! fixed. The gap between an edge and a smooth curve is stationary where the normal of the curve passes through `P`. On a fillet the normal
+//! at `γ` passes through a point of the generating pitch circle, `r sin γ` from the gear's centre. Through `P`, at `r_w` from the centre,
+//! it is at `ω = asin(r sin γ/r_w)` from the line of centres. The fillet's point is `r cos γ − L − r_w cos ω` from `P` along it. The edge
+//! must be at its radius about its own centre there. That is one equation for `γ`, common to all teeth.
 
 use super::shape::{C, HalfToothShape};
 
-/// Stretches of a fillet in which a change of sign is searched. The equation has at most one root, except for
-/// overhanging fillets.
+/// Stretches of a fillet in which a change of sign is searched. The equation has at most one root, except for overhanging fillets.
 const STRETCHES: u32 = 24;
 
 /// Bisections of a root, down to the last bit.

@@ -1,12 +1,11 @@
 //! A cheap test whether a point is clear of a half tooth.
 //!
-//! `f(x)` is the half thickness of the tooth over its centre line; beyond the tip corner it stays at the corner's
-//! value. One straight line in each of a few cells of `x` bounds it from above. A point below all these lines has not
-//! touched yet, so its gap is less than the rotation of the test. It cannot have come through the metal. A point that
-//! turns in crosses the flank only inwards, because its polar radius is monotone there ([`super::search_free_proof`]).
-//! Past the corner it approaches the centre line while the axis is further out along the tooth than the point (for the
-//! gear that turns, further in). The land itself is no useful border: a point that entered through the flank may leave
-//! through the land and be beside `f(x)` again.
+//! `f(x)` is the half thickness of the tooth over its centre line; beyond the tip corner it stays at the corner's value. One straight line
+//! in each of a few cells of `x` bounds it from above. A point below all these lines has not touched yet, so its gap is less than the
+//! rotation of the test. It cannot have come through the metal. A point that turns in crosses the flank only inwards, because its polar
+//! radius is monotone there ([`super::search_free_proof`]). Past the corner it approaches the centre line while the axis is further out
+//! along the tooth than the point (for the gear that turns, further in). The land itself is no useful border: a point that entered through
+//! the flank may leave through the land and be beside `f(x)` again.
 
 use super::shape::C;
 use crate::gear::{Gear, HalfTooth, Profile, ProfilePart, Segment, Side};

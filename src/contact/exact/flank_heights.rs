@@ -13,8 +13,7 @@ const FEWEST: f64 = 24.0;
 pub(super) struct FlankHeights {
     low: f64,
     per_stretch: f64,
-    /// A binary tree of greatest deviations, mm. Entry `k` covers the range of `2k` and `2k + 1`; the stretches start
-    /// at [`STRETCHES`].
+    /// A binary tree of greatest deviations, mm. Entry `k` covers the range of `2k` and `2k + 1`; the stretches start at [`STRETCHES`].
     most: Vec<f64>,
     least: f64,
     fine: f64,

@@ -1,5 +1,4 @@
-//! Flanks that are not convex, in pieces between the knots and turning points of their deviation: each piece curves to
-//! one side.
+//! Flanks that are not convex, in pieces between the knots and turning points of their deviation: each piece curves to one side.
 
 use crate::contact::gap::{Boxes, Rectangle};
 use crate::gear::{Part, PartCurve, smooth};

@@ -1,9 +1,8 @@
 //! One side of a pair: which half teeth face each other, and their positions at a pose.
 //!
-//! The origin of the frame is on the free gear's axis, and the locked gear's axis is at `(a, 0)`. If the pinion is
-//! free, the picture is turned by half a turn. The left side is mirrored in the line of centres. So there is only one
-//! problem: right-hand halves on both gears, with contact where the free gear can turn no further clockwise, at the
-//! *greatest* gap.
+//! The origin of the frame is on the free gear's axis, and the locked gear's axis is at `(a, 0)`. If the pinion is free, the picture is
+//! turned by half a turn. The left side is mirrored in the line of centres. So there is only one problem: right-hand halves on both gears,
+//! with contact where the free gear can turn no further clockwise, at the *greatest* gap.
 //!
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of centres. The free tooth that
 //! faces it is as many steps clockwise of its own.
@@ -41,8 +40,7 @@ pub(in crate::contact) struct FlankProblem {
     pub per_locked_base: f64,
     /// Pitches of the locked gear per radian.
     pub per_pitch: f64,
-    /// `κ = (r_bL/r_bF) τ_L − τ_F`: additional room on the line of action of a pair one step on, rad. It is 0 for equal
-    /// base pitches.
+    /// `κ = (r_bL/r_bF) τ_L − τ_F`: additional room on the line of action of a pair one step on, rad. It is 0 for equal base pitches.
     pub per_step: f64,
     /// Tie tolerance, rad.
     pub tie: f64,
@@ -120,8 +118,7 @@ impl FlankProblem {
             Side::Right => (1.0, turned),
             Side::Left => (-1.0, turned.conj()),
         };
-        // Whole turns matter: each turn a free gear with another number of teeth faces it with another tooth. The raw
-        // rotation counts them.
+        // Whole turns matter: each turn a free gear with another number of teeth faces it with another tooth. The raw rotation counts them.
         let pitches = mirror * pose.locked_rotation() * self.per_pitch;
         let steps = -nearest(pitches + self.locked.pitches_to(teeth.0));
         let locked_place = self.locked.place(teeth.0, steps);
@@ -163,8 +160,7 @@ impl FlankProblem {
         }
     }
 
-    /// Bound on the rounding of a gap, rad, with its contact at `radius` from the free axis and curves of the slope
-    /// `σ`.
+    /// Bound on the rounding of a gap, rad, with its contact at `radius` from the free axis and curves of the slope `σ`.
     pub fn rounding(&self, radius: f64, slope: f64) -> f64 {
         self.rounding_at(self.distance, radius, slope)
     }
@@ -243,8 +239,7 @@ impl<'a> PosedFlanks<'a> {
             return 0..0;
         };
         let per_pitch = self.problem.per_pitch;
-        // At most one revolution: a pair met twice would touch a turn later. The cast rounds towards zero: at worst one
-        // tooth too many.
+        // At most one revolution: a pair met twice would touch a turn later. The cast rounds towards zero: at worst one tooth too many.
         let count = self.problem.locked.count();
         let first = ((low - self.ahead) * per_pitch) as i64;
         let last = ((high - self.ahead) * per_pitch) as i64;
@@ -323,8 +318,7 @@ impl<'a> PosedFlanks<'a> {
         [reduced(PI + ahead), reduced(free)]
     }
 
-    /// The origin of a step's gaps: the direction of its free tooth, and the gap in pitches at which that faces the
-    /// mate.
+    /// The origin of a step's gaps: the direction of its free tooth, and the gap in pitches at which that faces the mate.
     #[inline]
     pub fn origin_of(&self, step: i64) -> Origin {
         Origin {

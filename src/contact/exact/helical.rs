@@ -1,8 +1,7 @@
 //! Helical gears: the contact over the common face from that of a few transverse sections.
 //!
-//! Rotation keeps points in their section, so the first section to touch stops the free gear: `φ_R = max_b φ_R(b)`,
-//! `φ_L = min_b φ_L(b)`. A section is a spur pair ([`Section`]) with its teeth turned by their twist `τ(b)`. The
-//! contact of two involutes
+//! Rotation keeps points in their section, so the first section to touch stops the free gear: `φ_R = max_b φ_R(b)`, `φ_L = min_b φ_L(b)`. A
+//! section is a spur pair ([`Section`]) with its teeth turned by their twist `τ(b)`. The contact of two involutes
 //!
 //! ```text
 //! r_bF φ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF        (see `line`)
@@ -13,16 +12,14 @@
 //! pitches, such as gears at different temperatures. Each follows its own lead, but both have one `β_b`, because
 //! uniform expansion keeps angles. Then each pair of teeth has its own rotation, and wider faces have more pairs.
 //!
-//! Only the rolls depend on `b`. A pair has line contact over one stretch of the face, as long as its path of contact
-//! over `tan β_b`. Outside it an end of an involute touches and the gap falls. A normal of the mate's involute passes
-//! through the pitch point only on the line of action. So off that line the slope of the gap keeps its sign to the end
-//! of the face. Therefore sections spaced by at most the shortest such stretch, with both ends of the face, hold the
-//! tightest of all pairs of involutes exactly.
+//! Only the rolls depend on `b`. A pair has line contact over one stretch of the face, as long as its path of contact over `tan β_b`.
+//! Outside it an end of an involute touches and the gap falls. A normal of the mate's involute passes through the pitch point only on the
+//! line of action. So off that line the slope of the gap keeps its sign to the end of the face. Therefore sections spaced by at most the
+//! shortest such stretch, with both ends of the face, hold the tightest of all pairs of involutes exactly.
 //!
-//! One section is [`GearPair::section`](crate::pair::GearPair::section) and
-//! [`Pose::in_section`](crate::pair::Pose::in_section); `over_face` takes the tightest of them. Polygons and
-//! certificate treat one section at a time (`by_sections`). If an edge can reach a fillet, or paths of contact are very
-//! short, further sections are needed ([`edges`]).
+//! One section is [`GearPair::section`](crate::pair::GearPair::section) and [`Pose::in_section`](crate::pair::Pose::in_section);
+//! `over_face` takes the tightest of them. Polygons and certificate treat one section at a time (`by_sections`). If an edge can reach a
+//! fillet, or paths of contact are very short, further sections are needed ([`edges`]).
 
 mod edges;
 mod facing;
@@ -48,8 +45,7 @@ use turning::FreeGear;
 /// more sections). A pair with a shorter path of contact can have its stretch between two sections; [`edges`] finds it.
 const SHORTEST: f64 = 0.125;
 
-/// Nodes of a pose after which a section looks only for tighter contacts than known (tuned: ordinary pairs use a
-/// tenth).
+/// Nodes of a pose after which a section looks only for tighter contacts than known (tuned: ordinary pairs use a tenth).
 const NODES_BEFORE_FLOOR: u64 = 20_000;
 
 /// Greatest number of rounds over the places of [`edges`]. Each round squares the remaining error.
@@ -180,8 +176,7 @@ struct ExaminedSections<'a, M> {
 }
 
 impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
-    /// Examines the section at `b`, mm, unless the gears are jammed. `doubt`, rad, is added to the contact errors
-    /// there.
+    /// Examines the section at `b`, mm, unless the gears are jammed. `doubt`, rad, is added to the contact errors there.
     fn section(&mut self, b: f64, section: &Section, doubt: f64) -> Result<(), Error> {
         if self.over.is_solid() {
             return Ok(());
@@ -226,8 +221,7 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSectio
             if last.is_some_and(is_settled) {
                 break;
             }
-            // If nothing touches in any section so far, a touch between them is possible at any rotation of the free
-            // gear.
+            // If nothing touches in any section so far, a touch between them is possible at any rotation of the free gear.
             let stands = FreeGear {
                 rotation: -side.sense() * (pose.free_rotation() + beyond.unwrap_or(0.0)),
                 is_held: beyond.is_some(),
@@ -255,9 +249,8 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSectio
     }
 }
 
-/// Greatest difference between the places of all flanks, rad of the free gear. `path` is the least path of contact in
-/// any section, mm. `None` unless some pair is always on the line of action: flanks follow each other within a pitch
-/// plus their offset.
+/// Greatest difference between the places of all flanks, rad of the free gear. `path` is the least path of contact in any section, mm.
+/// `None` unless some pair is always on the line of action: flanks follow each other within a pitch plus their offset.
 fn spread_on_line(plane: &Section, path: f64, base_pitch: f64) -> Option<f64> {
     let sides = [&plane.right, &plane.left];
     let range = |teeth: &Teeth| teeth.extremes.1 - teeth.extremes.0;
@@ -283,9 +276,8 @@ fn shortest_stretch(assembly: &GearPair) -> f64 {
 
 /// Least length of the path of contact at any rotation, mm.
 ///
-/// The path runs between both tips, or from the start of an involute if that is nearer. It is a minimum of functions
-/// linear in the base tangent `T`, so it is concave. Its least value is at the least or greatest distance of the
-/// displaced centres.
+/// The path runs between both tips, or from the start of an involute if that is nearer. It is a minimum of functions linear in the base
+/// tangent `T`, so it is concave. Its least value is at the least or greatest distance of the displaced centres.
 fn shortest_path(assembly: &GearPair) -> f64 {
     let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let [one, other] = gears.map(|gear| {

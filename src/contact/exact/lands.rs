@@ -1,5 +1,4 @@
-//! Land on land in closed form: two arcs, one of which turns about an axis off its centre. A tip on a tip, or on a
-//! root.
+//! Land on land in closed form: two arcs, one of which turns about an axis off its centre. A tip on a tip, or on a root.
 //!
 //! Along both lands the gap is greatest where an arc ends (the end of one land on the other), or where the circles
 //! touch. `C` is the centre of the locked arc, `E` that of the free one at rotation 0, and `S` the sum of their radii.

@@ -9,9 +9,8 @@
 //! r_bF μ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF.
 //! ```
 //!
-//! One step changes `λ` by `τ_L` and `μ` by `−τ_F`. If base pitches are equal, `r_bL τ_L = r_bF τ_F`. Then all pairs
-//! share this equation up to `w = r_bL δ_L + r_bF δ_F`, where `δ` are the offsets of their flanks, and the pair of
-//! least `w` is the tightest.
+//! One step changes `λ` by `τ_L` and `μ` by `−τ_F`. If base pitches are equal, `r_bL τ_L = r_bF τ_F`. Then all pairs share this equation up
+//! to `w = r_bL δ_L + r_bF δ_F`, where `δ` are the offsets of their flanks, and the pair of least `w` is the tightest.
 //!
 //! With an eccentric free gear `B` depends on the gap `μ`. The right-hand side `G(μ)` has the slope `(−T B·B' + Σ
 //! B×B')/(|B|² r_bF)`. Its amount is at most `e_F/r_bF < 1`, so Newton's method converges from anywhere.

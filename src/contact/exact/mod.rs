@@ -5,16 +5,14 @@
 //! side is that of its tightest pair. Nothing is approximated. The remaining uncertainty is rounding, and the bracket
 //! of a branch and bound where one is needed; [`Contact::error`] contains both.
 //!
-//! A half tooth starts at the far corner of the tip land, where the other flank begins. It follows the land and the
-//! flank down to the middle of the space, each flank turned as measured. Right halves face right halves, left halves
-//! left. Tips that barely reach each other meet on the far half of a land: only the crossing of the tip circles is left
-//! of the mesh. Gears of three or four teeth can touch beside a tip land, on the locked tooth's far flank
-//! (`far_flanks`).
+//! A half tooth starts at the far corner of the tip land, where the other flank begins. It follows the land and the flank down to the
+//! middle of the space, each flank turned as measured. Right halves face right halves, left halves left. Tips that barely reach each other
+//! meet on the far half of a land: only the crossing of the tip circles is left of the mesh. Gears of three or four teeth can touch beside
+//! a tip land, on the locked tooth's far flank (`far_flanks`).
 //!
-//! Several pairs can touch together: within 1e-9 mm at the free gear's base circle, as all pairs of perfect gears do.
-//! The reported contact is the one nearest the operating pitch point. If two are equally near (within 1e-6 mm), it is
-//! in right-flank contact the one clockwise on the locked gear, and in left-flank contact its mirror image. The
-//! rotation is that of the tightest pair.
+//! Several pairs can touch together: within 1e-9 mm at the free gear's base circle, as all pairs of perfect gears do. The reported contact
+//! is the one nearest the operating pitch point. If two are equally near (within 1e-6 mm), it is in right-flank contact the one clockwise
+//! on the locked gear, and in left-flank contact its mirror image. The rotation is that of the tightest pair.
 //!
 //! `right.rotation` lies in (−π, π], `left.rotation` continues from it.
 
@@ -99,8 +97,7 @@ impl ExactKernel {
     /// The result depends on the pose alone, to the last bit.
     ///
     /// # Errors
-    /// [`Error::ContactLost`] if a pair of flanks cannot be resolved within the effort of a pose. No pair is ever
-    /// omitted.
+    /// [`Error::ContactLost`] if a pair of flanks cannot be resolved within the effort of a pose. No pair is ever omitted.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
         Ok(self.found_within(pose, &Effort::of_pose())?.lost_motion)
     }
@@ -157,9 +154,8 @@ impl ExactKernel {
         (found, effort.used())
     }
 
-    /// The lost motion by branch and bound over all pairs and curves, without special cases. It checks
-    /// [`ExactKernel::lost_motion`] and is a thousand times slower. It may fail on lands that touch between their
-    /// corners.
+    /// The lost motion by branch and bound over all pairs and curves, without special cases. It checks [`ExactKernel::lost_motion`] and is
+    /// a thousand times slower. It may fail on lands that touch between their corners.
     ///
     /// # Errors
     /// As [`ExactKernel::lost_motion`].
@@ -188,15 +184,13 @@ impl ExactKernel {
         self.helical.as_ref().map(|helical| helical.sections())
     }
 
-    /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; for spur gears the
-    /// measuring plane.
+    /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; for spur gears the measuring plane.
     pub fn sections(&self) -> Vec<f64> {
         let helical = self.helical.as_ref();
         helical.map_or(vec![0.0], |helical| helical.places().collect())
     }
 
-    /// Whether the contacts need no search: all are on the line of action, at corners, or where a tip land touches an
-    /// involute.
+    /// Whether the contacts need no search: all are on the line of action, at corners, or where a tip land touches an involute.
     pub fn is_direct(&self) -> bool {
         self.section.is_direct()
     }

@@ -1,9 +1,8 @@
 //! The quick method for flanks whose profiles deviate.
 //!
-//! [`super::search_free_proof`] holds for any convex flanks with given normals and curvatures: their gap is greatest at
-//! a common normal or at a tip corner. Every half tooth lies within that of an *outer* gear. An outer gear has no
-//! profile deviations, but each flank is turned out by its greatest deviation. At any radius the gap of two half teeth
-//! is at most that of the outer ones. So:
+//! [`super::search_free_proof`] holds for any convex flanks with given normals and curvatures: their gap is greatest at a common normal or
+//! at a tip corner. Every half tooth lies within that of an *outer* gear. An outer gear has no profile deviations, but each flank is turned
+//! out by its greatest deviation. At any radius the gap of two half teeth is at most that of the outer ones. So:
 //!
 //! 1. The method takes pairs in the order of their outer gaps on the line of action, until the outer gap is below a gap
 //!    already found.
@@ -73,8 +72,7 @@ impl OuterGears {
     /// The outer gears of `assembly`; `None` if their flanks need a search themselves.
     pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
         let gears = Member::BOTH.map(|member| assembly.gear(member));
-        // Straight flanks have no outer gear, and without deviations none is needed. The corner of an undercut joint is
-        // not covered here.
+        // Straight flanks have no outer gear, and without deviations none is needed. The corner of an undercut joint is not covered here.
         let undercut = gears.iter().any(|gear| gear.gear().is_undercut());
         if undercut || gears.iter().all(|gear| !gear.is_modified()) {
             return None;
@@ -278,8 +276,7 @@ impl OuterGears {
         Some(())
     }
 
-    /// The contact of a tip corner with the mate's flank or fillet. `Some(None)` on the flank of a `settled` step;
-    /// `None` if it stays open.
+    /// The contact of a tip corner with the mate's flank or fillet. `Some(None)` on the flank of a `settled` step; `None` if it stays open.
     fn on_tip(
         &self,
         posed: &PosedFlanks,

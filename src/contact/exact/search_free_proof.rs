@@ -157,8 +157,7 @@ impl Setting<'_> {
             let within = lens_half(locked.tip_radius, free.form_radius() + self.free_off, near);
             open.add_unless(within.is_none_or(|b| steepest < self.land(b)), Tip, Fillet);
         }
-        // The free land: X is D sin b on the locked land, where b is the angle at which it crosses the nearest free tip
-        // circle.
+        // The free land: X is D sin b on the locked land, where b is the angle at which it crosses the nearest free tip circle.
         if self.free_off == 0.0 {
             return;
         }
@@ -184,8 +183,7 @@ impl Setting<'_> {
         slope_at(self.free.tip_roll.atan() + self.shift()) < self.land(half)
     }
 
-    /// `σ` of the locked land at the angle `b` from the line of centres: `(D cos b − r_a)/(D sin b)`, which falls with
-    /// `b`.
+    /// `σ` of the locked land at the angle `b` from the line of centres: `(D cos b − r_a)/(D sin b)`, which falls with `b`.
     fn land(&self, b: f64) -> f64 {
         let near = self.near();
         (near * b.cos() - self.locked.tip_radius) / (near * b.sin())

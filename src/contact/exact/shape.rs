@@ -185,8 +185,7 @@ impl HalfToothShape {
         self.part(part).curve.radius(t)
     }
 
-    /// Whether this point has no single normal: the tip corner or an undercut joint. The ends of lands belong to the
-    /// placed tooth.
+    /// Whether this point has no single normal: the tip corner or an undercut joint. The ends of lands belong to the placed tooth.
     pub fn is_corner(&self, (part, t): (ProfilePart, f64)) -> bool {
         self.part(part).is_corner(t)
     }
@@ -197,9 +196,8 @@ mod tests {
     use super::*;
     use crate::gear::{BasicGearData, BasicRack, Gear, GearDesign, Hand};
 
-    /// Source: the angle between fillet and radius at every thousandth. Gears of few teeth whose tool's tip radius has
-    /// its centre outside the pitch line, ordinary and undercut ones; spur and helical gears, where 64 stretches bound
-    /// the angle.
+    /// Source: the angle between fillet and radius at every thousandth. Gears of few teeth whose tool's tip radius has its centre outside
+    /// the pitch line, ordinary and undercut ones; spur and helical gears, where 64 stretches bound the angle.
     #[test]
     fn no_fillet_is_steeper_than_the_steepest() {
         for (teeth, alpha_deg, helix_deg, shift, round) in [

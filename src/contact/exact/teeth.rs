@@ -225,8 +225,7 @@ pub(in crate::contact) fn reduced(angle: f64) -> f64 {
     ((angle - turns * PARTS[0]) - turns * PARTS[1]) - turns * PARTS[2]
 }
 
-/// The whole number nearest to `value`, which is far from 2^63. `f64::round` would call the C library on the baseline
-/// processor.
+/// The whole number nearest to `value`, which is far from 2^63. `f64::round` would call the C library on the baseline processor.
 pub(super) fn nearest(value: f64) -> i64 {
     (value + 0.5f64.copysign(value)) as i64
 }

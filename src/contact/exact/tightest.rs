@@ -75,9 +75,8 @@ impl TightestContacts {
             .filter(move |(_, candidate)| candidate.gap >= level)
     }
 
-    /// The reported contact of those that tie with the greatest gap. It is nearest to the operating pitch point; of
-    /// equally near ones, first counter-clockwise on the locked gear as in [`super::flank_problem`]. A pair counts with
-    /// its greatest candidate.
+    /// The reported contact of those that tie with the greatest gap. It is nearest to the operating pitch point; of equally near ones,
+    /// first counter-clockwise on the locked gear as in [`super::flank_problem`]. A pair counts with its greatest candidate.
     pub fn choose(&self) -> Option<Touching> {
         let away =
             |candidate: &CandidateContact| (candidate.point - self.pitch_point).norm_sqr().sqrt();

@@ -1,5 +1,4 @@
-//! Rectangles around pieces of a path and around runs of pieces. They rule out most pairs of pieces before any curve is
-//! evaluated.
+//! Rectangles around pieces of a path and around runs of pieces. They rule out most pairs of pieces before any curve is evaluated.
 //!
 //! A rectangle is parallel to the chord of its content, so its width is of second order in its length. A locked
 //! rectangle is *behind* a free one at a gap if a straight line divides them with the free one counter-clockwise. Both
@@ -126,8 +125,7 @@ impl Rectangle {
         16.0 * square <= self.middle.norm_sqr()
     }
 
-    /// Whether any two points of both, the free one turned by `turned`, are within 120° of each other, seen from the
-    /// origin.
+    /// Whether any two points of both, the free one turned by `turned`, are within 120° of each other, seen from the origin.
     #[inline]
     pub fn is_near(&self, free: &Rectangle, turned: C) -> bool {
         let seen = self.along.conj() * turned * free.along * free.middle;
@@ -138,8 +136,7 @@ impl Rectangle {
     /// the better dividing line along one of them. A value of at most 0 proves that this rectangle is behind.
     #[inline]
     pub fn beyond(&self, free: &Rectangle, turned: C, room: f64) -> f64 {
-        // Along the axes of the locked one; the normal that points counter-clockwise is the second axis or its
-        // opposite.
+        // Along the axes of the locked one; the normal that points counter-clockwise is the second axis or its opposite.
         let along = self.along.conj() * turned * free.along;
         let sign = 1f64.copysign(self.middle.re);
         let seen = along * free.middle;

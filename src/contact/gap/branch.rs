@@ -26,8 +26,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Both sides share the budget of the pose ([`crate::contact::Effort`]).
 pub(in crate::contact) const MOST_NODES: usize = 150_000;
 
-/// Newton steps for a point at a radius that count as one node. Half a dozen are usual, a few dozen where a fillet ends
-/// level.
+/// Newton steps for a point at a radius that count as one node. Half a dozen are usual, a few dozen where a fillet ends level.
 const STEPS_A_NODE: usize = 5;
 
 /// Angle, rad, below which an arc counts as a point: a few units in the last place of a parameter of order 1. (Arcs
@@ -104,8 +103,7 @@ impl<'a> Arc<'a> {
                 }
             });
         } else {
-            // It leaves its chord by at most `(A + B Δ) Δ²/8`. Where it runs round the axis, its radii vary no more
-            // than that.
+            // It leaves its chord by at most `(A + B Δ) Δ²/8`. Where it runs round the axis, its radii vary no more than that.
             let length = high - low;
             let (a, b) = placed.curve.bend(high);
             let off = (a + b * length) * length * length / 8.0;
@@ -197,9 +195,8 @@ impl<'a> Arc<'a> {
 /// Steps of [`summit`]: halvings alone end at the last bit of a radius.
 const SUMMIT_STEPS: u32 = 64;
 
-/// The radius between two at which a gap concave over `ln ρ` is greatest, and how much it can be greater elsewhere,
-/// rad. The bound is the tangent: slope times distance to the place where the slope has changed its sign. `steps`
-/// counts as in [`Arc::at_radius`].
+/// The radius between two at which a gap concave over `ln ρ` is greatest, and how much it can be greater elsewhere, rad. The bound is the
+/// tangent: slope times distance to the place where the slope has changed its sign. `steps` counts as in [`Arc::at_radius`].
 fn summit(
     locked: &Arc,
     free: &Arc,
@@ -337,8 +334,7 @@ pub(in crate::contact) fn greatest<'a>(
             let both_straight =
                 |a: Option<(f64, f64)>| a.map(|(l, m)| (l.abs(), m.abs())) == straight;
             if both_straight(locked.bend) && both_straight(free.bend) {
-                // `sin ψ = d/ρ` with the line's distance `d` from the axis: the sign of the difference of slopes is
-                // constant.
+                // `sin ψ = d/ρ` with the line's distance `d` from the axis: the sign of the difference of slopes is constant.
                 meet(inner, 0.0);
                 meet(outer, 0.0);
                 continue;

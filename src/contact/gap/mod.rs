@@ -1,5 +1,4 @@
-//! The gap of two curves about the free gear's axis, for curves of any kind. The exact method and drawn outlines both
-//! search with it.
+//! The gap of two curves about the free gear's axis, for curves of any kind. The exact method and drawn outlines both search with it.
 
 mod boxes;
 mod branch;
@@ -61,10 +60,9 @@ pub(super) fn slope(sample: &CurvePoint) -> f64 {
     -z.re / z.im
 }
 
-/// The normal out of the locked metal at a contact, and the slope that converts a shift of a curve to a change of the
-/// gap. At a corner the other curve gives both; between two corners the normal is their direction of approach.
-/// `opposite` is the free curve's normal, turned to the contact and out of the locked metal. Between two smooth curves
-/// the steeper slope counts.
+/// The normal out of the locked metal at a contact, and the slope that converts a shift of a curve to a change of the gap. At a corner the
+/// other curve gives both; between two corners the normal is their direction of approach. `opposite` is the free curve's normal, turned to
+/// the contact and out of the locked metal. Between two smooth curves the steeper slope counts.
 #[inline]
 pub(super) fn common_normal(
     p: &CurvePoint,
@@ -91,8 +89,7 @@ pub(super) fn rounding(size: f64, radius: f64, slope: f64) -> f64 {
     f64::EPSILON * (16.0 * size / radius * (1.0 + slope.abs()) + 16.0)
 }
 
-/// A curve at its position in a pose: `centre + direction · P`, from the free gear's axis. `P` is mirrored in the x
-/// axis where `mirrored`.
+/// A curve at its position in a pose: `centre + direction · P`, from the free gear's axis. `P` is mirrored in the x axis where `mirrored`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PlacedCurve<'a> {
     pub curve: &'a PartCurve,
@@ -127,8 +124,7 @@ impl PlacedCurve<'_> {
         if self.mirrored { -speed } else { speed }
     }
 
-    /// The parameter between `inner` and `outer` at which the curve has the radius `rho`; `|P|` rises from one to the
-    /// other.
+    /// The parameter between `inner` and `outer` at which the curve has the radius `rho`; `|P|` rises from one to the other.
     ///
     /// Newton's method on `|P|² − ρ²` from `start`, halved when it leaves its bracket. It ends when the step or the
     /// residual is lost in rounding.

@@ -1,9 +1,7 @@
-//! The greatest gap of two paths of many pieces. Rectangles around runs rule out what cannot touch; the curves settle
-//! the rest.
+//! The greatest gap of two paths of many pieces. Rectangles around runs rule out what cannot touch; the curves settle the rest.
 //!
-//! Pairs of runs are taken depth first at the greatest gap so far, starting with the deepest penetration. After the
-//! first descent that gap is near the contact. A pair is dropped if its runs share no radius, or if the locked one is
-//! behind the free one.
+//! Pairs of runs are taken depth first at the greatest gap so far, starting with the deepest penetration. After the first descent that gap
+//! is near the contact. A pair is dropped if its runs share no radius, or if the locked one is behind the free one.
 
 use super::boxes::{Boxes, Inside, Rectangle};
 use super::{Arc, C, CurveContact, MOST_NODES, Origin, greatest, turn};
@@ -89,8 +87,7 @@ pub(in crate::contact) struct PathSearch<'a> {
 }
 
 impl<'a> PathSearch<'a> {
-    /// A search for gaps from `origin` above `floor`, starting near `guess` without a floor; `size` is the greatest
-    /// length, mm.
+    /// A search for gaps from `origin` above `floor`, starting near `guess` without a floor; `size` is the greatest length, mm.
     pub fn new(origin: Origin, size: f64, floor: f64, guess: f64) -> PathSearch<'a> {
         PathSearch {
             origin,

@@ -98,8 +98,7 @@ fn each_side_stops_where_its_tightest_section_does() {
     assert!(all.jam.is_none() && all.lost_motion.status() == Status::Clear);
 }
 
-/// In gears of few teeth the left contact can be more than half a turn from the nominal rotation. It keeps its distance
-/// from the right one.
+/// In gears of few teeth the left contact can be more than half a turn from the nominal rotation. It keeps its distance from the right one.
 #[test]
 fn the_left_side_counts_on_from_the_right_one() {
     let here = pose(0.3);
@@ -184,8 +183,7 @@ fn a_section_that_jams_is_reported_alone() {
     assert_eq!((all.jam, all.lost_motion), (Some(2.0), LostMotion::JAMMED));
 }
 
-/// An overlap within its own bound may be none. Further sections count, and the first of them is reported if none is
-/// certainly jammed.
+/// An overlap within its own bound may be none. Further sections count, and the first of them is reported if none is certainly jammed.
 #[test]
 fn an_overlap_within_its_bound_only_seems_to_jam() {
     let here = pose(0.3);
@@ -226,8 +224,7 @@ fn known_limits_hold_for_both_sides() {
     assert!(is_known(overlapping(), true, [0.1, 0.4]));
 }
 
-/// A section in which only contacts tighter than `known` were requested: its other contacts are on the far side of
-/// that.
+/// A section in which only contacts tighter than `known` were requested: its other contacts are on the far side of that.
 #[test]
 fn unrequested_contacts_may_overlap_with_found_ones() {
     let known = [0.0, 0.3];

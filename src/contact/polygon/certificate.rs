@@ -1,9 +1,8 @@
 //! The certificate: polygons confirm a rotation that another method found.
 //!
-//! At a slightly greater opening every pair of half teeth in reach must be clear. Chords prove that; they are cut finer
-//! only where they are within both chordal errors of each other. At a slightly smaller opening one pair must touch. The
-//! step on either side is the error bound of the result plus the resolution of the finest polygons. The certificate
-//! uses nothing of the method under test but its answer.
+//! At a slightly greater opening every pair of half teeth in reach must be clear. Chords prove that; they are cut finer only where they are
+//! within both chordal errors of each other. At a slightly smaller opening one pair must touch. The step on either side is the error bound
+//! of the result plus the resolution of the finest polygons. The certificate uses nothing of the method under test but its answer.
 
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::kernel::{PolygonKernel, finest_chord, steps_in_reach};
@@ -16,8 +15,7 @@ use crate::gear::Side;
 use crate::pair::Pose;
 use std::f64::consts::TAU;
 
-/// Limit of chord pairs examined on one side. In 9000 random poses the most was 202 and the mean 86, at about 0.1 µs
-/// each.
+/// Limit of chord pairs examined on one side. In 9000 random poses the most was 202 and the mean 86, at about 0.1 µs each.
 const EFFORT: u32 = 50_000;
 
 /// Chord pairs per unit of effort. Placing two half teeth at a pose takes another unit.
@@ -37,9 +35,8 @@ impl<'a> Certifier<'a> {
         Certifier { kernel }
     }
 
-    /// Confirms both contacts of `found` at `pose`, or fails. The rotations of a jammed pose have no meaning, because a
-    /// tooth can meet the body of a gear of few teeth several times. The pose also passes if the polygons find it
-    /// jammed.
+    /// Confirms both contacts of `found` at `pose`, or fails. The rotations of a jammed pose have no meaning, because a tooth can meet the
+    /// body of a gear of few teeth several times. The pose also passes if the polygons find it jammed.
     ///
     /// # Errors
     /// [`Error::CertificateFailed`] with the pose that reproduces it; [`Error::ContactLost`] from a search.

@@ -5,9 +5,8 @@
 //! place where it is nearest to another chord. All teeth of a gear and all poses share the chords down to a coarse
 //! error, which are cut once. Finer chords are made on demand and not stored.
 //!
-//! Tip and root lands are cut in advance only as far as all teeth share them. That is the near half of the tip land (or
-//! the land of a thinner tooth) and the root land of the narrowest space. The rest depends on the deviations of each
-//! tooth ([`Half`]).
+//! Tip and root lands are cut in advance only as far as all teeth share them. That is the near half of the tip land (or the land of a
+//! thinner tooth) and the root land of the narrowest space. The rest depends on the deviations of each tooth ([`Half`]).
 
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use nalgebra::{Isometry2, Point2};
@@ -66,8 +65,7 @@ impl Chord {
         ]
     }
 
-    /// The pieces between cuts at two parts of the parameter range, the middle piece first. Cuts outside the range are
-    /// ignored.
+    /// The pieces between cuts at two parts of the parameter range, the middle piece first. Cuts outside the range are ignored.
     fn cut_at(&self, profile: &Profile, side: Side, parts: [f64; 2]) -> Pieces {
         let [from, to] = self.parameters;
         let mut pieces = Pieces {
@@ -296,9 +294,8 @@ impl OwnLands {
 
 /// One half tooth: the shared chords, the rest of its tip land up to the far corner, and the rest of its root land.
 ///
-/// The tip land reaches its far corner, because the mate may touch only the far half where tips barely reach each other
-/// or press on a root. The far half is metal of the same tooth, and a mate that turns in meets the near half first
-/// wherever it can.
+/// The tip land reaches its far corner, because the mate may touch only the far half where tips barely reach each other or press on a root.
+/// The far half is metal of the same tooth, and a mate that turns in meets the near half first wherever it can.
 #[derive(Clone, Copy)]
 pub(super) struct Half<'a> {
     profile: Profile<'a>,

@@ -1,8 +1,7 @@
 //! One half tooth of the free gear against one of the locked gear, and the relative position of their chords.
 //!
-//! All coordinates are in the frame of the locked half tooth. The *opening* `u`, rad, is the turn of the free gear from
-//! its nominal rotation in the sense away from contact. The pair that touches at the greater opening is the tighter
-//! one.
+//! All coordinates are in the frame of the locked half tooth. The *opening* `u`, rad, is the turn of the free gear from its nominal
+//! rotation in the sense away from contact. The pair that touches at the greater opening is the tighter one.
 
 use super::chord::{Chord, CutGear, Half};
 use crate::contact::body::may_meet_far_flanks;
@@ -14,8 +13,7 @@ use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-/// Greatest error of a chord, as a part of its distance from the axis (the sine of an angle). A chord with more is
-/// halved.
+/// Greatest error of a chord, as a part of its distance from the axis (the sine of an angle). A chord with more is halved.
 const WIDE: f64 = 0.05;
 
 /// Limit of these halvings; each divides the error by four. Only a curve through the axis itself stays wide.
@@ -92,8 +90,7 @@ impl<'a> FlankProblem<'a> {
         steps.map(move |steps| FlankProblem::new(teeth, pose, side, steps))
     }
 
-    /// All pairs of half teeth of `steps` that can touch. They include far flanks of locked teeth where those can be
-    /// met.
+    /// All pairs of half teeth of `steps` that can touch. They include far flanks of locked teeth where those can be met.
     pub fn all(
         teeth: &CutTeeth<'a>,
         pose: &'a Pose,
@@ -161,8 +158,7 @@ impl<'a> FlankProblem<'a> {
         self.assembly.gear(self.assembly.free()).reach()
     }
 
-    /// Rounding of a distance, mm: a few dozen operations on coordinates up to the centre distance and on radii turned
-    /// by both rotations.
+    /// Rounding of a distance, mm: a few dozen operations on coordinates up to the centre distance and on radii turned by both rotations.
     pub fn rounding(&self) -> f64 {
         let turned = self.pose.locked_rotation().abs() + self.pose.free_rotation().abs();
         64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
@@ -212,8 +208,7 @@ impl<'a> FlankProblem<'a> {
         safe.max(plain).max(from_ours).max(from_theirs)
     }
 
-    /// How far the free gear can be turned before `free_chord` moves by `room` along `n`, whose direction is off by up
-    /// to `doubt`, rad.
+    /// How far the free gear can be turned before `free_chord` moves by `room` along `n`, whose direction is off by up to `doubt`, rad.
     ///
     /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
     /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`. `l` and `m` are the greatest such parts (not below 0) at the two ends, and so for all points between
@@ -248,8 +243,7 @@ impl<'a> FlankProblem<'a> {
 
     /// The openings above and below which the two chords share no direction from the free axis.
     pub fn shared_directions(&self, locked_chord: &Chord, free_chord: &Chord) -> (f64, f64) {
-        // Directions count from the direction to the mate, and within a half tooth from that of its disc: none jumps by
-        // a turn.
+        // Directions count from the direction to the mate, and within a half tooth from that of its disc: none jumps by a turn.
         let to_mate = self.locked_frame.rotation.inverse()
             * Vector2::new(
                 self.assembly.mate_direction(self.assembly.free()).cos(),
@@ -278,8 +272,7 @@ impl<'a> FlankProblem<'a> {
     /// The range of directions of a chord's curve, against the sense of closing. `frame` places its half tooth; `disc`
     /// is the middle of that half tooth from the axis and its direction.
     ///
-    /// The curve of a long chord can be so far off that its direction is unknown; those of its halves are known after a
-    /// few cuts.
+    /// The curve of a long chord can be so far off that its direction is unknown; those of its halves are known after a few cuts.
     fn spread(
         &self,
         half: &Half,

@@ -8,10 +8,9 @@
 //! |y(x) − chord(x)| ≤ K (x − x_0)(x_1 − x)/2,   K = κ (1 + 2 θ²)
 //! ```
 //!
-//! The gap of the chords less both remainders is a parabola. Two graphs do not meet if it stays above 0 on the `x` they
-//! share. The distance of two chords less their errors is a weaker bound: it ignores that curves meet their chords at
-//! the ends. The uncertainty of this bound falls with the third power of the length, that of the weaker one with the
-//! second.
+//! The gap of the chords less both remainders is a parabola. Two graphs do not meet if it stays above 0 on the `x` they share. The distance
+//! of two chords less their errors is a weaker bound: it ignores that curves meet their chords at the ends. The uncertainty of this bound
+//! falls with the third power of the length, that of the weaker one with the second.
 
 use nalgebra::{Point2, Vector2};
 
@@ -55,8 +54,7 @@ impl Graph {
 /// A lower bound of the distance of two stretches, and the place where the bound is least.
 #[derive(Clone, Copy)]
 pub(super) struct Gap {
-    /// Measured across the mean of the chords, mm; 0 or less proves nothing. The distance of the curves is at least
-    /// 0.75 of it.
+    /// Measured across the mean of the chords, mm; 0 or less proves nothing. The distance of the curves is at least 0.75 of it.
     pub width: f64,
     /// Place along the line.
     lowest: f64,

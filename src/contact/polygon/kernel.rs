@@ -65,8 +65,7 @@ impl<'a> PolygonKernel<'a> {
 
     /// The tightest contact of one side.
     ///
-    /// Pairs whose brackets overlap tie; pairs of perfect gears always do. The contact nearest the operating pitch
-    /// point is reported.
+    /// Pairs whose brackets overlap tie; pairs of perfect gears always do. The contact nearest the operating pitch point is reported.
     pub(super) fn side(
         &self,
         pose: &Pose,
@@ -108,8 +107,7 @@ impl<'a> PolygonKernel<'a> {
     }
 }
 
-/// Finest useful chordal error, mm: 64 ulps of the centre distance (1.9e-12 mm at 132 mm). A point of a gear is known
-/// to a few dozen ulps.
+/// Finest useful chordal error, mm: 64 ulps of the centre distance (1.9e-12 mm at 132 mm). A point of a gear is known to a few dozen ulps.
 pub(super) fn finest_chord(assembly: &GearPair) -> f64 {
     64.0 * f64::EPSILON * assembly.center_distance()
 }

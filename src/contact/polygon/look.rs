@@ -6,8 +6,7 @@ use super::graphs;
 use crate::contact::parry::closest;
 use nalgebra::{Isometry2, Point2};
 
-/// Limit of pairs that are cut round their nearest place; further pairs are halved, which always shortens them. (Three
-/// to ten are usual.)
+/// Limit of pairs that are cut round their nearest place; further pairs are halved, which always shortens them. (Three to ten are usual.)
 const ROUNDS: u32 = 64;
 
 /// The result for one pair at two openings.

@@ -1,32 +1,29 @@
 //! The search for the contact of one side. It takes the tightest pair of chords, turns it in, cuts it, and repeats.
 //!
-//! Every pair of chords has an opening down to which its curves are proven clear of each other. The search takes the
-//! pair with the greatest opening and turns it in by safe steps until the chords are within their errors of each other.
-//! Then it cuts the chord with the larger error, and both new pairs start from that opening. A pair of the finest
-//! chords is turned in until the chords touch. The first of them is the contact: every other pair is proven clear down
-//! to it.
+//! Every pair of chords has an opening down to which its curves are proven clear of each other. The search takes the pair with the greatest
+//! opening and turns it in by safe steps until the chords are within their errors of each other. Then it cuts the chord with the larger
+//! error, and both new pairs start from that opening. A pair of the finest chords is turned in until the chords touch. The first of them is
+//! the contact: every other pair is proven clear down to it.
 //!
 //! No pair of teeth and no curve is a special case. Nothing is turned in beyond the tightest contact.
 //!
 //! # The bracket
 //!
-//! The outer end of the bracket is the opening at which the first of its finest pairs is within its errors: every
-//! greater opening is clear. At the inner end the curves certainly touch or overlap. Involutes and lands bulge out of
-//! their chords, so they touch before the chords do. A fillet is hollow: its chords lie in front of it by up to `δ`. If
-//! two chords are `d` apart, the gap of their curves is at most `h = d + δ` (`d + 2 δ` for two fillets) plus rounding.
-//! Turning the free gear in by `s` changes the gap to
+//! The outer end of the bracket is the opening at which the first of its finest pairs is within its errors: every greater opening is clear.
+//! At the inner end the curves certainly touch or overlap. Involutes and lands bulge out of their chords, so they touch before the chords
+//! do. A fillet is hollow: its chords lie in front of it by up to `δ`. If two chords are `d` apart, the gap of their curves is at most `h =
+//! d + δ` (`d + 2 δ` for two fillets) plus rounding. Turning the free gear in by `s` changes the gap to
 //!
 //! ```text
 //! g(s) ≤ h − X s + M s²/2,   M = ρ + ρ² κ
 //! ```
 //!
-//! `X` is the lever of the contact normal about the free axis and `ρ` the distance of the contact from it. A point
-//! moves along the normal by `X s − ρ_n s²/2`, where `ρ_n ≤ ρ` is its arm along the normal. It moves along the other
-//! curve by up to `ρ s`, where that curve is up to `κ` times half the square of the way off its tangent. `κ` is `κ_1
-//! κ_2/(κ_1 + κ_2)` of the two curvatures, not above the lesser; at an edge it is the curvature of the other curve.
-//! Thus `g` is at most 0 at `s = 2 h/(X + √(X² − 2 M h))`. The first order `s = h/X` alone is too short where tips
-//! graze: there `X` is small and vanishes after `X/M`. If the root is not real, nothing proves a contact, and the inner
-//! end is half a turn away.
+//! `X` is the lever of the contact normal about the free axis and `ρ` the distance of the contact from it. A point moves along the normal
+//! by `X s − ρ_n s²/2`, where `ρ_n ≤ ρ` is its arm along the normal. It moves along the other curve by up to `ρ s`, where that curve is up
+//! to `κ` times half the square of the way off its tangent. `κ` is `κ_1 κ_2/(κ_1 + κ_2)` of the two curvatures, not above the lesser; at an
+//! edge it is the curvature of the other curve. Thus `g` is at most 0 at `s = 2 h/(X + √(X² − 2 M h))`. The first order `s = h/X` alone is
+//! too short where tips graze: there `X` is small and vanishes after `X/M`. If the root is not real, nothing proves a contact, and the
+//! inner end is half a turn away.
 
 use super::chord::Chord;
 use super::flank_problem::FlankProblem;
@@ -231,8 +228,7 @@ fn turn_in(problem: &FlankProblem, pair: &QueuedPair, finest: f64) -> Turned {
     let [locked_chord, free_chord] = &pair.chords;
     // A distance below its own rounding carries no information.
     let rounding = problem.rounding() / 8.0;
-    // Curves are clear if their chords are further apart than both errors; the finest chords are turned until they
-    // touch.
+    // Curves are clear if their chords are further apart than both errors; the finest chords are turned until they touch.
     let (margin, near, steps) = if pair.finest {
         (0.0, (STOP * finest).max(rounding), FINEST_STEPS)
     } else {

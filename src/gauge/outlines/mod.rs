@@ -11,8 +11,7 @@ use super::pins::{Pins, over};
 use super::{Formula, Gauged, Unmeasured};
 use crate::outline::OutlineGear;
 
-/// Measures spans over `span_teeth` teeth and over pins of the diameter `pin`, mm (> 0), on `gear`. Other gauges need
-/// an involute.
+/// Measures spans over `span_teeth` teeth and over pins of the diameter `pin`, mm (> 0), on `gear`. Other gauges need an involute.
 ///
 /// ```
 /// # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};

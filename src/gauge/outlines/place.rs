@@ -53,8 +53,7 @@ impl Sought {
         }
     }
 
-    /// The direction in which it falls fastest at `point`, a unit vector, and the turn of that direction within `d` mm,
-    /// rad.
+    /// The direction in which it falls fastest at `point`, a unit vector, and the turn of that direction within `d` mm, rad.
     fn falls(self, point: C, d: f64) -> (C, f64) {
         match self {
             Sought::Foremost(along) => (along, 0.0),

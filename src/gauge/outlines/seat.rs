@@ -59,8 +59,7 @@ fn seat(gear: &OutlineGear, tooth: u32, diameter: f64) -> Result<Seat, Unmeasure
             break;
         };
         if lack.amax() <= 4.0 * fine {
-            // Each distance is within its bound. A centre between two gradients of the determinant D moves by at most
-            // √2 · √2/|D| as much.
+            // Each distance is within its bound. A centre between two gradients of the determinant D moves by at most √2 · √2/|D| as much.
             let missed = found[0].missed.max(found[1].missed);
             let distance = lack.amax() + missed + fine + gear.bound();
             return Ok(Seat {

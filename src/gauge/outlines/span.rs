@@ -22,8 +22,7 @@ const REACH: f64 = 1.0 / 3.0;
 /// Part of the depth that counts as the anvils' end.
 const END: f64 = 0.01;
 
-/// Retreat without its end, mm, up to which an anvil counts as flat on the flank: far below the resolution of a gauge,
-/// far above rounding.
+/// Retreat without its end, mm, up to which an anvil counts as flat on the flank: far below the resolution of a gauge, far above rounding.
 const LEVEL: f64 = 1e-6;
 
 /// Directions on either side within half a pitch (tuned: neighbouring ones differ little).

@@ -1,7 +1,6 @@
 //! A pair of gears and one of its poses, from a seed and a number.
 //!
-//! The draws go far outside practice on purpose. Impossible gears (pointed teeth, closed spaces, no involute left) are
-//! drawn again.
+//! The draws go far outside practice on purpose. Impossible gears (pointed teeth, closed spaces, no involute left) are drawn again.
 
 use super::gear::Numbers;
 use super::pair_file;

@@ -1,9 +1,8 @@
 //! Random poses for both methods, from a seed: the campaign of exact against polygon, each exact result certified.
 //!
-//! `tests/tools/campaign.rs` and tests use it. A pair is drawn as the numbers of a pair file (`gear`, `draw`), so that
-//! any pose can be printed and run again (`pair_file`). The draws go far beyond practice and favour difficult cases.
-//! Examples are undercut teeth, tips turned down or raised, hand-over on tip corners, eccentric axes, tips deep in
-//! roots, and tips that barely reach.
+//! `tests/tools/campaign.rs` and tests use it. A pair is drawn as the numbers of a pair file (`gear`, `draw`), so that any pose can be
+//! printed and run again (`pair_file`). The draws go far beyond practice and favour difficult cases. Examples are undercut teeth, tips
+//! turned down or raised, hand-over on tip corners, eccentric axes, tips deep in roots, and tips that barely reach.
 
 #![allow(dead_code)] // each test binary uses its part
 

@@ -1,5 +1,4 @@
-//! An independent half tooth from formulas: half the tooth's thickness as an angle over the radius, and the signed
-//! clearance of any point.
+//! An independent half tooth from formulas: half the tooth's thickness as an angle over the radius, and the signed clearance of any point.
 //!
 //! Frame: the gear's centre is the origin, and the tooth's centre line, turned with the flank, is on +x. The flank is
 //! at negative angles. Left half teeth are mirrored into this frame.
@@ -21,8 +20,7 @@ pub struct Half {
     /// Depth `h` of the centre of the tool's tip radius below the pitch line, and that radius `ρ`, mm.
     depth: f64,
     round: f64,
-    /// `ρ/cos β`: in the transverse section of a helical gear the tool's tip is an ellipse with this half width along
-    /// the pitch line.
+    /// `ρ/cos β`: in the transverse section of a helical gear the tool's tip is an ellipse with this half width along the pitch line.
     wide: f64,
     /// Angle from the tooth's centre line to the start of the root land.
     pub land: f64,
@@ -138,8 +136,7 @@ impl Half {
         self.gamma = high;
     }
 
-    /// Polar coordinates of the fillet at `γ`, where the contact normal has that angle from the radius through the
-    /// pitch point.
+    /// Polar coordinates of the fillet at `γ`, where the contact normal has that angle from the radius through the pitch point.
     ///
     /// The normal through the pitch point makes `γ` with the depth, so the point is (depth) × tan γ beside it.
     fn fillet(&self, gamma: f64) -> (f64, f64) {
@@ -229,8 +226,7 @@ impl Half {
         roll
     }
 
-    /// Half the tooth's angle at `radius`, from the root circle up; outside the tip circle that of the extended
-    /// involute.
+    /// Half the tooth's angle at `radius`, from the root circle up; outside the tip circle that of the extended involute.
     pub fn half_angle(&self, radius: f64) -> f64 {
         self.edge(radius).0
     }
@@ -247,8 +243,7 @@ impl Half {
         (-angle, (pitch_point - gamma - angle).sin().abs())
     }
 
-    /// Signed clearance of the point (x, y): its distance to first order near the half tooth's curves, negative in the
-    /// metal.
+    /// Signed clearance of the point (x, y): its distance to first order near the half tooth's curves, negative in the metal.
     ///
     /// The metal is below the tip circle between flank and far corner, and below the root circle to the middle of the
     /// space. Metal past an end belongs to other half teeth, so it is cut off along the radius there.

@@ -1,10 +1,9 @@
 //! Brute force: clearance of dense points of either gear in the other's own frame.
 //!
-//! It uses nothing of either method: no gap over the radius, no search tree, no polygons, no distance of shapes. The
-//! crate only defines a pose and the position of a tooth (`Pose`, `AsBuilt`: angles, offsets, displacement, the middle
-//! of a space). `half` computes the half tooth independently. Turn the free gear in from open. The contact of the right
-//! side is where a right half tooth first touches the right half tooth it faces; left halves likewise. There the least
-//! clearance of all points of all facing pairs changes its sign.
+//! It uses nothing of either method: no gap over the radius, no search tree, no polygons, no distance of shapes. The crate only defines a
+//! pose and the position of a tooth (`Pose`, `AsBuilt`: angles, offsets, displacement, the middle of a space). `half` computes the half
+//! tooth independently. Turn the free gear in from open. The contact of the right side is where a right half tooth first touches the right
+//! half tooth it faces; left halves likewise. There the least clearance of all points of all facing pairs changes its sign.
 
 #![allow(dead_code)] // each test binary uses its part
 
@@ -254,8 +253,7 @@ impl<'a> Referee<'a> {
         reach[0] + reach[1] < self.assembly.center_distance()
     }
 
-    /// The first contact when the free gear is turned in over `pitches` of its own on either side of `near`; `None`
-    /// without any.
+    /// The first contact when the free gear is turned in over `pitches` of its own on either side of `near`; `None` without any.
     ///
     /// Steps are a 200th of a pitch. A step whose least clearance is inside it is refined.
     pub fn contact(&self, near: f64, pitches: f64) -> Option<f64> {

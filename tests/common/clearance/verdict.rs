@@ -18,11 +18,10 @@ pub fn contacts(assembly: &GearPair, pose: &Pose) -> [Option<f64>; 2] {
 
 /// Contradictions to `found`; empty if it is right.
 ///
-/// At a rotation more open by the error bound, and at all further open ones, nothing may overlap by more than rounding.
-/// At a rotation more closed by the bound something must overlap, or be as near as rounding. Without a reported contact
-/// there must be none. In the middle of the lost motion of a clear pose no metal may be in the other gear. In a solid
-/// pose metal must be in metal at every rotation of the free gear. If a tip reaches over the mate's axis every pose
-/// must be jammed.
+/// At a rotation more open by the error bound, and at all further open ones, nothing may overlap by more than rounding. At a rotation more
+/// closed by the bound something must overlap, or be as near as rounding. Without a reported contact there must be none. In the middle of
+/// the lost motion of a clear pose no metal may be in the other gear. In a solid pose metal must be in metal at every rotation of the free
+/// gear. If a tip reaches over the mate's axis every pose must be jammed.
 pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
     let reach = |member: Member| {
         assembly.gear(member).reach() + assembly.gear(member.mate()).eccentricity()

@@ -6,8 +6,7 @@ use gearlash::contact::LostMotion;
 use gearlash::gear::{AsBuilt, Side};
 use gearlash::pair::{GearPair, Pose};
 
-/// Distance inside a contact at which whole gears must be clear, rad. Points 1/60 of a curve apart miss no more, and
-/// rounding is less.
+/// Distance inside a contact at which whole gears must be clear, rad. Points 1/60 of a curve apart miss no more, and rounding is less.
 const INSIDE: f64 = 1e-7;
 
 /// Points per curve.

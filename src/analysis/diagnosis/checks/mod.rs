@@ -71,8 +71,7 @@ impl Diagnosis {
     }
 }
 
-/// Number of ticks of [`diagnose`] for the runs of `plans`: the pitches over which the clearance of both gears' tips is
-/// searched.
+/// Number of ticks of [`diagnose`] for the runs of `plans`: the pitches over which the clearance of both gears' tips is searched.
 pub fn pitch_count(plans: &[RunPlan]) -> usize {
     let of_group = |plans: &[RunPlan]| {
         let first = plans.first();
@@ -157,8 +156,7 @@ pub fn diagnose(
     })
 }
 
-/// The checks that fail, as [`Diagnosis::failed`]. A search is made only if it is needed to decide whether a limit is
-/// met.
+/// The checks that fail, as [`Diagnosis::failed`]. A search is made only if it is needed to decide whether a limit is met.
 ///
 /// `evidence` is that of the poses of each run of `study`, in the order of [`Study::runs`]; `cycle` are its extremes.
 ///

@@ -1,8 +1,7 @@
 //! Places along the face where an edge may touch tightest.
 //!
-//! An edge touches a fillet tightest at one position that is the same for all teeth ([`super::super::deepest`]). It
-//! fixes the turn of the locked tooth, and with it `b`. Edges can also be tightest where two of them cross, at an
-//! intersection of their circles.
+//! An edge touches a fillet tightest at one position that is the same for all teeth ([`super::super::deepest`]). It fixes the turn of the
+//! locked tooth, and with it `b`. Edges can also be tightest where two of them cross, at an intersection of their circles.
 //!
 //! **Very short paths of contact.** A pair of involutes may have line contact over a stretch between two sections, or
 //! over none. The middle of a stretch represents it. Without a stretch, an edge of either involute touches the other:
@@ -23,8 +22,7 @@ use crate::contact::exact::teeth::reduced;
 use crate::pair::GearPair;
 use std::f64::consts::PI;
 
-/// Number of centre distances at which the room of a fillet is evaluated (tuned: runout of a hundredth of a module
-/// changes it little).
+/// Number of centre distances at which the room of a fillet is evaluated (tuned: runout of a hundredth of a module changes it little).
 const STEPS_OF_DISTANCE: u32 = 8;
 
 /// The gears whose fillet an edge can touch, and the other reasons to examine places.
@@ -60,9 +58,8 @@ impl Edges {
         (edges.on_locked || edges.on_free || short).then_some(edges)
     }
 
-    /// These edges without the fillets, if no tip touches a fillet as tightly as a pair on the line of action. The
-    /// flanks of all teeth differ by `spread`, rad of the free gear. `deepest` is the least `γ` of each fillet that a
-    /// tip reaches.
+    /// These edges without the fillets, if no tip touches a fillet as tightly as a pair on the line of action. The flanks of all teeth
+    /// differ by `spread`, rad of the free gear. `deepest` is the least `γ` of each fillet that a tip reaches.
     pub fn without_fillets(
         self,
         problem: &FlankProblem,
@@ -188,18 +185,16 @@ impl FilletRoom<'_> {
     /// Whether the tip has more room than `spread`, rad of the free gear, at each centre distance between the two
     /// given. `deepest_roll` is the least `γ` that it reaches.
     ///
-    /// Let `ω` be the angle of a normal through the pitch point to the line of centres, and `r_w` the operating pitch
-    /// radius of the tip's gear. That normal turns the gear by `cot ω/r_w` per mm of distance, the line of action by
-    /// `tan α_w/r_w`. So between two evaluated distances the room changes by at most half a step times the greater of
-    /// these. A fillet has at most one such touch.
+    /// Let `ω` be the angle of a normal through the pitch point to the line of centres, and `r_w` the operating pitch radius of the tip's
+    /// gear. That normal turns the gear by `cot ω/r_w` per mm of distance, the line of action by `tan α_w/r_w`. So between two evaluated
+    /// distances the room changes by at most half a step times the greater of these. A fillet has at most one such touch.
     fn exceeds(&self, spread: f64, [nearest, farthest]: [f64; 2], deepest_roll: f64) -> bool {
         let (fillet, tip) = (self.fillet, self.tip);
         let sum = fillet.base + tip.base;
         let Some(line) = Line::new(C::from(nearest), sum) else {
             return false;
         };
-        // On the line of action the tip must stay off the joint, and the joint must not be an edge: a touch would begin
-        // there.
+        // On the line of action the tip must stay off the joint, and the joint must not be an edge: a touch would begin there.
         if fillet.corners().len() > 1
             || line.length - tip.base * tip.tip_roll <= fillet.base * fillet.form_roll
         {

@@ -1,9 +1,8 @@
 //! Whether the pair of teeth at a place needs to be examined.
 //!
-//! Every pair of teeth that passes the line of centres along the face has about a dozen places, and almost none of them
-//! is the tightest. So a cheap test comes first: is the pair tighter than the known contact, is a root land near enough
-//! to jam, or is its tip in the body of the mate? The centres of sections are constant along the face, so both teeth
-//! are those of the measuring plane, twisted.
+//! Every pair of teeth that passes the line of centres along the face has about a dozen places, and almost none of them is the tightest. So
+//! a cheap test comes first: is the pair tighter than the known contact, is a root land near enough to jam, or is its tip in the body of
+//! the mate? The centres of sections are constant along the face, so both teeth are those of the measuring plane, twisted.
 
 use super::turning::{Place, Turning};
 use crate::contact::Effort;

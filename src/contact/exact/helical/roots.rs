@@ -1,9 +1,8 @@
 //! Places along the face where the tip of a tooth can reach its mate's root.
 //!
-//! Tips are deepest on the line of centres. The root of an eccentric free gear approaches a tip land as the gear turns.
-//! Where both circles touch, the contact is equally tight over the stretch on which both lands are on the line of
-//! centres. An end of a land bounds that stretch on either side. Outside it an end of the tip land touches, later with
-//! growing distance from that line, until the root land ends.
+//! Tips are deepest on the line of centres. The root of an eccentric free gear approaches a tip land as the gear turns. Where both circles
+//! touch, the contact is equally tight over the stretch on which both lands are on the line of centres. An end of a land bounds that
+//! stretch on either side. Outside it an end of the tip land touches, later with growing distance from that line, until the root land ends.
 
 use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
 use crate::contact::Effort;

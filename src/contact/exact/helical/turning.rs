@@ -19,8 +19,7 @@ const ROUNDING: f64 = 4.0;
 /// Contacts that touch up to this much earlier, rad, are still examined: a millionth of the differences between teeth.
 const DOUBT: f64 = 1e-9;
 
-/// Limit of steps to settle the free gear's rotation at a crossing. Four to six are usual; a few dozen where tip
-/// circles barely cross.
+/// Limit of steps to settle the free gear's rotation at a crossing. Four to six are usual; a few dozen where tip circles barely cross.
 const MOST_TURNS: usize = 100;
 
 /// The directions of one gear's teeth along the face, in the frame of a pose.

@@ -1,9 +1,8 @@
 //! The contact of the flanks of one pair of teeth.
 //!
-//! A convex flank is on one side of each of its tangents, and of every line through its tip corner within the corner's
-//! cone. If two flanks touch from outside along a common tangent, that line divides them, so their gap is nowhere
-//! greater. One such place suffices, however it is found: Newton's method finds it. Flanks that are not convex are
-//! searched.
+//! A convex flank is on one side of each of its tangents, and of every line through its tip corner within the corner's cone. If two flanks
+//! touch from outside along a common tangent, that line divides them, so their gap is nowhere greater. One such place suffices, however it
+//! is found: Newton's method finds it. Flanks that are not convex are searched.
 
 use super::OnLine;
 use crate::contact::exact::candidate::{CandidateContact, slope};
@@ -29,8 +28,7 @@ impl PosedFlanks<'_> {
         for _ in 0..STEPS {
             let ((p, one), (q, other)) = (locked.flank(x)?, free.flank(y)?);
             let [at_x, at_y] = [Turning::new(&p, &one), Turning::new(&q, &other)];
-            // Both points are at one radius with opposite normals. Unless the flanks are on opposite sides, nothing
-            // touches from outside.
+            // Both points are at one radius with opposite normals. Unless the flanks are on opposite sides, nothing touches from outside.
             let rest = 0.5 * (p.point.norm_sqr() - q.point.norm_sqr());
             let w = p.point.conj() * p.normal * q.point * q.normal.conj();
             if !(w.re < 0.0) {

@@ -17,11 +17,10 @@
 //! D'' = δ_L'' cos η − δ_L' sin η η' + δ_F'' y'² + δ_F' y'' − (r_L + δ_L') sin η − s cos η η'.
 //! ```
 //!
-//! Along a locked involute with a constant deviation `q`, the length `a` has the slope `s sin η`, and `η` rises. From
-//! the place where `η` is 0, `a` rises to both sides. The string length is a convex function of the place. So a locked
-//! point that is `δ_L − q` further out has an `a` that is less by at most `(δ_L − q) cos η`. This bounds `D` over any
-//! rolls ([`Heights::most`]); the second derivative gives a bound that closes the place of contact itself
-//! ([`Heights::most_near`]).
+//! Along a locked involute with a constant deviation `q`, the length `a` has the slope `s sin η`, and `η` rises. From the place where `η`
+//! is 0, `a` rises to both sides. The string length is a convex function of the place. So a locked point that is `δ_L − q` further out has
+//! an `a` that is less by at most `(δ_L − q) cos η`. This bounds `D` over any rolls ([`Heights::most`]); the second derivative gives a
+//! bound that closes the place of contact itself ([`Heights::most_near`]).
 
 mod climb;
 mod settle;
@@ -196,8 +195,7 @@ impl Heights<'_> {
         (faced[0] <= faced[1]).then_some((faced, reach))
     }
 
-    /// A bound of the height from `look` on by `width` in the sense `on`, from the involute with the deviation at
-    /// `look`.
+    /// A bound of the height from `look` on by `width` in the sense `on`, from the involute with the deviation at `look`.
     fn most(&self, look: &Look, on: f64, width: f64) -> f64 {
         let ends = [look.x, look.x + on * width];
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));

@@ -84,8 +84,7 @@ fn no_point_is_nearer_or_farther_than_the_bounds() {
     }
 }
 
-/// Penetration of one into the other across a line in the direction `line`, and whether neither extends back over the
-/// axis.
+/// Penetration of one into the other across a line in the direction `line`, and whether neither extends back over the axis.
 fn across(line: C, locked: &[C], free: &[C], sign: f64, room: f64) -> (f64, bool) {
     let along = |points: &[C]| -> Vec<C> {
         let each = points.iter().map(|point| line.conj() * point * sign);
@@ -135,8 +134,7 @@ fn penetration_is_measured_across_the_better_line() {
     assert_eq!(not_above, by[0] + by[1]);
 }
 
-/// A rectangle found to be behind is so at every radius. One divided with room to spare along one of them is found to
-/// be behind.
+/// A rectangle found to be behind is so at every radius. One divided with room to spare along one of them is found to be behind.
 #[test]
 fn a_rectangle_behind_is_clockwise_at_every_radius() {
     let (mut behind, mut not) = (0, 0);

@@ -25,9 +25,8 @@ fn change_of_slope(placed: &PlacedCurve, t: f64) -> f64 {
     (slope(&other) - slope(&one)) / (length(other.point) / length(one.point)).ln()
 }
 
-/// Bounds of the change of slope hold at every place of an arc, and approach it as the arc shrinks. Flanks and fillets
-/// of free and locked gears; the fillet of the undercut one overhangs, with `ψ` = 0. Source: differences of the curve's
-/// own slope.
+/// Bounds of the change of slope hold at every place of an arc, and approach it as the arc shrinks. Flanks and fillets of free and locked
+/// gears; the fillet of the undercut one overhangs, with `ψ` = 0. Source: differences of the curve's own slope.
 #[test]
 fn the_change_of_slope_lies_within_its_bounds() {
     let (mut seen, mut through_zero) = ([[0; 2]; 2], 0);

@@ -64,8 +64,7 @@ fn near(one: f64, other: f64) -> bool {
     reduced(one - other).abs() < 1e-12
 }
 
-/// The directions of teeth along the face agree with their section. Source: the section's own pair and pose, tooth by
-/// tooth.
+/// The directions of teeth along the face agree with their section. Source: the section's own pair and pose, tooth by tooth.
 #[test]
 fn teeth_have_the_directions_of_their_section() {
     for pair in pairs() {
@@ -201,9 +200,8 @@ fn crossings_lie_on_both_circles() {
     assert_eq!(found, 4);
 }
 
-/// Crossing edges of both gears meet in one point after the free gear turns there, and no crossing on the face is
-/// omitted. Source: every locked tooth at 1000 places along the face, with the free gear turned to the direction of
-/// that point.
+/// Crossing edges of both gears meet in one point after the free gear turns there, and no crossing on the face is omitted. Source: every
+/// locked tooth at 1000 places along the face, with the free gear turned to the direction of that point.
 #[test]
 fn edges_that_cross_are_at_one_point() {
     let mut count = 0;
@@ -240,8 +238,7 @@ fn edges_that_cross_are_at_one_point() {
                 },
                 (&mut places, &effort),
             );
-            // Distance of the locked edge's point at `b` from the free edge's circle, and the turn of the free gear to
-            // it.
+            // Distance of the locked edge's point at `b` from the free edge's circle, and the turn of the free gear to it.
             let off = |b: f64, step: i64, mate: i64| {
                 let direction = turnings[0].direction(b, step) + corners[0].arg();
                 let point = here.centre + turn(direction) * edges[0].radius;

@@ -1,5 +1,4 @@
-//! Special places of the locked flank by Newton's method: opposite normals, ends of the free flank, summits of the
-//! height.
+//! Special places of the locked flank by Newton's method: opposite normals, ends of the free flank, summits of the height.
 
 use super::{Heights, Look};
 
@@ -38,8 +37,7 @@ impl Heights<'_> {
         (look.sin.atan2(look.cos).abs() + rest < WIDEST).then_some(look)
     }
 
-    /// The place that faces a roll of the free flank, by Newton's method from `look`; `None` if the locked flank has
-    /// none.
+    /// The place that faces a roll of the free flank, by Newton's method from `look`; `None` if the locked flank has none.
     fn at_free_roll(&self, mut look: Look, roll: f64) -> Option<Look> {
         let (low, high) = self.locked.range;
         for _ in 0..16 {
@@ -66,8 +64,7 @@ impl Heights<'_> {
         }
     }
 
-    /// A roll between `look` and `width` further on at which to divide: the end of the free flank if it lies between,
-    /// otherwise the middle.
+    /// A roll between `look` and `width` further on at which to divide: the end of the free flank if it lies between, otherwise the middle.
     pub(super) fn division(&self, look: &Look, on: f64, width: f64) -> f64 {
         let (low, high) = self.free.range;
         let end = if on > 0.0 { low } else { high };
@@ -82,8 +79,7 @@ impl Heights<'_> {
         look.x + 0.5 * on * width
     }
 
-    /// The level place next to `look` by Newton's method, within the width of `step`; `None` if it leads further away,
-    /// or to a minimum.
+    /// The level place next to `look` by Newton's method, within the width of `step`; `None` if it leads further away, or to a minimum.
     fn level_place(&self, look: Look, step: f64) -> Option<Look> {
         let (low, high) = self.locked.range;
         let mut there = look;

@@ -8,8 +8,7 @@ use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::turn;
 use crate::gear::ProfilePart;
 
-/// Limit of rolls examined for one pair of flanks before the search takes over (tuned: measured traces need about
-/// forty).
+/// Limit of rolls examined for one pair of flanks before the search takes over (tuned: measured traces need about forty).
 const MOST_PLACES: u32 = 1000;
 
 /// Limit of rounds that find a higher place (tuned: two are usual).
@@ -126,8 +125,7 @@ impl Task {
 }
 
 impl PosedFlanks<'_> {
-    /// The greatest gap above `floor` of the flanks of a step, searched first at the gap `guess`; `None` if it is not
-    /// settled.
+    /// The greatest gap above `floor` of the flanks of a step, searched first at the gap `guess`; `None` if it is not settled.
     pub(in crate::contact::exact) fn flanks_by_heights(
         &self,
         step: i64,

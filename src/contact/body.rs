@@ -77,7 +77,7 @@ pub(super) fn is_solid(assembly: &GearPair, pose: &Pose) -> bool {
             return true;
         }
     }
-    let spans = [distance - off, distance + off].map(|distance| seen(distance, root, free));
+    let spans = [distance - off, distance + off].map(|distance| widest_arc(distance, root, free));
     spans[0].min(spans[1]) > widest_space(free)
 }
 
@@ -100,7 +100,7 @@ fn land_distance(placed: &Placed, tooth: u32, point: nalgebra::Point2<f64>) -> f
 
 /// Angle of the widest arc about the centre of the free outline, between its form and tip circle, inside the locked
 /// root circle of radius `root` at `distance`.
-fn seen(distance: f64, root: f64, free: &AsBuilt) -> f64 {
+fn widest_arc(distance: f64, root: f64, free: &AsBuilt) -> f64 {
     let gear = free.gear();
     if !(distance > root) {
         return 0.0;

@@ -25,13 +25,13 @@ impl Curves {
     }
 
     /// This set without `others`.
-    pub fn but(self, others: Curves) -> Curves {
+    pub fn except(self, others: Curves) -> Curves {
         let one = |locked: usize, free: usize| self.0[locked][free] && !others.0[locked][free];
         Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
     }
 
     /// The pairs in both sets.
-    pub fn among(self, others: Curves) -> Curves {
+    pub fn intersection(self, others: Curves) -> Curves {
         let one = |locked: usize, free: usize| self.0[locked][free] && others.0[locked][free];
         Curves(from_fn(|locked| from_fn(|free| one(locked, free))))
     }

@@ -11,7 +11,7 @@ use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::line::TangentVariation;
 use super::placed::Placed;
-use super::search::{self, Asked};
+use super::search::{self, SideRequest};
 use super::search_free_proof::{SearchFreeProof, Setting};
 use super::shape::{C, turn};
 use super::tightest::{TightestContacts, Touching};
@@ -69,14 +69,14 @@ impl Envelopes {
 pub(super) fn touching(
     posed: &PosedFlanks,
     solver: Option<&DirectSolver>,
-    asked: Asked,
+    request: SideRequest,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let Some(solver) = solver else {
-        return search::touching(posed, asked);
+        return search::touching(posed, request);
     };
     let mut tightest_contacts = TightestContacts::new(posed.problem);
     if !posed.on_line(&solver.variation, &mut tightest_contacts) {
-        return search::touching(posed, asked);
+        return search::touching(posed, request);
     }
     let proof = &solver.proof;
     if proof.tangents {
@@ -100,7 +100,7 @@ pub(super) fn touching(
         }
         curves
     };
-    search::over(posed, tightest_contacts, curves, asked, MOST_NODES)
+    search::over(posed, tightest_contacts, curves, request, MOST_NODES)
 }
 
 impl DirectSolver {
@@ -171,7 +171,7 @@ impl PosedFlanks<'_> {
     /// `C_L + D_L p` is at `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame. A free point is at `(R (C_F +
     /// D_F p) − C_L) D_L*` in the locked tooth's.
     fn on_corners(&self, solver: &DirectSolver, tightest_contacts: &mut TightestContacts) {
-        let mut level = Level::at(self, tightest_contacts.greatest());
+        let mut level = AtRotation::at(self, tightest_contacts.greatest());
         let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
         let steps = self.steps();
         // The pair at the line of centres first: its contact leaves the others clear.
@@ -236,7 +236,7 @@ impl PosedFlanks<'_> {
         solver: &DirectSolver,
         step: i64,
         (edge, corner, near): ((ProfilePart, f64), C, C),
-        level: &mut Level,
+        level: &mut AtRotation,
         tightest_contacts: &mut TightestContacts,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
@@ -260,7 +260,7 @@ impl PosedFlanks<'_> {
         solver: &DirectSolver,
         step: i64,
         place: usize,
-        level: &mut Level,
+        level: &mut AtRotation,
         tightest_contacts: &mut TightestContacts,
     ) {
         let Some(square) = self.far_corner_reaches(solver, place) else {
@@ -301,7 +301,7 @@ impl PosedFlanks<'_> {
         solver: &DirectSolver,
         step: i64,
         ((roll, corner), near, clear): ((f64, C), C, bool),
-        level: &mut Level,
+        level: &mut AtRotation,
         tightest_contacts: &mut TightestContacts,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
@@ -330,7 +330,7 @@ impl PosedFlanks<'_> {
 }
 
 /// Both gears in the frame of the free one at the greatest gap so far.
-pub(super) struct Level {
+pub(super) struct AtRotation {
     greatest: f64,
     /// False before the first candidate, when nothing can be ruled out.
     known: bool,
@@ -342,10 +342,10 @@ pub(super) struct Level {
     axis: C,
 }
 
-impl Level {
+impl AtRotation {
     /// The gears at the gap `greatest`; −∞ before the first candidate.
-    pub fn at(posed: &PosedFlanks, greatest: f64) -> Level {
-        let mut level = Level {
+    pub fn at(posed: &PosedFlanks, greatest: f64) -> AtRotation {
+        let mut level = AtRotation {
             greatest: 0.0,
             known: false,
             centre: C::ZERO,

@@ -7,7 +7,7 @@
 use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
 use super::flank_problem::PosedFlanks;
-use super::search::Asked;
+use super::search::SideRequest;
 use super::tightest::Touching;
 use crate::contact::gap::{
     Arc, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest, turn,
@@ -25,15 +25,15 @@ const PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
 pub(super) fn with_far_flanks(
     posed: &PosedFlanks,
     found: Option<Touching>,
-    asked: Asked,
+    request: SideRequest,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let Some(mut tightest) = found else {
         return Ok(None);
     };
     for step in posed.steps() {
-        let floor = (tightest.greatest + posed.problem.tie).max(asked.floor);
+        let floor = (tightest.greatest + posed.problem.tie).max(request.floor);
         if let Some(candidate) =
-            far_contact(posed, step, floor, asked).map_err(|lost| (step, lost))?
+            far_contact(posed, step, floor, request).map_err(|lost| (step, lost))?
         {
             tightest = Touching {
                 step,
@@ -50,7 +50,7 @@ fn far_contact(
     posed: &PosedFlanks,
     step: i64,
     floor: f64,
-    asked: Asked,
+    request: SideRequest,
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
     let (locked, free) = (posed.locked(step), posed.free(step));
     let shape = locked.shape;
@@ -76,11 +76,11 @@ fn far_contact(
         }
     }
     let origin = posed.origin_of(step);
-    let most = asked.effort.left().min(MOST_NODES as u64) as usize;
+    let most = request.effort.left().min(MOST_NODES as u64) as usize;
     let mut left = most;
     let part = |name: usize| ProfilePart::ALL[name];
     let found = greatest(&mut nodes, origin, floor, &mut left);
-    asked.effort.spend((most - left) as u64);
+    request.effort.spend((most - left) as u64);
     let found: Option<CurveContact> =
         found.map_err(|(locked, free)| SearchExhausted(part(locked), part(free)))?;
     Ok(found.map(|found| {

@@ -29,7 +29,7 @@ mod tests;
 mod turning;
 
 use super::flank_problem::FlankProblem;
-use super::section::{Section, Wanted, floor};
+use super::section::{Section, SectionRequest, floor};
 use super::teeth::Teeth;
 use crate::contact::Effort;
 use crate::contact::body::solid_radius;
@@ -140,7 +140,7 @@ impl Helical {
         &self,
         pose: &Pose,
         effort: &Effort,
-        method: impl Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>,
+        method: impl Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>,
     ) -> Result<FoundOverFace, Error> {
         let on_roots = self.edges.as_ref().is_some_and(|edges| edges.jams);
         let mut examined = ExaminedSections {
@@ -175,7 +175,7 @@ struct ExaminedSections<'a, M> {
     over: OverFace,
 }
 
-impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
+impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
     /// Examines the section at `b`, mm, unless the gears are jammed. `doubt`, rad, is added to the contact errors there.
     fn section(&mut self, b: f64, section: &Section, doubt: f64) -> Result<(), Error> {
         if self.over.is_solid() {
@@ -186,13 +186,13 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSectio
         let known = self.over.known(self.may_jam);
         let mut found = None;
         if effort.used() > NODES_BEFORE_FLOOR && known[0].is_finite() {
-            let tighter = (self.method)(section, &here, Wanted { effort, known })?;
+            let tighter = (self.method)(section, &here, SectionRequest { effort, known })?;
             let clear = |found: &LostMotion| !OverFace::may_overlap(&here, found, known);
             found = Some(tighter).filter(|found| !self.may_jam || clear(found));
         }
         let mut found = match found {
             Some(found) => found,
-            None => (self.method)(section, &here, Wanted::all(effort))?,
+            None => (self.method)(section, &here, SectionRequest::all(effort))?,
         };
         for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
             contact.error += doubt;
@@ -238,7 +238,7 @@ impl<M: Fn(&Section, &Pose, Wanted) -> Result<LostMotion, Error>> ExaminedSectio
                     jams,
                     solid,
                 };
-                if facing.may_hold(&place, floors, self.effort) {
+                if facing.may_be_tighter_or_jam(&place, floors, self.effort) {
                     let section = helical.plane.turned(&assembly.section(place.b));
                     self.section(place.b, &section, place.doubt)?;
                 }

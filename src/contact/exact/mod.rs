@@ -59,7 +59,7 @@ use super::over_face::FoundOverFace;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
 use helical::Helical;
-use section::Wanted;
+use section::SectionRequest;
 
 /// Lost motion of one assembly on its exact curves.
 ///
@@ -119,7 +119,9 @@ impl ExactKernel {
     ) -> Result<FoundOverFace, Error> {
         match &self.helical {
             None => {
-                let lost_motion = self.section.lost_motion(pose, Wanted::all(effort))?;
+                let lost_motion = self
+                    .section
+                    .lost_motion(pose, SectionRequest::all(effort))?;
                 let jam = None;
                 Ok(FoundOverFace { lost_motion, jam })
             }
@@ -163,8 +165,8 @@ impl ExactKernel {
         let effort = Effort::endless();
         match &self.helical {
             None => {
-                let wanted = Wanted::all(&effort);
-                self.section.lost_motion_by_search(pose, wanted)
+                let request = SectionRequest::all(&effort);
+                self.section.lost_motion_by_search(pose, request)
             }
             Some(helical) => {
                 let found = helical.over(pose, &effort, Section::lost_motion_by_search)?;

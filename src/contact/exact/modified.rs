@@ -22,11 +22,11 @@ mod pieces;
 use super::branch::search as search_pair;
 use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
-use super::direct::{DirectSolver, Envelopes, Level};
+use super::direct::{AtRotation, DirectSolver, Envelopes};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::placed::Placed;
-use super::search::{self, Asked};
+use super::search::{self, SideRequest};
 use super::shape::{C, HalfToothShape};
 use super::tightest::{TightestContacts, Touching};
 use crate::contact::Effort;
@@ -145,7 +145,7 @@ impl OuterGears {
     pub fn touching(
         &self,
         posed: &PosedFlanks,
-        asked: Asked,
+        request: SideRequest,
     ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
         let outer = posed.of(match posed.problem.side {
             Side::Right => &self.right,
@@ -153,12 +153,12 @@ impl OuterGears {
         });
         let undeviating = || {
             self.is_cut_back
-                .then(|| self.undeviating(posed, &outer, asked.effort))
+                .then(|| self.undeviating(posed, &outer, request.effort))
                 .flatten()
         };
-        match undeviating().or_else(|| self.quick(posed, &outer, asked.effort)) {
+        match undeviating().or_else(|| self.quick(posed, &outer, request.effort)) {
             Some(touching) => Ok(Some(touching)),
-            None => search::touching(posed, asked),
+            None => search::touching(posed, request),
         }
     }
 
@@ -184,7 +184,7 @@ impl OuterGears {
                 Some(candidate) => Some(candidate),
                 None => {
                     let (floor, guess) = (tightest.level(), pair.gap - beyond);
-                    posed.flanks_anyhow(pair.step, floor, guess, effort)?
+                    posed.greatest_gap_of_flanks(pair.step, floor, guess, effort)?
                 }
             };
             if let Some(candidate) = found {
@@ -234,7 +234,7 @@ impl OuterGears {
         effort: &Effort,
     ) -> Option<()> {
         let beyond = outer.free_offset - posed.free_offset;
-        let level = Level::at(outer, tightest.greatest() + beyond);
+        let level = AtRotation::at(outer, tightest.greatest() + beyond);
         let open = self.solver.proof.open;
         let mut nodes_left = effort.left().min(MOST_NODES as u64) as usize;
         for step in outer.steps() {
@@ -338,7 +338,7 @@ impl OuterGears {
     fn clear(
         &self,
         outer: &PosedFlanks,
-        level: &Level,
+        level: &AtRotation,
         step: i64,
         end: fn(&HalfToothShape) -> C,
     ) -> [bool; 2] {
@@ -370,11 +370,11 @@ impl OuterGears {
         if outer.free_offset != posed.free_offset {
             return None;
         }
-        let asked = Asked {
+        let request = SideRequest {
             effort,
             floor: f64::NEG_INFINITY,
         };
-        let touching = super::direct::touching(outer, Some(&self.solver), asked).ok()??;
+        let touching = super::direct::touching(outer, Some(&self.solver), request).ok()??;
         let (locked, free) = (posed.locked(touching.step), posed.free(touching.step));
         let candidate = touching.candidate;
         let same = |half: &Placed, (part, roll): (ProfilePart, f64)| {

@@ -12,7 +12,7 @@ use crate::gear::ProfilePart;
 
 /// The request for one side.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Asked<'a> {
+pub(super) struct SideRequest<'a> {
     /// Budget to charge.
     pub effort: &'a Effort,
     /// Gaps up to this need not be found.
@@ -26,7 +26,7 @@ pub(super) struct Asked<'a> {
 #[cold]
 pub(super) fn touching(
     posed: &PosedFlanks,
-    asked: Asked,
+    request: SideRequest,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let mut tightest_contacts = TightestContacts::new(posed.problem);
     posed.on_lands(Curves::ALL, &mut tightest_contacts);
@@ -36,14 +36,15 @@ pub(super) fn touching(
         // A search over a whole measured flank has no tight bound.
         let part = ProfilePart::Involute;
         for step in posed.steps() {
-            let found = posed.flanks_anyhow(step, tightest_contacts.level(), 0.0, asked.effort);
+            let found =
+                posed.greatest_gap_of_flanks(step, tightest_contacts.level(), 0.0, request.effort);
             if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
                 tightest_contacts.offer(step, candidate);
             }
         }
         curves = curves.without(part, part);
     }
-    over(posed, tightest_contacts, |_| curves, asked, MOST_NODES)
+    over(posed, tightest_contacts, |_| curves, request, MOST_NODES)
 }
 
 /// Branch and bound alone, with a larger budget.
@@ -53,13 +54,13 @@ pub(super) fn touching(
 #[cold]
 pub(super) fn by_search(
     posed: &PosedFlanks,
-    asked: Asked,
+    request: SideRequest,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     over(
         posed,
         TightestContacts::new(posed.problem),
         |_| Curves::ALL,
-        asked,
+        request,
         16 * MOST_NODES,
     )
 }
@@ -72,10 +73,10 @@ pub(super) fn over(
     posed: &PosedFlanks,
     mut tightest_contacts: TightestContacts,
     curves: impl Fn(&Placed) -> Curves,
-    asked: Asked,
+    request: SideRequest,
     most_nodes: usize,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
-    let most_nodes = asked.effort.left().min(most_nodes as u64) as usize;
+    let most_nodes = request.effort.left().min(most_nodes as u64) as usize;
     let mut nodes_left = most_nodes;
     for step in posed.steps() {
         let locked = posed.locked(step);
@@ -87,17 +88,17 @@ pub(super) fn over(
             &locked,
             &posed.free(step),
             posed.origin_of(step),
-            tightest_contacts.level().max(asked.floor),
+            tightest_contacts.level().max(request.floor),
             curves,
             &mut nodes_left,
         );
         if found.is_err() {
-            asked.effort.spend((most_nodes - nodes_left) as u64);
+            request.effort.spend((most_nodes - nodes_left) as u64);
         }
         if let Some(candidate) = found.map_err(|lost| (step, lost))? {
             tightest_contacts.offer(step, candidate);
         }
     }
-    asked.effort.spend((most_nodes - nodes_left) as u64);
+    request.effort.spend((most_nodes - nodes_left) as u64);
     Ok(tightest_contacts.choose())
 }

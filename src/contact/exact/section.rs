@@ -6,7 +6,7 @@ use super::far_flanks::with_far_flanks;
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::modified::OuterGears;
 use super::report;
-use super::search::{self, Asked};
+use super::search::{self, SideRequest};
 use super::shape::turn;
 use super::teeth::reduced;
 use super::tightest::Touching;
@@ -27,17 +27,17 @@ const TIES_BELOW: f64 = 4.0;
 
 /// The request to a section.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wanted<'a> {
+pub(super) struct SectionRequest<'a> {
     pub effort: &'a Effort,
     /// Rotation beyond nominal, rad, at which other sections are known to stop the free gear, on the right and on the
     /// left. Looser contacts need not be found. −∞ and ∞ request every contact.
     pub known: [f64; 2],
 }
 
-impl<'a> Wanted<'a> {
+impl<'a> SectionRequest<'a> {
     /// Requests both contacts without a limit.
-    pub fn all(effort: &'a Effort) -> Wanted<'a> {
-        Wanted {
+    pub fn all(effort: &'a Effort) -> SectionRequest<'a> {
+        SectionRequest {
             effort,
             known: [f64::NEG_INFINITY, f64::INFINITY],
         }
@@ -140,10 +140,14 @@ impl Section {
     }
 
     /// As [`super::ExactKernel::lost_motion`].
-    pub(super) fn lost_motion(&self, pose: &Pose, wanted: Wanted) -> Result<LostMotion, Error> {
-        self.with(pose, wanted, |posed, asked| match &self.outer {
-            None => direct::touching(posed, self.solver.as_ref(), asked),
-            Some(outer) => outer.touching(posed, asked),
+    pub(super) fn lost_motion(
+        &self,
+        pose: &Pose,
+        request: SectionRequest,
+    ) -> Result<LostMotion, Error> {
+        self.with(pose, request, |posed, side| match &self.outer {
+            None => direct::touching(posed, self.solver.as_ref(), side),
+            Some(outer) => outer.touching(posed, side),
         })
     }
 
@@ -151,9 +155,9 @@ impl Section {
     pub(super) fn lost_motion_by_search(
         &self,
         pose: &Pose,
-        wanted: Wanted,
+        request: SectionRequest,
     ) -> Result<LostMotion, Error> {
-        self.with(pose, wanted, search::by_search)
+        self.with(pose, request, search::by_search)
     }
 
     /// As [`super::ExactKernel::is_direct`].
@@ -166,8 +170,8 @@ impl Section {
     fn with(
         &self,
         pose: &Pose,
-        wanted: Wanted,
-        method: impl Fn(&PosedFlanks, Asked) -> Result<Option<Touching>, (i64, SearchExhausted)>,
+        request: SectionRequest,
+        method: impl Fn(&PosedFlanks, SideRequest) -> Result<Option<Touching>, (i64, SearchExhausted)>,
     ) -> Result<LostMotion, Error> {
         if self.blocked {
             return Ok(LostMotion::JAMMED);
@@ -180,17 +184,17 @@ impl Section {
             let posed = problem.posed(pose, teeth, rotation, turned);
             let steps = posed.steps();
             let steps = (steps.end - steps.start).max(0) as u64;
-            wanted.effort.spend(SIDE + STEP * steps);
-            if wanted.effort.is_spent() {
+            request.effort.spend(SIDE + STEP * steps);
+            if request.effort.is_spent() {
                 return Err(self.lost(&posed, 0, SPENT, pose));
             }
-            let asked = Asked {
-                effort: wanted.effort,
-                floor: floor(&posed, wanted.known, pose),
+            let side = SideRequest {
+                effort: request.effort,
+                floor: floor(&posed, request.known, pose),
             };
-            let found = method(&posed, asked).and_then(|found| {
+            let found = method(&posed, side).and_then(|found| {
                 if self.meets_far_flanks {
-                    with_far_flanks(&posed, found, asked)
+                    with_far_flanks(&posed, found, side)
                 } else {
                     Ok(found)
                 }

@@ -6,7 +6,7 @@
 
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::kernel::{PolygonKernel, finest_chord, steps_in_reach};
-use super::look::{Seen, seen};
+use super::look::{Finding, examine};
 use super::search::search;
 use crate::contact::Effort;
 use crate::contact::lost_motion::{Contact, LostMotion, Status};
@@ -55,14 +55,14 @@ impl<'a> Certifier<'a> {
         if found.solid {
             return Ok(());
         }
-        let seen = self.check_rotations(pose, found, effort);
-        if seen.is_err() && found.status() == Status::Jammed {
+        let checked = self.check_rotations(pose, found, effort);
+        if checked.is_err() && found.status() == Status::Jammed {
             let own = self.refined().lost_motion_within(pose, effort)?;
             if own.status() == Status::Jammed {
                 return Ok(());
             }
         }
-        seen
+        checked
     }
 
     /// The polygon method on the same polygons.
@@ -96,14 +96,14 @@ impl<'a> Certifier<'a> {
         let free = self.kernel.teeth.assembly.free();
         let pitch = self.kernel.teeth.assembly.gear(free);
         let pitch = pitch.gear().basic_data().angular_pitch();
-        let seen = match contact {
+        let checked = match contact {
             Some(contact) if contact.error > WIDEST_CHECKED * pitch => {
                 self.touches_within(pose, side, contact, effort)?
             }
             Some(contact) => self.touches(pose, side, contact, effort),
             None => self.touches_nothing(pose, side, effort)?,
         };
-        seen.map_err(|reason| self.failed(pose, side, reason))
+        checked.map_err(|reason| self.failed(pose, side, reason))
     }
 
     /// Whether all pairs on `side` are clear at an opening slightly greater than that of `contact`, or why not. This is
@@ -159,18 +159,18 @@ impl<'a> Certifier<'a> {
             let margin = contact.error + (4.0 * finest + problem.rounding()) / lever;
             let openings = [opening + margin, opening - margin];
             let before = left;
-            let seen = seen(&problem, openings, finest, touching, &mut left);
+            let finding = examine(&problem, openings, finest, touching, &mut left);
             effort.spend(u64::from((before - left) / PAIRS_PER_UNIT) + 1);
-            match seen {
-                Seen::Clear => {}
-                Seen::Touch => touching = true,
-                Seen::Overlap => {
+            match finding {
+                Finding::Clear => {}
+                Finding::Touch => touching = true,
+                Finding::Overlap => {
                     return Err(format!(
                         "tooth {} of the locked gear and tooth {} of the free one touch before the rotation {} rad",
                         problem.locked_tooth, problem.free_tooth, contact.rotation
                     ));
                 }
-                Seen::TooMuch => {
+                Finding::EffortSpent => {
                     return Err(format!(
                         "the effort of a pose ended at tooth {} of the locked gear and tooth {} of the free one",
                         problem.locked_tooth, problem.free_tooth

@@ -10,7 +10,7 @@ use nalgebra::{Isometry2, Point2};
 const ROUNDS: u32 = 64;
 
 /// The result for one pair at two openings.
-pub(super) enum Seen {
+pub(super) enum Finding {
     /// Clear at both.
     Clear,
     /// Clear at the greater, not proven clear at the smaller.
@@ -18,22 +18,22 @@ pub(super) enum Seen {
     /// Not proven clear at the greater.
     Overlap,
     /// Unknown: the budget is spent.
-    TooMuch,
+    EffortSpent,
 }
 
 /// Examines `problem` at two openings, the greater first, with polygons down to `finest`.
 ///
 /// If at the greater opening nothing is within both chordal errors plus the movement of a point to the smaller, both
 /// are clear. If a touch is `known` already, the smaller opening is not examined.
-pub(super) fn seen(
+pub(super) fn examine(
     problem: &FlankProblem,
     [open, closed]: [f64; 2],
     finest: f64,
     known: bool,
     left: &mut u32,
-) -> Seen {
+) -> Finding {
     let look = |opening: f64, slack: f64, left: &mut u32| {
-        let mut looking = Looking {
+        let mut examination = Examination {
             problem,
             finest,
             slack,
@@ -41,8 +41,8 @@ pub(super) fn seen(
             left,
             rounds: ROUNDS,
         };
-        let clear = looking.at(opening);
-        (clear, looking.close)
+        let clear = examination.at(opening);
+        (clear, examination.close)
     };
     let between = if known {
         0.0
@@ -50,25 +50,25 @@ pub(super) fn seen(
         problem.reach() * (open - closed)
     };
     let (clear, close) = look(open, between, left);
-    let seen = match (clear, close && !known) {
-        (false, _) => Seen::Overlap,
-        (true, false) => Seen::Clear,
+    let finding = match (clear, close && !known) {
+        (false, _) => Finding::Overlap,
+        (true, false) => Finding::Clear,
         (true, true) => {
             if look(closed, 0.0, left).0 {
-                Seen::Clear
+                Finding::Clear
             } else {
-                Seen::Touch
+                Finding::Touch
             }
         }
     };
     match *left {
-        0 => Seen::TooMuch,
-        _ => seen,
+        0 => Finding::EffortSpent,
+        _ => finding,
     }
 }
 
 /// The examination of one pair of half teeth at one opening.
-struct Looking<'a> {
+struct Examination<'a> {
     problem: &'a FlankProblem<'a>,
     finest: f64,
     /// A clearance up to this much counts as close.
@@ -80,7 +80,7 @@ struct Looking<'a> {
     rounds: u32,
 }
 
-impl Looking<'_> {
+impl Examination<'_> {
     /// Whether the half teeth are proven clear.
     fn at(&mut self, opening: f64) -> bool {
         let (locked, free) = (&self.problem.locked, &self.problem.free);

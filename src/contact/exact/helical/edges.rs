@@ -166,7 +166,7 @@ fn tight_places(
 ) {
     for step in locked.steps(ahead) {
         let b = locked.place(ahead, step);
-        if stands.may_come(reduced(behind - free.direction(b, step))) {
+        if stands.can_reach(reduced(behind - free.direction(b, step))) {
             places.extend(locked.on_face(step, b, 0.0));
         }
     }

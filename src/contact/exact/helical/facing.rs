@@ -49,12 +49,12 @@ impl<'a> Facing<'a> {
             posed,
             twists: [assembly.locked(), assembly.free()]
                 .map(|member| Turning::twist(assembly, posed, member)),
-            curves: all.but(Curves::of(ProfilePart::Root)),
+            curves: all.except(Curves::of(ProfilePart::Root)),
         }
     }
 
     /// Whether the pair of teeth at this place can be tighter than the known contact, or jam.
-    pub fn may_hold(&self, at: &Place, floors: Floors, effort: &Effort) -> bool {
+    pub fn may_be_tighter_or_jam(&self, at: &Place, floors: Floors, effort: &Effort) -> bool {
         let wound = |placed: Placed<'a>, twist: f64| Placed {
             direction: placed.direction * turn(twist * at.b),
             ..placed
@@ -72,7 +72,7 @@ impl<'a> Facing<'a> {
             ..here
         };
         let roots = Curves::of(ProfilePart::Root);
-        let curves = self.curves.among(at.curves);
+        let curves = self.curves.intersection(at.curves);
         [(roots, floors.jams), (curves, floors.tighter)]
             .into_iter()
             .any(|(curves, floor)| is_tighter([&locked, &free], origin, curves, floor, effort))

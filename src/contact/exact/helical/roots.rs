@@ -28,7 +28,7 @@ pub(super) fn tips_on_roots(
     ];
     // Contacts on the mate's flank are tightest elsewhere. While nothing stops the free gear, any curve may touch here.
     let curves = if stands.is_held {
-        Curves::of(ProfilePart::Tip).among(Curves::of(ProfilePart::Fillet))
+        Curves::of(ProfilePart::Tip).intersection(Curves::of(ProfilePart::Fillet))
     } else {
         Curves::ALL
     };

@@ -1,13 +1,13 @@
 //! The places along the face that are not examined.
 
 use super::turning::{FreeGear, Place};
-use crate::contact::exact::section::Wanted;
+use crate::contact::exact::section::SectionRequest;
 use crate::contact::exact::tests::{Draws, mating, wild};
 use crate::contact::{Contact, Effort, ExactKernel, Status};
 use crate::pair::Pose;
 use std::f64::consts::TAU;
 
-/// Every place of wild pairs that are not jammed, with its whole section examined: the places that [`Facing::may_hold`]
+/// Every place of wild pairs that are not jammed, with its whole section examined: the places that [`Facing::may_be_tighter_or_jam`]
 /// rejects neither touch first nor jam.
 #[test]
 fn rejected_places_change_nothing() {
@@ -45,7 +45,9 @@ fn rejected_places_change_nothing() {
         for &Place { b, .. } in &places {
             let here = pose.in_section(&pair, b);
             let section = plane.turned(&pair.section(b));
-            let alone = section.lost_motion(&here, Wanted::all(&effort)).unwrap();
+            let alone = section
+                .lost_motion(&here, SectionRequest::all(&effort))
+                .unwrap();
             assert_ne!(alone.status(), Status::Jammed, "{b} of {pair:?} {at:?}");
             let beyond = |one: Contact, over: Contact| {
                 let turned =
@@ -91,7 +93,7 @@ fn a_face_knows_no_more_of_a_contact_than_its_section() {
             let Some(contact) = contact else { continue };
             let here = pose.in_section(&pair, contact.section);
             let section = kernel.section.turned(&pair.section(contact.section));
-            let alone = section.lost_motion(&here, Wanted::all(&Effort::endless()));
+            let alone = section.lost_motion(&here, SectionRequest::all(&Effort::endless()));
             let alone = alone.unwrap();
             let alone = [alone.right, alone.left][side].unwrap();
             assert!(contact.error >= alone.error, "{contact:?} {alone:?}");

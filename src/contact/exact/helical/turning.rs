@@ -189,7 +189,7 @@ pub(super) struct FreeGear {
 
 impl FreeGear {
     /// Whether it can turn further by `farther`, rad.
-    pub(super) fn may_come(self, farther: f64) -> bool {
+    pub(super) fn can_reach(self, farther: f64) -> bool {
         !self.is_held || farther > -DOUBT
     }
 }
@@ -249,7 +249,7 @@ pub(super) fn crossing_places(
                     None => next = 0.5 * (turned + next),
                 }
             }
-            if !stands.may_come(next) || !b.is_finite() {
+            if !stands.can_reach(next) || !b.is_finite() {
                 continue;
             }
             let unsure = meets(turned).map_or(0.0, |crossing| crossing.unsure) / edges[0].radius;

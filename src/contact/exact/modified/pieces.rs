@@ -47,7 +47,7 @@ impl<'a> Path<'a> for FlankPath<'a> {
 impl PosedFlanks<'_> {
     /// The greatest gap above `floor` of the flanks of a step, searched first near the gap `guess`. It comes from
     /// bounds of their heights, and otherwise from their pieces; `None` if those do not settle it either.
-    pub(in crate::contact::exact) fn flanks_anyhow(
+    pub(in crate::contact::exact) fn greatest_gap_of_flanks(
         &self,
         step: i64,
         floor: f64,

@@ -91,7 +91,7 @@ impl RunTally {
     }
 
     /// Adds the next pose.
-    fn add(&mut self, pose: &ComparedPose, keep: Keep) {
+    fn add(&mut self, pose: &ComparedPose, keep: KeepLimits) {
         let result = &pose.simulated;
         self.poses += 1;
         self.compared += usize::from(pose.has_both());
@@ -191,16 +191,16 @@ impl RunTally {
 
 /// The poses to keep.
 #[derive(Debug, Clone, Copy)]
-struct Keep {
+struct KeepLimits {
     listed: bool,
     unproven: usize,
 }
 
-impl Keep {
+impl KeepLimits {
     /// For the next run, after `done`, of a study of `poses`, which may keep `unproven` of them.
-    fn of(poses: usize, unproven: usize, done: &[RunTally]) -> Keep {
+    fn of(poses: usize, unproven: usize, done: &[RunTally]) -> KeepLimits {
         let kept: usize = done.iter().map(|run| run.first_unproven.len()).sum();
-        Keep {
+        KeepLimits {
             listed: poses <= MOST_LISTED,
             unproven: unproven.saturating_sub(kept),
         }
@@ -232,7 +232,7 @@ pub fn whole<E>(
     let poses = runs.iter().map(|run| run.poses.len()).sum();
     let mut done = Vec::with_capacity(runs.len());
     for ComparedRun { run, poses: of_run } in runs {
-        let keep = Keep::of(poses, MOST_UNPROVEN, &done);
+        let keep = KeepLimits::of(poses, MOST_UNPROVEN, &done);
         let mut tally = RunTally::new(run.material, run.assembly.clone(), run.phase);
         take(Piece::Begin(&tally))?;
         for block in of_run.chunks(BLOCK) {
@@ -264,14 +264,14 @@ pub fn simulate_by_blocks<E: From<Error>>(
 ) -> Result<Vec<RunTally>, E> {
     let poses = study.pose_count();
     let mut done: Vec<RunTally> = Vec::new();
-    let mut current: Option<(RunTally, Keep)> = None;
+    let mut current: Option<(RunTally, KeepLimits)> = None;
     let plans = study.runs()?;
     each_block::<E>(study, plans, method, tick, &mut |block| {
         if block.first {
             let run = RunTally::new(block.material, block.assembly.clone(), block.phase);
             take(Piece::Begin(&run))?;
             let poses = usize::try_from(poses).unwrap_or(usize::MAX);
-            current = Some((run, Keep::of(poses, unproven, &done)));
+            current = Some((run, KeepLimits::of(poses, unproven, &done)));
         }
         let Some((run, keep)) = &mut current else {
             return Ok(());

@@ -109,11 +109,11 @@ impl Field {
             return None;
         }
         let pose = &pose.pose;
-        let held = |side: Side| Held::new(assembly, pose, side, on(found, side)?);
+        let held = |side: Side| HeldSide::new(assembly, pose, side, on(found, side)?);
         let held = [held(Side::Right)?, held(Side::Left)?];
-        let sections: Vec<Alone> = places(&held, assembly.face())
+        let sections: Vec<SectionAlone> = places(&held, assembly.face())
             .into_iter()
-            .map(|at| Alone::new(assembly, pose, at))
+            .map(|at| SectionAlone::new(assembly, pose, at))
             .collect();
         Some(Field {
             pose: *pose,
@@ -131,7 +131,7 @@ fn on(found: &LostMotion, side: Side) -> Option<Contact> {
 }
 
 /// Places along the face to examine, mm, ascending.
-fn places(held: &[Held; 2], [from, to]: [f64; 2]) -> Vec<f64> {
+fn places(held: &[HeldSide; 2], [from, to]: [f64; 2]) -> Vec<f64> {
     let even = (0..=SPACES).map(|k| from + (to - from) * (f64::from(k) / f64::from(SPACES)));
     let ends = held.iter().flat_map(|side| &side.lines);
     let ends = ends.flat_map(|line| line.ends.map(|end| end[0]));
@@ -143,17 +143,17 @@ fn places(held: &[Held; 2], [from, to]: [f64; 2]) -> Vec<f64> {
 }
 
 /// A section of the pair, with its pose and its own lost motion.
-struct Alone {
+struct SectionAlone {
     at: f64,
     pair: GearPair,
     pose: Pose,
     found: Option<LostMotion>,
 }
 
-impl Alone {
-    fn new(assembly: &GearPair, pose: &Pose, at: f64) -> Alone {
+impl SectionAlone {
+    fn new(assembly: &GearPair, pose: &Pose, at: f64) -> SectionAlone {
         let (pair, here) = (assembly.section(at), pose.in_section(assembly, at));
-        Alone {
+        SectionAlone {
             at,
             found: ExactKernel::new(&pair).lost_motion(&here).ok(),
             pair,
@@ -163,7 +163,7 @@ impl Alone {
 }
 
 /// One side, with the free gear held by its contact over the whole face.
-struct Held<'a> {
+struct HeldSide<'a> {
     assembly: &'a GearPair,
     pose: &'a Pose,
     side: Side,
@@ -174,17 +174,17 @@ struct Held<'a> {
     lines: Vec<ContactLine>,
 }
 
-impl<'a> Held<'a> {
+impl<'a> HeldSide<'a> {
     /// `None` if the displaced base circles overlap.
     fn new(
         assembly: &'a GearPair,
         pose: &'a Pose,
         side: Side,
         contact: Contact,
-    ) -> Option<Held<'a>> {
+    ) -> Option<HeldSide<'a>> {
         let tangent = Tangent::new(assembly, pose, side, contact.rotation)?;
         let (path, limits) = tangent.path(assembly);
-        let mut held = Held {
+        let mut held = HeldSide {
             assembly,
             pose,
             side,
@@ -231,7 +231,7 @@ impl<'a> Held<'a> {
         })
     }
 
-    fn section(&self, alone: &Alone) -> FieldSection {
+    fn section(&self, alone: &SectionAlone) -> FieldSection {
         let touching = alone.found.as_ref().and_then(|found| on(found, self.side));
         let turn = |here: Contact| {
             let beyond = here.rotation - alone.pose.free_rotation();
@@ -245,7 +245,7 @@ impl<'a> Held<'a> {
     }
 
     /// Whether a section has contact below the involutes, and none on the line of action at the same time.
-    fn is_off_involutes(&self, alone: &Alone) -> bool {
+    fn is_off_involutes(&self, alone: &SectionAlone) -> bool {
         let section = self.section(alone);
         let found = alone.found.as_ref().and_then(|found| on(found, self.side));
         let (Some(gap), Some(kind), Some(found)) = (section.gap, section.kind, found) else {
@@ -259,12 +259,12 @@ impl<'a> Held<'a> {
         kind.is_non_involute() && !self.lines.iter().any(touches)
     }
 
-    fn field(self, sections: &[Alone]) -> FieldSide {
+    fn field(self, sections: &[SectionAlone]) -> FieldSide {
         let looks: Vec<(f64, bool)> = sections
             .iter()
             .map(|alone| (alone.at, self.is_off_involutes(alone)))
             .collect();
-        let is_off = |at| self.is_off_involutes(&Alone::new(self.assembly, self.pose, at));
+        let is_off = |at| self.is_off_involutes(&SectionAlone::new(self.assembly, self.pose, at));
         let (wheel_tooth, pinion_tooth) = self.teeth();
         FieldSide {
             side: self.side,

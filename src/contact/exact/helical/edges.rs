@@ -12,7 +12,7 @@
 //! Each place belongs to one pair of teeth. The method of a section finds what touches there.
 
 use super::roots::{tangent_rotations, tip_ends, tips_on_roots};
-use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
+use super::turning::{Edge, FreeGear, Place, TwistedTeeth, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
@@ -101,19 +101,18 @@ impl Edges {
         let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
         let (c_l, c_f) = (posed.centre, posed.free_centre_at(rotation));
         let mut places = Vec::new();
-        let turnings = [
-            Turning::locked(assembly, posed),
-            Turning::free(assembly, posed, rotation),
+        let teeth = [
+            TwistedTeeth::locked(assembly, posed),
+            TwistedTeeth::free(assembly, posed, rotation),
         ];
         let between = c_f - c_l;
         let distance = between.norm();
         if self.short
             && let Some(tooth) = middle_of_path(locked, free, distance)
         {
-            places.extend(turnings[0].places(&Edge::middle(locked), between.arg() + tooth));
+            places.extend(teeth[0].places(&Edge::middle(locked), between.arg() + tooth));
         }
-        let mut take =
-            |ahead, behind| tight_places(&turnings, [ahead, behind], stands, &mut places);
+        let mut take = |ahead, behind| tight_places(&teeth, [ahead, behind], stands, &mut places);
         if self.on_locked {
             for &(_, edge) in free.corners() {
                 for touch in deepest(locked, distance, free.base, edge.norm()) {
@@ -142,15 +141,15 @@ impl Edges {
                 if k > 0 || l > 0 || self.short {
                     let edges = [&Edge::corner(one), &Edge::corner(other)];
                     let places = (&mut places, effort);
-                    crossing_places(posed, &turnings, edges, stands, places);
+                    crossing_places(posed, &teeth, edges, stands, places);
                 }
             }
         }
         if self.short {
-            tips_on_tips((assembly, posed), &turnings, stands, (&mut places, effort));
+            tips_on_tips((assembly, posed), &teeth, stands, (&mut places, effort));
         }
         if self.jams {
-            tips_on_roots((assembly, posed), &turnings, stands, (&mut places, effort));
+            tips_on_roots((assembly, posed), &teeth, stands, (&mut places, effort));
         }
         places
     }
@@ -159,7 +158,7 @@ impl Edges {
 /// Adds the places on the face at which a locked and a free tooth have the directions `ahead` and `behind`, rad, unless
 /// the free gear stops before.
 fn tight_places(
-    [locked, free]: &[Turning; 2],
+    [locked, free]: &[TwistedTeeth; 2],
     [ahead, behind]: [f64; 2],
     stands: FreeGear,
     places: &mut Vec<Place>,
@@ -243,7 +242,7 @@ fn middle_of_path(locked: &HalfToothShape, free: &HalfToothShape, distance: f64)
 /// end of one to the end of one. If no part of the face has both, they touch where such ends cross.
 fn tips_on_tips(
     (assembly, posed): (&GearPair, &PosedFlanks),
-    turnings: &[Turning; 2],
+    teeth: &[TwistedTeeth; 2],
     stands: FreeGear,
     (places, effort): (&mut Vec<Place>, &Effort),
 ) {
@@ -255,15 +254,15 @@ fn tips_on_tips(
         for (l, other) in free.iter().enumerate() {
             // The crossing of both near corners is found elsewhere.
             if k > 0 || l > 0 {
-                crossing_places(posed, turnings, [one, other], stands, (places, effort));
+                crossing_places(posed, teeth, [one, other], stands, (places, effort));
             }
         }
     }
     for rotation in touching {
         let between = posed.free_centre_at(rotation) - posed.centre;
-        let free_turning = Turning::free(assembly, posed, rotation);
+        let free_turning = TwistedTeeth::free(assembly, posed, rotation);
         for end in &locked {
-            places.extend(turnings[0].places(end, between.arg()));
+            places.extend(teeth[0].places(end, between.arg()));
         }
         for end in &free {
             places.extend(free_turning.places(end, (-between).arg()));

@@ -4,7 +4,7 @@
 //! touch, the contact is equally tight over the stretch on which both lands are on the line of centres. An end of a land bounds that
 //! stretch on either side. Outside it an end of the tip land touches, later with growing distance from that line, until the root land ends.
 
-use super::turning::{Edge, FreeGear, Place, Turning, crossing_places};
+use super::turning::{Edge, FreeGear, Place, TwistedTeeth, crossing_places};
 use crate::contact::Effort;
 use crate::contact::exact::curves::Curves;
 use crate::contact::exact::flank_problem::PosedFlanks;
@@ -15,7 +15,7 @@ use crate::pair::GearPair;
 /// together, if the free gear can turn there, and where the tip or root of a pair is on the line of centres.
 pub(super) fn tips_on_roots(
     (assembly, posed): (&GearPair, &PosedFlanks),
-    turnings: &[Turning; 2],
+    teeth: &[TwistedTeeth; 2],
     stands: FreeGear,
     (places, effort): (&mut Vec<Place>, &Effort),
 ) {
@@ -33,35 +33,35 @@ pub(super) fn tips_on_roots(
         Curves::ALL
     };
     let deep = |place: Place| Place { curves, ..place };
-    let tips_at = |which: usize, turning: &Turning, direction: f64, places: &mut Vec<Place>| {
+    let tips_at = |which: usize, teeth: &TwistedTeeth, direction: f64, places: &mut Vec<Place>| {
         for tip in ends[which].iter().chain([&middles[which]]) {
-            places.extend(turning.places(tip, direction).map(deep));
+            places.extend(teeth.places(tip, direction).map(deep));
         }
     };
     for which in 0..2 {
         let root = &roots[1 - which];
         for tip in &ends[which] {
             let edges = if which == 0 { [tip, root] } else { [root, tip] };
-            crossing_places(posed, turnings, edges, stands, (places, effort));
+            crossing_places(posed, teeth, edges, stands, (places, effort));
         }
         let touching = tangent_rotations(posed, middles[which].radius + root.radius);
         let rotations = std::iter::once(stands.rotation).chain(touching.into_iter().flatten());
         for rotation in rotations {
             let between = posed.free_centre_at(rotation) - posed.centre;
-            let turnings = [
-                Turning::locked(assembly, posed),
-                Turning::free(assembly, posed, rotation),
+            let teeth = [
+                TwistedTeeth::locked(assembly, posed),
+                TwistedTeeth::free(assembly, posed, rotation),
             ];
             let towards = [between.arg(), (-between).arg()];
-            tips_at(which, &turnings[which], towards[which], places);
-            let root = turnings[1 - which].places(root, towards[1 - which]);
+            tips_at(which, &teeth[which], towards[which], places);
+            let root = teeth[1 - which].places(root, towards[1 - which]);
             places.extend(root.map(deep));
         }
     }
     // The free gear is solid about its axis at every rotation; the centre of its outline is elsewhere.
     let off = posed.problem.free_off.norm();
     if off > 0.0 && posed.centre.norm() - locked.tip_radius < free.root_radius - off {
-        tips_at(0, &turnings[0], (-posed.centre).arg(), places);
+        tips_at(0, &teeth[0], (-posed.centre).arg(), places);
     }
 }
 

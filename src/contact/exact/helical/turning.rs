@@ -23,7 +23,7 @@ const DOUBT: f64 = 1e-9;
 const MOST_TURNS: usize = 100;
 
 /// The directions of one gear's teeth along the face, in the frame of a pose.
-pub(super) struct Turning<'a> {
+pub(super) struct TwistedTeeth<'a> {
     pub face: [f64; 2],
     /// Twist along the axis, rad/mm.
     twist: f64,
@@ -35,11 +35,11 @@ pub(super) struct Turning<'a> {
     offset: Box<dyn Fn(i64) -> f64 + 'a>,
 }
 
-impl<'a> Turning<'a> {
-    fn new(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> Turning<'a> {
-        Turning {
+impl<'a> TwistedTeeth<'a> {
+    fn new(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> TwistedTeeth<'a> {
+        TwistedTeeth {
             face: assembly.face(),
-            twist: Turning::twist(assembly, posed, member),
+            twist: TwistedTeeth::twist(assembly, posed, member),
             ahead: 0.0,
             step: 0.0,
             offset: Box::new(|_| 0.0),
@@ -51,21 +51,21 @@ impl<'a> Turning<'a> {
         posed.mirror() * assembly.gear(member).gear().basic_data().twist()
     }
 
-    pub fn locked(assembly: &GearPair, posed: &'a PosedFlanks) -> Turning<'a> {
-        Turning {
+    pub fn locked(assembly: &GearPair, posed: &'a PosedFlanks) -> TwistedTeeth<'a> {
+        TwistedTeeth {
             ahead: PI + posed.ahead,
             step: posed.problem.locked.pitch,
             offset: Box::new(|step| posed.locked_offset_at(step)),
-            ..Turning::new(assembly, posed, assembly.locked())
+            ..TwistedTeeth::new(assembly, posed, assembly.locked())
         }
     }
 
-    pub fn free(assembly: &GearPair, posed: &'a PosedFlanks, rotation: f64) -> Turning<'a> {
-        Turning {
+    pub fn free(assembly: &GearPair, posed: &'a PosedFlanks, rotation: f64) -> TwistedTeeth<'a> {
+        TwistedTeeth {
             ahead: rotation + posed.free_angle(),
             step: -posed.problem.free.pitch,
             offset: Box::new(|step| posed.free_offset_at(step)),
-            ..Turning::new(assembly, posed, assembly.free())
+            ..TwistedTeeth::new(assembly, posed, assembly.free())
         }
     }
 
@@ -202,7 +202,7 @@ impl FreeGear {
 /// cross. A step beyond the crossing is halved.
 pub(super) fn crossing_places(
     posed: &PosedFlanks,
-    [locked, free]: &[Turning; 2],
+    [locked, free]: &[TwistedTeeth; 2],
     edges: [&Edge; 2],
     stands: FreeGear,
     (places, effort): (&mut Vec<Place>, &Effort),

@@ -27,7 +27,10 @@ impl PosedFlanks<'_> {
         let mut settled = false;
         for _ in 0..STEPS {
             let ((p, one), (q, other)) = (locked.flank(x)?, free.flank(y)?);
-            let [at_x, at_y] = [Turning::new(&p, &one), Turning::new(&q, &other)];
+            let [at_x, at_y] = [
+                RollDerivatives::new(&p, &one),
+                RollDerivatives::new(&q, &other),
+            ];
             // Both points are at one radius with opposite normals. Unless the flanks are on opposite sides, nothing touches from outside.
             let rest = 0.5 * (p.point.norm_sqr() - q.point.norm_sqr());
             let w = p.point.conj() * p.normal * q.point * q.normal.conj();
@@ -94,16 +97,16 @@ pub(super) fn rises(locked: &Placed, x: f64, free: &Placed, y: f64, towards: f64
 }
 
 /// Derivatives along a flank of half the squared radius and of the angle between normal and radius.
-struct Turning {
+struct RollDerivatives {
     along: f64,
     turn: f64,
 }
 
-impl Turning {
-    fn new(sample: &CurvePoint, own: &Osculating) -> Turning {
+impl RollDerivatives {
+    fn new(sample: &CurvePoint, own: &Osculating) -> RollDerivatives {
         // P · i n and P · n.
         let z = sample.point.conj() * sample.normal;
-        Turning {
+        RollDerivatives {
             along: -z.im,
             turn: own.curvature - z.re / sample.point.norm_sqr(),
         }

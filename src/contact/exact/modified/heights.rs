@@ -73,7 +73,7 @@ impl<'a> Flank<'a> {
 
 /// A place of the locked flank.
 #[derive(Debug, Clone, Copy)]
-struct Look {
+struct FlankPlace {
     x: f64,
     /// `δ_L` and its derivatives.
     own: [f64; 3],
@@ -96,7 +96,7 @@ struct Look {
 
 impl Heights<'_> {
     /// A place of the locked flank; `None` inside the free base circle.
-    fn look(&self, x: f64) -> Option<Look> {
+    fn look(&self, x: f64) -> Option<FlankPlace> {
         let (locked, free) = (&self.locked, &self.free);
         let own = locked.jet(x);
         let [out, out_slope, _] = own;
@@ -117,7 +117,7 @@ impl Heights<'_> {
         let [mate, mate_slope, mate_second] = free.jet(y);
         let follows = -(arm * cos + out_slope * sin) / reach;
         let room = reach - free.base * y;
-        Some(Look {
+        Some(FlankPlace {
             x,
             own,
             arm,
@@ -135,10 +135,10 @@ impl Heights<'_> {
     }
 
     /// `D''`, mm/rad².
-    fn bend(&self, look: &Look) -> f64 {
+    fn bend(&self, look: &FlankPlace) -> f64 {
         let [_, slope, second] = look.own;
         let [mate_slope, mate_second] = look.mate;
-        let Look {
+        let FlankPlace {
             arm,
             reach,
             sin,
@@ -158,7 +158,7 @@ impl Heights<'_> {
     }
 
     /// Whether the free flank extends to a place.
-    fn reaches(&self, look: &Look) -> bool {
+    fn reaches(&self, look: &FlankPlace) -> bool {
         let (low, high) = self.free.range;
         look.y >= low && look.y <= high
     }
@@ -168,7 +168,7 @@ impl Heights<'_> {
     /// The whole flank if the rolls are unknown; `None` if it has none of them.
     fn facing(
         &self,
-        look: &Look,
+        look: &FlankPlace,
         on: f64,
         [width, travel, arm, off]: [f64; 4],
     ) -> Option<([f64; 2], f64)> {
@@ -196,7 +196,7 @@ impl Heights<'_> {
     }
 
     /// A bound of the height from `look` on by `width` in the sense `on`, from the involute with the deviation at `look`.
-    fn most(&self, look: &Look, on: f64, width: f64) -> f64 {
+    fn most(&self, look: &FlankPlace, on: f64, width: f64) -> f64 {
         let ends = [look.x, look.x + on * width];
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let [greatest, least] = self.locked.heights.whole();
@@ -211,12 +211,12 @@ impl Heights<'_> {
     }
 
     /// Greatest fall of `a` from `look` on.
-    fn falls(&self, look: &Look, on: f64, arm: f64, width: f64) -> f64 {
+    fn falls(&self, look: &FlankPlace, on: f64, arm: f64, width: f64) -> f64 {
         (-look.sin * on).max(0.0) * arm * width
     }
 
     /// Whether nothing from `look` on, to the flank's end at `width`, is as high as `level`.
-    fn is_past(&self, look: &Look, on: f64, width: f64, level: f64) -> bool {
+    fn is_past(&self, look: &FlankPlace, on: f64, width: f64, level: f64) -> bool {
         let arm = self.locked.base * self.locked.range.1 + look.own[0];
         let [greatest, _] = self.locked.heights.whole();
         let [mate, _] = self.free.heights.whole();
@@ -225,7 +225,7 @@ impl Heights<'_> {
     }
 
     /// A bound of the height from `look` on by `width` in the sense `on`, from a bound of its second derivative.
-    fn most_near(&self, look: &Look, on: f64, width: f64) -> f64 {
+    fn most_near(&self, look: &FlankPlace, on: f64, width: f64) -> f64 {
         let ends = [look.x, look.x + on * width];
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let [outs, slopes, seconds] = self.locked.bounds(from, to);

@@ -76,9 +76,9 @@ fn teeth_have_the_directions_of_their_section() {
             };
             let here = posed(&pair, &problem, mating);
             let rotation = 0.37;
-            let turnings = [
-                Turning::locked(&pair, &here),
-                Turning::free(&pair, &here, rotation),
+            let teeth = [
+                TwistedTeeth::locked(&pair, &here),
+                TwistedTeeth::free(&pair, &here, rotation),
             ];
             for b in [-9.0, -2.5, 0.0, 7.0] {
                 let twist =
@@ -86,7 +86,7 @@ fn teeth_have_the_directions_of_their_section() {
                 for step in -6..=6 {
                     let locked = here.locked(step).direction;
                     let free = here.free(step).direction * turn(rotation);
-                    for (turning, stands) in turnings.iter().zip([
+                    for (turning, stands) in teeth.iter().zip([
                         locked * turn(twist(pair.locked())),
                         free * turn(twist(pair.free())),
                     ]) {
@@ -114,8 +114,8 @@ fn no_place_on_the_face_is_left_out() {
         let problem = FlankProblem::new(&pair, Side::Left);
         let here = posed(&pair, &problem, Mating::FIRST);
         for turning in [
-            Turning::locked(&pair, &here),
-            Turning::free(&pair, &here, -0.2),
+            TwistedTeeth::locked(&pair, &here),
+            TwistedTeeth::free(&pair, &here, -0.2),
         ] {
             for k in 0..40 {
                 let direction = 0.17 * f64::from(k) - 3.3;
@@ -217,9 +217,9 @@ fn edges_that_cross_are_at_one_point() {
             };
             let here = posed(&pair, &problem, mating);
             let rotation = -problem.free.pitch * 0.13 - here.free_angle();
-            let turnings = [
-                Turning::locked(&pair, &here),
-                Turning::free(&pair, &here, rotation),
+            let teeth = [
+                TwistedTeeth::locked(&pair, &here),
+                TwistedTeeth::free(&pair, &here, rotation),
             ];
             let corners = [
                 problem.locked.shape.tip_corner(),
@@ -230,7 +230,7 @@ fn edges_that_cross_are_at_one_point() {
             let mut places = Vec::new();
             crossing_places(
                 &here,
-                &turnings,
+                &teeth,
                 [&edges[0], &edges[1]],
                 FreeGear {
                     rotation,
@@ -240,19 +240,19 @@ fn edges_that_cross_are_at_one_point() {
             );
             // Distance of the locked edge's point at `b` from the free edge's circle, and the turn of the free gear to it.
             let off = |b: f64, step: i64, mate: i64| {
-                let direction = turnings[0].direction(b, step) + corners[0].arg();
+                let direction = teeth[0].direction(b, step) + corners[0].arg();
                 let point = here.centre + turn(direction) * edges[0].radius;
                 let mut turned = 0.0;
                 for _ in 0..12 {
                     let seen = (point - here.free_centre_at(rotation + turned)).arg();
-                    turned = reduced(seen - corners[1].arg() - turnings[1].direction(b, mate));
+                    turned = reduced(seen - corners[1].arg() - teeth[1].direction(b, mate));
                 }
                 (
                     (point - here.free_centre_at(rotation + turned)).norm() - edges[1].radius,
                     turned,
                 )
             };
-            let [from, to] = turnings[0].face;
+            let [from, to] = teeth[0].face;
             let mut crossed = Vec::new();
             let at = |k: u32| from + (to - from) * f64::from(k) / 1e3;
             for step in -14..=14 {

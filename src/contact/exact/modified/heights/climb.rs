@@ -1,6 +1,6 @@
 //! Special places of the locked flank by Newton's method: opposite normals, ends of the free flank, summits of the height.
 
-use super::{Heights, Look};
+use super::{FlankPlace, Heights};
 
 /// Rolls nearer than this are equal, rad: heights between them differ by less than rounding.
 pub(super) const SAME_ROLL: f64 = 1e-13;
@@ -16,7 +16,7 @@ const WIDEST: f64 = 1.55;
 
 impl Heights<'_> {
     /// The starting place: where the normals of both involutes are opposite, or the nearest such place on both flanks.
-    pub(super) fn middle(&self, start: f64) -> Option<Look> {
+    pub(super) fn middle(&self, start: f64) -> Option<FlankPlace> {
         let (low, high) = self.locked.range;
         let (free_low, free_high) = self.free.range;
         let mut look = self.look(start.clamp(low, high))?;
@@ -38,7 +38,7 @@ impl Heights<'_> {
     }
 
     /// The place that faces a roll of the free flank, by Newton's method from `look`; `None` if the locked flank has none.
-    fn at_free_roll(&self, mut look: Look, roll: f64) -> Option<Look> {
+    fn at_free_roll(&self, mut look: FlankPlace, roll: f64) -> Option<FlankPlace> {
         let (low, high) = self.locked.range;
         for _ in 0..16 {
             let x = look.x + (roll - look.y) / look.follows;
@@ -55,7 +55,7 @@ impl Heights<'_> {
     }
 
     /// Whether no part of the free flank faces the locked one past a place, in the sense `on`.
-    pub(super) fn leaves(&self, look: &Look, on: f64) -> bool {
+    pub(super) fn leaves(&self, look: &FlankPlace, on: f64) -> bool {
         let (low, high) = self.free.range;
         if on > 0.0 {
             look.y <= low + SAME_ROLL
@@ -65,7 +65,7 @@ impl Heights<'_> {
     }
 
     /// A roll between `look` and `width` further on at which to divide: the end of the free flank if it lies between, otherwise the middle.
-    pub(super) fn division(&self, look: &Look, on: f64, width: f64) -> f64 {
+    pub(super) fn division(&self, look: &FlankPlace, on: f64, width: f64) -> f64 {
         let (low, high) = self.free.range;
         let end = if on > 0.0 { low } else { high };
         let there = look.y + on * width * look.follows;
@@ -80,7 +80,7 @@ impl Heights<'_> {
     }
 
     /// The level place next to `look` by Newton's method, within the width of `step`; `None` if it leads further away, or to a minimum.
-    fn level_place(&self, look: Look, step: f64) -> Option<Look> {
+    fn level_place(&self, look: FlankPlace, step: f64) -> Option<FlankPlace> {
         let (low, high) = self.locked.range;
         let mut there = look;
         for _ in 0..8 {
@@ -103,7 +103,7 @@ impl Heights<'_> {
     }
 
     /// The next summit uphill of `look`, no further away than a few times `step` or the end of a flank.
-    pub(super) fn summit(&self, look: Look, step: f64) -> Option<Look> {
+    pub(super) fn summit(&self, look: FlankPlace, step: f64) -> Option<FlankPlace> {
         if let Some(there) = self.level_place(look, step)
             && there.height >= look.height
         {

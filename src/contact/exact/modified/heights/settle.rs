@@ -1,7 +1,7 @@
 //! The greatest gap of two flanks: samples give the highest place, then bounds prove that none is higher, repeatedly.
 
 use super::climb::SAME_ROLL;
-use super::{Flank, Heights, Look};
+use super::{Flank, FlankPlace, Heights};
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::placed::Placed;
@@ -26,10 +26,10 @@ const SETTLED: f64 = 1e-9;
 impl Heights<'_> {
     /// Examines the flank from `from` to the roll `end`, over ever shorter stretches, for heights above the task's
     /// level. `false` if one is found; `None` after too many places.
-    fn along(&self, from: Look, end: f64, task: &mut Task) -> Option<bool> {
+    fn along(&self, from: FlankPlace, end: f64, task: &mut Task) -> Option<bool> {
         let on = if end >= from.x { 1.0 } else { -1.0 };
         let (mut look, mut width) = (from, task.near);
-        let mut open: Vec<(Look, f64)> = Vec::with_capacity(16);
+        let mut open: Vec<(FlankPlace, f64)> = Vec::with_capacity(16);
         loop {
             let rest = (end - look.x) * on;
             let is_over = !(rest > 0.0) || self.leaves(&look, on);
@@ -78,7 +78,12 @@ impl Heights<'_> {
     }
 
     /// Examines the whole flank, from `middle` and from the highest place if it is `known`, as [`Heights::along`].
-    fn over(&self, middle: &Look, known: Option<&Look>, task: &mut Task) -> Option<bool> {
+    fn over(
+        &self,
+        middle: &FlankPlace,
+        known: Option<&FlankPlace>,
+        task: &mut Task,
+    ) -> Option<bool> {
         let (low, high) = self.locked.range;
         let is_clear = match known {
             None => self.along(*middle, low, task)? && self.along(*middle, high, task)?,
@@ -103,7 +108,7 @@ struct Task {
     is_search: bool,
     /// Lower heights do not matter, mm.
     level: f64,
-    best: Option<Look>,
+    best: Option<FlankPlace>,
     /// Width, rad, at which a search ends, and below which bounds of second derivatives apply.
     near: f64,
     looks_left: u32,
@@ -111,7 +116,7 @@ struct Task {
 
 impl Task {
     /// Counts an examined place. Returns whether to continue; `None` after too many.
-    fn offer(&mut self, heights: &Heights, look: &Look) -> Option<bool> {
+    fn offer(&mut self, heights: &Heights, look: &FlankPlace) -> Option<bool> {
         self.looks_left = self.looks_left.checked_sub(1)?;
         if !(look.height > self.level && heights.reaches(look)) {
             return Some(true);
@@ -214,7 +219,7 @@ impl PosedFlanks<'_> {
         &self,
         step: i64,
         (locked, free): &(Placed, Placed),
-        look: &Look,
+        look: &FlankPlace,
     ) -> Option<CandidateContact> {
         let part = ProfilePart::Involute;
         let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();

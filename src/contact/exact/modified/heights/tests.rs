@@ -84,7 +84,7 @@ fn heights_have_the_stated_derivatives() {
             let [Some(before), Some(look), Some(behind)] = all else {
                 continue;
             };
-            let rate = |of: fn(&Look) -> f64| (of(&behind) - of(&before)) / (2.0 * step);
+            let rate = |of: fn(&FlankPlace) -> f64| (of(&behind) - of(&before)) / (2.0 * step);
             assert!(
                 (rate(|look| look.height) - look.slope).abs() < 1e-6 * (1.0 + look.slope.abs())
             );

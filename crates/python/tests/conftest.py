@@ -1,4 +1,4 @@
-"""What the tests share: the repository's fixtures, and the numbers of the command itself."""
+"""Common parts of the tests: the repository's fixtures, and the numbers of the command itself."""
 
 import json
 import subprocess
@@ -17,7 +17,7 @@ def fixtures() -> Path:
 
 
 def command(*words: object, code: int = 0) -> str:
-    """What the command prints on standard output."""
+    """The standard output of the command."""
     words_ = [str(word) for word in words]
     ran = subprocess.run([sys.executable, "-m", "gearlash", *words_], capture_output=True, text=True)
     assert ran.returncode == code, ran.stderr

@@ -1,4 +1,4 @@
-"""What goes wrong is an exception with the command's text."""
+"""Errors are exceptions with the command's text."""
 
 import pickle
 import subprocess

@@ -30,7 +30,7 @@ def pair(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def whole(pair: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, object]:
-    """What the command finds, 600 assemblies."""
+    """The result of the command, 600 assemblies."""
     folder = tmp_path_factory.mktemp("whole")
     command("tolerance", pair, "--assemblies", 600, "-o", folder, "-q")
     found: dict[str, object] = json.loads((folder / "result.json").read_text(encoding="utf-8"))

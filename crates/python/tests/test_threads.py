@@ -79,7 +79,7 @@ def test_ctrl_c_ends_the_command_as_it_ends_the_binary(fixtures, tmp_path) -> No
     time.sleep(1.0)
     assert ran.poll() is None
     ran.send_signal(signal.SIGINT)
-    _, told = ran.communicate(timeout=30)
+    _, stderr = ran.communicate(timeout=30)
     assert ran.returncode == 130
-    assert b"interrupted; nothing was written" in told
+    assert b"interrupted; nothing was written" in stderr
     assert not any(folder.iterdir()) if folder.exists() else True

@@ -1,31 +1,31 @@
-"""What goes wrong."""
+"""Errors."""
 
 from typing import NamedTuple
 
 
 class GearlashError(ValueError):
-    """What cannot be computed: a gear or a pair that cannot exist, a tooth or a centre distance that it has not."""
+    """A value that cannot be computed: a gear or a pair that cannot exist, a tooth or a centre distance that it does not have."""
 
 
 class GearlashWarning(UserWarning):
-    """What looks like a slip in a gear or a pair; its values are used as they are."""
+    """A likely slip in a gear or a pair; its values are used unchanged."""
 
 
 class Problem(NamedTuple):
-    """One thing that is wrong with one value."""
+    """One fault of one value."""
 
     key: str
     """Dotted path, such as ``wheel.runout.high_tooth``; empty for the whole file."""
     value: str | None
     """As written."""
     reason: str
-    """What is wrong and what is allowed."""
+    """The fault, and the allowed values."""
     help: str
-    """What to do."""
+    """The remedy."""
 
 
 class InputError(GearlashError):
-    """A gear, a pair or a file that says something wrong: all of it at once, a line each."""
+    """A gear, a pair or a file with faults: all of them, one line each."""
 
     problems: tuple[Problem, ...]
     """Each of them."""

@@ -12,10 +12,10 @@ from gearlash._table import Codes, Table, columns_of, taken
 
 @dataclass(frozen=True)
 class Extreme:
-    """An extreme of the backlash over the whole mesh cycle and every rotation, and a pose that attains it."""
+    """An extreme of the backlash over the whole mesh cycle and every rotation, and its pose."""
 
     j_wt_um: tuple[float, float]
-    """Bracket of the circumferential backlash, µm; infinite at an end where nothing bounds it."""
+    """Bracket of the circumferential backlash, µm; infinite at an unknown end."""
     found_j_wt_um: float
     """Circumferential backlash at ``pose``, µm."""
     wheel_arcmin: float
@@ -23,16 +23,16 @@ class Extreme:
     proven: bool
     """Whether the bracket is at most 0.001 µm wide."""
     doubt: str | None
-    """Why it is wider."""
+    """The reason why it is wider."""
     uncertainty_um: float | None
     """Expanded uncertainty, where the pair states uncertainties."""
     pose: Pose
     record: dict[str, Any] = field(repr=False, compare=False)
-    """As ``result.json`` has it."""
+    """The extreme as in ``result.json``."""
 
     @classmethod
     def of(cls, record: dict[str, Any] | None) -> "Extreme | None":
-        """Of an extreme as ``result.json`` has it."""
+        """The extreme from its entry in ``result.json``."""
         if record is None:
             return None
         low, high = record["j_wt_um"]
@@ -49,27 +49,27 @@ class Extreme:
 
 @dataclass(frozen=True)
 class RunExtremes:
-    """The extremes at one centre distance, of one material and assembly phase."""
+    """The extremes at one centre distance, for one material and assembly phase."""
 
     center_distance_mm: float
     material: str
     """``most``, ``least`` or ``as-measured``."""
     phase: tuple[int, int] | None
-    """Wheel and pinion tooth that name the assembly phase, where there are several."""
+    """Wheel and pinion tooth of the assembly phase, where there are several."""
     status: str
-    """How the worst pose ends: ``clear``, ``interference``, ``jammed``, ``no_contact``."""
+    """Status of the worst pose: ``clear``, ``interference``, ``jammed``, ``no_contact``."""
     least: Extreme | None
     """``None`` where a pose is jammed."""
     greatest: Extreme | None
     """``None`` where a pose is out of mesh."""
     assembles_from_mm: tuple[float, float] | None
-    """Where the pair does not assemble: bracket of the centre distance from which on it does."""
+    """Where the pair does not assemble: bracket of the least centre distance at which it assembles."""
     record: dict[str, Any] = field(repr=False, compare=False)
-    """As ``result.json`` has it: with the bearings' play too."""
+    """The extremes as in ``result.json``, including the bearings' play."""
 
     @classmethod
     def of(cls, record: dict[str, Any]) -> "RunExtremes":
-        """Of the extremes as ``result.json`` has them."""
+        """The extremes from their entry in ``result.json``."""
         phase, assembles = record["phase"], record["assembles_from_mm"]
         return taken(
             cls,
@@ -90,7 +90,7 @@ class Extremes(Table):
 
     @property
     def least(self) -> Extreme | None:
-        """The least of all; ``None`` where a run is jammed."""
+        """The least of all runs; ``None`` where one is jammed."""
         found = [run.least for run in self.runs]
         if any(extreme is None for extreme in found):
             return None
@@ -98,14 +98,14 @@ class Extremes(Table):
 
     @property
     def greatest(self) -> Extreme | None:
-        """The greatest of all; ``None`` where a run is out of mesh."""
+        """The greatest of all runs; ``None`` where one is out of mesh."""
         found = [run.greatest for run in self.runs]
         if any(extreme is None for extreme in found):
             return None
         return max((extreme for extreme in found if extreme), key=lambda e: e.j_wt_um[1], default=None)
 
     def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
-        """A row a run: brackets of least and greatest ``j_wt``, µm."""
+        """One row per run: brackets of least and greatest ``j_wt``, µm."""
 
         nothing = (None, None)
 
@@ -146,12 +146,12 @@ class Check:
 
 @dataclass(frozen=True)
 class Checked:
-    """A pair, checked: what ``gearlash check`` says."""
+    """A checked pair: the result of ``gearlash check``."""
 
     verdict: str
-    """The lines that the command prints first."""
+    """The first lines that the command prints."""
     assembles: bool | None
-    """``None`` where that is not proven."""
+    """``None`` where it is not proven."""
     requirement: str
     """``none``, ``met``, ``not_met`` or ``not_proven``."""
     failed_checks: tuple[str, ...]
@@ -162,7 +162,7 @@ class Checked:
 
     @classmethod
     def of(cls, record: dict[str, Any]) -> "Checked":
-        """Of the JSON of ``gearlash check`` for one file."""
+        """The result from the JSON of ``gearlash check`` for one file."""
         (record,) = record["files"]
         verdict = record["verdict"]
         return taken(

@@ -11,14 +11,14 @@ Floats = NDArray[np.float64]
 
 
 class Gauged:
-    """What the gauges read on the outline of a gear of z teeth: arrays of shape (z,), tooth 1 first.
+    """The gauges' readings on the outline of a gear of z teeth: arrays of shape (z,), tooth 1 first.
 
     A reading that could not be taken raises :class:`GearlashError` with the reason.
     """
 
     def __init__(self, record: dict[str, Any]) -> None:
         self.record = record
-        """The gear as ``gearlash gauge --format json`` has it: error bounds, profiles, grades and the roll test's poses too."""
+        """The gear as in ``gearlash gauge --format json``, with error bounds, profiles, grades and the roll test's poses."""
 
     def _read(self, name: str) -> Any:
         read = self.record[name]

@@ -15,7 +15,7 @@ from gearlash._text import text
 
 
 class Gear:
-    """A spur or helical gear by its drawing and what was measured on it.
+    """A spur or helical gear by its drawing and its measurements.
 
     The arguments are the keys of ``[wheel]`` in a pair file, checked and refused as those of a file; deviations may be numpy arrays of
     shape (z,), µm, tooth 1 first.
@@ -84,7 +84,7 @@ class Gear:
 
     @property
     def title(self) -> str:
-        """Shown in pictures."""
+        """The title in pictures."""
         return self._core.title
 
     @property
@@ -94,32 +94,32 @@ class Gear:
 
     @property
     def module_mm(self) -> float:
-        """m, of a helical gear m_n, mm."""
+        """m, or m_n for a helical gear, mm."""
         return self._core.module_mm
 
     @property
     def pressure_angle_deg(self) -> float:
-        """α, of a helical gear α_n, degrees."""
+        """α, or α_n for a helical gear, degrees."""
         return self._core.pressure_angle_deg
 
     @property
     def helix_angle_deg(self) -> float:
-        """β at the reference circle, degrees; 0 of a spur gear."""
+        """β at the reference circle, degrees; 0 for a spur gear."""
         return self._core.helix_angle_deg
 
     @property
     def materials(self) -> list[str]:
-        """``as-measured`` alone, or ``most`` and ``least``, the ends of a thickness that has two."""
+        """``as-measured`` alone, or ``most`` and ``least`` for a thickness with tolerance."""
         return self._core.materials
 
     @property
     def warnings(self) -> list[str]:
-        """What looks like a slip."""
+        """Likely slips."""
         return self._core.warnings
 
     @property
     def remarks(self) -> list[str]:
-        """What was found to be in order."""
+        """Notes."""
         return self._core.remarks
 
     def to_dict(self) -> dict[str, Any]:
@@ -127,7 +127,7 @@ class Gear:
         return dict(json.loads(self._core.spec()))
 
     def base_thickness_mm(self, material: str | None = None) -> float:
-        """Mean base tooth thickness s_b, mm; of the most material where there are two and none is named."""
+        """Mean base tooth thickness s_b, mm; by default for the most material, where there are two."""
         return self._core.base_thickness_mm(material)
 
     def diameters_mm(self, material: str | None = None) -> tuple[float, float, float]:

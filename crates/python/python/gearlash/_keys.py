@@ -1,4 +1,4 @@
-"""The tables of gear and pair files, as dicts: keys and units as docs/reference/pair-file.md lists them."""
+"""The tables of gear and pair files as dicts, with the keys and units of docs/reference/pair-file.md."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, TypedDict
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Numbers = Sequence[float] | NDArray[np.floating[Any]] | NDArray[np.integer[Any]]
-"""One number a tooth, shape (z,), tooth 1 first."""
+"""One number per tooth, shape (z,), tooth 1 first."""
 
 
 class Rack(TypedDict, total=False):
@@ -31,7 +31,7 @@ class Thickness(TypedDict, total=False):
     flank_offset_mm: float | Mapping[str, float]
     base_thickness_mm: float | Mapping[str, float]
     per_tooth_um: Numbers
-    """Added to it, tooth by tooth."""
+    """Added to the thickness, tooth by tooth."""
     cross_check: Mapping[str, Any]
 
 
@@ -41,11 +41,11 @@ class Runout(TypedDict, total=False):
     total_um: float
     """F_r: twice the eccentricity."""
     high_tooth: float
-    """The tooth it points to; without it every direction is meant."""
+    """The tooth of the runout; without it every direction counts."""
     file: str
-    """Readings in place of both, + = outwards; beside it the keys of a table."""
+    """Readings in place of both, + = outwards; with the keys of a table."""
     at: str
-    """Where they were read: ``tooth`` or ``space``."""
+    """Place of the readings: ``tooth`` or ``space``."""
     ball_mm: float
 
 

@@ -1,4 +1,4 @@
-"""Two gears and how they are put together."""
+"""Two gears and their assembly."""
 
 import json
 import os
@@ -78,17 +78,17 @@ class Pair:
 
     @property
     def title(self) -> str:
-        """Shown in pictures."""
+        """The title in pictures."""
         return self._core.title
 
     @property
     def center_distances_mm(self) -> list[float]:
-        """Centre distances that are run, mm; of a band the least, the nominal and the greatest."""
+        """Centre distances of the runs, mm; the least, the nominal and the greatest of a band."""
         return self._core.center_distances_mm
 
     @property
     def face_mm(self) -> tuple[float, float] | None:
-        """Ends of the common face of helical gears, mm from the wheel's measuring plane; ``None`` of spur gears."""
+        """Ends of the common face of helical gears, mm from the wheel's measuring plane; ``None`` for spur gears."""
         face = self._core.face_mm
         return None if face is None else (face[0], face[1])
 
@@ -99,12 +99,12 @@ class Pair:
 
     @property
     def warnings(self) -> list[str]:
-        """What looks like a slip."""
+        """Likely slips."""
         return self._core.warnings
 
     @property
     def remarks(self) -> list[str]:
-        """What was found to be in order."""
+        """Notes."""
         return self._core.remarks
 
     def to_dict(self) -> dict[str, Any]:
@@ -205,7 +205,7 @@ class Pair:
         return Extremes(tuple(RunExtremes.of(run) for run in found))
 
     def check(self, *, threads: int | None = None) -> Checked:
-        """Verdict, extremes and every check: what ``gearlash check`` says."""
+        """Verdict, extremes and every check: the result of ``gearlash check``."""
         return Checked.of(json.loads(_core.check(self._core, threads)))
 
     def snapshot(

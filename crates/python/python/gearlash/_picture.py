@@ -7,7 +7,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture, which a notebook shows by itself."""
+    """A picture, which notebooks display."""
 
     svg: str
     """One ``<svg>`` element."""
@@ -19,5 +19,5 @@ class Picture:
         return f"Picture({len(self.svg)} characters of SVG)"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the picture into the file at ``path``, which is replaced."""
+        """Write the picture to the file at ``path``, which is replaced."""
         Path(path).write_text(self.svg, encoding="utf-8")

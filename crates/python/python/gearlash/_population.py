@@ -1,4 +1,4 @@
-"""Many pairs: what share of a series misses its requirement, and which measured gears go together."""
+"""Many pairs: the share of a series that misses its requirement, and the assignment of measured gears."""
 
 import json
 import os
@@ -19,10 +19,10 @@ Path = str | os.PathLike[str]
 
 @dataclass(frozen=True)
 class Share:
-    """Parts of a million, with the interval that holds those of the whole population with 95 %."""
+    """Parts per million, with the 95 % confidence interval of the whole population."""
 
     count: int
-    """Assemblies of those drawn that miss the limit."""
+    """Drawn assemblies that miss the limit."""
     ppm: float
     low_ppm: float
     high_ppm: float
@@ -33,12 +33,12 @@ class Share:
 
 
 class Result(Table):
-    """A whole result, as its command writes it."""
+    """A whole result, as the command writes it."""
 
     def __init__(self, text: str) -> None:
         self._text = text
         self.record: dict[str, Any] = json.loads(text)
-        """All of it."""
+        """The whole result."""
 
     def to_json(self) -> str:
         """The bytes of the command's own JSON file."""
@@ -46,7 +46,7 @@ class Result(Table):
 
 
 class Rows(Table):
-    """Assemblies of a population, one a row.
+    """Assemblies of a population, one per row.
 
     As a table (``to_pandas``, ``to_arrow``) the columns of a file of ``gearlash tolerance --rows``. Lengths are NaN where an assembly has none.
     """
@@ -55,7 +55,7 @@ class Rows(Table):
         self._text = text
 
     def to_csv(self) -> str:
-        """The text of that file, which ``gearlash tolerance --from-rows`` reads."""
+        """The text of a file of rows, which ``gearlash tolerance --from-rows`` reads."""
         return self._text
 
     @cached_property
@@ -87,7 +87,7 @@ class Rows(Table):
         return self._arrays["greatest_um"]
 
     def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
-        """Assembly, outcome, least and greatest ``j_wt``, whether they are proven, whether a limit is missed, and what is left to the nearest one, µm."""
+        """Assembly, outcome, least and greatest ``j_wt``, whether they are proven, whether a limit is missed, and the margin to the nearest one, µm."""
         words = {"outcome": (self._arrays["outcome"], tuple(_core.OUTCOMES))}
         return {**self._arrays, **words}
 
@@ -106,32 +106,32 @@ class Tolerance(Result):
 
     @property
     def sentence(self) -> str:
-        """What share misses the requirement, and what most of the spread comes from."""
+        """The share that misses the requirement, and the main source of the spread."""
         return str(self.record["sentence"])
 
     @property
     def assemblies(self) -> int:
-        """How many were drawn."""
+        """Number of drawn assemblies."""
         return int(self.record["assemblies"])
 
     @property
     def below(self) -> Share:
-        """Least backlash below the requirement."""
+        """Assemblies with the least backlash below the requirement."""
         return Share._of(self.record["below"])
 
     @property
     def above(self) -> Share:
-        """Greatest backlash above it."""
+        """Assemblies with the greatest backlash above it."""
         return Share._of(self.record["above"])
 
     @property
     def is_met(self) -> bool | None:
-        """Whether no more than ``max_ppm`` miss it; ``None`` where none is stated."""
+        """Whether at most ``max_ppm`` miss it; ``None`` where none is stated."""
         met: bool | None = self.record["requirement"]["met"]
         return met
 
     def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
-        """What each quantity contributes to the scatter of either extreme: shares of 1."""
+        """The contribution of each quantity to the scatter of either extreme: shares of 1."""
         found = self.record["contributions"] or {}
         return columns_of(
             {"extreme": extreme, **row}
@@ -144,14 +144,14 @@ class Tolerance(Result):
 
 
 def warn(texts: Iterable[str]) -> None:
-    """What the command would warn of, of the call of a function of this package."""
+    """Issue the warnings of the command, attributed to the caller of this package's function."""
     for text in texts:
         warnings.warn(text, GearlashWarning, stacklevel=3)
 
 
 @dataclass(frozen=True)
 class MatchedPair:
-    """A wheel and a pinion that go together: tooth 1 of the wheel meets ``pinion_tooth``, right flanks."""
+    """A pair of the assignment: tooth 1 of the wheel meets ``pinion_tooth``, right flanks."""
 
     wheel: str
     pinion: str
@@ -159,7 +159,7 @@ class MatchedPair:
     least_um: float
     """Least ``j_wt`` over the mesh cycle, µm."""
     greatest_um: float
-    """The greatest."""
+    """Greatest ``j_wt`` over the mesh cycle, µm."""
 
 
 class Matched(Result):
@@ -170,7 +170,7 @@ class Matched(Result):
 
     @property
     def sentence(self) -> str:
-        """How many pairs keep the requirement, and what simpler ways would come to."""
+        """The number of pairs within the requirement, and the expectation of simpler methods."""
         return str(self.record["text"])
 
     @property

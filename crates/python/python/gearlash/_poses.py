@@ -1,4 +1,4 @@
-"""Poses and what was found there."""
+"""Poses and their results."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -21,7 +21,7 @@ class Flank(IntEnum):
 
 
 class Status(IntEnum):
-    """How a pose ended."""
+    """Status of a pose."""
 
     CLEAR = 0
     """The free gear has room to turn."""
@@ -32,7 +32,7 @@ class Status(IntEnum):
     NO_CONTACT = 3
     """Out of mesh: no value."""
     UNPROVEN = 4
-    """Nothing vouches for what was found: no value."""
+    """Unproven: no value."""
 
 
 assert _core.STATUSES == [status.name.lower() for status in Status]
@@ -50,7 +50,7 @@ def is_left(flank: "str | int") -> bool:
 
 @dataclass(frozen=True)
 class Contact:
-    """Where the gears touch on one side."""
+    """The contact on one side."""
 
     wheel_tooth: int
     pinion_tooth: int
@@ -70,7 +70,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Pose:
-    """Lost motion at one pose. What has no value (jammed, out of mesh, unproven) is ``None``."""
+    """Lost motion at one pose. Values are ``None`` where it is jammed, out of mesh or unproven."""
 
     wheel_tooth: int
     pinion_tooth: int
@@ -83,26 +83,26 @@ class Pose:
     error_bound_um: float | None
     """Bound on the error of ``j_wt_um``."""
     j_t_um: float | None
-    """The same at the reference circle."""
+    """Circumferential backlash at the reference circle, µm."""
     j_bn_um: float | None
     """Normal backlash."""
     j_r_um: float | None
-    """Radial backlash: how far the centre distance can fall."""
+    """Radial backlash: how far the centre distance can decrease."""
     lost_motion_rad: float | None
-    """Of the gear that turns."""
+    """Lost motion of the gear that turns."""
     wheel_arcmin: float | None
-    """How far the wheel turns where the pinion stands still."""
+    """Rotation of the wheel with the pinion locked."""
     pinion_arcmin: float | None
     right: Contact | None
     left: Contact | None
     proof: dict[str, Any] | None = field(repr=False, compare=False)
     """The directions that keep all teeth apart a little more open, and a point in the metal of both teeth a little more closed."""
     record: dict[str, Any] = field(repr=False, compare=False)
-    """The pose as ``result.json`` has it: the formulas' values (``analytic``) and rotations too."""
+    """The pose as in ``result.json``, including the formulas' values (``analytic``) and rotations."""
 
     @classmethod
     def of(cls, record: dict[str, Any]) -> "Pose":
-        """Of a pose as ``result.json`` has it."""
+        """The pose from its entry in ``result.json``."""
         arcmin = record.get("lost_motion_arcmin") or {}
         return taken(
             cls,
@@ -125,7 +125,7 @@ def _contact(record: dict[str, Any] | None) -> Contact | None:
 
 
 class Poses(Table):
-    """Lost motion at n poses of one pair at one centre distance, in the order asked for.
+    """Lost motion at n poses of one pair at one centre distance, in the given order.
 
     Each column is an attribute, an array of shape (n,); :meth:`columns` has all by name:
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import pyarrow
 
 Codes = tuple[np.ndarray[Any, Any], tuple[str, ...]]
-"""Numbers, and the words that they stand for."""
+"""Numbers, and their words."""
 
 T = TypeVar("T")
 
@@ -41,7 +41,7 @@ def columns_of(records: Iterable[Mapping[str, Any]]) -> dict[str, "np.ndarray[An
 
 
 def needed(package: str, extra: str, what: str) -> Any:
-    """The package, or an error that names it."""
+    """The package, or an error that names it if it is missing."""
     try:
         return import_module(package)
     except ModuleNotFoundError as missing:
@@ -52,7 +52,7 @@ def needed(package: str, extra: str, what: str) -> Any:
 
 
 class Table:
-    """What has columns of one length."""
+    """Columns of equal length."""
 
     @abstractmethod
     def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:

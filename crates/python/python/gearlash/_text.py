@@ -1,4 +1,4 @@
-"""From keys and values in Python to the text of a gear or pair file, which the library reads and checks."""
+"""Writes keys and values of Python as the text of a gear or pair file, which the library reads and checks."""
 
 import json
 import math
@@ -12,7 +12,7 @@ from gearlash._errors import InputError
 
 
 def text(values: Mapping[str, Any], name: str) -> str:
-    """The values as JSON; keys without a value (``None``) are left out. ``name`` is what messages call it."""
+    """The values as JSON; keys without a value (``None``) are left out. Messages call it ``name``."""
     return json.dumps(_plain(values, "", name), allow_nan=False)
 
 

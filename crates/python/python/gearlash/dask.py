@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def _gathered(client: "Client", function: Any, items: list[Any], retries: int) -> list[Any]:
-    """What ``function`` returns of each of ``items``, in their order."""
+    """The results of ``function`` for ``items``, in their order."""
     futures = client.map(function, items, retries=retries, pure=False)
     found: list[Any] = client.gather(futures)  # type: ignore[no-untyped-call]
     return found

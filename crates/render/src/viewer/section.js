@@ -9,7 +9,7 @@
   const sides = ["right", "left"];
   const mm = (place) => `${Number(place.toFixed(2))} mm`.replace("-", "−");
 
-  // Of the pose that viewer.js shows; null without a contact.
+  // The place of contact of the shown pose; null without a contact.
   const touches = (side) => runs[Number(byId("runs").value)][side + "_section_mm"]?.[Number(byId("slider").value)] ?? null;
   const heldSide = () => document.querySelector("[name=viewer-side]:checked").value;
 

@@ -18,11 +18,11 @@
   const value = (column) => run()[column]?.[shown.pose] ?? null;
   const word = (column) => data.words[column]?.[value(column)];
   const other = { right: "left", left: "right" };
-  // Where a page cannot hold all poses of a run, `number` says which these are.
+  // The numbers of the poses, where the page holds only some of a run.
   const numberIn = (run, pose) => run.number?.[pose] ?? pose + 1;
   const poseNumber = () => numberIn(run(), shown.pose);
 
-  // Where the contact on a side lies in the picture, y down; null without one.
+  // The place of the contact on a side in the picture, y down; null without one.
   function contactAt(side) {
     const [x, y] = [value(side + "_x_mm"), value(side + "_y_mm")];
     return x === null ? null : [x, -y];
@@ -46,7 +46,7 @@
     showCursor();
   }
 
-  // The points on the two gears are one where they touch; else the free gear's has the lost motion to go.
+  // The points on the two gears coincide in contact; else the free gear's point is off by the lost motion.
   function showContact(side, lost, axis) {
     const [x, y] = [value(side + "_x_mm"), value(side + "_y_mm")];
     byId(side + "-contact").setAttribute("display", x === null ? "none" : "inline");
@@ -68,7 +68,7 @@
     }
   }
 
-  // ---- texts, in the words of readout.rs
+  // ---- texts, equal to those of readout.rs
   function showText() {
     const set = (name, text) => { byId(name).textContent = text; };
     const fraction = value("fraction");
@@ -111,7 +111,7 @@
     follow(before);
   }
 
-  // The same pose of another run, or the nearest to it that the page has.
+  // Shows the same pose of another run, or the nearest one in the page.
   function samePose(number) {
     const wanted = poseNumber();
     const off = (pose) => Math.abs(numberIn(data.runs[number], pose) - wanted);
@@ -163,9 +163,8 @@
     showDashes();
   }
 
-  // A dash costs the browser as much out of sight as in it, and keeps its length on the screen: of the dashed lines no
-  // more is drawn than may be seen (on paper, too, where the picture has another shape): what lies within `reach` of the
-  // middle.
+  // Draws only the visible part of the dashed lines, within `reach` of the middle. Invisible dashes cost the browser as much
+  // as visible ones, and dashes keep their length on the screen. On paper the picture has another shape.
   const PIECES = 128;
   function showDashes() {
     const box = picture.getBoundingClientRect();
@@ -174,7 +173,7 @@
     const middle = [view[0] + view[2] / 2, -(view[1] + view[3] / 2)];
     const [from, to] = [middle[0] - reach, middle[0] + reach].map((x) => Math.min(Math.max(x, 0), run().center_distance_mm));
     byId("centres").setAttribute("d", from < to && Math.abs(middle[1]) < reach ? `M${from} 0H${to}` : "");
-    // So that dashes stand still while the line is cut elsewhere.
+    // Keeps the dashes in place when the ends of the line change.
     byId("centres").setAttribute("stroke-dashoffset", from * scale % 38);
     members.forEach((member, i) => {
       const r = run().pitch_radius_mm[i];
@@ -192,7 +191,7 @@
     });
   }
 
-  // How many millimetres the picture is wide on the screen.
+  // Width of the picture on the screen, in millimetres.
   function showScale() {
     const wide = picture.getBoundingClientRect().width / picture.getScreenCTM().a;
     byId("scale").textContent = `${wide.toPrecision(3)} mm wide`;
@@ -200,11 +199,11 @@
 
   const inView = (at) => at && at[0] > view[0] && at[0] < view[0] + view[2] && at[1] > view[1] && at[1] < view[1] + view[3];
 
-  // The side whose contact keys and buttons zoom about: the one shown, or else the other, where in view.
+  // The side of the contact about which keys and buttons zoom: the shown one, or else the other, where it is in view.
   const heldSide = () => [shown.side, other[shown.side]].find((side) => inView(contactAt(side)));
   const held = () => { const side = heldSide(); return side && { side, at: contactAt(side) }; };
 
-  // Near by, the view goes along with the contact from pose to pose.
+  // A close view follows the contact from pose to pose.
   const NEAR = home[2] / 8;
   function follow(before) {
     const now = before && contactAt(before.side);
@@ -220,7 +219,7 @@
     look([at[0] - width / 2, at[1] - height / 2, width, height]);
   }
 
-  // `at`: the place that stays where it is, in units of the viewBox.
+  // `at`: the fixed place, in units of the viewBox.
   function zoom(factor, at = held()?.at ?? [view[0] + view[2] / 2, view[1] + view[3] / 2]) {
     const width = Math.min(Math.max(view[2] / factor, NARROWEST), WIDEST);
     const part = width / view[2];
@@ -252,7 +251,7 @@
     const two = pointers.size === 2;
     const apart = two ? spread() : 0;
     pointers.set(event.pointerId, event);
-    // Two fingers on one spot have no ratio.
+    // Two fingers on one spot give no ratio.
     if (two && apart > 0 && spread() > 0) {
       const [a, b] = [...pointers.values()].map((pointer) => placeIn(picture, pointer));
       zoom(spread() / apart, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
@@ -298,7 +297,7 @@
   });
 
   // ---- charts: a cursor at the pose, and a click to the nearest pose
-  // Each curve stands in the page twice: for a wide and for a narrow screen.
+  // The page contains each curve twice: for a wide and for a narrow screen.
   const drawn = (each) => ["", "-narrow"].map((width) => each.chart && document.getElementById(each.chart + width)).filter(Boolean);
   const charts = new Map();
   data.runs.forEach((each, number) => {
@@ -327,13 +326,14 @@
     }
   }
 
-  // A cursor in a folded curve would not be seen.
+  // A cursor in a collapsed curve would be invisible.
   function unfoldCurve() {
     const folded = document.getElementById(run().chart)?.closest("details:not([open])");
     if (folded) folded.open = true;
   }
 
-  // Of each curve, a run and a flank, the pose nearest across; of these the one whose backlash is nearest to the click.
+  // Takes the horizontally nearest pose of each curve (a run and a flank); among these, the one with the backlash nearest to
+  // the click.
   function jump(svg, event) {
     const f = frame(svg);
     const [left, down] = placeIn(svg, event);

@@ -1,4 +1,4 @@
-//! `[assembly]`: how the two gears are put together, checked beside the gears.
+//! `[assembly]`: the assembly of the two gears, checked together with them.
 
 use super::check::Checked;
 use super::gear::GearPart;

@@ -49,8 +49,8 @@ pub fn cell(text: &str) -> String {
     }
 }
 
-/// Characters of a line of an error message: a path as long as Linux allows (4096 bytes) and what is said of it. Nothing should
-/// come near it; where something does, the line is cut visibly.
+/// Longest line of an error message, characters: a path as long as Linux allows (4096 bytes) and the message. No line should come
+/// near it; a longer one is cut visibly.
 const LONGEST_LINE: usize = 6000;
 
 /// `text` as one line of a message: [`plain`] and not too long.

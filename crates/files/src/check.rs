@@ -24,7 +24,7 @@ const UNITS: [(&str, &str); 6] = [
     ("c", "°C"),
     ("per_k", "1/K"),
 ];
-/// Pairs of keys of which the first is at most the second.
+/// Pairs of keys; the first must not exceed the second.
 const ORDERED: [[&str; 2]; 4] = [
     ["min", "max"],
     ["min_mm", "max_mm"],
@@ -53,7 +53,7 @@ impl<'a> Checked<'a> {
         Checked { table, bad }
     }
 
-    /// The keys and values as they stand.
+    /// The keys and values as written.
     pub fn table(&self) -> &Table<'a> {
         &self.table
     }
@@ -94,7 +94,7 @@ struct SchemaCheck<'a> {
     bad: Vec<String>,
 }
 
-/// Where a value stands.
+/// A value's key, unit, schema and place.
 #[derive(Clone, Copy)]
 struct ValuePlace<'k> {
     key: &'k str,
@@ -129,7 +129,7 @@ impl SchemaCheck<'_> {
         self.add(at.key.to_owned(), Some(node), reason, help.into());
     }
 
-    /// The alternatives of a schema, none of which has others.
+    /// The alternatives of a schema, with nested ones resolved.
     fn options<'s>(&self, schema: &'s Value) -> Vec<&'s Value>
     where
         Self: 's,
@@ -725,7 +725,7 @@ fn either(words: &[String]) -> String {
     }
 }
 
-/// An unknown key for a message: as it stands, in quotes when it is no bare TOML key.
+/// An unknown key for a message: as written, in quotes where it is no bare TOML key.
 fn printable(name: &str) -> String {
     let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if !name.is_empty() && name.len() <= 64 && name.chars().all(bare) {

@@ -3,7 +3,8 @@
 use super::gear::GearPart;
 use super::table::Table;
 
-/// The common face of both gears, mm from the wheel's measuring plane, `offset` from which the pinion's lies; no length of spur gears.
+/// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears. `offset` is the place of the
+/// pinion's measuring plane.
 ///
 /// The lengths of wheel and pinion are `factors` times those stated.
 /// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.

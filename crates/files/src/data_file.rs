@@ -79,7 +79,7 @@ impl DataFile {
         }
     }
 
-    /// `text` of the file for a message, as it stands.
+    /// `text` of the file for a message, as written.
     pub fn bare(&self, text: &str) -> String {
         if self.outside {
             NOT_SHOWN.to_owned()

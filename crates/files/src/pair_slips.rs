@@ -15,12 +15,13 @@ const MOST_OF_CLEARANCE: f64 = 0.5;
 pub const MOST_TOLERANCE_UM: f64 = 100.0;
 /// Pressure angles of usual basic racks, degrees: 20 (ISO 53, DIN 867), 14.5, 20 and 25 (AGMA), 17.5 and 22.5 between them.
 const USUAL_ANGLES: [f64; 5] = [14.5, 17.5, 20.0, 22.5, 25.0];
-/// How near a centre distance lies to the one it was computed as, in modules: the rounding of a drawing and a tolerance.
+/// Distance of a centre distance from the computed one up to which they match, in modules: the rounding of a drawing and a
+/// tolerance.
 const MATCH_WITHIN: f64 = 0.002;
 /// Least difference from the distance of the stated pair for a warning, in modules. Distances that are opened for backlash differ
 /// less: 0.05 modules give 2 tan 20° · 0.05 = 0.04 modules of backlash.
 const LEAST_DIFFERENCE: f64 = 0.05;
-/// Both limits where only the pressure angle differs: such distances lie close together.
+/// Both limits where only the pressure angle differs: such distances are close together.
 const ANGLE_MATCH_WITHIN: f64 = 0.0005;
 const ANGLE_LEAST_DIFFERENCE: f64 = 0.01;
 /// Backlash of nominal teeth, in modules, above which a distance is questioned: more than gears are run with.

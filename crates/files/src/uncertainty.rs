@@ -19,9 +19,9 @@ impl UncertaintySpec {
         }
     }
 
-    /// Standard uncertainty of `s_bt`, mm. A span measures `s_bt cos β_b`. Pins are lifted by a thicker tooth: the slope of that
-    /// lift converts. An allowance applies at the reference circle in the normal section; at the base circle it is `cos α_t/cos
-    /// β` times that.
+    /// Standard uncertainty of `s_bt`, mm. A span measures `s_bt cos β_b`. A thicker tooth lifts pins: the slope of that lift
+    /// converts. An allowance applies at the reference circle in the normal section; at the base circle it is
+    /// `cos α_t/cos β` times that.
     fn base_thickness(&self, spec: &ThicknessSpec, gear: &AsBuilt) -> f64 {
         let basic_data = gear.gear().basic_data();
         let stated = &spec.statement;

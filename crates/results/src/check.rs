@@ -17,7 +17,7 @@ pub struct CheckRow {
 }
 
 impl CheckRow {
-    /// The row of a `check` of `group`; `is_of_several` says whether the pair has several groups.
+    /// The row of a `check` of `group`; `is_of_several`: the pair has several groups.
     pub fn new(group: &Group, check: &Check, is_of_several: bool) -> CheckRow {
         CheckRow {
             center_distance: group.assembly.center_distance(),

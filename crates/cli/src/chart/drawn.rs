@@ -29,7 +29,7 @@ const MAP: &str = "chart_map.svg";
 pub(super) struct DrawnChart {
     pub svg: String,
     pub file: String,
-    /// Whether every pose is proven, and both methods agree where both were asked for.
+    /// Whether every pose is proven, and both methods agree where both are requested.
     pub agrees: bool,
 }
 

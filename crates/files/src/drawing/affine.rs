@@ -53,7 +53,7 @@ impl Affine {
         self.turn.norm()
     }
 
-    /// The image of a segment, and how far the segments may lie from it, mm. Arcs stay arcs unless the map is oblique.
+    /// The image of a segment, and a bound on the distance of the segments from it, mm. Arcs stay arcs unless the map is oblique.
     pub fn segment(&self, segment: &PathSegment) -> (Vec<PathSegment>, f64) {
         match *segment {
             PathSegment::Line(ends) => (

@@ -65,7 +65,7 @@ impl BSpline {
         None
     }
 
-    /// Its segments, and how far they may lie from it, mm; `None` where that cannot be brought below 0.01 µm.
+    /// Its segments, and a bound on their distance from it, mm; `None` where the bound exceeds 0.01 µm.
     ///
     /// The spline must have no [`fault`](BSpline::fault).
     pub fn segments(&self) -> Option<(Vec<PathSegment>, f64)> {
@@ -133,7 +133,7 @@ pub fn raised([a, b, c]: [Point2<f64>; 3]) -> [Point2<f64>; 4] {
     [a, a + (b - a) * (2.0 / 3.0), c + (b - c) * (2.0 / 3.0), c]
 }
 
-/// Adds cubic curves that follow a rational Bézier curve, halved as often as needed; how far they may lie from it.
+/// Adds cubic curves that follow a rational Bézier curve, halved as often as needed. Returns a bound on their distance from it.
 fn fit_cubics(
     piece: &[Vector3<f64>],
     halvings: u32,

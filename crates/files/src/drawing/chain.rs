@@ -12,7 +12,7 @@ use gearlash::outline::PathSegment;
 use nalgebra::Point2;
 use std::collections::HashMap;
 
-/// Ends in one square of the grid: with nine, three lie in one of its quarters, whose diagonal is below the tolerance.
+/// Most ends in one square of the grid: of nine, three are in one of its quarters, whose diagonal is below the tolerance.
 const MOST_IN_A_SQUARE: usize = 8;
 
 /// A closed path.
@@ -22,7 +22,7 @@ pub struct Loop {
     pub segments: Vec<PathSegment>,
     /// Layer or id; empty without one.
     pub name: String,
-    /// How far the segments may lie from what was drawn, mm: curves that were fitted, gaps that were closed.
+    /// Bound on the distance of the segments from the drawing, mm: fitted curves, closed gaps.
     pub bound_mm: f64,
     /// Where in the file it begins.
     pub place: String,
@@ -46,7 +46,7 @@ pub struct Open {
     pub ends: [Point2<f64>; 2],
     /// From the first end to the second, gaps left open.
     pub segments: Vec<PathSegment>,
-    /// How far the segments may lie from what was drawn, mm.
+    /// Bound on the distance of the segments from the drawing, mm.
     pub bound: f64,
     /// Layer or id; empty without one.
     pub name: String,

@@ -19,7 +19,8 @@ fn circle_bound(quarter: f64) -> f64 {
     2.0 / 27.0 * sin_squared.powi(3) * (1.0 + quarter * quarter)
 }
 
-/// The arc from `start` to `end` of the bulge tan(sweep/4), counter-clockwise positive, and how far it may lie from it.
+/// The arc from `start` to `end` of the bulge tan(sweep/4), counter-clockwise positive, and a bound on its distance from the
+/// segment.
 pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> (PathSegment, f64) {
     let chord = end - start;
     // Exporters leave 1e-16 of bulge on straight lines.

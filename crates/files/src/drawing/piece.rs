@@ -10,7 +10,7 @@ pub struct Piece {
     pub segments: Vec<PathSegment>,
     /// Layer or id; empty without one.
     pub name: String,
-    /// How far the segments may lie from the drawing, mm.
+    /// Bound on the distance of the segments from the drawing, mm.
     pub bound: f64,
     /// Its place in the file.
     pub place: String,

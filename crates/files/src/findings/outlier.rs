@@ -1,4 +1,4 @@
-//! Values that stand out, in words.
+//! Outliers, in words.
 
 use crate::numbers::ascii;
 use crate::statements::Statements;

@@ -31,7 +31,7 @@ pub fn each_tooth_by_spans(k: u32, z: u32, growth: u32, with_pitch: bool) -> Str
     )
 }
 
-/// `readings` spans over `k` of `z` teeth, of which the mean alone is taken.
+/// `readings` spans over `k` of `z` teeth, which give only the mean.
 pub fn mean_by_spans(
     k: u32,
     z: u32,
@@ -58,7 +58,7 @@ pub fn mean_by_spans(
     format!("{why}; only the mean thickness is used{mean_only}")
 }
 
-/// Per-tooth thickness beside the pitch of both flanks; `other_sense` reads the left flank the other way round.
+/// Per-tooth thickness compared with the pitch of both flanks; `other_sense` reads the left flank the other way round.
 pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
     match beside {
         ThicknessBesidePitch::Same => {
@@ -95,7 +95,7 @@ pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String 
     }
 }
 
-/// The cross-check beside the statement that counts.
+/// The cross-check compared with the statement that counts.
 pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
     let range = |[least, most]: [f64; 2]| {
         if least == most {

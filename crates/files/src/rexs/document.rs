@@ -49,7 +49,7 @@ impl Document {
     /// Checks the assumptions of every reader of the document.
     ///
     /// # Errors
-    /// An unknown version, an id that stands twice.
+    /// An unknown version, or a duplicate id.
     pub fn check(&self) -> Result<(), Problem> {
         let mut parts = self.version.split('.');
         let known = match (parts.next(), parts.next()) {

@@ -294,7 +294,7 @@ pub fn is_statistic(text: &str) -> bool {
 
 /// Whether `text` is not a tooth number but words, a date or all teeth: "Fp ges.", "i.O.", "Zahnweite W3", "12.03.2024", "1–44".
 ///
-/// "Zahn 7" is one, too, unless it `may_be_tooth`: values stand beside it.
+/// "Zahn 7" is one, too, unless it `may_be_tooth`: the line has values.
 pub fn is_remark(text: &str, may_be_tooth: bool) -> bool {
     let begins = text.starts_with(|c: char| c.is_alphabetic());
     if begins && text.chars().filter(|c| c.is_alphabetic()).count() > 1 {

@@ -77,7 +77,7 @@ pub struct Origin {
 impl Sheet {
     /// Reads the file that `table` names under `file`, a relative path from the pair file's folder.
     ///
-    /// Problems stand under the key of `file`, with line numbers.
+    /// Problems have the key of `file`, and line numbers.
     pub fn read(table: &Table, wanted: &Wanted) -> Option<(DataFile, Sheet)> {
         let file = DataFile::of(table)?;
         let choice = Choice::of(table);

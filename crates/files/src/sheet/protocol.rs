@@ -1,8 +1,8 @@
 //! The text protocol of a gear measuring machine, in the layout of Klingelnberg's.
 //!
-//! After numbered header lines, and among other data, the protocol has two blocks: a line `linke Zahnflanke` or `rechte
-//! Zahnflanke`, a line `Zahn-Nr. fp Fp Fr`, and a row per tooth, in µm. Only these and the known header lines are read. Within a
-//! block everything must be a row until a blank line and other text. Curve files have the same blocks.
+//! After numbered header lines, and among other data, the protocol has two blocks. A block is a line `linke Zahnflanke` or
+//! `rechte Zahnflanke`, a line `Zahn-Nr. fp Fp Fr`, and a row per tooth, in µm. Only these and the known header lines are read.
+//! Within a block everything must be a row until a blank line and other text. Curve files have the same blocks.
 
 use super::column::Column;
 use super::grid::MOST_ROWS;

@@ -84,7 +84,7 @@ pub fn limits(
     group
 }
 
-/// The gears on whose fillet or root the contact lies.
+/// The gears with the contact on their fillet or root.
 pub fn below_form(contact: &DrawnContact) -> Vec<Member> {
     let members = Member::BOTH.into_iter();
     members

@@ -11,8 +11,8 @@ use gearlash_files::characters;
 use gearlash_files::spec::GearSpec;
 use serde_json::{Value, json};
 
-/// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is `{ "not_measured":
-/// reason }`.
+/// All gears as JSON: lengths in mm where the name says so, deviations in µm. A reading that was not taken is
+/// `{ "not_measured": reason }`.
 ///
 /// # Errors
 /// None caused by readings; an error of serde_json otherwise.

@@ -78,7 +78,7 @@ pub struct Kept<'a> {
 /// The useful content of a file.
 #[derive(Debug, Default)]
 struct Sheet<'a> {
-    /// The layer asked for.
+    /// The selected layer.
     select: Option<&'a str>,
     /// The value of `$INSUNITS`, and its place.
     insunits: Option<(String, String)>,

@@ -22,7 +22,7 @@ const IN_SPACE: i32 = 8 | 16 | 64;
 const NOISE: f64 = 1e-6;
 const FLAT: &str = "export a flat drawing of lines, arcs, polylines and splines";
 
-/// Segments, and how far they may lie from the drawn curve.
+/// Segments, and a bound on their distance from the drawn curve.
 type BoundedSegments = (Vec<PathSegment>, f64);
 
 /// Adds the `kept` entities; their unit is `scale` mm.
@@ -86,7 +86,7 @@ struct Space {
     mirrored: bool,
     /// The z of its points, in units of the drawing.
     heights: Vec<f64>,
-    /// Where the entity stands.
+    /// The place of the entity in the file.
     place: String,
 }
 

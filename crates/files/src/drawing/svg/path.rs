@@ -8,7 +8,7 @@ use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 use svgtypes::{PathParser, PathSegment as Command};
 
-/// Segments without a gap, mm, and how far they may lie from the drawing.
+/// Segments without a gap, mm, and a bound on their distance from the drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     /// In order.

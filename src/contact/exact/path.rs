@@ -40,7 +40,7 @@ impl PosedFlanks<'_> {
         (self.centre - off, C::new(off.im, -off.re))
     }
 
-    /// `G`: `μ` by the equation above.
+    /// `G` of [`super::line`]: the gap `μ` of `pair` on `line`.
     pub(super) fn gap(&self, line: &Line, pair: &Pair) -> f64 {
         let problem = self.problem;
         (problem.sum() * line.angle - line.length - problem.locked.shape.base * pair.locked_base)

@@ -50,7 +50,7 @@ pub(in crate::contact) struct Arc<'a> {
     /// Bounds of `ψ` where the arc is monotone in `ρ`, and whether `ρ` rises with the parameter.
     slope: Option<(f64, f64, bool)>,
     /// Bounds of the curvature `κ` along rising `ρ`, 1/mm, where the arc is monotone and they are known.
-    bend: Option<(f64, f64)>,
+    curvature: Option<(f64, f64)>,
 }
 
 /// Length of a vector. Lengths that overflow are beyond any gear.
@@ -63,7 +63,7 @@ impl<'a> Arc<'a> {
     /// `placed` from parameter `low` to `high`.
     pub fn new(placed: PlacedCurve<'a>, name: usize, low: f64, high: f64) -> Arc<'a> {
         let sample = placed.at(0.5 * (low + high));
-        let (reach, bend) = placed.curve.spread(low, high);
+        let (reach, turn) = placed.curve.spread(low, high);
         let radius = length(sample.point);
         let swing = if reach < radius {
             (reach / radius).asin()
@@ -73,7 +73,7 @@ impl<'a> Arc<'a> {
         // z = tangent/radius direction; of its two senses the one with rising ρ.
         let z = C::i() * sample.normal * sample.point.conj();
         let psi = (z.im * z.re.signum()).atan2(z.re.abs());
-        let play = bend + swing;
+        let play = turn + swing;
         let mut arc = Arc {
             placed,
             name,
@@ -84,7 +84,7 @@ impl<'a> Arc<'a> {
             swing,
             radii: (radius - reach, radius + reach),
             slope: None,
-            bend: None,
+            curvature: None,
         };
         let ends = [low, high].map(|t| placed.at(t).point);
         let far = ends.map(length);
@@ -93,9 +93,9 @@ impl<'a> Arc<'a> {
         } else if psi.abs() + play < FRAC_PI_2 {
             arc.radii = (far[0].min(far[1]), far[0].max(far[1]));
             arc.slope = Some((psi - play, psi + play, far[0] <= far[1]));
-            let bend = placed.curve.convexity(low, high);
+            let curvature = placed.curve.convexity(low, high);
             // The metal is on the left of `i n`, which may be the falling direction.
-            arc.bend = bend.map(|(least, most)| {
+            arc.curvature = curvature.map(|(least, most)| {
                 if z.re > 0.0 {
                     (least, most)
                 } else {
@@ -116,9 +116,9 @@ impl<'a> Arc<'a> {
 
     /// Bounds of `dσ/d ln ρ = (κρ − sin ψ)/cos³ ψ` between two radii, where they are known.
     fn slope_change(&self, inner: f64, outer: f64) -> Option<(f64, f64)> {
-        let ((low, high, _), (least, most)) = (self.slope?, self.bend?);
+        let ((low, high, _), (least, most)) = (self.slope?, self.curvature?);
         let (sines, cosines) = ([low.sin(), high.sin()], [low.cos(), high.cos()]);
-        let by = |bend: f64| [bend * inner, bend * outer];
+        let by = |curvature: f64| [curvature * inner, curvature * outer];
         let least = f64::min(by(least)[0], by(least)[1]) - sines[1];
         let most = f64::max(by(most)[0], by(most)[1]) - sines[0];
         // Where ψ can be 0 the cosine can be 1.
@@ -333,7 +333,7 @@ pub(in crate::contact) fn greatest<'a>(
             let straight = Some((0.0, 0.0));
             let both_straight =
                 |a: Option<(f64, f64)>| a.map(|(l, m)| (l.abs(), m.abs())) == straight;
-            if both_straight(locked.bend) && both_straight(free.bend) {
+            if both_straight(locked.curvature) && both_straight(free.curvature) {
                 // `sin ψ = d/ρ` with the line's distance `d` from the axis: the sign of the difference of slopes is constant.
                 meet(inner, 0.0);
                 meet(outer, 0.0);

@@ -1,43 +1,44 @@
-//! Two convex pieces that face each other at a rotation of the free gear, and directions that keep them apart.
+//! Two convex pieces that face each other at a rotation of the free gear, and directions that separate them.
 //!
-//! The frame is that of [`crate::contact::exact`]: free axis at the origin, locked axis at `(a, 0)`, left side mirrored. A piece stands at
-//! `C + e^{iθ} P`; the free gear turns by `μ` about the origin. The room between the supporting lines in a direction `n = e^{iν}` out of the
-//! locked metal is
+//! The frame is that of [`crate::contact::exact`]: free axis at the origin, locked axis at `(a, 0)`, left side mirrored. A piece is at `C +
+//! e^{iθ} P`; the free gear turns by `μ` about the origin. In a direction `n = e^{iν}` out of the locked metal the room between the
+//! supporting lines is
 //!
 //! ```text
 //! s   = (C_F − C_L)·n − h_L(ν − θ_L) − h_F(ν + π − θ_F − μ)
-//! s_ν = (C_F − C_L)·in − h_L' − h_F',   s_νν = −(ρ_L + ρ_F) − s
-//! s_μ = h_F' − C_F·in,   the arm of a force along n about the free axis.
+//! s_ν = (C_F − C_L)·in − h_L' − h_F';   s_νν = −(ρ_L + ρ_F) − s
+//! s_μ = h_F' − C_F·in;   the arm of a force along n about the free axis.
 //! ```
 //!
-//! `s > 0` in one direction proves the pieces apart, however the direction was found. Where the arm is above 0 too, `s` rises with `μ` until the
-//! normal passes the axis on its far side: the pieces stay apart as the free gear turns on. Where the arm is below 0, they stay apart over a play of
-//! `w` if `s > |s_μ| w + r w²`, `r` the free gear's greatest radius about its axis: `|s_μμ| = |H − ρ_F| ≤ 2r`, with the support `H` about the axis.
-//! A piece that stays off the disc in which the free piece turns, by a direction of its own, is *out of reach* at every rotation.
+//! `s > 0` in one direction proves the pieces apart, however the direction was found. If the arm is also above 0, `s` rises with `μ` until
+//! the normal passes the axis on its far side: the pieces stay apart as the free gear turns further. If the arm is below 0, they stay apart
+//! over a play of `w` if `s > |s_μ| w + r w²`. Here `r` is the free gear's greatest radius about its axis: `|s_μμ| = |H − ρ_F| ≤ 2r`, with
+//! the support `H` about the axis. A piece is *out of reach* at every rotation if a direction keeps it off the disc in which the free piece
+//! turns.
 
 use super::convex::{Convex, along, dot, wrapped};
 use crate::contact::gap::{C, turn};
 use std::f64::consts::PI;
 
-/// Directions tried before two pieces are given up.
+/// Limit of directions for one pair of pieces.
 const MOST_DIRECTIONS: u32 = 48;
 
-/// Directions looked at on either side of the first, rad.
+/// Range of directions on either side of the first, rad.
 const HALF_RANGE: f64 = 1.7;
 
 /// Greatest step between two directions, rad.
 const GREATEST_STEP: f64 = 0.3;
 
-/// Two half teeth where a pose puts them, the locked one first.
+/// Two half teeth at their positions in a pose, the locked one first.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct At {
     /// Centres of the outlines, mm.
     pub centres: [C; 2],
-    /// `θ` of each, rad, the free one's with its rotation; within ±π.
+    /// `θ` of each, rad, that of the free one including its rotation; within ±π.
     pub angles: [f64; 2],
     /// `e^{iθ}`.
     pub directions: [C; 2],
-    /// Over which part of the free gear's rotation the pieces must stay apart, rad; infinite where no other contact ends it.
+    /// Part of the free gear's rotation over which the pieces must stay apart, rad; infinite if no other contact ends it.
     pub play: f64,
     /// Greatest radius of the free gear about its axis, mm.
     pub radius: f64,
@@ -59,14 +60,14 @@ pub(super) struct Room {
 /// A direction that proves two pieces apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Apart {
-    /// Out of the locked metal; at this and every greater rotation.
+    /// A direction out of the locked metal, valid at this and every greater rotation.
     Direction(C),
-    /// It keeps the locked piece off the disc in which the free one turns.
+    /// A direction that keeps the locked piece off the disc in which the free one turns.
     OutOfReach(C),
 }
 
 impl At {
-    /// Whether a room, mm, with this arm keeps two pieces apart as the free gear turns on.
+    /// Whether a room, mm, with this arm keeps two pieces apart as the free gear turns further.
     #[inline]
     pub fn stays(&self, room: f64, arm: f64, need: f64) -> bool {
         let lost = if arm > 0.0 {
@@ -93,8 +94,8 @@ impl At {
         }
     }
 
-    /// A direction that keeps the two apart, by more than `need` mm: found by Newton's method on `s_ν` in a bracket, first from `start`, then
-    /// from the free tooth's own side; `looks` counts the directions tried.
+    /// A direction that keeps both pieces apart by more than `need` mm. Newton's method on `s_ν` in a bracket finds it, first from `start`,
+    /// then from the free tooth's own side. `looks` counts the directions tried.
     pub fn separated(
         &self,
         locked: &Convex,
@@ -120,7 +121,7 @@ impl At {
         need: f64,
         looks: &mut u32,
     ) -> Option<Apart> {
-        // Directions from the start between which the greatest room lies.
+        // Directions, relative to the start, that enclose the greatest room.
         let (mut low, mut high) = (-HALF_RANGE, HALF_RANGE);
         let mut off = 0.0;
         for tried in 0..MOST_DIRECTIONS {
@@ -137,11 +138,12 @@ impl At {
                 high = off;
             }
             let bend = here.radius + here.room;
-            let newton = match bend > 1e-9 {
-                true => (here.slope / bend).clamp(-GREATEST_STEP, GREATEST_STEP),
-                false => 0.1f64.copysign(here.slope),
+            let newton = if bend > 1e-9 {
+                (here.slope / bend).clamp(-GREATEST_STEP, GREATEST_STEP)
+            } else {
+                0.1f64.copysign(here.slope)
             };
-            // By `s + s'' ≤ 0` no direction within a right angle has more than this.
+            // Because of `s + s'' ≤ 0` no direction within a right angle has more than this.
             if tried > 2
                 && newton.abs() < 1e-5
                 && here.room + here.slope * newton < 0.0
@@ -150,9 +152,10 @@ impl At {
                 return None;
             }
             let next = off + newton;
-            let next = match next > low && next < high && (tried < 8 || tried % 2 == 1) {
-                true => next,
-                false => 0.5 * (low + high),
+            let next = if next > low && next < high && (tried < 8 || tried % 2 == 1) {
+                next
+            } else {
+                0.5 * (low + high)
             };
             if (next - off).abs() < 1e-15 {
                 return None;
@@ -221,7 +224,7 @@ mod tests {
         }
     }
 
-    /// The slopes of the room by the direction and by the rotation, against differences.
+    /// Source: differences of the room by the direction and by the rotation.
     #[test]
     fn slopes_are_those_of_the_room() {
         let shapes = [shape(20), shape(30)];
@@ -248,9 +251,10 @@ mod tests {
         }
     }
 
-    /// What one direction with a positive arm keeps apart stays apart as the free gear turns on, up to a right angle: by directions found anew.
+    /// Pieces that one direction with a positive arm separates stay apart as the free gear turns further, up to a right angle. Source: new
+    /// directions.
     #[test]
-    fn what_is_apart_stays_apart() {
+    fn separated_pieces_stay_apart() {
         let shapes = [shape(20), shape(30)];
         let [locked, free] = shapes
             .each_ref()

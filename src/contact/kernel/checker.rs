@@ -1,8 +1,9 @@
-//! Verifies a [`Proof`] from the outlines alone. Nothing is searched for, and nothing of prover or kernel is used.
+//! Verifies a [`Proof`] from the outlines alone, without any search and without the code of prover or kernel.
 //!
-//! Teeth are placed by number, in the picture. How far a piece reaches in a direction is the greatest `P·n` of its curves, by bisection of their
-//! own points and normals. Three things are verified: the directions named do keep their pieces apart; the pieces named are all there are, of every
-//! locked tooth and the free tooth that faces it, unless these are out of reach of each other; and the point named lies in the metal of both teeth.
+//! Teeth are placed by number in the picture. The reach of a piece in a direction is the greatest `P·n` of its curves, by bisection of
+//! their own points and normals. Three facts are verified. The named directions keep their pieces apart. The named pieces are complete: all
+//! of every locked tooth and the free tooth that faces it, unless these are out of reach of each other. The named point is in the metal of
+//! both teeth.
 
 use super::proof::{Piece, Proof, Reason, Separation, SideProof};
 use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
@@ -20,7 +21,7 @@ struct Half<'a> {
     turned: UnitComplex<f64>,
 }
 
-/// A locked tooth: the half that faces the mate, and the other one.
+/// A locked tooth: the half that faces the mate, and the far half.
 struct Tooth<'a> {
     near: Half<'a>,
     far: Half<'a>,
@@ -32,18 +33,18 @@ struct Pair<'a> {
     free: Half<'a>,
     /// The axis of the free gear.
     axis: Point2<f64>,
-    /// Over which of its rotations they are apart, rad.
+    /// Range of its rotations over which they are apart, rad.
     play: f64,
 }
 
-/// How far a piece reaches in a direction: greatest `P·n`, and where.
+/// Reach of a piece in a direction: greatest `P·n`, and its point.
 type Reach = (f64, Point2<f64>);
 
 impl Proof {
-    /// Verifies from the outlines alone that it proves `pose` of `assembly`: a program of its own, which shares nothing with what made it.
+    /// Verifies from the outlines alone that it proves `pose` of `assembly`. The verifier shares no code with the prover.
     ///
     /// # Errors
-    /// The first thing that is not as the proof says.
+    /// The first contradiction to the proof.
     pub fn verify(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
         for side in Side::BOTH {
             if !self.sides.iter().any(|proven| proven.side == side) {
@@ -64,7 +65,7 @@ impl Proof {
 }
 
 impl Proof {
-    /// Verifies that what ends before the free gear can turn no farther ends beyond where the other side begins.
+    /// Verifies that the range of each side extends past the start of the other side's range.
     fn verify_play(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
         // From the nominal rotation in each section.
         let until = |side: &SideProof| {
@@ -113,14 +114,14 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
         gear.gear().basic_data().angular_pitch(),
         gear.gear().basic_data().teeth(),
     );
-    // All locked teeth, half of them to either side of the one nearest to the line of centres.
+    // All locked teeth, half of them on either side of the one nearest to the line of centres.
     let from_line = pose.locked_rotation() + gear.tooth_angle(f64::from(mating));
     let nearest = -(from_line / pitch).round() as i64;
     let (before, behind) = (i64::from(teeth - 1) / 2, i64::from(teeth) / 2);
     for steps in nearest - before..=nearest + behind {
         let locked_tooth = gear.counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
-        // Out of reach at every rotation, where no rotation is named.
+        // Out of reach at every rotation, if no rotation is named.
         let pair = Pair {
             locked: locked(locked_tooth),
             free: free(free_tooth, proof.open.unwrap_or(0.0)),
@@ -150,7 +151,7 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
                 ));
             }
         }
-        // Where nothing touches, the half teeth that face each other do not.
+        // If nothing touches, facing half teeth do not.
         let parts = LOCKED
             .into_iter()
             .filter(|part| part.0 || proof.open.is_some());
@@ -169,10 +170,10 @@ fn verify_side(assembly: &GearPair, pose: &Pose, proof: &SideProof) -> Result<()
     Ok(())
 }
 
-/// Parts of the free half tooth, each with what it is named by: the top includes tip and involute.
+/// Parts of the free half tooth, each by its name; the top includes tip and involute.
 const FREE: [ProfilePart; 3] = [ProfilePart::Tip, ProfilePart::Fillet, ProfilePart::Root];
 
-/// Those of the locked tooth's near half, and of its far half. (Its root land faces the other side of the free gear's teeth.)
+/// Parts of the locked tooth: of the near half, and of the far half. (Its root land faces the other side of the free gear's teeth.)
 const LOCKED: [(bool, ProfilePart); 5] = [
     (true, ProfilePart::Tip),
     (true, ProfilePart::Fillet),
@@ -188,7 +189,7 @@ impl Tooth<'_> {
 
     fn reach(&self, piece: Piece, n: Vector2<f64>) -> Reach {
         match piece {
-            Piece::Tooth => farther(
+            Piece::Tooth => further(
                 self.near.reach(Piece::Top, n),
                 self.far.reach(Piece::Top, n),
             ),
@@ -205,14 +206,14 @@ impl Pair<'_> {
         is_off(&self.locked.near) && (!with_far || is_off(&self.locked.far))
     }
 
-    /// Whether two parts may meet by their greatest radii.
+    /// Whether two parts can meet by their greatest radii.
     fn may_meet(&self, locked: ProfilePart, free: ProfilePart) -> bool {
         let near = &self.locked.near;
         let apart = (near.centre - self.axis).norm() - self.free.gear.eccentricity();
         near.radius(locked) + self.free.radius(free) > apart
     }
 
-    /// Whether `named` has all of two parts: of fillets every stretch.
+    /// Whether `named` covers two parts completely, including every stretch of a fillet.
     fn covers(
         &self,
         named: &[&Separation],
@@ -246,7 +247,7 @@ impl Pair<'_> {
             .iter()
             .filter_map(|one| Some([locked(one.locked)?, free(one)?]))
             .collect();
-        // Every cell of the grid of all their ends lies in one of them.
+        // Every cell of the grid of all their ends is in one of them.
         let grid = [0, 1].map(|k| {
             let mut ends: Vec<f64> = boxes.iter().flat_map(|one| [one[k].0, one[k].1]).collect();
             ends.extend([ranges[k].0, ranges[k].1]);
@@ -265,7 +266,8 @@ impl Pair<'_> {
         })
     }
 
-    /// Whether a distance, mm, stays above 0 as the free gear turns on: it grows where its arm is above 0, and else falls by no more than this.
+    /// Whether a distance, mm, stays above 0 as the free gear turns further: it grows if its arm is above 0, and otherwise falls by at most
+    /// this.
     fn stays(&self, distance: f64, arm: f64) -> bool {
         let gear = self.free.gear;
         let reach = gear.eccentricity() + gear.gear().tip_radius();
@@ -277,7 +279,7 @@ impl Pair<'_> {
         distance > falls
     }
 
-    /// Whether what is said to keep two pieces apart does; `open`: at a rotation, else at every one.
+    /// Whether a separation keeps its two pieces apart; `open`: at a rotation, otherwise at every one.
     fn holds(&self, one: &Separation, open: bool) -> bool {
         let Pair {
             locked, free, axis, ..
@@ -288,7 +290,7 @@ impl Pair<'_> {
         match one.by {
             Reason::Direction => {
                 let (back, at) = free.reach(one.free, -n);
-                // Turned on, the free piece stands with another of its corners towards the line.
+                // After a further turn the free piece has another corner towards the line.
                 let next = free.next_corner(one.free, -n, at).unwrap_or(at);
                 let arm = |at| opening * turns(*axis, at, n);
                 open && self.stays(-back - reach, arm(at).min(arm(next)))
@@ -321,8 +323,9 @@ fn turns(axis: Point2<f64>, at: Point2<f64>, n: Vector2<f64>) -> f64 {
 
 /// Whether the tangents of all points of a fillet's stretch keep a piece of the mate off.
 ///
-/// The distance `σ(ν)` of the piece from the tangent with the normal `e^{iν}` has `σ'' + σ = R − ρ`, the difference of both radii of curvature. Where
-/// that is not negative, `σ` lies above `σ_0 cos x + σ_0' sin x` of either end of a cell. Cells are halved until that is enough.
+/// The distance `σ(ν)` of the piece from the tangent with the normal `e^{iν}` has `σ'' + σ = R − ρ`, the difference of both radii of
+/// curvature. Where that is not negative, `σ` is above `σ_0 cos x + σ_0' sin x` of either end of a cell. Cells are halved until that
+/// suffices.
 fn off_tangents(
     half: &Half,
     fillet: Piece,
@@ -344,7 +347,7 @@ fn off_tangents(
         if !stay(s0, s1) {
             return false;
         }
-        // σ' is how far the mate's point lies along the tangent; towards each other it falls.
+        // σ' is the position of the mate's point along the tangent; towards each other it falls.
         let turn = n0.perp(&n1);
         let slope =
             |p: Point2<f64>, q: Point2<f64>, n: Vector2<f64>| (q - p).dot(&Vector2::new(-n.y, n.x));
@@ -358,7 +361,7 @@ fn off_tangents(
             // Each bound is concave where it is above 0: the greater of both is least where they cross, or at an end.
             crossing([s0, s1], falls, width)
         } else {
-            // σ' changes by no more than both points move.
+            // σ' changes by at most the movement of both points.
             let steepest = falls[0].abs().max(falls[1].abs()) + run + run_of_mate;
             s0.min(s1) - width * steepest
         };
@@ -380,9 +383,10 @@ fn crossing(s: [f64; 2], f: [f64; 2], width: f64) -> f64 {
     let (mut low, mut high) = (0.0, width);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        match bound(0, middle) > bound(1, width - middle) {
-            true => low = middle,
-            false => high = middle,
+        if bound(0, middle) > bound(1, width - middle) {
+            low = middle
+        } else {
+            high = middle
         }
     }
     bound(0, low).max(bound(1, width - low))
@@ -418,7 +422,7 @@ impl<'a> Half<'a> {
         )
     }
 
-    /// Parameters of a part's ends: of the tip land from its far corner, of the root land to the middle of the space.
+    /// Parameters of a part's ends: the tip land from its far corner, the root land to the middle of the space.
     fn range(&self, part: ProfilePart) -> (f64, f64) {
         let (low, high) = self.profile.range(part);
         match part {
@@ -437,12 +441,12 @@ impl<'a> Half<'a> {
         }
     }
 
-    /// How far a piece reaches in the direction `n`.
+    /// Reach of a piece in the direction `n`.
     fn reach(&self, piece: Piece, n: Vector2<f64>) -> Reach {
         match piece {
             Piece::Top | Piece::Tooth => {
                 let of = |part| self.reach_of(part, self.range(part), n);
-                farther(of(ProfilePart::Tip), of(ProfilePart::Involute))
+                further(of(ProfilePart::Tip), of(ProfilePart::Involute))
             }
             Piece::Fillet([low, high]) | Piece::FarFillet([low, high]) => {
                 self.reach_of(ProfilePart::Fillet, (low, high), n)
@@ -451,8 +455,8 @@ impl<'a> Half<'a> {
         }
     }
 
-    /// The corner with which a piece of the free gear that reaches farthest in the direction `n` with the point `at` does so once it has turned on past
-    /// an edge between two corners.
+    /// The corner that reaches furthest in the direction `n` after the free gear has turned past an edge between two corners. `at` is the
+    /// present one.
     fn next_corner(&self, piece: Piece, n: Vector2<f64>, at: Point2<f64>) -> Option<Point2<f64>> {
         let (part, (low, high)) = match piece {
             Piece::Top | Piece::Tooth => (ProfilePart::Tip, self.range(ProfilePart::Tip)),
@@ -468,7 +472,7 @@ impl<'a> Half<'a> {
             self.own(ends[1]),
         ];
         match part {
-            // Only from beyond the far corner, or within 30° of straight from behind: from elsewhere curves follow.
+            // Only from past the far corner, or within 30° of straight from behind: elsewhere curves follow.
             ProfilePart::Tip => {
                 let (form, _) = self.range(ProfilePart::Involute);
                 let joint = self.own(self.at(ProfilePart::Involute, form).0);
@@ -476,13 +480,13 @@ impl<'a> Half<'a> {
                 (n.y > 0.0 && far.perp(&n) > 0.0 || is_behind).then_some(ends[0])
             }
             ProfilePart::Root if !ends.contains(&at) => None,
-            // The end that lies clockwise.
+            // The clockwise end.
             _ if n.perp(&far) < n.perp(&other) => Some(ends[0]),
             _ => Some(ends[1]),
         }
     }
 
-    /// The same of one curve, which turns one way, by less than half a turn: at an end, or where it turns from rising to falling.
+    /// Reach of one curve, which turns one way by less than half a turn: at an end, or where it turns from rising to falling.
     fn reach_of(
         &self,
         part: ProfilePart,
@@ -496,18 +500,19 @@ impl<'a> Half<'a> {
         let (start, end) = (self.at(part, low), self.at(part, high));
         let sense = (end.0 - start.0).perp(&start.1).signum();
         let rises = |t: f64| sense * n.perp(&self.at(part, t).1) > 0.0;
-        let ends = farther(reach(low), reach(high));
+        let ends = further(reach(low), reach(high));
         if !rises(low) || rises(high) {
             return ends;
         }
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            match rises(middle) {
-                true => low = middle,
-                false => high = middle,
+            if rises(middle) {
+                low = middle
+            } else {
+                high = middle
             }
         }
-        farther(ends, farther(reach(low), reach(high)))
+        further(ends, further(reach(low), reach(high)))
     }
 }
 
@@ -518,29 +523,31 @@ impl Half<'_> {
         Vector2::new(own.x, -self.side.sense() * own.y)
     }
 
-    /// Whether a point lies in its metal: within the root circle, or between the outline and the far corner of the tip land.
+    /// Whether a point is in its metal: within the root circle, or between the outline and the far corner of the tip land.
     fn has(&self, point: Point2<f64>) -> bool {
         let own = self.own(point);
         let radius = own.norm();
         let gear = self.gear.gear();
         let here = own.y.atan2(own.x);
-        // Within its root circle a gear is solid.
+        // Inside its root circle a gear is solid.
         if radius <= gear.root_radius() {
             return true;
         }
         if radius >= gear.tip_radius() || here >= -self.range(ProfilePart::Tip).0 {
             return false;
         }
-        let part = match radius >= gear.form_radius() {
-            true => ProfilePart::Involute,
-            false => ProfilePart::Fillet,
+        let part = if radius >= gear.form_radius() {
+            ProfilePart::Involute
+        } else {
+            ProfilePart::Fillet
         };
         let (mut low, mut high) = self.range(part);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            match self.profile.radius(part, middle) < radius {
-                true => low = middle,
-                false => high = middle,
+            if self.profile.radius(part, middle) < radius {
+                low = middle
+            } else {
+                high = middle
             }
         }
         let angle = |t: f64| {
@@ -569,7 +576,8 @@ impl Half<'_> {
         }
     }
 
-    /// Greatest distance of a piece from its axis, mm. Along a fillet it may fall and then rises; along an involute it rises towards the tip.
+    /// Greatest distance of a piece from its axis, mm. Along a fillet it may fall and then rises; along an involute it rises towards the
+    /// tip.
     fn piece_about(&self, piece: Piece, axis: Point2<f64>) -> f64 {
         match piece {
             Piece::Fillet(ends) | Piece::FarFillet(ends) => {
@@ -594,7 +602,7 @@ impl Half<'_> {
         self.arc_about(self.radius(part), self.range(part), axis)
     }
 
-    /// That of an arc about the gear's centre between two parameters of a land: where it lies straight beyond the centre, or an end.
+    /// Greatest distance of an arc about the gear's centre between two parameters of a land: straight past the centre, or at an end.
     fn arc_about(&self, radius: f64, (low, high): (f64, f64), axis: Point2<f64>) -> f64 {
         let axis = self.own(axis);
         let at = (-(-axis.y).atan2(-axis.x)).clamp(low.min(high), high);
@@ -606,6 +614,6 @@ impl Half<'_> {
     }
 }
 
-fn farther(one: Reach, other: Reach) -> Reach {
+fn further(one: Reach, other: Reach) -> Reach {
     if other.0 > one.0 { other } else { one }
 }

@@ -1,7 +1,8 @@
 //! Convex pieces of a half tooth, by their support functions.
 //!
-//! For a direction `n = e^{iω}` the support of a convex piece is `h(ω) = max P·n`. Its derivative `h'` is the support point's coordinate along
-//! `i n`, and `h + h''` is the radius of curvature there, not below 0. An involute with the roll `ξ` has the normal `e^{iω}`, `ω = ξ − ψ_b − π/2`, and
+//! For a direction `n = e^{iω}` the support of a convex piece is `h(ω) = max P·n`. Its derivative `h'` is the coordinate of the support
+//! point along `i n`. `h + h''` is the radius of curvature there, at least 0. An involute at the roll `ξ` has the normal `e^{iω}` with `ω =
+//! ξ − ψ_b − π/2`, and
 //!
 //! ```text
 //! h = r_b ξ,   h' = r_b,   h'' = 0.
@@ -34,7 +35,7 @@ pub(super) struct Support {
     pub along: f64,
     /// `h + h''`, mm: radius of curvature of the outline there.
     pub radius: f64,
-    /// Least `h'`, mm, as the direction turns clockwise past the next edge between two corners.
+    /// Least `h'`, mm, while the direction turns clockwise past the next edge between two corners.
     pub lever: f64,
 }
 
@@ -55,12 +56,12 @@ impl Support {
         let [one, other] = points.map(|point| Support::of_point(point, n));
         Support {
             lever: one.along.min(other.along),
-            ..one.farther(other)
+            ..one.further(other)
         }
     }
 
     #[inline]
-    fn farther(self, other: Support) -> Support {
+    fn further(self, other: Support) -> Support {
         if other.reach > self.reach {
             other
         } else {
@@ -90,20 +91,20 @@ pub(super) struct Arc {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Convex<'a> {
     Top(Top<'a>),
-    /// Both tops of a tooth, which is locked: its levers are not known.
+    /// Both tops of a locked tooth, whose levers are unknown.
     Tooth(Top<'a>),
     Arc(Arc),
-    /// The hull of two points: a chord of a hollow curve, which reaches no farther.
+    /// The hull of two points: a chord of a hollow curve, which reaches no further.
     Chord([C; 2]),
 }
 
 impl<'a> Convex<'a> {
-    /// The top of a half tooth of this shape, `far` the far corner of its tip land.
+    /// The top of a half tooth of this shape; `far` is the far corner of its tip land.
     pub fn top(shape: &'a HalfToothShape, far: C) -> Convex<'a> {
         Convex::Top(Top { shape, far })
     }
 
-    /// Both tops of a tooth whose near half has this shape, `far` the far corner of its tip land.
+    /// Both tops of a tooth whose near half has this shape; `far` is the far corner of its tip land.
     pub fn tooth(shape: &'a HalfToothShape, far: C) -> Convex<'a> {
         Convex::Tooth(Top { shape, far })
     }
@@ -146,7 +147,7 @@ impl<'a> Convex<'a> {
         }
     }
 
-    /// Greatest radius of curvature, mm, in directions within `play` of `omega`; infinite where an edge of the hull is one of several points.
+    /// Greatest radius of curvature, mm, in directions within `play` of `omega`; infinite at an edge of the hull between several points.
     pub fn greatest_radius(&self, omega: f64, play: f64) -> f64 {
         match self {
             Convex::Top(top) => top.greatest_radius(omega, play),
@@ -163,13 +164,13 @@ impl<'a> Convex<'a> {
     }
 }
 
-/// `e^{iβ}`, with which the far half of a tooth is `e^{iβ}` times the conjugate of the near one, `far` its far corner.
+/// `e^{iβ}`: the far half of a tooth is `e^{iβ}` times the conjugate of the near one; `far` is its far corner.
 pub(super) fn mirror(shape: &HalfToothShape, far: C) -> C {
     let turned = far * shape.tip_corner();
     turned / turned.norm()
 }
 
-/// Infinite where the normal of the edge between two corners of a hull, counter-clockwise from one to the other, is within `play` of `omega`.
+/// Infinite if the normal of the edge between two corners of a hull, counter-clockwise from one to the other, is within `play` of `omega`.
 fn radius_of_edge([from, to]: [C; 2], omega: f64, play: f64) -> f64 {
     let normal = (from - to) * C::i();
     if wrapped(omega - normal.arg()).abs() <= play {
@@ -187,7 +188,7 @@ fn farthest_of_arc(radius: f64, low: f64, high: f64, off: C) -> f64 {
     (off + C::from_polar(radius, at)).norm()
 }
 
-/// `angle` within ±π, where it is less than three half turns.
+/// `angle` within ±π, if it is less than three half turns.
 #[inline]
 pub(super) fn wrapped(angle: f64) -> f64 {
     if angle > PI {
@@ -280,7 +281,7 @@ impl Top<'_> {
                 lever: 0.0,
             };
         }
-        // From beyond the far corner to straight from behind.
+        // From past the far corner to straight from behind.
         Support::of_edge([self.far, shape.joint], n)
     }
 
@@ -326,8 +327,8 @@ mod tests {
     use crate::gear::{Gear, GearDesign, Profile, ProfilePart};
     use std::f64::consts::TAU;
 
-    /// Points of the outline, 4000 a curve: no farther than the support, and nearly as far. Ordinary, undercut and large gears; lands that the mate
-    /// flank's deviation makes wider and narrower.
+    /// Source: points of the outline, 4000 per curve: none is further than the support, and one is nearly as far. Ordinary, undercut and
+    /// large gears; lands that the mate flank's deviation makes wider and narrower.
     #[test]
     fn a_top_reaches_as_far_as_its_farthest_point() {
         for (teeth, wider) in [(9, 0.0), (20, 0.01), (44, -0.01), (200, 0.0)] {
@@ -335,9 +336,10 @@ mod tests {
             let shape = HalfToothShape::new(&Profile::new(&gear));
             let far = shape.tip_corner().conj() * turn(wider);
             for is_whole in [false, true] {
-                let top = match is_whole {
-                    true => Convex::tooth(&shape, far),
-                    false => Convex::top(&shape, far),
+                let top = if is_whole {
+                    Convex::tooth(&shape, far)
+                } else {
+                    Convex::top(&shape, far)
                 };
                 let along = |low: f64, high: f64, part| {
                     let shape = &shape;
@@ -368,7 +370,7 @@ mod tests {
                     const STEP: f64 = 1e-5;
                     let [before, behind] = [omega - STEP, omega + STEP]
                         .map(|omega| top.support(wrapped(omega), turn(omega)));
-                    // Not where one curve's normals end.
+                    // Not at an end of one curve's normals.
                     if before.radius > 0.0 && behind.radius > 0.0 || support.radius == 0.0 {
                         let slope = (behind.reach - before.reach) / (2.0 * STEP);
                         assert!(

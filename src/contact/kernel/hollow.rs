@@ -1,9 +1,9 @@
 //! A hollow curve and a convex mate that stays off it.
 //!
-//! A convex piece `B` does not cross a hollow curve if every point of the curve has a direction that keeps `B` off it. Over a stretch of the curve
-//! one direction does for all points, if it keeps `B` off the chord by more than the curve's sag, or off both ends where the curve reaches no
-//! farther. Near a touch it is the curve's own tangents that do. Let `σ(ν)` be the distance of `B` from the tangent whose normal is `e^{iν}`. With the curve's radius `R` and
-//! that of `B`, `ρ`,
+//! A convex piece `B` does not cross a hollow curve if every point of the curve has a direction that keeps `B` off it. One direction can
+//! serve a whole stretch of the curve. It must keep `B` off the chord by more than the curve's sag, or off both ends if the curve reaches
+//! no further. Near a touch only the tangents of the curve suffice. Let `σ(ν)` be the distance of `B` from the tangent with the normal
+//! `e^{iν}`. With the radius `R` of the curve and `ρ` of `B`
 //!
 //! ```text
 //! σ'' + σ = R − ρ ≥ m,   so   σ(ν_0 + x) ≥ m + (σ_0 − m) cos x + σ_0' sin x   for |x| ≤ π:
@@ -17,20 +17,20 @@ use crate::contact::gap::{C, turn};
 use crate::gear::{Fillet, Part, PartCurve};
 use std::f64::consts::PI;
 
-/// Stretches that a curve is cut into beforehand (tuned: 4 to 8 are as good).
+/// Stretches into which a curve is cut in advance (tuned: 4 to 8 are equally good).
 const STRETCHES: u32 = 6;
 
-/// Halvings of a stretch: below this only a touch is left.
+/// Limit of halvings of a stretch: smaller ones only occur at a touch.
 const DEEPEST: u32 = 26;
 
 /// A fillet, cut into stretches.
 #[derive(Debug, Clone)]
 pub(super) struct Hollow {
     curve: HollowCurve,
-    /// From one end to the other.
+    /// The curve from one end to the other.
     pub whole: Stretch,
     stretches: Vec<Stretch>,
-    /// Ends of the stretches, and how far the curve may lie off any chord between them, mm.
+    /// Ends of the stretches, and greatest distance of the curve from any chord between them, mm.
     knots: Vec<C>,
     sag: f64,
 }
@@ -55,36 +55,36 @@ pub(super) struct Stretch {
     /// Unit normal of its chord, out of the metal, and its direction, rad.
     pub normal: C,
     angle: f64,
-    /// How far the curve may lie off the chord, mm.
+    /// Greatest distance of the curve from the chord, mm.
     pub sag: f64,
-    /// Least and greatest radius of curvature, mm, where it is known to be hollow.
+    /// Least and greatest radius of curvature, mm, where the curve is known to be hollow.
     radii: Option<[f64; 2]>,
 }
 
-/// How far a mate stands off the tangent at one point of a curve.
+/// The distance of a mate from the tangent at one point of a curve.
 #[derive(Debug, Clone, Copy)]
 struct OffTangent {
     /// `σ` and `σ'`, mm.
     room: f64,
     slope: f64,
-    /// The mate's radius of curvature, mm, and the direction in which it is looked at, rad, in its own frame.
+    /// The mate's radius of curvature, mm, and the direction in which it is evaluated, rad, in its own frame.
     radius: f64,
     omega: f64,
-    /// Of the free gear.
+    /// Arm about the free gear's axis.
     arm: f64,
 }
 
-/// How a stretch of a hollow curve and a mate are proven apart.
+/// The kind of proof that a stretch of a hollow curve and a mate are apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum OffStretch {
-    /// By one direction for all points.
+    /// One direction for all points.
     Apart(Apart),
-    /// By the tangent of each point; the normal of the middle one, out of the locked metal.
+    /// The tangent of each point; this is the normal of the middle one, out of the locked metal.
     Tangents(C),
 }
 
 impl Hollow {
-    /// A fillet, whose generating circle has this radius, mm, or its mirror image. It may bulge where no mate touches it.
+    /// A fillet with a generating circle of this radius, mm, or its mirror image. It may bulge where no mate touches it.
     pub fn new(part: &Part, pitch_radius: f64, mirrored: bool) -> Hollow {
         let (low, high) = part.range();
         let curve = HollowCurve {
@@ -94,7 +94,7 @@ impl Hollow {
         };
         let stretch = |low: f64, high: f64| Stretch::new(&curve, [low, high]);
         let at = |k: u32| match k {
-            // The end is itself, to the last bit.
+            // The end is exact to the last bit.
             STRETCHES => high,
             _ => low + (high - low) * f64::from(k) / f64::from(STRETCHES),
         };
@@ -109,7 +109,7 @@ impl Hollow {
         }
     }
 
-    /// The support of all its points in the direction `n` at most, and their least lever; nothing else of it is known.
+    /// Upper bound of the support of all its points in the direction `n`, and of their least lever; other values are unknown.
     pub fn bound(&self, n: C) -> Support {
         let mut bound = Support {
             reach: f64::MIN,
@@ -126,7 +126,7 @@ impl Hollow {
         bound
     }
 
-    /// A stretch in parts: one of them about the parameter `at`, else its halves.
+    /// A stretch in parts: one of them about the parameter `at`, otherwise its halves.
     fn cut(&self, stretch: &Stretch, at: Option<f64>) -> impl Iterator<Item = Stretch> {
         let [low, high] = stretch.ends;
         let width = |at: f64| (0.2 * (high - low)).min(at - low).min(high - at);
@@ -159,10 +159,10 @@ impl Stretch {
             true => normal,
             false => middle,
         };
-        // Of a hollow curve the normal turns one way: to the middle and from there by less than a right angle.
+        // On a hollow curve the normal turns one way: to the middle and from there by less than a right angle.
         let turns_little = dot(na, middle) > 0.0 && dot(middle, nb) > 0.0;
         let radii = curve.radii(ends).filter(|_| turns_little);
-        // The tangents at both ends enclose it; of a curve that may turn either way, lines as steep as its steepest.
+        // The tangents at both ends enclose it; for a curve that may turn either way, lines as steep as its steepest.
         let (_, half_turn) = curve.curve.spread(ends[0], ends[1]);
         let slope = match radii {
             Some(_) if dot(na, nb) > -0.5 => along(na, nb).abs() / (1.0 + dot(na, nb)),
@@ -180,10 +180,10 @@ impl Stretch {
         }
     }
 
-    /// How far its points reach in the direction `n` at most, and their least coordinate along `i n`.
+    /// Upper bound of the reach of its points in the direction `n`, and their least coordinate along `i n`.
     fn bound(&self, n: C) -> (f64, f64) {
         let [a, b] = self.points;
-        let beyond = if self.reaches_no_farther(n) {
+        let beyond = if self.reaches_no_further(n) {
             0.0
         } else {
             self.sag
@@ -192,9 +192,9 @@ impl Stretch {
         (reach, along(a, n).min(along(b, n)) - self.sag)
     }
 
-    /// Whether no point reaches farther in the direction `n` than both ends: the only other greatest `P·n` of a hollow curve is where the normal is
-    /// `−n`.
-    fn reaches_no_farther(&self, n: C) -> bool {
+    /// Whether no point reaches further in the direction `n` than both ends. The only other greatest `P·n` of a hollow curve is where the
+    /// normal is `−n`.
+    fn reaches_no_further(&self, n: C) -> bool {
         self.radii.is_some() && self.normals.iter().all(|normal| dot(n, *normal) >= 0.0)
     }
 }
@@ -211,7 +211,7 @@ impl HollowCurve {
         }
     }
 
-    /// Least and greatest radius of curvature between two parameters; `None` where it is not known to be hollow.
+    /// Least and greatest radius of curvature between two parameters; `None` if it is not known to be hollow.
     fn radii(&self, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
         match self.curve.convexity(low, high) {
             Some((least, most)) if most < 0.0 => Some([-1.0 / least, -1.0 / most]),
@@ -226,7 +226,7 @@ impl HollowCurve {
     }
 }
 
-/// The radii of a fillet whose tool's round stands outside its pitch line, `h_0 < 0`.
+/// The radii of a fillet whose tool's tip radius has its centre outside the pitch line, `h_0 < 0`.
 ///
 /// `R = S/q` with `c = 1/cos γ`: `q = 1 + h_0 c²/r` falls, `S = ρ + h_0 c² (ρ + h_0 c)/r` has one minimum, at `c = −2ρ/3h_0`.
 fn shallow_radii(fillet: &Fillet, r: f64, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
@@ -247,18 +247,20 @@ fn least_room(room: f64, slope: f64, m: f64, w: f64) -> f64 {
     let across = room - m;
     let (sin, cos) = w.sin_cos();
     if across < 0.0 && slope.abs() * cos < -across * sin {
-        // m − √(across² + slope²), without cancelling.
+        // m − √(across² + slope²), without cancellation.
         let amount = across.hypot(slope);
-        return match m + amount > 0.0 {
-            true => (room * (2.0 * m - room) - slope * slope) / (m + amount),
-            false => m - amount,
+        return if m + amount > 0.0 {
+            (room * (2.0 * m - room) - slope * slope) / (m + amount)
+        } else {
+            m - amount
         };
     }
     m + across * cos - slope.abs() * sin
 }
 
 impl At {
-    /// How far `mate` stands off the line through a point of gear `owner` across a normal, both in its own frame; `angle` is the normal's direction.
+    /// Distance of `mate` from the line through a point of gear `owner` across a normal, both in its own frame; `angle` is the normal's
+    /// direction.
     #[inline]
     fn off_line(
         &self,
@@ -286,23 +288,23 @@ impl At {
         }
     }
 
-    /// How far `mate` stands off the tangent at a point of a curve.
+    /// Distance of `mate` from the tangent at a point of a curve.
     fn off_tangent(&self, owner: usize, (point, normal): (C, C), mate: &Convex) -> OffTangent {
         self.off_line(owner, (point, normal), normal.arg(), mate)
     }
 
-    /// A normal of gear `owner`, in its own frame, as the direction out of the locked metal.
+    /// A normal of gear `owner` in its own frame, as the direction out of the locked metal.
     pub fn out_of_locked(&self, owner: usize, normal: C) -> C {
         let n = self.directions[owner] * normal;
         if owner == 0 { n } else { -n }
     }
 
-    /// Whether the normal of a stretch's chord keeps `mate` off all of it.
+    /// Whether the normal of a stretch's chord keeps `mate` off the whole stretch.
     #[inline]
     pub fn is_off_chord(&self, owner: usize, stretch: &Stretch, mate: &Convex, need: f64) -> bool {
         let line = (stretch.points[0], stretch.normal);
         let off = self.off_line(owner, line, stretch.angle, mate);
-        let sag = if stretch.reaches_no_farther(stretch.normal) {
+        let sag = if stretch.reaches_no_further(stretch.normal) {
             0.0
         } else {
             stretch.sag
@@ -310,8 +312,8 @@ impl At {
         self.stays(off.room - sag, off.arm - sag, need)
     }
 
-    /// Whether `mate` stands off all of a hollow curve of gear `owner` by more than `need` mm. `tell` takes each stretch proven; `looks`
-    /// counts what is looked at, up to `most`. `start`, rad, is the direction to begin with, where that is not a stretch's own normal.
+    /// Whether `mate` is off the whole hollow curve of gear `owner` by more than `need` mm. `tell` receives each proven stretch. `looks`
+    /// counts the examined directions, up to `most`. `start`, rad, is the first direction, if that is not a stretch's own normal.
     pub fn is_off_hollow(
         &self,
         (owner, hollow): (usize, &Hollow),
@@ -340,7 +342,7 @@ impl At {
         true
     }
 
-    /// The parameter of the tangent that `mate` is nearest to, within a stretch, and whether that keeps it off.
+    /// The parameter of the tangent nearest to `mate` within a stretch, and whether that keeps it off.
     fn nearest_tangent(
         &self,
         (owner, hollow): (usize, &Hollow),
@@ -374,7 +376,7 @@ impl At {
         Some((at, self.stays(off.room, off.arm, need)))
     }
 
-    /// How `mate` is proven off a stretch.
+    /// The proof that `mate` is off a stretch.
     fn off_stretch(
         &self,
         (owner, hollow): (usize, &Hollow),
@@ -406,14 +408,15 @@ impl At {
         let apart = self.separated(locked, free, start, need, looks)?;
         let back = self.directions[owner].conj();
         let is_of_curve = match apart {
-            Apart::Direction(n) if owner == 1 => stretch.reaches_no_farther(-n * back),
+            Apart::Direction(n) if owner == 1 => stretch.reaches_no_further(-n * back),
             // The disc in which a free chord turns is not that of its curve.
             Apart::OutOfReach(_) if owner == 1 => false,
-            Apart::Direction(n) | Apart::OutOfReach(n) => stretch.reaches_no_farther(n * back),
+            Apart::Direction(n) | Apart::OutOfReach(n) => stretch.reaches_no_further(n * back),
         };
-        let apart = match is_of_curve {
-            true => apart,
-            false => self.separated(locked, free, start, need + stretch.sag, looks)?,
+        let apart = if is_of_curve {
+            apart
+        } else {
+            self.separated(locked, free, start, need + stretch.sag, looks)?
         };
         Some(OffStretch::Apart(apart))
     }
@@ -426,7 +429,7 @@ impl At {
         mate: &Convex,
         need: f64,
     ) -> bool {
-        // Of a chord each end has a bound of its own: across the chord's normal its support jumps.
+        // For a chord each end has its own bound: across the chord's normal its support jumps.
         if let Convex::Chord([a, b]) = mate
             && a != b
         {
@@ -444,7 +447,7 @@ impl At {
         };
         let round = mate.greatest_radius(off.omega, play);
         let least = least_room(off.room, off.slope, radii[0] - round, play);
-        // The arm turns by no more than its point's distance from the axis and a radius.
+        // The arm turns by at most its point's distance from the axis plus a radius.
         let (point, radius) = match owner {
             0 => (
                 mate.farthest(self.centres[1] * self.directions[1].conj()),
@@ -460,8 +463,8 @@ impl At {
         is_short && play < 0.5 && self.stays(least, arm, need)
     }
 
-    /// Whether two hollow curves stay off each other: of any two stretches, one stands off the other's chord, by more than its sag where
-    /// the other's curve may reach farther than its chord.
+    /// Whether two hollow curves stay off each other. For any two stretches one must be off the other's chord, by more than its sag where
+    /// the other's curve may reach further than its chord.
     pub fn is_off_both(
         &self,
         ([locked, free], nu): ([&Hollow; 2], f64),
@@ -523,7 +526,7 @@ impl At {
         self.stays(room, least - along(self.centres[1], n), need)
     }
 
-    /// Whether what keeps the chord of a stretch of gear `owner` off `mate` keeps the curve off, however far it lies off the chord.
+    /// Whether the direction that keeps a chord of gear `owner` off `mate` also keeps the curve off, at any distance from the chord.
     fn holds_for_curve(
         &self,
         owner: usize,
@@ -533,14 +536,14 @@ impl At {
     ) -> bool {
         let back = self.directions[owner].conj();
         match proof {
-            // Between the directions of both ends it is so if it is for both.
+            // It holds between the directions of both ends if it holds for both.
             OffStretch::Tangents(_) => mate.normals.iter().all(|n| {
                 let own = -(self.directions[1 - owner] * n) * back;
-                stretch.reaches_no_farther(own)
+                stretch.reaches_no_further(own)
             }),
             OffStretch::Apart(Apart::Direction(n)) => {
                 let out = if owner == 0 { n } else { -n };
-                stretch.reaches_no_farther(out * back)
+                stretch.reaches_no_further(out * back)
             }
             // The disc of a chord is not that of the curve.
             OffStretch::Apart(Apart::OutOfReach(_)) => false,
@@ -574,8 +577,8 @@ mod tests {
     use super::*;
     use crate::gear::{Gear, GearDesign, ProfilePart};
 
-    /// A fillet of 30 teeth whose gear is locked, at the angle 0; a mate whose own centre stands at `centre`. The free axis lies where the mate has a
-    /// long lever about it.
+    /// A fillet of 30 teeth whose gear is locked, at the angle 0, with a mate whose own centre is at `centre`. The free axis is where the
+    /// mate has a long lever about it.
     fn facing(normal: C, centre: C) -> At {
         let shift = -normal * C::i() * 50.0;
         At {
@@ -597,15 +600,15 @@ mod tests {
         )
     }
 
-    /// Discs and corners that stand off a fillet by 1e-12 mm are proven off it, those that reach in by as much are not, at any place. Source: the
-    /// curve's own points and normals, and its radius of curvature by differences.
+    /// Discs and corners that are 1e-12 mm off a fillet are proven off it, those that overlap it by as much are not, at any place. Source:
+    /// the curve's own points and normals, and its radius of curvature by differences.
     #[test]
-    fn a_fillet_is_told_from_what_touches_it() {
+    fn a_fillet_and_a_touching_mate_are_distinguished() {
         let gear = Gear::nominal(GearDesign::plain(30, 2.0)).unwrap();
         let part = gear.part(ProfilePart::Fillet);
         let hollow = Hollow::new(part, gear.basic_data().reference_radius(), false);
         let (low, high) = part.range();
-        // The free axis lies where the mate has a lever in all directions of the fillet.
+        // The free axis is where the mate has a lever in all directions of the fillet.
         let (_, middle) = hollow.curve.at(0.5 * (low + high));
         let mut tried = 0;
         for k in 1..40 {
@@ -630,15 +633,16 @@ mod tests {
                 for (gap, expected) in [(1e-12, true), (-1e-12, false)] {
                     let centre = point + normal * (disc + gap);
                     let there = facing(middle, centre);
-                    let mate = match share > 0.0 {
-                        true => Convex::arc(disc, -PI, PI),
-                        false => Convex::Chord([C::ZERO; 2]),
+                    let mate = if share > 0.0 {
+                        Convex::arc(disc, -PI, PI)
+                    } else {
+                        Convex::Chord([C::ZERO; 2])
                     };
                     let found = is_off(&there, &hollow, &mate);
                     assert_eq!(found, expected, "{k} {share} {gap}");
                 }
             }
-            // A disc rounder than the fillet reaches in on both sides of where it would touch.
+            // A disc rounder than the fillet overlaps it on both sides of its touch.
             let centre = point + normal * (1.2 * radius);
             let mate = Convex::arc(1.2 * radius, -PI, PI);
             let inside = k > 4 && k < 36;
@@ -650,7 +654,7 @@ mod tests {
         assert!(tried > 60, "{tried}");
     }
 
-    /// The bound of a room over a stretch of directions, against samples of a function with the same second derivative.
+    /// The bound of a room over a stretch of directions, compared with samples of a function with the same second derivative.
     #[test]
     fn no_room_is_less_than_the_least() {
         for (room, slope, m) in [

@@ -1,4 +1,4 @@
-//! Proofs by separating directions: a pose that any method found is proven from the outlines, without a search of its own for the contact.
+//! Proofs by separating directions. They prove a pose that any method found from the outlines, without a search for the contact.
 
 mod at;
 mod checker;

@@ -1,11 +1,12 @@
-//! The proof of a pose: on each side, directions that keep all teeth apart, and a point in the metal of both teeth that touch.
+//! The proof of a pose: on each side, directions that keep all teeth apart, and a point in the metal of both touching teeth.
 //!
-//! The directions hold with the free gear a little more open, the point with it a little more closed. [`Proof::verify`] checks both from the outlines alone.
+//! The directions hold at a slightly more open rotation of the free gear, the point at a slightly more closed one. [`Proof::verify`] checks
+//! both from the outlines alone.
 
 use crate::gear::Side;
 use nalgebra::{Point2, Vector2};
 
-/// The proof of both contacts of a pose, of helical gears in each of the sections they were proven in.
+/// The proof of both contacts of a pose. In helical gears it covers each section in which they were proven.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Proof {
@@ -17,18 +18,18 @@ pub struct Proof {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SideProof {
-    /// Which flanks.
+    /// The flanks.
     pub side: Side,
-    /// Where along the axes, mm from the measuring plane; 0 of spur gears.
+    /// Place along the axes, mm from the measuring plane; 0 for spur gears.
     #[cfg_attr(feature = "serde", serde(rename = "section_mm"))]
     pub section: f64,
-    /// Rotation of the free gear in that section, rad, at which all pairs are apart; `None` where nothing touches at any rotation.
+    /// Rotation of the free gear in that section, rad, at which all pairs are apart; `None` if nothing touches at any rotation.
     #[cfg_attr(feature = "serde", serde(rename = "open_rad"))]
     pub open: Option<f64>,
     /// Rotation, rad, up to which they stay apart: the middle between both contacts. `None`: as far as the free gear can turn.
     #[cfg_attr(feature = "serde", serde(rename = "until_rad"))]
     pub until: Option<f64>,
-    /// The point in both metals; `None` where nothing does, and in sections in which another one touches first.
+    /// The point in both metals; `None` without contact, and in sections in which another one touches first.
     pub touch: Option<TouchProof>,
     /// The separation of each pair of pieces in reach.
     pub apart: Vec<Separation>,
@@ -50,7 +51,7 @@ pub struct TouchProof {
     pub point: Point2<f64>,
 }
 
-/// Two pieces of two half teeth, and what keeps them apart.
+/// Two pieces of two half teeth, and their separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Separation {
@@ -90,12 +91,12 @@ pub enum Piece {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Reason {
-    /// A line across the normal stands between them, and the free piece moves away from it as it turns on.
+    /// A line across the normal separates them, and the free piece moves away from it as it turns further.
     Direction,
-    /// A line across the normal stands between the locked piece and the disc in which the free gear's teeth turn.
+    /// A line across the normal separates the locked piece from the disc in which the free gear's teeth turn.
     OutOfReach,
-    /// The locked fillet's tangent at each of its points stands between it and the mate.
+    /// The locked fillet's tangent at each of its points separates it from the mate.
     LockedTangents,
-    /// The free fillet's tangent at each of its points stands between it and the mate.
+    /// The free fillet's tangent at each of its points separates it from the mate.
     FreeTangents,
 }

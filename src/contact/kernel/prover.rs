@@ -2,16 +2,18 @@
 //!
 //! A contact at the rotation `μ` is proven from two sides.
 //!
-//! 1. The free gear is opened to `μ + δ`. Each part of each pair of teeth in reach is kept off the other tooth by a direction ([`super::at`]), by the
-//!    tangents of a hollow curve ([`super::hollow`]), or is out of reach. Nothing touches from there to the middle between both contacts. Where the pair
-//!    interferes, nothing touches as far as the free gear can turn.
-//! 2. The free gear is closed to `μ − δ`. A point lies in the metal of both teeth that touch.
+//! 1. The free gear is opened to `μ + δ`. Each part of each pair of teeth in reach must be proven off the other tooth: by a direction
+//!    ([`super::at`]), by the tangents of a hollow curve ([`super::hollow`]), or as out of reach. Then nothing touches from there to
+//!    the middle between both contacts. If the pair interferes, nothing touches as far as the free gear can turn.
+//! 2. The free gear is closed to `μ − δ`. A point must be in the metal of both touching teeth.
 //!
-//! The rounding of a room is `need = 8 ε (a + r_aL + r_aF)`, mm. With `δ = error + 3 need/arm` the pair that touches passes by its own normal.
+//! The rounding of a room is `need = 8 ε (a + r_aL + r_aF)`, mm. With `δ = error + 3 need/arm` the touching pair is separated by its own
+//! normal.
 //!
-//! The locked tooth counts with both its flanks: a free gear of few teeth may close against the far one.
+//! The locked tooth counts with both its flanks, because a free gear of few teeth can close against the far one.
 //!
-//! Some poses are not proven here: of gears whose flanks are no involutes, with contact on a fillet that bulges, and where root lands reach each other.
+//! Three kinds of pose are not proven here: with flanks other than involutes, with contact on a fillet that bulges, and with root lands in
+//! reach of each other.
 
 use super::at::{Apart, At};
 use super::convex::{Convex, Support, along, dot, mirror, wrapped};
@@ -30,19 +32,19 @@ use std::f64::consts::PI;
 use std::iter;
 use std::ops::Range;
 
-/// A bound wider than this part of a pitch says nothing about one pair of teeth.
+/// Widest bound, as a part of a pitch, that is proven: a wider one is not specific to one pair of teeth.
 const NARROW: f64 = 1e-2;
 
-/// Directions looked at before a side is given up: ordinary ones take 15 to 60.
+/// Limit of directions on one side; ordinary sides need 15 to 60.
 const MOST_LOOKS: u32 = 4000;
 
-/// As many directions take the time of a unit of effort.
+/// Number of directions per unit of effort.
 const LOOKS_A_UNIT: u32 = 8;
 
-/// By so much wider contacts of lands are closed.
+/// Factor by which contacts of lands are closed further.
 const THIN: f64 = 16.0;
 
-/// Why a pose is not proven here; it may be right all the same.
+/// The reason why a pose is not proven here; it may still be right.
 type NotProven = &'static str;
 
 /// Proves poses of one assembly.
@@ -50,16 +52,16 @@ type NotProven = &'static str;
 pub struct Prover<'a> {
     assembly: &'a GearPair,
     kernel: ExactKernel,
-    /// The fillets of the locked and the free gear, where the mate reaches them.
+    /// The fillets of the locked and the free gear, if the mate reaches them.
     hollows: [Option<Hollow>; 2],
-    /// The fillet of the locked teeth's other halves, likewise.
+    /// The fillet of the locked teeth's far halves, if the mate reaches it.
     far_hollow: Option<Hollow>,
     /// Whether the mate's top reaches the root land, and whether its fillet does.
     roots: [bool; 2],
     deep_roots: [bool; 2],
     /// Whether both fillets reach each other.
     fillets_meet: bool,
-    /// Why no pose of the assembly is proven here.
+    /// The reason why no pose of the assembly is proven here.
     beyond: Option<NotProven>,
     /// Rounding of a room, mm.
     need: f64,
@@ -79,18 +81,18 @@ struct Held {
     closing: f64,
 
     point: C,
-    /// Out of the locked metal.
+    /// Points out of the locked metal.
     normal: C,
-    /// Of the free gear, mm.
+    /// Arm about the free gear's axis, mm.
     arm: f64,
     /// Tooth numbers, the locked gear's first.
     teeth: [u32; 2],
-    /// From the contact to the middle between both contacts, rad; infinite where they leave no room.
+    /// From the contact to the middle between both contacts, rad; infinite without room between them.
     play: f64,
 }
 
 impl<'a> Prover<'a> {
-    /// The prover of `assembly`, whose kernel is `kernel`.
+    /// The prover of `assembly`; `kernel` is its kernel.
     pub fn new(assembly: &'a GearPair, kernel: &ExactKernel) -> Prover<'a> {
         let problem = kernel.plane().side(Side::Right);
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
@@ -99,7 +101,7 @@ impl<'a> Prover<'a> {
         let tips = gears.map(|gear| gear.gear().tip_radius());
         let forms = shapes.map(HalfToothShape::form_radius);
         let rooted = shapes.map(|shape| shape.root_radius);
-        // Less by a rounding: what is nearly reached is looked at.
+        // Less by a rounding: a part that is nearly reached is also examined.
         let off = gears[0].eccentricity() + gears[1].eccentricity();
         let nearest = distance * (1.0 - 1e-9) - off;
         let is_reached = [0, 1].map(|k| {
@@ -136,7 +138,7 @@ impl<'a> Prover<'a> {
     /// Proves both contacts of `found` at `pose`.
     ///
     /// # Errors
-    /// Why it is not proven here; it may be right all the same.
+    /// The reason why it is not proven here; it may still be right.
     pub fn check(&self, pose: &Pose, found: &LostMotion) -> Result<(), &'static str> {
         self.check_within(pose, found, &Effort::of_pose())
     }
@@ -148,7 +150,7 @@ impl<'a> Prover<'a> {
         found: &LostMotion,
         effort: &Effort,
     ) -> Result<(), NotProven> {
-        // Teeth in the mate's body prove it by themselves, whatever touches.
+        // Teeth in the mate's body prove the jam by themselves.
         if found.solid {
             return Ok(());
         }
@@ -167,7 +169,7 @@ impl<'a> Prover<'a> {
     /// The proof of both contacts of `found` at `pose`.
     ///
     /// # Errors
-    /// Why it is not proven here; it may be right all the same.
+    /// The reason why it is not proven here; it may still be right.
     pub fn proof(&self, pose: &Pose, found: &LostMotion) -> Result<Proof, &'static str> {
         let mut sides = Vec::new();
         self.over(pose, found, |section, here, b| {
@@ -202,7 +204,7 @@ impl<'a> Prover<'a> {
         Ok(Proof { sides })
     }
 
-    /// Calls `each` for every section that the contacts of `found` are proven in, with the pose there and its place along the face, mm.
+    /// Calls `each` for every section in which the contacts of `found` are proven, with the pose there and its place along the face, mm.
     fn over(
         &self,
         pose: &Pose,
@@ -237,16 +239,16 @@ fn contacts(found: &LostMotion) -> impl Iterator<Item = (Side, Option<&Contact>)
     [Side::Right, Side::Left].into_iter().zip(contacts)
 }
 
-/// One side of one section that is being proven.
+/// The proof of one side of one section in progress.
 struct Proving<'a> {
     prover: &'a Prover<'a>,
     posed: &'a PosedFlanks<'a>,
     free: Member,
     /// As [`Held::play`].
     play: f64,
-    /// Directions looked at so far.
+    /// Directions examined so far.
     looks: u32,
-    /// The separations found, where the proof is asked for.
+    /// The separations found, if the proof is to be returned.
     apart: Option<Vec<Separation>>,
 }
 
@@ -258,17 +260,17 @@ struct Pair<'a> {
     tops: [Convex<'a>; 2],
 }
 
-/// Where the pieces of a pair end along the direction that keeps its tops apart.
+/// The ends of the pieces of a pair along the direction that keeps its tops apart.
 struct Along {
     n: C,
-    /// How far the locked tooth reaches, mm.
+    /// Reach of the locked tooth, mm.
     tooth: f64,
     top: Lowest,
-    /// Whether the free tooth turns within a disc that is meant in place of each of its pieces.
+    /// Whether a disc in which the free tooth turns represents each of its pieces.
     is_disc: bool,
 }
 
-/// Where a free piece begins along a direction, mm, and its arm.
+/// Start of a free piece along a direction, mm, and its arm.
 #[derive(Clone, Copy)]
 struct Lowest {
     at: f64,
@@ -324,7 +326,7 @@ impl Along {
     }
 }
 
-/// Where a free piece begins along `n`, whose support against `n` this is.
+/// The start of a free piece along `n`; `back` is its support against `n`.
 fn lowest(at: &At, n: C, back: Support) -> Lowest {
     Lowest {
         at: dot(at.centres[1], n) - back.reach,
@@ -342,7 +344,7 @@ impl Pair<'_> {
         locked.direction * mirror(locked.shape, locked.far)
     }
 
-    /// The pair with the far half of the locked tooth in place of the near one.
+    /// The pair with the far half of the locked tooth instead of the near one.
     fn far_at(&self) -> At {
         let direction = self.far_direction();
         At {
@@ -365,7 +367,7 @@ impl<'a> Proving<'a> {
             prover,
             posed,
             free,
-            // A little beyond the middle, so that both sides cover all.
+            // Slightly past the middle, so that both sides together cover the whole play.
             play: angle.map_or(f64::INFINITY, |angle| 0.5 * angle * (1.0 + 1e-9)),
             looks: 0,
             apart: None,
@@ -395,7 +397,7 @@ impl<'a> Proving<'a> {
         self.all_apart(&held).map(|()| Some(held))
     }
 
-    /// `contact` in this frame, the free gear's nominal rotation `onward` rad from that of the measuring plane.
+    /// `contact` in this frame; the free gear's nominal rotation is `onward` rad from that of the measuring plane.
     fn held(&self, contact: &Contact, onward: f64) -> Result<Held, NotProven> {
         let problem = self.problem();
         let point = C::new(contact.point.x, contact.point.y);
@@ -409,7 +411,7 @@ impl<'a> Proving<'a> {
         if !(arm > 0.0 && opening < NARROW * self.prover.pitch) {
             return Err("the contact has next to no lever");
         }
-        // Where lands cross, what overlaps is thin beside its length.
+        // The overlap of crossing lands is thin beside its length.
         let curves = [contact.wheel.curve, contact.pinion.curve];
         let is_thin =
             curves.iter().all(|curve| curve.is_land()) || curves.contains(&ToothPlace::Root);
@@ -437,7 +439,7 @@ impl<'a> Proving<'a> {
         }
     }
 
-    /// A rotation of the free gear in this frame as the picture counts it, and the other way round.
+    /// Converts a rotation of the free gear between this frame and the picture.
     fn turned(&self, rotation: f64) -> f64 {
         -self.problem().side.sense() * rotation
     }
@@ -514,7 +516,7 @@ impl<'a> Proving<'a> {
         }
     }
 
-    /// Proves that every pair in reach is apart a little more open than `held`.
+    /// Proves that every pair in reach is apart slightly more open than `held`.
     fn all_apart(&mut self, held: &Held) -> Result<(), NotProven> {
         let rotation = held.rotation + held.opening;
         let turned = turn(rotation);
@@ -533,7 +535,7 @@ impl<'a> Proving<'a> {
         Ok(())
     }
 
-    /// Steps whose locked tooth may reach the free gear: with one more, of which the far half may.
+    /// Steps whose locked tooth can reach the free gear, plus one whose far half can.
     fn steps(&self) -> Range<i64> {
         let steps = self.posed.steps();
         if self.problem().window().is_none() {
@@ -543,7 +545,7 @@ impl<'a> Proving<'a> {
         (steps.start - 1).max(least)..steps.end
     }
 
-    /// Proves that the tops of a pair are apart: what keeps them so, and its direction, rad.
+    /// Proves that the tops of a pair are apart; returns their separation and its direction, rad.
     fn tops_apart(&mut self, pair: &Pair, (nu, n): (f64, C)) -> Result<(Apart, f64), NotProven> {
         let need = self.prover.need;
         let [locked, free] = &pair.tops;
@@ -561,7 +563,7 @@ impl<'a> Proving<'a> {
         Ok((apart, nu))
     }
 
-    /// Proves that the fillets of a pair are apart from the mate: by what keeps the tops apart, where that does, else each by itself.
+    /// Proves that the fillets of a pair are apart from the mate: by the separation of the tops if it suffices, otherwise each by itself.
     fn fillets_apart(&mut self, pair: &Pair, apart: Apart, nu: f64) -> Result<(), NotProven> {
         let prover = self.prover;
         let [near, free] = &prover.hollows;
@@ -649,7 +651,7 @@ impl<'a> Proving<'a> {
         }
     }
 
-    /// Proves that the root land of gear `owner` is apart from what of the mate reaches it.
+    /// Proves that the root land of gear `owner` is apart from the parts of the mate that reach it.
     fn root_apart(&mut self, pair: &Pair, owner: usize, nu: f64) -> Result<(), NotProven> {
         let land = self.prover.roots[owner].then(|| root_land(&pair.placed[owner]));
         let Some(land) = land.flatten() else {
@@ -668,9 +670,10 @@ impl<'a> Proving<'a> {
             ordered(owner, Piece::Root, TOPS[1 - owner]),
             apart,
         );
-        match self.prover.deep_roots[owner] {
-            true => self.fillets_off_root(pair, 1 - owner, (&land, nu)),
-            false => Ok(()),
+        if self.prover.deep_roots[owner] {
+            self.fillets_off_root(pair, 1 - owner, (&land, nu))
+        } else {
+            Ok(())
         }
     }
 
@@ -728,7 +731,7 @@ impl<'a> Proving<'a> {
         for step in self.posed.steps() {
             let pair = self.pair(step, 0.0, C::ONE);
             let at = &pair.at;
-            // All of the free tooth turns within its top's disc.
+            // The whole free tooth turns within its top's disc.
             let radius = pair.tops[1].farthest(at.centres[1] * at.directions[1].conj());
             let [locked, _] = &pair.placed;
             let top = Convex::top(locked.shape, locked.far);
@@ -771,10 +774,10 @@ impl<'a> Proving<'a> {
         Ok(())
     }
 
-    /// A point that lies in the metal of both teeth that touch, closed from `held`; `None` where none is found.
+    /// A point in the metal of both touching teeth, closed from `held`; `None` if none is found.
     ///
-    /// Closed by `δ`, both outlines overlap by `arm δ` along the normal. Half as deep below the contact of the one or of the other there is metal of
-    /// both: of either one, unless that is its corner, beside which the mate's slides.
+    /// Closed by `δ`, both outlines overlap by `arm δ` along the normal. Half as deep below the contact of one or the other there is metal
+    /// of both: below either one, unless it is a corner beside which the mate's curve slides.
     fn common_point(&self, held: &Held) -> Option<C> {
         let step = self.posed.steps().find(|step| {
             let (locked, free) = self.posed.places(*step);
@@ -793,7 +796,7 @@ impl<'a> Proving<'a> {
                 depth(&locked, *point, deep.norm()) > need || far_depth(&locked, *point) > need;
             in_locked && depth(&free, point * back, deep.norm()) > need
         };
-        // At the end of a root land the mate's flank may stand along the radius: there it is deeper towards the centre.
+        // At the end of a root land the mate's flank may be along the radius: there it is deeper towards the centre.
         let centres = [locked.centre, turn(held.rotation) * free.centre];
         let deeper = |point: C| {
             let towards = centres.map(|centre| (centre - point) / (centre - point).norm());
@@ -806,7 +809,7 @@ impl<'a> Proving<'a> {
     }
 }
 
-/// Pieces of the locked and the free tooth: `piece` is of gear `owner`, `other` of its mate.
+/// Pieces of the locked and the free tooth: `piece` belongs to gear `owner`, `other` to its mate.
 fn ordered(owner: usize, piece: Piece, other: Piece) -> [Piece; 2] {
     match owner {
         0 => [piece, other],
@@ -820,19 +823,19 @@ fn root_land(half: &Placed) -> Option<Convex<'static>> {
     (high > low).then(|| Convex::arc(half.shape.root_radius, -high, -low))
 }
 
-/// How deep a point lies in the metal of a half tooth, between its outline and the far corner of its tip land, mm along circles about its centre; not
-/// above 0 outside. Within the root circle it reaches `beyond` mm past the middle of the space: there the gear is solid.
+/// Depth of a point in the metal of a half tooth, between its outline and the far corner of its tip land, mm along circles about its
+/// centre; at most 0 outside. Inside the root circle it reaches `beyond` mm past the middle of the space, where the gear is solid.
 fn depth(half: &Placed, point: C, beyond: f64) -> f64 {
     depth_of((point - half.centre) * half.direction.conj(), half, beyond)
 }
 
-/// How deep a point lies in the metal of the tooth's other half, mm.
+/// Depth of a point in the metal of the tooth's other half, mm.
 fn far_depth(half: &Placed, point: C) -> f64 {
     let direction = half.direction * mirror(half.shape, half.far);
     depth_of(((point - half.centre) * direction.conj()).conj(), half, 0.0)
 }
 
-/// As [`depth`], of a point in the half tooth's own frame.
+/// [`depth`] of a point in the half tooth's own frame.
 fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
     let shape = half.shape;
     let radius = own.norm();
@@ -846,27 +849,27 @@ fn depth_of(own: C, half: &Placed, beyond: f64) -> f64 {
     if below_tip <= 0.0 {
         return below_tip;
     }
-    let flank = match radius >= shape.form_radius() {
-        true => {
-            let roll = ((radius - shape.base) * (radius + shape.base))
-                .max(0.0)
-                .sqrt()
-                / shape.base;
-            roll - roll.atan() - shape.half_base
-        }
-        false => fillet_angle(shape, radius),
+    let flank = if radius >= shape.form_radius() {
+        let roll = ((radius - shape.base) * (radius + shape.base))
+            .max(0.0)
+            .sqrt()
+            / shape.base;
+        roll - roll.atan() - shape.half_base
+    } else {
+        fillet_angle(shape, radius)
     };
     below_tip.min((angle - flank).min(before_far) * radius)
 }
 
-/// Polar angle of the fillet at a radius, which rises with its parameter.
+/// Polar angle of the fillet at a radius; it rises with the parameter.
 fn fillet_angle(shape: &HalfToothShape, radius: f64) -> f64 {
     let (mut low, mut high) = shape.range(ProfilePart::Fillet);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        match shape.radius(ProfilePart::Fillet, middle) < radius {
-            true => low = middle,
-            false => high = middle,
+        if shape.radius(ProfilePart::Fillet, middle) < radius {
+            low = middle
+        } else {
+            high = middle
         }
     }
     // Both ends of the last bracket are on the fillet; the greater angle is on the safe side.

@@ -1,8 +1,8 @@
-//! The certificate of outlines: polygons bear out a rotation that the search found.
+//! The certificate of outlines: polygons confirm a rotation that the search found.
 //!
-//! A little more open than the rotation in question every pair of half teeth in reach must be clear, proven by chords that are halved only where
-//! they are within both chordal errors of each other; a little more closed one of them must touch. Nothing of the search is used but its answer: no
-//! gap, no rectangles, no slopes.
+//! At a slightly more open rotation every pair of half teeth in reach must be clear. Chords prove that; they are halved only where they are
+//! within both chordal errors of each other. At a slightly more closed rotation one pair must touch. The certificate uses nothing of the
+//! search but its answer: no gap, no rectangles, no slopes.
 
 use super::discs::{Disc, Discs, Inside};
 use super::teeth::{Frame, SideTeeth};
@@ -14,26 +14,25 @@ use nalgebra::Point2;
 use std::f64::consts::FRAC_PI_4;
 use std::ops::Range;
 
-/// Pairs of runs of chords looked at before a side is given up: some 0.05 µs each.
+/// Limit of pairs of runs of chords examined on one side: about 0.05 µs each.
 const EFFORT: u32 = 240_000;
 
-/// The same where nothing touches, and of both gears every chord is looked at (tuned: at a quarter of it gears of ordinary, wide pairs were
-/// given up).
+/// Limit if nothing touches, when every chord of both gears is examined (tuned: a quarter gave up gears of ordinary, wide pairs).
 const EFFORT_ON_NOTHING: u32 = 8 * EFFORT;
 
-/// So many of them take the time in which one pair of chords is looked at, or a chord halved.
+/// Pairs of runs that take the time of examining one pair of chords, or of halving a chord.
 const LOOK: u32 = 4;
 
-/// Why a side is given up.
+/// The reason why a side is given up.
 const SPENT: &str = "too many stretches of the outlines are too near each other to be told apart";
 
-/// What the finest chords leave of their curve, of the centre distance: far above rounding, far below what a drawing says.
+/// Error of the finest chords, as a part of the centre distance: far above rounding, far below the accuracy of a drawing.
 const FINEST: f64 = 1e-11;
 
-/// How far apart, in finest chords, a pair is turned: where a corner stands beside an edge it is only a part of that away from it.
+/// Distance, in finest chords, by which a pair is turned. A corner beside an edge is only a part of that away from it.
 const APART: f64 = 256.0;
 
-/// A stretch of a curve: a straight line, and how far the stretch may lie from it, mm.
+/// A stretch of a curve: a straight line, and greatest distance of the stretch from it, mm.
 #[derive(Debug, Clone, Copy)]
 struct Chord {
     ends: [C; 2],
@@ -59,7 +58,7 @@ impl Chord {
     }
 }
 
-/// A half tooth in chords, a piece of the outline each.
+/// A half tooth in chords, one per piece of the outline.
 #[derive(Debug)]
 struct CutHalf {
     chords: Vec<Chord>,
@@ -92,7 +91,7 @@ impl CutSide {
     }
 }
 
-/// A stretch where a pose has it.
+/// A stretch at its position in a pose.
 #[derive(Debug, Clone, Copy)]
 struct Seen<'a> {
     ends: [Point2<f64>; 2],
@@ -120,12 +119,12 @@ impl<'a> Seen<'a> {
         nalgebra::center(&self.ends[0], &self.ends[1])
     }
 
-    /// Within which it lies round its middle, mm.
+    /// Radius about its middle that contains it, mm.
     fn reach(&self) -> f64 {
         self.half_length + self.error
     }
 
-    /// Whether halving it tells more.
+    /// Whether halving it gives more.
     fn is_coarse(&self, finest: f64) -> bool {
         let middle = 0.5 * (self.low + self.high);
         self.error > finest && self.low < middle && middle < self.high
@@ -139,12 +138,12 @@ impl<'a> Seen<'a> {
         })
     }
 
-    /// Distances of its ends from the origin, mm: points of the curve, whose middle alone it is where the curve turns far.
+    /// Distances of its ends from the origin, mm: points of the curve, but only its middle where the curve turns far.
     fn end_radii(&self) -> [f64; 2] {
         self.ends.map(|end| end.coords.norm())
     }
 
-    /// Raises `greatest` to its greatest distance from the origin, mm, if that is more; halves it no more when nothing is `left`.
+    /// Raises `greatest` to its greatest distance from the origin, mm, if that is more. Halving stops when nothing is `left`.
     fn farthest(&self, greatest: &mut f64, finest: f64, left: &mut u32) {
         let [one, other] = self.end_radii();
         let far = one.max(other);
@@ -160,7 +159,7 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// Lowers `least` to its least distance from the origin, mm, if that is less; halves it no more when nothing is `left`.
+    /// Lowers `least` to its least distance from the origin, mm, if that is less. Halving stops when nothing is `left`.
     fn nearest(&self, least: &mut f64, finest: f64, left: &mut u32) {
         let near = closest(&self.ends, &[Point2::origin(); 2]).distance;
         match self.is_coarse(finest) {
@@ -175,19 +174,19 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// Takes `units` of what is left, or all of it: whether there were as many.
+/// Subtracts `units` from the rest, or all of it. Returns whether there were enough.
 fn take(left: &mut u32, units: u32) -> bool {
     let enough = *left >= units;
     *left = left.saturating_sub(units);
     enough
 }
 
-/// The half teeth of one side at a pose, in the frame of the search, the free gear's axis at the origin.
+/// The half teeth of one side at a pose, in the frame of the search with the free gear's axis at the origin.
 pub(super) struct Witness<'a> {
     pub teeth: [&'a SideTeeth<'a>; 2],
     pub cut: &'a CutSide,
     pub center_distance: f64,
-    /// Where the locked gear is.
+    /// Frame of the locked gear.
     pub locked: Frame,
     /// Numbers of the half teeth that face each other, locked and free.
     pub pairs: Vec<[u32; 2]>,
@@ -198,7 +197,7 @@ impl<'a> Witness<'a> {
         FINEST * self.center_distance
     }
 
-    /// How far the free gear is turned to either side, rad, where a point at this lever, mm, moves most.
+    /// Turn of the free gear to either side, rad, for a point with this lever, mm.
     pub fn little(&self, lever: f64) -> f64 {
         APART * self.finest() / lever
     }
@@ -206,7 +205,7 @@ impl<'a> Witness<'a> {
     /// Whether all is clear at the free rotation `open`, and something touches at `closed`, rad.
     ///
     /// # Errors
-    /// What is not so.
+    /// The finding that contradicts it.
     pub fn touches(&self, open: f64, closed: f64) -> Result<(), &'static str> {
         let mut left = EFFORT;
         let free = [open, closed].map(|rotation| self.free(rotation));
@@ -218,17 +217,17 @@ impl<'a> Witness<'a> {
             });
         }
         match self.pairs.iter().any(|pair| !seen(free[1], pair)) {
-            // What is not proven clear for want of effort need not touch.
+            // Without effort, an unproven clearance need not be a touch.
             true if left == 0 => Err(SPENT),
             true => Ok(()),
             false => Err("nothing touches there"),
         }
     }
 
-    /// Whether the half teeth that face each other have no radius in common, so that none ever touches.
+    /// Whether facing half teeth have no radius in common, so that none ever touches.
     ///
     /// # Errors
-    /// Where two do.
+    /// If two have one.
     pub fn touches_nothing(&self) -> Result<(), &'static str> {
         let finest = self.finest();
         let free = self.free(0.0);
@@ -240,7 +239,7 @@ impl<'a> Witness<'a> {
                 .collect();
             let mates = self.seen(1, free_tooth, free, whole(1, free_tooth));
             let mates: Vec<Seen> = mates.collect();
-            // From the ends of all, few are left that need be halved.
+            // After the ends of all, few are left to halve.
             let ends = own.iter().flat_map(Seen::end_radii);
             let mut least = ends.fold(f64::INFINITY, f64::min);
             let ends = mates.iter().flat_map(Seen::end_radii);
@@ -299,7 +298,7 @@ impl<'a> Witness<'a> {
         let teeth = [locked, free_tooth];
         let frames = [self.locked, free];
         let discs = [0, 1].map(|which: usize| &self.half(which, teeth[which]).discs);
-        // What does not reach into the mate's greatest circle touches nothing.
+        // Pieces outside the mate's greatest circle touch nothing.
         let mates = [
             (C::ZERO, self.teeth[1].gear.reach()),
             (C::from(self.center_distance), self.teeth[0].gear.reach()),
@@ -337,7 +336,7 @@ impl<'a> Witness<'a> {
                         return false;
                     }
                 }
-                // The greater one is divided, where it can be.
+                // The greater one is divided, if possible.
                 [Inside::Runs(parts), other]
                     if own.radius >= mate.radius || matches!(other, Inside::Chords(_)) =>
                 {
@@ -361,7 +360,7 @@ impl<'a> Witness<'a> {
         }
         let finest = self.finest();
         let distance = closest(&own.ends, &mate.ends).distance;
-        // The finest may be straight: rounding alone is left of them.
+        // The finest may be straight: only their rounding is left.
         if distance > (own.error + mate.error).max(2.0 * finest) {
             return true;
         }

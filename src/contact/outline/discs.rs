@@ -1,14 +1,14 @@
-//! Discs round runs of the chords of a half tooth, as a tree: what the certificate of outlines need not look at chord by chord.
+//! A tree of discs around runs of the chords of a half tooth. It saves the certificate of outlines from examining every chord.
 //!
-//! An outline may have tens of thousands of segments a tooth, and of two such flanks each pair of segments would be looked at.
+//! An outline can have tens of thousands of segments per tooth, and without the tree each pair of segments would be examined.
 
 use crate::contact::gap::C;
 use std::ops::Range;
 
-/// Chords of a run that is not divided (tuned: of fewer the tree takes longer than they do).
+/// Chords of a run that is not divided (tuned: for fewer the tree takes longer than the chords).
 const FEWEST: usize = 8;
 
-/// Rounding of a disc round two others, of the greatest length in it: a dozen operations.
+/// Rounding of a disc around two others, per greatest length: a dozen operations.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A disc, mm.
@@ -26,7 +26,7 @@ impl Disc {
         (self.middle - other.middle).norm_sqr() > within * within
     }
 
-    /// The least one round both.
+    /// The least disc around both.
     fn round(&self, other: &Disc) -> Disc {
         let between = other.middle - self.middle;
         let distance = between.norm();
@@ -45,21 +45,21 @@ impl Disc {
     }
 }
 
-/// Discs round the chords of a path in order, and round runs of them.
+/// Discs around the chords of a path in order, and around runs of them.
 #[derive(Debug)]
 pub(super) struct Discs(Vec<Run>);
 
 #[derive(Debug)]
 struct Run {
     disc: Disc,
-    /// The first of its chords, and how many they are.
+    /// Its first chord, and its number of chords.
     first: u32,
     count: u32,
-    /// The second of the two runs in it, the first of which follows it; 0 where it is not divided.
+    /// The second of its two runs, the first of which follows it; 0 if it is not divided.
     second: u32,
 }
 
-/// What is in a run.
+/// The content of a run.
 #[derive(Debug, PartialEq)]
 pub(super) enum Inside {
     /// These chords.
@@ -69,7 +69,7 @@ pub(super) enum Inside {
 }
 
 impl Discs {
-    /// Round the discs of chords, in order.
+    /// The tree over the discs of chords, in order.
     pub fn new(chords: &[Disc]) -> Discs {
         let mut runs = Vec::with_capacity(chords.len() / 2);
         if !chords.is_empty() {
@@ -83,13 +83,13 @@ impl Discs {
         (!self.0.is_empty()).then_some(0)
     }
 
-    /// The disc round a run.
+    /// The disc around a run.
     #[inline]
     pub fn disc(&self, run: usize) -> &Disc {
         &self.0[run].disc
     }
 
-    /// What is in a run.
+    /// The content of a run.
     #[inline]
     pub fn inside(&self, run: usize) -> Inside {
         let Run {
@@ -105,7 +105,7 @@ impl Discs {
     }
 }
 
-/// Adds the run of these chords, and after it what is in it.
+/// Adds the run of these chords, followed by its content.
 fn add(runs: &mut Vec<Run>, chords: &[Disc], first: u32) -> Disc {
     let place = runs.len();
     runs.push(Run {
@@ -142,7 +142,7 @@ mod tests {
         (0..count).map(chord).collect()
     }
 
-    /// Every run's disc holds those of all its chords, and the undivided runs have each chord once, in order.
+    /// Every run's disc contains those of all its chords, and the undivided runs have each chord once, in order.
     #[test]
     fn a_run_is_round_all_its_chords() {
         assert_eq!(Discs::new(&[]).whole(), None);
@@ -169,7 +169,7 @@ mod tests {
         }
     }
 
-    /// Round two side by side it is as wide as both; round one within the other it is that other.
+    /// Around two side by side a disc is as wide as both; around one within the other it is that other.
     #[test]
     fn a_disc_round_two_is_as_small_as_can_be() {
         let disc = |x: f64, radius: f64| Disc {

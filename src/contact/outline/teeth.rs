@@ -1,4 +1,4 @@
-//! The teeth of one side of an outline, and where a frame puts them.
+//! The teeth of one side of an outline, and their positions in a frame.
 
 use crate::contact::gap::{Arc, Boxes, C, PlacedCurve, Rectangle};
 use crate::gear::Side;
@@ -10,9 +10,9 @@ pub(super) struct SideTeeth<'a> {
     pub gear: &'a OutlineGear,
     side: Side,
     pub displacement: C,
-    /// Sense in which tooth numbers ascend in this frame.
+    /// Sign with which tooth numbers increase in this frame.
     ascending: i64,
-    /// Rectangles round the pieces of each half tooth.
+    /// Rectangles around the pieces of each half tooth.
     boxes: Vec<Boxes>,
 }
 
@@ -43,7 +43,7 @@ impl<'a> SideTeeth<'a> {
         self.gear.half(self.side, tooth)
     }
 
-    /// Rectangles round the pieces of a half tooth.
+    /// Rectangles around the pieces of a half tooth.
     pub fn boxes(&self, tooth: u32) -> &Boxes {
         &self.boxes[tooth as usize - 1]
     }
@@ -77,11 +77,12 @@ impl Frame {
         Arc::new(self.placed(piece), name, low, high)
     }
 
-    /// The same of the free gear: about the axis an arc has one radius, on which only its clockwise end, the one nearer the root, can touch.
+    /// The arc of the free gear. About the axis an arc has one radius, so only its clockwise end, the one nearer the root, can touch.
     pub fn free_arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> Arc<'a> {
-        match self.centre == C::ZERO && piece.curve.is_about_the_origin() {
-            true => Arc::new(self.placed(piece), name, piece.ends[1], piece.ends[1]),
-            false => self.arc(piece, name),
+        if self.centre == C::ZERO && piece.curve.is_about_the_origin() {
+            Arc::new(self.placed(piece), name, piece.ends[1], piece.ends[1])
+        } else {
+            self.arc(piece, name)
         }
     }
 }
@@ -94,7 +95,7 @@ pub(super) fn nearest(placed: &PlacedCurve, low: f64, high: f64, radius: f64) ->
     if there < radius {
         return true;
     }
-    // As near as rounding tells is not within.
+    // A distance equal within rounding is not within.
     if there - reach >= radius
         || reach <= 16.0 * f64::EPSILON * there
         || !(low < middle && middle < high)

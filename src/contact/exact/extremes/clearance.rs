@@ -1,11 +1,11 @@
-//! How far a tip corner stays from its mate's fillet over a stretch of the locked gear's turn: cut where its bound does not show enough.
+//! The clearance of a tip corner from its mate's fillet over a stretch of the locked gear's turn, cut where its bound is too weak.
 
 use super::super::line::Line;
 use super::super::shape::{C, HalfToothShape, turn};
 use super::corner_path::{CornerPath, is_clear_over};
 use super::dip::{Dip, Tip};
 
-/// A stretch is cut so often at most (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
+/// Limit of halvings of a stretch (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
 const HALVINGS: u32 = 5;
 
 /// Two distances of the outlines' centres, and the line of action at each.
@@ -13,7 +13,7 @@ const HALVINGS: u32 = 5;
 pub(super) struct Lines([(f64, Line); 2]);
 
 impl Lines {
-    /// Of the least and the greatest distance; `None` where base circles of the sum `sum` of radii overlap at one.
+    /// The lines at the least and the greatest distance; `None` if base circles with the sum `sum` of radii overlap at one.
     pub fn new((low, high): (f64, f64), sum: f64) -> Option<Lines> {
         let line = |distance: f64| Some((distance, Line::new(C::from(distance), sum)?));
         Some(Lines([line(low)?, line(high)?]))
@@ -21,27 +21,28 @@ impl Lines {
 }
 
 impl Dip {
-    /// How much farther than to the contact of the involutes the free gear has to turn at least until the corner meets the fillet, rad;
-    /// negative where it may meet it before.
+    /// Lower bound of the free gear's further turn from the contact of the involutes to the contact of the corner with the fillet, rad;
+    /// negative if the corner may be first.
     ///
-    /// The locked half tooth stands within `play` of the angle `at`. Two values: between the two distances of the outlines' centres that
-    /// `lines` has ([`Lines::new`]) the straight line between them holds. Halved where they do not show `enough`.
+    /// The locked half tooth is within `play` of the angle `at`. The two values are for the two distances of the outlines' centres in
+    /// `lines` ([`Lines::new`]); between them the straight line holds. The stretch is halved if they do not reach `enough`.
     pub fn clearance(&self, at: f64, play: f64, lines: &Lines, enough: f64) -> [f64; 2] {
         let [(low, _), (high, _)] = lines.0;
         let cut = Cut {
             dip: self,
             lines,
-            bend: match high == low {
-                true => 0.0,
-                false => self.bend(low) * (high - low).powi(2),
+            bend: if high == low {
+                0.0
+            } else {
+                self.bend(low) * (high - low).powi(2)
             },
         };
         let whole = cut.over(at, play);
         cut.refined((at, play), whole, enough, HALVINGS)
     }
 
-    /// Whether the corner stays clear of the fillet of `mate` while the free gear has `room` more to the contact of the involutes, at every distance between those of
-    /// `lines` and every place of the locked half tooth within `play` of the angle `at`.
+    /// Whether the corner stays clear of the fillet of `mate` while the free gear has `room` more to the contact of the involutes. It must
+    /// hold at every distance between those of `lines` and every place of the locked half tooth within `play` of the angle `at`.
     pub fn stays_clear(
         &self,
         mate: &HalfToothShape,
@@ -51,9 +52,10 @@ impl Dip {
     ) -> bool {
         let [(low, _), (high, _)] = *lines;
         let (locked, free) = (&self.locked, &self.free);
-        let bend = match high == low {
-            true => 0.0,
-            false => self.bend(low) * (high - low).powi(2),
+        let bend = if high == low {
+            0.0
+        } else {
+            self.bend(low) * (high - low).powi(2)
         };
         let rate = -locked.base / free.base;
         lines.iter().all(|(distance, line)| {
@@ -74,7 +76,7 @@ impl Dip {
         })
     }
 
-    /// How `h/ρ` bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
+    /// Curvature of `h/ρ` over the distance: of the gap cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
     pub fn bend(&self, distance: f64) -> f64 {
         let sum = self.locked.base + self.free.base;
         let cos = sum / distance;
@@ -84,17 +86,17 @@ impl Dip {
     }
 }
 
-/// A stretch of the locked gear's turn that is cut where it does not show enough.
+/// A stretch of the locked gear's turn that is cut where its bound is too weak.
 struct Cut<'a> {
     dip: &'a Dip,
-    /// At the least and the greatest distance.
+    /// The lines at the least and the greatest distance.
     lines: &'a Lines,
-    /// What bends between the distances.
+    /// Curvature of the bound between the distances.
     bend: f64,
 }
 
 impl Cut<'_> {
-    /// As [`Dip::clearance`] of `whole`, what the stretch has uncut; cut `halvings` times at most.
+    /// [`Dip::clearance`] with the value `whole` of the uncut stretch, cut at most `halvings` times.
     fn refined(
         &self,
         (at, play): (f64, f64),
@@ -107,12 +109,13 @@ impl Cut<'_> {
         }
         let half = 0.5 * play;
         let halves = [at - half, at + half].map(|at| ((at, half), self.over(at, half)));
-        let [worse, other] = match least(halves[0].1) <= least(halves[1].1) {
-            true => halves,
-            false => [halves[1], halves[0]],
+        let [worse, other] = if least(halves[0].1) <= least(halves[1].1) {
+            halves
+        } else {
+            [halves[1], halves[0]]
         };
         let found = self.refined(worse.0, worse.1, enough, halvings - 1);
-        // What the whole comes to is no more than this: the other half has to show no more either.
+        // The value of the whole is at most this, so the other half need not exceed it either.
         let enough = enough.min(least(found));
         let beside = self.refined(other.0, other.1, enough, halvings - 1);
         [0, 1].map(|end| found[end].min(beside[end]).max(whole[end]))
@@ -122,9 +125,10 @@ impl Cut<'_> {
         let l = -turn(at);
         let Lines([near, far]) = self.lines;
         let end = |line| self.dip.at_distance(at, l, play, line) - self.bend;
-        match near.0 == far.0 {
-            true => [end(near); 2],
-            false => [end(near), end(far)],
+        if near.0 == far.0 {
+            [end(near); 2]
+        } else {
+            [end(near), end(far)]
         }
     }
 }

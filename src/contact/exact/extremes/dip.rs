@@ -1,36 +1,36 @@
-//! A tip corner below its mate's form circle: how far from the fillet it stays, without looking at single poses.
+//! A tip corner below its mate's form circle: a bound of its clearance from the fillet over many poses.
 //!
-//! Where the tip of one gear dips below the form circle of the other, a fillet stands in place of the involute. It is hollow
-//! ([`super::super::search_free_proof`], 2.), so a chord of it lies outside the metal, and a point whose radius lies between those
-//! of the chord's ends is clear as long as it lies beyond the chord's line (and beyond those of all radii that it passes). Let the pair touch on the line of action, or where its
-//! involutes, prolonged, would: with `h` the distance of the corner from the line there, the free gear has to turn by `h/ρ` more at least
-//! until it meets the fillet, `ρ` the radius about the free axis. This is what [`Dip::clearance`] bounds.
+//! Below the form circle the mate has a fillet instead of an involute. It is hollow ([`super::super::search_free_proof`], 2.), so its
+//! chords are outside the metal. Take a point with a radius between those of a chord's ends. It is clear while it is in front of the
+//! chord's line, and of the lines of all radii that it passes. Let the pair touch on the line of action, or where its extended involutes
+//! would. Let `h` be the distance of the corner from the chord's line there, and `ρ` the radius about the free axis. Then the free gear has
+//! to turn by at least `h/ρ` more until the corner meets the fillet. [`Dip::clearance`] bounds this.
 //!
-//! Two centred gears with the outlines' centre distance `d` stand for any pose. The gap of the involutes is
-//! `μ = (Σ α − T − r_bL (λ − ψ_bL))/r_bF + ψ_bF`, so with `i = r_bL/r_bF` a free corner moves in the mate's frame, as `λ` grows, with the
-//! acceleration `d + (1 + i)² ρ` at most, a locked one, at `C`, with `(1 + 2i) d − (1 + i)² C`.
+//! Two centred gears with the outlines' centre distance `d` represent any pose. The gap of the involutes is `μ = (Σ α − T − r_bL (λ −
+//! ψ_bL))/r_bF + ψ_bF`. With `i = r_bL/r_bF` and growing `λ`, the acceleration of a free corner in the mate's frame is at most `d + (1 +
+//! i)² ρ`. For a locked corner at `C` it is at most `(1 + 2i) d − (1 + i)² C`.
 
 use super::super::line::Line;
 use super::super::shape::{C, HalfToothShape, turn};
 use crate::gear::ProfilePart;
 use std::f64::consts::PI;
 
-/// Chords of a fillet (tuned: 16 are within a four hundredth of its radius).
+/// Chords of a fillet (tuned: 16 are within 1/400 of its radius).
 const CHORDS: usize = 16;
 
-/// Clearances beyond this are not told apart, rad (a tenth of a pitch of 30 teeth: more than flanks differ).
+/// Clearances above this are not distinguished, rad (a tenth of a pitch of 30 teeth: more than flanks differ).
 const FARTHEST: f64 = 0.02;
 
-/// Whose tip dips into whose fillet.
+/// The gear whose tip approaches the mate's fillet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Tip {
-    /// The locked gear's into the free gear's.
+    /// The locked gear's tip at the free gear's fillet.
     Locked,
-    /// The free gear's into the locked gear's.
+    /// The free gear's tip at the locked gear's fillet.
     Free,
 }
 
-/// A half plane that holds the metal between two radii.
+/// A half plane that contains the metal between two radii.
 #[derive(Debug, Clone, Copy)]
 struct Chord {
     radii: (f64, f64),
@@ -38,7 +38,7 @@ struct Chord {
     normal: C,
 }
 
-/// One gear's tip corner and the mate's fillet.
+/// One gear's tip corner with the mate's fillet.
 #[derive(Debug, Clone)]
 pub(super) struct Dip {
     pub tip: Tip,
@@ -46,20 +46,20 @@ pub(super) struct Dip {
     pub deepest: f64,
     pub(super) locked: Outline,
     pub(super) free: Outline,
-    /// Of the gear whose fillet it is, from the joint inwards.
+    /// Chords of the fillet, from the joint inwards.
     chords: Vec<Chord>,
-    /// The locked half tooth's angle lies this near to `middle` while the corner is below the form circle, at the least distance.
+    /// Greatest distance of the locked half tooth's angle from `middle` while the corner is below the form circle, at the least distance.
     half: f64,
     middle: f64,
 }
 
-/// What counts of a gear.
+/// The data of one gear.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Outline {
     pub base: f64,
     half_base: f64,
     pub corner: C,
-    /// How far the corner is from the axis.
+    /// Distance of the corner from the axis.
     reach: f64,
 }
 
@@ -76,8 +76,8 @@ impl Outline {
 }
 
 impl Dip {
-    /// The corner of the gear `tip` names, down to `deepest`, the least `γ` of the mate's fillet that it reaches; `least` is the least
-    /// distance of the outlines' centres. `None` where the corner stays above the form circle.
+    /// The corner of the gear `tip`, down to `deepest`, the least `γ` of the mate's fillet that it reaches. `least` is the least distance
+    /// of the outlines' centres. `None` if the corner stays above the form circle.
     pub fn new(
         tip: Tip,
         [locked, free]: [&HalfToothShape; 2],
@@ -88,7 +88,7 @@ impl Dip {
             Tip::Locked => (free, locked.corners()[0].1),
             Tip::Free => (locked, free.corners()[0].1),
         };
-        // Locked corner: |d − e^{iλ} p| below the form radius. Free corner: the locked joint within the free tip circle.
+        // Locked corner: |d − e^{iλ} p| below the form radius. Free corner: the locked joint inside the free tip circle.
         let (turning, own, other) = match tip {
             Tip::Locked => (corner, locked.tip_radius, free.form_radius()),
             Tip::Free => (locked.joint, locked.form_radius(), free.tip_radius),
@@ -106,7 +106,7 @@ impl Dip {
             .collect();
         let chords = points.windows(2).map(|ends| {
             let along = ends[1] - ends[0];
-            // The right-hand half tooth has its metal on the left of the way inwards.
+            // The right-hand half tooth has its metal on the left of the inward direction.
             let normal = -C::i() * along / along.norm();
             let sign = if normal.im > 0.0 { -1.0 } else { 1.0 };
             Chord {
@@ -126,14 +126,14 @@ impl Dip {
         })
     }
 
-    /// Whether the corner may be below the form circle while the locked half tooth stands within `play` of the angle `at`.
+    /// Whether the corner can be below the form circle while the locked half tooth is within `play` of the angle `at`.
     pub fn may_dip(&self, at: f64, play: f64) -> bool {
         let off = at - self.middle;
         let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
         off.abs() <= self.half + play
     }
 
-    /// The gap at which the endless involutes touch on `line`, the locked half tooth at the angle `at`.
+    /// The gap at which the endless involutes touch on `line`, with the locked half tooth at the angle `at`.
     pub(super) fn gap(&self, at: f64, line: &Line) -> f64 {
         let (locked, free) = (&self.locked, &self.free);
         ((locked.base + free.base) * line.angle
@@ -143,7 +143,7 @@ impl Dip {
             + free.half_base
     }
 
-    /// At one distance and its line, the locked half tooth within `play` of the angle `at`, towards which `l` points.
+    /// The clearance at one distance and its line, with the locked half tooth within `play` of the angle `at`; `l` has that direction.
     pub(super) fn at_distance(
         &self,
         at: f64,
@@ -195,7 +195,7 @@ impl Dip {
             let height = away.re * chord.normal.re + away.im * chord.normal.im;
             let rate = velocity.re * chord.normal.re + velocity.im * chord.normal.im;
             let height = height - rate.abs() * play - jolt;
-            // By this arm the height changes, and the arm by the radius, as the free gear turns.
+            // As the free gear turns, the height changes by this arm, and the arm by the radius.
             let arm = by_gap.re * chord.normal.re + by_gap.im * chord.normal.im;
             let reach = radius + speed * play;
             if height >= 0.0 {
@@ -204,12 +204,13 @@ impl Dip {
             }
             let arm = arm - turned;
             let square = arm * arm + 2.0 * reach * height;
-            match arm > 0.0 && square > 0.0 {
-                true => 2.0 * height / (arm + square.sqrt()),
-                false => f64::NEG_INFINITY,
+            if arm > 0.0 && square > 0.0 {
+                2.0 * height / (arm + square.sqrt())
+            } else {
+                f64::NEG_INFINITY
             }
         };
-        // No corner comes deeper than the chords do. On its way to the fillet, or out of it, a free corner changes its radius.
+        // No corner is deeper than the chords. On its way to the fillet, or out of it, a free corner changes its radius.
         let over = |way: f64| {
             let radial = (by_gap.re * point.re + by_gap.im * point.im).abs() / off + turned;
             let (low, high) = (band.0 - radial * way, band.1 + radial * way);
@@ -225,9 +226,10 @@ impl Dip {
         let way = |clearance: f64| clearance.min(FARTHEST).abs();
         let first = over(0.0);
         let found = over(1.5 * way(first).min(1.0));
-        match way(found) <= 1.5 * way(first) {
-            true => found.min(FARTHEST),
-            false => over(f64::MAX),
+        if way(found) <= 1.5 * way(first) {
+            found.min(FARTHEST)
+        } else {
+            over(f64::MAX)
         }
     }
 }
@@ -247,12 +249,12 @@ mod tests {
     use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Mating, Member};
 
-    /// How much farther the free gear turns until the corner is behind a chord, as far as `most`: step by step, with the locked half tooth
-    /// at `at`. `None` where it is behind one before, or nowhere.
+    /// Further turn of the free gear until the corner is behind a chord, up to `most`, in small steps, with the locked half tooth at `at`.
+    /// `None` if it is behind one before, or never.
     fn met(dip: &Dip, distance: f64, at: f64, most: f64) -> Option<f64> {
         let (locked, free) = (&dip.locked, &dip.free);
         let sum = locked.base + free.base;
-        // Involutes of both base circles, which touch on the line of action: its length is what both have unwound.
+        // Involutes of both base circles, which touch on the line of action: its length is the sum of what both have unwound.
         let alpha = (sum / distance).acos();
         let unwound = distance * alpha.sin();
         let gap = (sum * alpha - unwound - locked.base * (at - locked.half_base)) / free.base
@@ -284,7 +286,7 @@ mod tests {
         None
     }
 
-    /// The bound of a stretch lies below what every pose of it has. Source: the corner turned step by step.
+    /// The bound of a stretch is below the value of each of its poses. Source: the corner turned in small steps.
     #[test]
     fn no_corner_meets_the_fillet_before_its_bound() {
         let gear = |teeth, face| {

@@ -1,7 +1,8 @@
-//! Bounds of gears whose profiles deviate, by those without.
+//! Bounds of gears whose profiles deviate, from enclosing gears without deviations.
 //!
-//! Every half tooth lies within that of an outer gear and holds that of an inner one, which have the greatest and the least deviation of its flank
-//! all along. Metal added nowhere adds play: at any pose the lost motion lies between those of the outer and of the inner gears.
+//! Every half tooth lies within that of an outer gear and contains that of an inner one. These have the greatest and the least deviation of
+//! its flank everywhere. Additional metal never adds play, so at any pose the lost motion is between those of the outer and of the inner
+//! gears.
 
 use super::course::Course;
 use super::extreme::{Doubt, Extreme, Proof, UNKNOWN, Which};
@@ -9,7 +10,7 @@ use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::{GearPair, Member};
 
-/// What bounds the least from below and the greatest from above.
+/// Lower bound of the least and upper bound of the greatest.
 pub(super) fn bounds(course: &Course, width: f64, of: &[Which]) -> Result<[Proof; 2], Error> {
     let assembly = course.assembly;
     let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
@@ -24,13 +25,15 @@ pub(super) fn bounds(course: &Course, width: f64, of: &[Which]) -> Result<[Proof
         ExactKernel::new(&pair).extremes_within(&pair, over, width, course.effort)
     };
     let per_radian = course.per_radian();
-    let least = match of.contains(&Which::Least) {
-        true => proof(extremes(0)?.least, |least| least.low / per_radian),
-        false => UNKNOWN,
+    let least = if of.contains(&Which::Least) {
+        proof(extremes(0)?.least, |least| least.low / per_radian)
+    } else {
+        UNKNOWN
     };
-    let greatest = match of.contains(&Which::Greatest) {
-        true => proof(extremes(1)?.greatest, |most| most.high / per_radian),
-        false => UNKNOWN,
+    let greatest = if of.contains(&Which::Greatest) {
+        proof(extremes(1)?.greatest, |most| most.high / per_radian)
+    } else {
+        UNKNOWN
     };
     Ok([least, greatest])
 }

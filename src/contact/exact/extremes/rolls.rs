@@ -1,24 +1,24 @@
-//! Rolls at which the half teeth of a step stand in a part of a pitch, and what room they have beside the line of action.
+//! Rolls of the half teeth of a step in a part of a pitch, and their room beside the line of action.
 
 use super::super::line::Line;
 use super::clearance::Lines;
 use super::course::{PARTS, SideCourse};
 use super::separation::lowest_roll;
 
-/// Over a face of helical gears so much of a part's turn is looked at together (tuned: no tip of 44 standard teeth seems to come to a fillet).
+/// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;
 
-/// A clearance this much beyond the spread of the flanks decides nothing, rad.
+/// Excess of a clearance over the spread of the flanks from which it does not matter, rad.
 const BEYOND: f64 = 1e-12;
 
-/// What a part of a pitch means for a step.
+/// The properties of a step in a part of a pitch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
-    /// Room of the involutes and their ends beside the line of action at least, rad.
+    /// Least room of the involutes and their ends beside the line of action, rad.
     pub beside: f64,
-    /// That of a tip corner and a fillet, at the least and at the greatest distance of the outlines' centres; `None`: none is near.
+    /// Room of a tip corner and a fillet, at the least and at the greatest distance of the outlines' centres; `None`: none is near.
     pub dip: Option<[f64; 2]>,
-    /// Whether it is on the line of action all through.
+    /// Whether it is on the line of action throughout.
     pub covers: bool,
 }
 
@@ -26,24 +26,24 @@ pub(super) struct Part {
 pub(super) struct Rolls<'a> {
     side: &'a SideCourse<'a>,
     line: &'a Line,
-    /// At the least and the greatest distance of the outlines' centres.
+    /// The lines at the least and the greatest distance of the outlines' centres.
     lines: Option<Lines>,
     ahead: f64,
-    /// What `arg B + α` and `T` change by, and the flanks' places.
+    /// Greatest change of `arg B + α` and of `T`, and of the flanks' places.
     turning: f64,
     stretching: f64,
     places: f64,
-    /// How much flanks differ: a clearance beyond that decides nothing.
+    /// Greatest difference of the flanks: a larger clearance does not matter.
     spread: f64,
 }
 
 impl Part {
-    /// Room at least, rad.
+    /// Least room, rad.
     pub fn least(&self) -> f64 {
         self.between([0.0, 1.0])
     }
 
-    /// The same where the distance stays between two shares of the way from the least to the greatest.
+    /// Least room if the distance stays between two parts of the range from the least to the greatest.
     pub fn between(&self, [low, high]: [f64; 2]) -> f64 {
         match self.dip {
             None => self.beside,
@@ -55,7 +55,7 @@ impl Part {
         }
     }
 
-    /// Room of a tip corner and a fillet at least, rad; without end where none is near.
+    /// Least room of a tip corner and a fillet, rad; ∞ if none is near.
     pub fn dipping(&self) -> f64 {
         self.dip.map_or(f64::INFINITY, |[a, b]| a.min(b))
     }
@@ -80,7 +80,7 @@ impl<'a> Rolls<'a> {
         }
     }
 
-    /// Over the whole common face of helical gears: all sections are looked at, piece by piece of turn.
+    /// For helical gears it covers the whole common face: all sections, piece by piece of turn.
     pub fn of(&self, step: i64, part: usize) -> Part {
         let problem = self.side.problem;
         let pitch = problem.locked.pitch;
@@ -95,7 +95,7 @@ impl<'a> Rolls<'a> {
                 ..self.around(at + from, play)
             };
         }
-        // All that stands somewhere on the face during the part.
+        // The range over the face and over the part.
         let all = to - from + width;
         let pieces = (all / (PIECE * width)).ceil();
         let half = 0.5 * all / pieces;
@@ -116,15 +116,16 @@ impl<'a> Rolls<'a> {
         }
     }
 
-    /// Whether a locked half tooth within `play` of the angle `at` in the measuring plane is on the line of action in one section of the face.
+    /// Whether a locked half tooth within `play` of the angle `at` in the measuring plane is on the line of action in some section of the
+    /// face.
     ///
-    /// A section turned on by `σ` has the locked roll less by `σ`, the free one more by `σ r_bL/r_bF`.
+    /// In a section turned by `σ` the locked roll is less by `σ` and the free one more by `σ r_bL/r_bF`.
     fn covers(&self, at: f64, play: f64) -> bool {
         let problem = self.side.problem;
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let roll = self.line.angle - (at - locked.half_base);
         let (low, high) = (roll - play, roll + play);
-        // The locked rolls at which the free one stands at its ends.
+        // The locked rolls at which the free roll is at its ends.
         let at_free = |end: f64, length: f64| (length - free.base * end) / locked.base;
         let (shortest, longest) = (
             self.line.length - self.stretching,
@@ -136,7 +137,7 @@ impl<'a> Rolls<'a> {
         from.max(high - most) <= to.min(low - least)
     }
 
-    /// A locked half tooth within `play` of the angle `at`, in its own section; whether it covers anything is not said.
+    /// A locked half tooth within `play` of the angle `at`, in its own section; `covers` is not evaluated.
     fn around(&self, at: f64, play: f64) -> Part {
         let problem = self.side.problem;
         let locked = &problem.locked.shape;
@@ -172,11 +173,11 @@ impl<'a> Rolls<'a> {
         }
     }
 
-    /// What a pair with rolls in these ranges has beside the line of action at least, rad.
+    /// Least room of a pair with rolls in these ranges beside the line of action, rad.
     ///
-    /// In the direction `y` on from that of the line of action, `s` is less by `T (1 − cos y) + Σ (y − sin y)` and more by what the ends of the
-    /// involutes give. Any `y` will do; three are tried: none, the one at which a tip corner alone would have the most, and the one that leaves
-    /// no roll below the form roll.
+    /// In a direction `y` past that of the line of action, `s` is less by `T (1 − cos y) + Σ (y − sin y)`, and more by the contribution of
+    /// the involutes' ends. Any `y` gives a bound. Three are tried: zero, the best for a tip corner alone, and the one that leaves no roll
+    /// below the form roll.
     fn beside(&self, rolls: [(f64, f64); 2]) -> f64 {
         let problem = self.side.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
@@ -210,9 +211,10 @@ impl<'a> Rolls<'a> {
     }
 }
 
-/// What an involute has less than all of it would, in the direction of a roll between `low` and `high`, at least: `ξ − q`.
+/// Lower bound of `ξ − q`, the deficit of an involute with ends against an endless one, in directions of rolls between `low` and `high`.
 ///
-/// Beyond the tip it grows, `δ − sin δ + ξ_a (1 − cos δ)`. Below the form roll it grows first and may then fall below 0: least at an end.
+/// Past the tip it grows, `δ − sin δ + ξ_a (1 − cos δ)`. Below the form roll it grows first and may then fall below 0: it is least at an
+/// end.
 fn beside((low, high): (f64, f64), (form, tip): (f64, f64)) -> f64 {
     let at = |end: f64, roll: f64| {
         let beyond = roll - end;

@@ -1,15 +1,17 @@
-//! Extremes of a pair of which no curve bounds the lost motion between poses: by poses, and by what turning on from one to the next may do.
+//! Extremes of a pair without a bound from curves: from sampled poses, and a bound of the change between two poses.
 //!
-//! On either side of a tooth the radius about its own centre rises from root to tip. So a tooth that turns back leaves metal nowhere in front of its flank, and one
-//! that turns on has metal wherever it had some: the free gear's rotation at contact follows the locked gear, on both sides, and never turns back. Let `R` and `L` be
-//! these rotations at two poses, less the nominal ones, which differ by `δ`. For every pose between,
+//! On either side of a tooth the radius about its own centre rises from root to tip. So a tooth that turns back leaves no metal in front of
+//! its flank, and one that turns forward keeps metal wherever it had some. The free gear's rotation at contact follows the locked gear, on
+//! both sides, and never turns back. Let `R` and `L` be these rotations at two poses, less the nominal ones, which differ by `δ`. For every
+//! pose between them,
 //!
 //! ```text
 //! min(L_0 − R_1, L_1 − R_0) − δ  ≤  j  ≤  max(L_0 − R_1, L_1 − R_0) + δ.
 //! ```
 //!
-//! An eccentric locked outline may carry a land, whose normal passes its centre, back by `e_L` a radian; the free gear's arm is half its base radius at least
-//! where lands touch flanks. Poses at which tips stand on tips or in roots bound nothing. The stretch with the worst bound is halved.
+//! An eccentric locked outline can carry a land, whose normal passes its centre, back by `e_L` per radian. The free gear's arm is at least
+//! half its base radius where lands touch flanks. Poses with tips on tips or in roots bound nothing. The stretch with the worst bound is
+//! halved.
 
 use super::course::Course;
 use super::extreme::{PosesSeen, Which};
@@ -19,26 +21,26 @@ use crate::pair::{Mating, Pose};
 use std::collections::BinaryHeap;
 use std::f64::consts::{PI, TAU};
 
-/// Poses in all, at most, of a pair that needs no search and of one that does (tuned: some 0.2 s, and 1 s).
+/// Limit of poses, for a pair that needs no search and for one that does (tuned: about 0.2 s, and 1 s).
 const MOST: [u64; 2] = [200_000, 6_000];
 
-/// Poses a pitch on the average, at most, and poses that any cycle may have.
+/// Limit of poses per pitch on average, and number of poses that any cycle may have.
 const PER_PITCH: u64 = 32;
 const FEW: u64 = 2_000;
 
-/// Times the neighbourhood of the best poses is cut into a quarter: down to 1/32 000 of a pitch.
+/// Rounds that divide the neighbourhood of the best poses by four: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;
 
-/// Poses looked at beforehand, to know what one takes (tuned: a thousandth of all).
+/// Poses that measure the effort of one (tuned: a thousandth of all).
 const TRIED: u64 = 8;
 
-/// Poses that are looked at while there is any effort left, however much one takes: a helical one is below 0.1 s.
+/// Poses that are examined while any effort is left, at any cost: a helical one takes below 0.1 s.
 const FEWEST: u64 = 16;
 
-/// A stretch this short that has no bound at its ends has none, pitches.
+/// Length of a stretch, pitches, below which it has no bound if its ends have none.
 const HOPELESS: f64 = 1e-3;
 
-/// When there is no need to look any further.
+/// The condition that ends sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Until {
     Jammed,
@@ -55,7 +57,7 @@ impl Until {
         }
     }
 
-    /// The extremes that are sought.
+    /// The extremes to search.
     fn sought(self) -> &'static [Which] {
         match self {
             Until::Jammed => &[Which::Least],
@@ -65,7 +67,7 @@ impl Until {
     }
 }
 
-/// Free rotations at contact, less the nominal one, rad; `None` where they bound nothing.
+/// Free rotations at contact, less the nominal one, rad; `None` if they bound nothing.
 #[derive(Debug, Clone, Copy)]
 struct Turned {
     right: f64,
@@ -73,17 +75,17 @@ struct Turned {
     error: f64,
 }
 
-/// Between two poses, pitches from where the cycle begins.
+/// A stretch between two poses, pitches from the start of the cycle.
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
     places: [f64; 2],
     ends: [Option<Turned>; 2],
 }
 
-/// A cycle and what bounds it between poses.
+/// A cycle with its bound between poses.
 struct Sampled<'a, 'b> {
     course: &'a Course<'b>,
-    /// Nominal turn of the free gear a pitch, with what an eccentric locked outline may take back, rad.
+    /// Nominal turn of the free gear per pitch, plus what an eccentric locked outline can take back, rad.
     per_pitch: f64,
 }
 
@@ -111,7 +113,7 @@ impl Sampled<'_, '_> {
         ]
     }
 
-    /// Halves the stretch with the worst bound, as often as `most` says; the bound that is left.
+    /// Halves the stretch with the worst bound up to `most` times; returns the remaining bound.
     fn refine(
         &self,
         which: Which,
@@ -174,7 +176,7 @@ impl Sampled<'_, '_> {
     }
 }
 
-/// A stretch by its bound; of equal ones the first.
+/// A stretch, ordered by its bound; of equal ones the first.
 #[derive(Debug)]
 struct Ranked {
     key: f64,
@@ -203,7 +205,7 @@ impl Ord for Ranked {
     }
 }
 
-/// What a pose says of its neighbours.
+/// The bounds that a pose gives for its neighbours.
 fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
     let (angle, error) = seen.angle().zip(seen.error())?;
     let (right, left) = (seen.right.as_ref()?, seen.left.as_ref()?);
@@ -214,7 +216,7 @@ fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
     }
     let off = right.rotation - nominal;
     let off = off - TAU * (off / TAU).round();
-    // Half a turn from its nominal place it may be a neighbour's.
+    // Half a turn from nominal, the contact may be that of a neighbour.
     (off.abs() < 0.5 * PI).then_some(Turned {
         right: off,
         left: off + angle,
@@ -222,7 +224,8 @@ fn turned(seen: &LostMotion, nominal: f64) -> Option<Turned> {
     })
 }
 
-/// Looks through the cycle, and closer where its bounds are worst, and round the least and the greatest: at as many poses as the effort allows.
+/// Samples the cycle, more densely where its bounds are worst and around the least and the greatest, with as many poses as the effort
+/// allows.
 pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Result<(), Error> {
     if found.sampled.is_some() {
         return Ok(());
@@ -238,7 +241,7 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
         course,
         per_pitch: problem.free.pitch + 2.0 * back,
     };
-    // A third of the poses all through the cycle, a third for each extreme.
+    // A third of the poses throughout the cycle, a third for each extreme.
     let cells = (poses / 3).clamp(1, course.matings * PER_PITCH);
     let place = |cell: u64| cell as f64 / cells as f64 * course.matings as f64;
     let mut stretches = Vec::with_capacity(cells as usize);
@@ -255,7 +258,7 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
         last = next;
     }
     let mut bounds = [f64::NEG_INFINITY, f64::INFINITY];
-    // A body that touches is no flank.
+    // A touching body is no flank.
     let section = &course.kernel.section;
     let has_bounds = section.bodies.is_none() && !section.blocked;
     for which in until.sought().iter().filter(|_| has_bounds) {
@@ -282,8 +285,8 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
     Ok(())
 }
 
-/// How many poses may be sampled with the effort that is left, of which half is for what comes near the best: by what some of them take, all
-/// through the cycle.
+/// Number of poses that the remaining effort allows, measured by a few poses throughout the cycle. Half of the effort is for places near
+/// the best.
 fn affordable(course: &Course) -> Result<u64, Error> {
     let mut tried = PosesSeen::default();
     let before = course.effort.left();
@@ -307,9 +310,9 @@ mod tests {
     use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Pose};
 
-    /// What is found is no worse than the least and the greatest of sixteen poses of every pitch of the cycle.
+    /// The result is no worse than the least and the greatest of sixteen poses of every pitch of the cycle.
     #[test]
-    fn every_pitch_is_looked_at() {
+    fn every_pitch_is_sampled() {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
         let [wheel, pinion] = [(Face::Front, 0.05), (Face::Back, 0.04)].map(|(face, e)| {
             let perfect = AsBuilt::perfect(gear.clone(), face);

@@ -1,18 +1,18 @@
-//! How far the eccentricities move the outlines' centres in a direction, all through a cycle.
+//! Shifts of the outlines' centres by the eccentricities in a direction, throughout a cycle.
 
 use super::super::shape::{C, turn};
 use super::course::{PARTS, Posed, SideCourse};
 use std::f64::consts::TAU;
 
-/// At both ends of a pitch and between its parts.
+/// Values at both ends of a pitch and between its parts.
 type Ends<T = f64> = [T; PARTS + 1];
 
-/// The shift of the centres along a direction: what the locked and what the free gear's turn contribute.
+/// The shift of the centres along a direction: the contributions of the locked and of the free gear's turn.
 #[derive(Debug)]
 pub(super) struct Shift([Vec<Ends>; 2]);
 
 impl Shift {
-    /// Along `toward`, times its length, of a side that stands as `posed` where the cycle begins, the free gear at `gap`.
+    /// The shift along `toward`, times its length, of a side that is `posed` at the start of the cycle, with the free gear at `gap`.
     pub fn new(side: &SideCourse, posed: &Posed, gap: f64, toward: C) -> Shift {
         let problem = side.problem;
         let locked = posed.flanks.centre - C::from(problem.distance);
@@ -22,7 +22,7 @@ impl Shift {
                 return vec![[0.0; PARTS + 1]; count as usize];
             }
             let turned = |pitches: f64| turn(sense * TAU * pitches / count as f64);
-            // Whole pitches and parts are turned one after the other, which is off by rounding alone.
+            // Whole pitches and parts are turned in sequence, which differs by rounding alone.
             let parts: Ends<C> =
                 std::array::from_fn(|part| toward.conj() * turned(part as f64 / PARTS as f64));
             let ends = |index: i64| {
@@ -37,7 +37,7 @@ impl Shift {
         ])
     }
 
-    /// Both together.
+    /// The sum of both.
     pub fn plus(mut self, other: &Shift) -> Shift {
         for (own, other) in self.0.iter_mut().zip(&other.0) {
             for (own, other) in own.iter_mut().flatten().zip(other.iter().flatten()) {
@@ -47,7 +47,7 @@ impl Shift {
         self
     }
 
-    /// All through a mating.
+    /// The values throughout a mating.
     pub fn at(&self, mating: u64) -> Ends {
         let [locked, free] = &self.0;
         let x = &locked[(mating % locked.len() as u64) as usize];

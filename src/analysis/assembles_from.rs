@@ -4,8 +4,11 @@
 //! tangent if one end has no value. At each distance the matings that were tightest before are tested first. The whole
 //! cycle is searched only if none of them interferes.
 
-use crate::contact::{Doubt, Effort, ExactKernel, Extreme, Status};
+use crate::contact::{
+    Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, Status,
+};
 use crate::error::Error;
+use crate::outline::OutlinePair;
 use crate::pair::{GearPair, Mating, Member};
 
 /// Width of the bracket, mm.
@@ -143,6 +146,106 @@ pub(super) fn threshold<T>(
         }
     }
     Ok(found.map(|found| (low, high, found)))
+}
+
+/// First step towards a greater distance, mm: what many drawn pairs are short of (tuned).
+const FIRST_STEP: f64 = 0.01;
+
+/// Width of the bracket of a pair with a drawn gear, mm: a tenth of what is shown.
+const DISTANCE_WIDTH_DRAWN: f64 = 1e-5;
+
+/// Rounds at most of the search for a distance: each rules out a pose that interfered.
+const MOST_TIGHTEST: u32 = 40;
+
+/// Times a distance is raised by what the bracket of the least leaves open: the least grows by half of it or more.
+const MOST_RAISED: u32 = 6;
+
+impl AssemblesFrom {
+    /// The distance from which a pair with a drawn gear assembles. `found` are the extremes at its own distance. `None` if it
+    /// interferes until tips pass each other, is out of mesh, or has no extremes there.
+    ///
+    /// The tightest pose gives a distance. If another pose interferes there, it is the tightest pose of the next round.
+    ///
+    /// # Errors
+    /// None of a pair that was read.
+    pub(super) fn of_outlines(
+        kernel: &OutlineKernel,
+        pair: &OutlinePair,
+        cycle: &OutlineCycle,
+        found: &Extremes,
+    ) -> Result<Option<AssemblesFrom>, Error> {
+        let tightest = |found: &Extremes| match (found.status, found.least) {
+            (Status::Jammed, _) => found.lost,
+            (_, Some(least)) if least.found < 0.0 => Some(least.mating),
+            _ => None,
+        };
+        let farthest: f64 = Member::BOTH
+            .map(|member| pair.gear(member).reach())
+            .iter()
+            .sum();
+        let mut floor = pair.center_distance();
+        let Some(mut tight) = tightest(found) else {
+            return Ok(None);
+        };
+        for _ in 0..MOST_TIGHTEST {
+            let interferes_at = |distance: f64| -> Result<bool, Error> {
+                let there = pair.at(distance)?;
+                let found = kernel.lost_motion_at(&there, &tight);
+                let status = found.map_or(Status::Unproven, |found| found.status());
+                Ok(matches!(status, Status::Interference | Status::Jammed))
+            };
+            // In growing steps, so that it is the nearest such place and not one where tips pass each other.
+            let (mut low, mut step) = (floor, FIRST_STEP);
+            while low + step <= farthest && interferes_at(low + step)? {
+                (low, step) = (low + step, 2.0 * step);
+            }
+            let mut high = low + step;
+            if high > farthest {
+                return Ok(None);
+            }
+            while high - low > DISTANCE_WIDTH_DRAWN {
+                let middle = 0.5 * (low + high);
+                if interferes_at(middle)? {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            // A greater distance makes up for the width of the bracket.
+            let (mut there, mut raised) = (pair.at(high)?, 0);
+            let least = loop {
+                let width = 0.5 * DISTANCE_WIDTH_DRAWN;
+                let found = kernel.extremes(&there, cycle, &[End::Least], width);
+                if found.status == Status::NoContact {
+                    return Ok(None);
+                }
+                if let Some(next) = tightest(&found) {
+                    tight = next;
+                    break None;
+                }
+                let Some(least) = found.least else {
+                    return Ok(None);
+                };
+                if least.low >= 0.0 || !least.low.is_finite() || raised == MOST_RAISED {
+                    break Some(least);
+                }
+                raised += 1;
+                high = there.center_distance() - 2.0 * least.low;
+                there = pair.at(high)?;
+            };
+            floor = there.center_distance();
+            if let Some(least) = least {
+                let is_free = least.low >= 0.0;
+                return Ok(Some(AssemblesFrom {
+                    low,
+                    high: floor,
+                    doubt: (!is_free).then_some(least.doubt.unwrap_or(Doubt::Effort)),
+                    mating: tight,
+                }));
+            }
+        }
+        Ok(None)
+    }
 }
 
 /// The least `j_wt` of `matings`, mm, if it is negative: −∞ if one is jammed; `None` if none interferes.

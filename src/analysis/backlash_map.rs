@@ -2,9 +2,8 @@
 
 use super::diagnosis::Limit;
 use super::extremes::RunExtremes;
-use super::sampled::Sample;
 use super::study::{Material, Study};
-use crate::contact::{OutlineKernel, Status};
+use crate::contact::{LostMotion, OutlineKernel, Status};
 use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member, SweepPlan};
@@ -109,16 +108,25 @@ impl BacklashMap {
             let radius = pair.operating_pitch_radius(pair.free());
             let cells = (0..columns).filter_map(|column| {
                 let places = (column * in_cell..).take(in_cell as usize);
-                let samples = places.map(|k| Sample::new(&kernel, &pair, &start, k as f64 * apart));
-                let sample = samples.min_by(|a, b| {
-                    let [a, b] = [a, b].map(|sample| (order(sample.status), sample.room()));
-                    a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-                })?;
-                Some(BacklashCell {
-                    pitches: sample.pitches,
-                    mating: sample.mating,
-                    status: sample.status,
-                    backlash: sample.angle.map(|(angle, _)| angle * radius),
+                let poses = places.map(|k| {
+                    let pitches = k as f64 * apart;
+                    let mating = start.onward(&pair, pitches);
+                    let found = kernel.lost_motion_at(&pair, &mating);
+                    let found = found.as_ref().ok();
+                    BacklashCell {
+                        pitches,
+                        mating,
+                        status: found.map_or(Status::Unproven, LostMotion::status),
+                        backlash: found
+                            .and_then(LostMotion::angle)
+                            .map(|angle| angle * radius),
+                    }
+                });
+                // A jammed pose has no value.
+                let room = |cell: &BacklashCell| cell.backlash.unwrap_or(f64::NEG_INFINITY);
+                poses.min_by(|a, b| {
+                    let statuses = order(a.status).cmp(&order(b.status));
+                    statuses.then(room(a).total_cmp(&room(b)))
                 })
             });
             let cells: Vec<BacklashCell> = cells.collect();

@@ -4,9 +4,11 @@ use super::assembles_from::AssemblesFrom;
 use super::directions::{self, AnyDirection, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
 use super::phases::{phase, phase_count};
-use super::sampled;
 use super::study::{RunPlan, Study};
-use crate::contact::{Effort, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status};
+use crate::contact::{
+    Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
+    PROVEN_WIDTH_DRAWN, Status,
+};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::outline::{AssembledPair, OutlinePair};
@@ -15,8 +17,13 @@ use crate::pair::{GearPair, Mating, Member, SweepPlan, ToothNumbers};
 /// Width of a proven bracket of `j_wt`, mm.
 pub const WIDTH: f64 = PROVEN_WIDTH;
 
-/// Samples a pitch of a drawn pair where its study does not sweep.
-const SAMPLES_PER_PITCH: u32 = 16;
+/// Width, mm, of a bracket of `j_wt` of `assembly` that counts as proven.
+pub fn proven_width(assembly: &AssembledPair) -> f64 {
+    match assembly {
+        AssembledPair::Data(_) => PROVEN_WIDTH,
+        AssembledPair::Drawn(_) => PROVEN_WIDTH_DRAWN,
+    }
+}
 
 /// A run and where its cycle begins.
 pub(super) struct Planned {
@@ -24,8 +31,6 @@ pub(super) struct Planned {
     first: Mating,
     /// Matings that differ.
     distinct: u64,
-    /// Samples a pitch of a drawn pair.
-    per_pitch: u32,
     /// Whether the pair has several assembly phases that differ.
     differ: bool,
     /// Phases of the same pair that are searched: they share the effort of one pair.
@@ -63,7 +68,10 @@ impl Planned {
         let assembly = match &self.run.assembly {
             AssembledPair::Data(pair) => pair,
             AssembledPair::Drawn(pair) => {
-                let (found, assembles_from) = self.sampled(pair).search(pair)?;
+                let kernel = OutlineKernel::new(pair);
+                let cycle = self.outlines(pair);
+                let found = kernel.extremes(pair, &cycle, &End::BOTH, PROVEN_WIDTH_DRAWN);
+                let assembles_from = AssemblesFrom::of_outlines(&kernel, pair, &cycle, &found)?;
                 return Ok(Searched {
                     poses: vec![self.poses_of(&found, assembles_from)],
                     found,
@@ -107,9 +115,22 @@ impl Planned {
         }
     }
 
-    /// The cycle of a drawn pair, sampled.
-    fn sampled(&self, pair: &OutlinePair) -> sampled::Cycle {
-        sampled::Cycle::new(pair, self.first, self.per_pitch)
+    /// The cycle of a pair with a drawn gear.
+    fn outlines(&self, pair: &OutlinePair) -> OutlineCycle {
+        let unlike = Member::BOTH.map(|member| pair.gear(member).unlikeness());
+        let unlike = unlike.into_iter().flatten().sum();
+        OutlineCycle {
+            first: self.first,
+            distinct: self.distinct,
+            matings: hunting_pitches(pair),
+            unlike,
+        }
+    }
+
+    /// The extreme `end` of a pair with a drawn gear.
+    fn end_of_outlines(&self, pair: &OutlinePair, end: End) -> Extremes {
+        let kernel = OutlineKernel::new(pair);
+        kernel.extremes(pair, &self.outlines(pair), &[end], PROVEN_WIDTH_DRAWN)
     }
 
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them farther apart by it. Backlash grows with the
@@ -139,7 +160,7 @@ impl Planned {
             pair => {
                 let found = match pair {
                     AssembledPair::Data(pair) => self.cycle(pair, &self.effort(pair))?,
-                    AssembledPair::Drawn(pair) => self.sampled(pair).extremes(pair).0,
+                    AssembledPair::Drawn(pair) => self.end_of_outlines(pair, End::of(is_least)),
                 };
                 let pose = of(&found).map(|extreme| Directed {
                     assembly: assembly.clone(),
@@ -166,7 +187,9 @@ impl Planned {
     ) -> Result<Extremes, Error> {
         let pair = match pair {
             AssembledPair::Data(pair) => pair,
-            AssembledPair::Drawn(pair) => return Ok(self.sampled(pair).extremes(pair).0),
+            AssembledPair::Drawn(pair) => {
+                return Ok(self.end_of_outlines(pair, End::of(is_least)));
+            }
         };
         if is_open(pair) {
             return Ok(self.any_direction(pair, effort)?.found);
@@ -242,17 +265,6 @@ fn meshes_to(
 /// Every centre distance and material in every assembly phase that the study is about: those of its listed matings, or all of them where it lists none.
 pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     let runs = study.runs()?;
-    let per_pitch = match study.sweep {
-        Some(
-            SweepPlan::Revolution {
-                steps_per_pitch, ..
-            }
-            | SweepPlan::Phases {
-                steps_per_pitch, ..
-            },
-        ) => steps_per_pitch,
-        Some(SweepPlan::Matings { .. }) | None => SAMPLES_PER_PITCH,
-    };
     let mut plans: Vec<Planned> = Vec::new();
     for run in runs {
         let mut phases: Vec<u32> = if study.all_phases {
@@ -266,10 +278,8 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
         phases.sort_unstable();
         phases.dedup();
         // Against perfect teeth it does not matter which are met.
-        let hunting = hunting_pitches(&run.assembly);
-        let data = run.assembly.data();
-        let distinct = data.map_or(hunting, distinct);
-        let differ = phase_count(&run.assembly) > 1 && data.is_none_or(phases_differ);
+        let distinct = distinct(&run.assembly);
+        let differ = phase_count(&run.assembly) > 1 && deviate(&run.assembly) == [true, true];
         if !differ {
             phases.truncate(1);
         }
@@ -289,7 +299,6 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 },
                 first,
                 distinct,
-                per_pitch,
                 differ,
                 phases: count,
             });
@@ -305,7 +314,7 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
 /// As [`ExactKernel::extremes`].
 pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<Extremes, Error> {
     let first = first_of_phase(phase);
-    let distinct = distinct(assembly);
+    let distinct = distinct_of(deviate_of_data(assembly), assembly);
     let effort = &Effort::of_extremes(assembly);
     let over = (first, distinct);
     if is_open(assembly) {
@@ -348,18 +357,33 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
 
 /// Whether the extremes over the cycle depend on the assembly phase. They do not where all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
-    deviate(assembly) == [true, true]
+    deviate_of_data(assembly) == [true, true]
+}
+
+/// Whether wheel and pinion have unlike teeth.
+fn deviate(assembly: &AssembledPair) -> [bool; 2] {
+    match assembly {
+        AssembledPair::Data(pair) => deviate_of_data(pair),
+        AssembledPair::Drawn(pair) => {
+            Member::BOTH.map(|member| pair.gear(member).unlikeness().is_none())
+        }
+    }
 }
 
 /// Whether wheel and pinion have unlike teeth: in any direction an eccentricity alone makes no tooth another.
-fn deviate(assembly: &GearPair) -> [bool; 2] {
+fn deviate_of_data(assembly: &GearPair) -> [bool; 2] {
     Member::BOTH.map(|one| assembly.gear(one).centred().has_different_teeth())
 }
 
 /// Matings that differ: after them every deviation of both gears is where it was.
-pub(super) fn distinct(assembly: &GearPair) -> u64 {
+pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
+    distinct_of(deviate(assembly), assembly)
+}
+
+/// Matings that differ where wheel and pinion have unlike teeth as stated.
+fn distinct_of(unlike: [bool; 2], assembly: &impl ToothNumbers) -> u64 {
     let teeth = |member| u64::from(assembly.teeth(member));
-    match deviate(assembly) {
+    match unlike {
         [true, true] => hunting_pitches(assembly),
         [true, false] => teeth(Member::Wheel),
         [false, true] => teeth(Member::Pinion),

@@ -19,7 +19,7 @@
 //! one side changes by less than half of what the free gear turns (a corner on an involute, `1 − (cos δ − ξ sin δ)`, `δ` at most a third), no
 //! pose is beyond `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
 
-use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Status, is_proven};
+use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status, is_proven};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Side};
 use crate::outline::AssembledPair;
@@ -232,7 +232,7 @@ impl<'a> End<'a> {
             (Some(seen), false) => (seen.low, high.max(seen.high), seen.found),
             (None, _) => (low, high, angle(extreme.found) * per_radian),
         };
-        let is_wide = !is_proven(low, high, None);
+        let is_wide = !is_proven(low, high, PROVEN_WIDTH);
         let bounded = Extreme {
             low,
             high,

@@ -21,7 +21,7 @@ use crate::parallel;
 use std::ops::ControlFlow;
 
 pub(crate) use super::cycles::phases_differ;
-pub use super::cycles::{WIDTH, extremes_of_phase};
+pub use super::cycles::{WIDTH, extremes_of_phase, proven_width};
 
 /// One centre distance, material and assembly phase.
 #[derive(Debug, Clone)]
@@ -146,9 +146,10 @@ impl RunExtreme {
         }
     }
 
-    /// Whether the bracket is at most [`WIDTH`] wide, and the pose is proven.
+    /// Whether the bracket is at most [`proven_width`] wide, and the pose is proven.
     pub fn is_proven(&self) -> bool {
-        is_proven(self.low, self.high, self.doubt) && self.pose.simulated.found.is_ok()
+        let width = proven_width(&self.assembly);
+        is_proven(self.low, self.high, width) && self.pose.simulated.found.is_ok()
     }
 
     /// Whether the bracket has two finite ends and the pose is proven.
@@ -194,11 +195,12 @@ impl RunExtremes {
 
     /// Whether the pair assembles over the whole cycle; `None` if unproven.
     pub fn assembles(&self) -> Option<bool> {
+        let width = proven_width(&self.assembly);
         match (self.status, &self.least) {
             (Status::Jammed | Status::NoContact, _) => Some(false),
             (_, Some(least)) if least.high < 0.0 => Some(false),
             (Status::Unproven, _) => None,
-            (_, Some(least)) if least.low >= -WIDTH && least.pose.simulated.found.is_ok() => {
+            (_, Some(least)) if least.low >= -width && least.pose.simulated.found.is_ok() => {
                 Some(true)
             }
             _ => None,
@@ -207,7 +209,7 @@ impl RunExtremes {
 
     /// Whether all teeth are equal: no deviation distinguishes them, and a runout may have any direction.
     pub fn has_like_teeth(&self) -> bool {
-        self.assembly.data().is_some_and(|pair| distinct(pair) == 1)
+        distinct(&self.assembly) == 1
     }
 
     /// Whether a runout has no direction, so that all directions are covered.
@@ -287,30 +289,6 @@ pub fn extremes(
         each: each.collect(),
         runs,
     })
-}
-
-impl CycleExtremes {
-    /// Adds the poses of `runs` that exceed a sampled extreme of the same pair, so that no curve exceeds the verdict.
-    pub(super) fn take_in(&mut self, runs: &[ComparedRun]) {
-        for extremes in &mut self.each {
-            let is_same = |run: &&ComparedRun| {
-                run.run.assembly == extremes.assembly && run.run.material == extremes.material
-            };
-            for pose in runs.iter().filter(is_same).flat_map(|run| &run.poses) {
-                let result = &pose.simulated;
-                let (Some(j_wt), Some(bound)) = (result.backlash, result.error_bound) else {
-                    continue;
-                };
-                for (end, sign) in [(&mut extremes.least, 1.0), (&mut extremes.greatest, -1.0)] {
-                    let Some(end) = end else { continue };
-                    if end.doubt == Some(Doubt::Sampled) && sign * j_wt < sign * end.found() {
-                        (end.low, end.high, end.found) = (j_wt - bound, j_wt + bound, j_wt);
-                        end.pose = pose.clone();
-                    }
-                }
-            }
-        }
-    }
 }
 
 /// Number of runs of [`extremes`], which is its number of ticks.

@@ -17,7 +17,6 @@ pub mod outcome;
 pub mod phases;
 pub mod remedies;
 pub mod requirement;
-mod sampled;
 pub mod simulate;
 pub mod study;
 pub mod tally;
@@ -234,13 +233,11 @@ impl<'a> Analysis<'a> {
         if plan.extremes {
             (progress.stage)(MESH_CYCLE);
             analysis.extremes = extremes::extremes(study, method, tick)?;
-            analysis.extremes.take_in(&analysis.runs);
         }
         if plan.revolution {
             (progress.stage)("(curves over the teeth)");
             let (turned, cycle) = (&analysis.revolution, &analysis.extremes.each);
             analysis.curves = curves::refined(study, turned, cycle, method, tick)?;
-            analysis.extremes.take_in(&analysis.curves);
         }
         if plan.curves && !study.is_drawn() {
             (progress.stage)("(over the centre distance)");

@@ -6,7 +6,7 @@
 //! there is no remedy. A drawn gear has no thickness to change.
 
 use super::assembles_from::threshold;
-use super::cycles::{Planned, WIDTH, plans};
+use super::cycles::{Planned, plans, proven_width};
 use super::extremes::RunExtremes;
 use super::requirement::{Limits, Quantity};
 use super::study::Study;
@@ -136,7 +136,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     let pair = &plans[worst].run.assembly;
     let effort = &match pair.data() {
         Some(pair) => Effort::of_extremes(pair),
-        // The search of a drawn pair ends by its samples.
+        // Each search of a drawn pair has its own.
         None => Effort::endless(),
     };
     let search = Search {
@@ -405,7 +405,7 @@ impl Search<'_> {
         };
         // Without a requirement, zero as in `RunExtremes::assembles`.
         let least = if is_max { f64::INFINITY } else { bound(pair)? };
-        let mut room = least + WIDTH;
+        let mut room = least + proven_width(pair);
         if limits.is_empty() || room == f64::NEG_INFINITY {
             return Ok(room);
         }

@@ -19,6 +19,7 @@ mod helical_sections;
 mod helical_warm;
 mod modified;
 mod odd_teeth;
+mod outline_extremes;
 mod outlines;
 mod perfect;
 mod proofs;

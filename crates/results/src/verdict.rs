@@ -383,16 +383,6 @@ fn proof(verdict: &Verdict) -> Vec<String> {
         [false, true] => "Greatest not proven.",
         [true, true] => "Least and greatest not proven.",
     };
-    let is_drawn = verdict
-        .runs
-        .iter()
-        .any(|run| run.assembly.drawn().is_some());
-    if is_drawn && least_and_greatest(verdict).any(is_sampled) {
-        return vec![
-            "Proven at poses, not between them.".to_owned(),
-            "Sampled.".to_owned(),
-        ];
-    }
     if !of.is_empty() {
         return vec![of.to_owned()];
     }
@@ -428,11 +418,6 @@ fn least_and_greatest<'a>(verdict: &'a Verdict) -> impl Iterator<Item = &'a RunE
     runs.flat_map(|run| run.least.iter().chain(&run.greatest))
 }
 
-/// Whether the extreme covers only proven poses of a drawn pair, not all between them.
-fn is_sampled(extreme: &RunExtreme) -> bool {
-    extreme.doubt == Some(Doubt::Sampled) && extreme.pose.simulated.found.is_ok()
-}
-
 /// The uncertainty of an extreme due to the drawings, mm; `None` for gears by their data, and where it is only rounding.
 fn drawing_bound(extreme: &RunExtreme) -> Option<f64> {
     let bound = extreme.pose.simulated.error_bound?;
@@ -462,11 +447,7 @@ fn distances(verdict: &Verdict) -> Vec<(String, bool)> {
 }
 
 fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, bool) {
-    let unless_proven = match doubt {
-        // The first line already states it.
-        None | Some(Doubt::Sampled) => "",
-        Some(_) => " (not proven)",
-    };
+    let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
     let text = format!("{words} a = {} mm{unless_proven}", fixed(distance, 4));
     (text, doubt.is_none())
 }
@@ -587,13 +568,7 @@ fn sentences(verdict: &Verdict) -> Vec<String> {
         sentences.push(format!("± is the expanded uncertainty, k = {k}"));
     }
     if verdict.requirement == Requirement::Met {
-        let is_sampled = least_and_greatest(verdict).any(is_sampled);
-        let at = if is_sampled {
-            " at the sampled poses"
-        } else {
-            ""
-        };
-        sentences.push(format!("Requirement met{at}"));
+        sentences.push("Requirement met".to_owned());
     }
     sentences
 }
@@ -686,8 +661,7 @@ fn doubts(verdict: &Verdict) -> Vec<String> {
                 run.greatest.clone()
             }
         };
-        let extremes = verdict.runs.iter().filter_map(of);
-        let extremes: Vec<RunExtreme> = extremes.filter(|of| !is_sampled(of)).collect();
+        let extremes: Vec<RunExtreme> = verdict.runs.iter().filter_map(of).collect();
         let reasons = distinct(extremes.iter().filter_map(doubt)).join(", ");
         if reasons.is_empty() {
             continue;
@@ -742,7 +716,7 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::SecondOrder => "runout direction bounded to second order",
         Doubt::Profile => "profile deviations bounded for each flank as a whole",
         Doubt::ContactLost => "contact lost at a pose",
-        Doubt::Sampled => "only sampled, as a gear is drawn",
+        Doubt::Drawing => "the drawings leave more open",
     }
 }
 

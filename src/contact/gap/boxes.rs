@@ -30,7 +30,7 @@ impl Rectangle {
     pub fn new(curve: &PartCurve, (low, high): (f64, f64), point: impl Fn(f64) -> C) -> Rectangle {
         let ends = [low, high].map(&point);
         let chord = ends[1] - ends[0];
-        let length = chord.norm();
+        let length = chord.norm_sqr().sqrt();
         let (reach, turn) = curve.spread(low, high);
         // The chord is parallel to a tangent, and tangents are within twice the turn of it. Below a right angle the
         // curve ends where its chord does.
@@ -88,10 +88,44 @@ impl Rectangle {
         [length * cos + width * sin, length * sin + width * cos]
     }
 
+    /// A point.
+    pub fn point(at: C) -> Rectangle {
+        Rectangle {
+            along: C::ONE,
+            middle: at,
+            half: [0.0; 2],
+        }
+    }
+
     /// Its length, mm.
     #[inline]
     pub fn length(&self) -> f64 {
         2.0 * self.half[0]
+    }
+
+    /// Its width, mm.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        2.0 * self.half[1]
+    }
+
+    /// Direction of its length.
+    #[inline]
+    pub fn along(&self) -> C {
+        self.along
+    }
+
+    #[inline]
+    pub fn centre(&self) -> C {
+        self.along * self.middle
+    }
+
+    /// The greatest `P · direction` of its points.
+    #[inline]
+    pub fn farthest(&self, direction: C) -> f64 {
+        let own = self.along.conj() * direction;
+        let [length, width] = self.half;
+        dot(self.middle, own) + length * own.re.abs() + width * own.im.abs()
     }
 
     /// The rectangle moved to `centre + direction · X`.
@@ -119,7 +153,7 @@ impl Rectangle {
 
     /// Whether its points are within 15° of its centre, seen from the origin.
     #[inline]
-    fn is_narrow(&self) -> bool {
+    pub fn is_narrow(&self) -> bool {
         let square = self.half[0] * self.half[0] + self.half[1] * self.half[1];
         // sin 15° > 1/4.
         16.0 * square <= self.middle.norm_sqr()

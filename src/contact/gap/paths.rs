@@ -48,6 +48,10 @@ impl PlacedRun {
             rectangle,
         }
     }
+
+    pub fn rectangle(&self) -> &Rectangle {
+        &self.rectangle
+    }
 }
 
 /// The search used up its nodes.

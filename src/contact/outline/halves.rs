@@ -1,7 +1,7 @@
 //! Half teeth of outlines as paths.
 
 use super::teeth::{Frame, SideTeeth};
-use crate::contact::gap::{Arc, Boxes, Path, PlacedRun};
+use crate::contact::gap::{Arc, Boxes, Path, PlacedRun, Rectangle};
 use crate::outline::HalfPiece;
 
 /// A locked half tooth where a pose has it.
@@ -60,6 +60,13 @@ impl<'a> FreeHalf<'a> {
             runs: runs.collect(),
             boxes,
         }
+    }
+}
+
+impl FreeHalf<'_> {
+    /// Round a run.
+    pub fn rectangle(&self, run: usize) -> &Rectangle {
+        self.runs[run].rectangle()
     }
 }
 

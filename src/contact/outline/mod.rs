@@ -7,20 +7,25 @@
 //!
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
+mod cell;
 mod certificate;
 mod discs;
+mod extremes;
 mod halves;
 mod teeth;
 
 use super::effort::Effort;
 use super::exact::lens_half;
-use super::gap::{C, CurveContact, Inside, Origin, PathSearch, common_normal, rounding, turn};
+use super::gap::{
+    C, CurveContact, CurvePoint, Inside, Origin, PathSearch, common_normal, rounding, turn,
+};
 use super::lost_motion::{Contact, Framed, LostMotion, ToothPlace, Touch};
 use super::outline_contact::{NotBorneOut, SearchExhausted};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
 use certificate::{CutSide, Witness};
+pub(crate) use extremes::{End, OutlineCycle};
 use halves::{FreeHalf, LockedHalf};
 use std::f64::consts::TAU;
 use teeth::{Frame, SideTeeth, nearest};
@@ -111,19 +116,42 @@ impl<'a> OutlineKernel<'a> {
             false => Effort::endless(),
         };
         let [right, left] = &self.sides;
-        let right = right.contact(pair, mating, prunes, &effort)?;
-        let left = left.contact(pair, mating, prunes, &effort)?;
+        let right = right.meeting(pair, mating, prunes, &effort)?;
+        let left = left.meeting(pair, mating, prunes, &effort)?;
+        Ok(self.lost_motion_of(pair, mating, [right.as_ref(), left.as_ref()]))
+    }
+
+    /// The lost motion between what meets on the right and on the left.
+    fn lost_motion_of(
+        &self,
+        pair: &OutlinePair,
+        mating: &Mating,
+        meetings: [Option<&Meeting>; 2],
+    ) -> LostMotion {
+        let contact = |side: usize| Some(self.sides[side].report(pair, meetings[side]?));
+        let (right, left) = (contact(0), contact(1));
         let overlap = right
             .zip(left)
             .map_or(0.0, |(right, left)| right.rotation - left.rotation);
         let free = pair.gear(pair.free());
         let deep = || self.sides[0].reaches_within(pair, mating, self.solid);
-        Ok(LostMotion {
+        LostMotion {
             right,
             left,
             solid: overlap >= free.pitch() || deep(),
-        })
+        }
     }
+}
+
+/// The greatest gap of a side.
+#[derive(Debug, Clone, Copy)]
+struct Meeting {
+    found: CurveContact,
+    /// Locked and free tooth.
+    teeth: [u32; 2],
+    frames: [Frame; 2],
+    /// The free gear's nominal rotation, rad.
+    nominal: f64,
 }
 
 /// A rotation known no closer than this part of a pitch is no place to look at: other teeth, or nothing, may stand there.
@@ -177,7 +205,7 @@ impl SideKernel<'_> {
         contact: Option<&Contact>,
     ) -> Result<(), &'static str> {
         let (rotation, locked) = self.locked_frame(pair, mating);
-        let pairs = self.facing(pair, mating, rotation);
+        let pairs = self.facing(pair, mating, rotation, 0.0);
         let witness = Witness {
             teeth: [&self.locked, &self.free],
             cut,
@@ -198,16 +226,18 @@ impl SideKernel<'_> {
         witness.touches(there + little, there - little)
     }
 
-    /// Half teeth that face each other within reach, locked and free, the likeliest to touch first.
+    /// Half teeth that face each other within reach at a rotation of the locked gear in this frame `± half`, locked and free, the likeliest to
+    /// touch first.
     fn facing(
         &self,
         pair: &OutlinePair,
         mating: &Mating,
         rotation: f64,
+        half: f64,
     ) -> impl Iterator<Item = [u32; 2]> {
         let (locked_tooth, free_tooth) = (mating.tooth(pair.locked()), mating.tooth(pair.free()));
         let beyond = i64::from(mating.flank != self.side);
-        let steps = self.steps(pair, mating, rotation);
+        let steps = self.steps(pair, mating, rotation, half);
         // From the middle outwards: what touches stands there most often, and rules the rest out.
         let middle = (steps.start() + steps.end()).div_euclid(2);
         let farthest = (steps.end() - middle).max(middle - steps.start());
@@ -238,30 +268,34 @@ impl SideKernel<'_> {
         pair: &OutlinePair,
         mating: &Mating,
         rotation: f64,
+        half: f64,
     ) -> std::ops::RangeInclusive<i64> {
         let (gear, mate) = (self.locked.gear, self.free.gear);
         let pitch = gear.pitch();
         let tooth = f64::from(mating.tooth(pair.locked()));
         let there = rotation - self.side.sense() * gear.tooth_angle(tooth);
         let there = there - TAU * (there / TAU).round();
-        let half = lens_half(gear.reach(), mate.reach(), pair.center_distance()).unwrap_or(0.0);
+        let lens = lens_half(gear.reach(), mate.reach(), pair.center_distance()).unwrap_or(0.0);
         // A tooth and a half on either side: its own width, and teeth off their even places by less than half a pitch.
-        let (low, high) = (-half - 1.5 * pitch, half + 1.5 * pitch);
-        let most = (i64::from(gear.teeth()) - 1) / 2;
-        let first = ((low - there) / pitch).ceil() as i64;
-        let last = ((high - there) / pitch).floor() as i64;
+        let far = lens + 1.5 * pitch;
         // Never more than once round.
-        let middle = (-there / pitch).round() as i64;
-        first.max(middle - most)..=last.min(middle + most)
+        let most = (i64::from(gear.teeth()) - 1) / 2;
+        let window = |there: f64| {
+            let first = ((-far - there) / pitch).ceil() as i64;
+            let last = ((far - there) / pitch).floor() as i64;
+            let middle = (-there / pitch).round() as i64;
+            (first.max(middle - most), last.min(middle + most))
+        };
+        window(there + half).0..=window(there - half).1
     }
 
-    fn contact(
+    fn meeting(
         &self,
         pair: &OutlinePair,
         mating: &Mating,
         prunes: bool,
         effort: &Effort,
-    ) -> Result<Option<Contact>, SearchExhausted> {
+    ) -> Result<Option<Meeting>, SearchExhausted> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
         // Gaps count from the nominal rotation.
@@ -278,7 +312,7 @@ impl SideKernel<'_> {
         let mut search = if prunes { search } else { search.of_all() };
         let most = search.nodes_left();
         let mut best: Option<(CurveContact, [u32; 2])> = None;
-        for teeth in self.facing(pair, mating, rotation) {
+        for teeth in self.facing(pair, mating, rotation, 0.0) {
             let [locked_tooth, free_tooth] = teeth;
             let locked = LockedHalf::new(&self.locked, locked_tooth, locked_frame);
             let found = search.greatest(&locked, &self.still[free_tooth as usize - 1]);
@@ -286,9 +320,11 @@ impl SideKernel<'_> {
             best = found.map(|meeting| (meeting, teeth)).or(best);
         }
         effort.spend(most - search.nodes_left());
-        Ok(best.map(|(meeting, teeth)| {
-            let frames = [locked_frame, still];
-            self.report(pair, &meeting, teeth, frames, free_rotation)
+        Ok(best.map(|(found, teeth)| Meeting {
+            found,
+            teeth,
+            frames: [locked_frame, still],
+            nominal: free_rotation,
         }))
     }
 
@@ -305,21 +341,13 @@ impl SideKernel<'_> {
     }
 
     /// The contact of a meeting, in the picture.
-    fn report(
-        &self,
-        pair: &OutlinePair,
-        meeting: &CurveContact,
-        [locked, free]: [u32; 2],
-        frames: [Frame; 2],
-        nominal: f64,
-    ) -> Contact {
+    fn report(&self, pair: &OutlinePair, meeting: &Meeting) -> Contact {
+        let Meeting { found, nominal, .. } = meeting;
+        let [locked, free] = meeting.teeth;
         let halves = [self.locked.half(locked), self.free.half(free)];
-        let at = [meeting.locked, meeting.free];
+        let at = [found.locked, found.free];
         let pieces = [0, 1].map(|k: usize| &halves[k].pieces[at[k].0]);
-        let [p, q] = [0, 1].map(|k: usize| frames[k].placed(pieces[k]).at(at[k].1));
-        let corners = [0, 1].map(|k: usize| pieces[k].is_corner(at[k].1));
-        let turned = turn(meeting.gap + nominal);
-        let (normal, slope) = common_normal(&p, &q, corners, || -q.normal * turned);
+        let ([p, _], normal, slope) = self.touching(meeting);
         let touch = |k: usize, tooth: u32| {
             let radius = pieces[k].point(at[k].1).norm();
             let region = match radius {
@@ -343,8 +371,8 @@ impl SideKernel<'_> {
             side: self.side,
             free: pair.free(),
             center_distance: pair.center_distance(),
-            rotation: nominal + meeting.gap,
-            error: rounding(size, radius, slope) + meeting.slack + drawn,
+            rotation: nominal + found.gap,
+            error: rounding(size, radius, slope) + found.slack + drawn,
             locked: touch(0, locked),
             mated: touch(1, free),
             point: p.point,
@@ -353,12 +381,27 @@ impl SideKernel<'_> {
         .contact()
     }
 
+    /// Where both curves of a meeting are, the free one still at rotation 0; the normal out of the locked metal and the slope by which a shift of a
+    /// curve turns the gap.
+    fn touching(&self, meeting: &Meeting) -> ([CurvePoint; 2], C, f64) {
+        let Meeting { found, nominal, .. } = meeting;
+        let [locked, free] = meeting.teeth;
+        let halves = [self.locked.half(locked), self.free.half(free)];
+        let at = [found.locked, found.free];
+        let pieces = [0, 1].map(|k: usize| &halves[k].pieces[at[k].0]);
+        let [p, q] = [0, 1].map(|k: usize| meeting.frames[k].placed(pieces[k]).at(at[k].1));
+        let corners = [0, 1].map(|k: usize| pieces[k].is_corner(at[k].1));
+        let turned = turn(found.gap + nominal);
+        let (normal, slope) = common_normal(&p, &q, corners, || -q.normal * turned);
+        ([p, q], normal, slope)
+    }
+
     /// Whether a point of the locked outline lies within `radius`, mm, of the free axis.
     fn reaches_within(&self, pair: &OutlinePair, mating: &Mating, radius: f64) -> bool {
         let (rotation, frame) = self.locked_frame(pair, mating);
         let tooth = mating.tooth(pair.locked());
         let halves = self
-            .steps(pair, mating, rotation)
+            .steps(pair, mating, rotation, 0.0)
             .map(|step| self.locked.beside(tooth, step));
         halves.into_iter().any(|tooth| {
             let boxes = self.locked.boxes(tooth);

@@ -18,6 +18,10 @@ impl Cubic {
         Cubic { points }
     }
 
+    pub(super) fn points(&self) -> &[Point2<f64>; 4] {
+        &self.points
+    }
+
     // Out of line: the kernel's own curves are not these.
     #[inline(never)]
     pub(super) fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {

@@ -165,6 +165,17 @@ impl PartCurve {
         }
     }
 
+    /// Points, mm, and a radius, mm: curves of one kind between near ends lie no farther apart than these together; `None` of curves that are not given
+    /// by points.
+    pub(crate) fn moved_by(&self) -> Option<(Vec<Point2<f64>>, f64)> {
+        match self {
+            PartCurve::Line(_) => Some((Vec::new(), 0.0)),
+            PartCurve::Circle(circle) => Some((vec![circle.centre()], circle.speed(0.0).abs())),
+            PartCurve::Cubic(cubic) => Some((cubic.points().to_vec(), 0.0)),
+            _ => None,
+        }
+    }
+
     /// Further lengths, mm, whose rounding enters a point at `t`: for a circle the radius, and the radius times the angle.
     pub(crate) fn rounded_lengths(&self, t: f64) -> f64 {
         match self {

@@ -103,7 +103,7 @@ fn simulate_writes_what_it_found() {
     assert_eq!(csv.lines().count(), 321);
     let picture = std::fs::read_to_string(out.join("worst.svg")).unwrap();
     assert!(
-        picture.contains("wheel 7 tip on pinion 16 flank"),
+        picture.contains("wheel 7 tip on pinion 15 flank"),
         "{picture}"
     );
 }

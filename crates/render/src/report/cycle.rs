@@ -67,7 +67,7 @@ fn other_poses(page: &Page) -> Markup {
             "All teeth of each gear are equal, and so are all matings. "
         }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are "
-        @if page.report.pair.study.is_drawn() { "those of sampled poses of the cycle, and of more between the best of them" } @else { "bracketed over all of them and every rotation between" }
+        "bracketed over all of them and every rotation between"
         @match unproven {
             0 => ", and proven.",
             some if some == extremes.len() => { ", but " strong { "not proven" } "." },

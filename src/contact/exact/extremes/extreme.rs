@@ -24,6 +24,9 @@ pub struct Extremes {
 /// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
 pub const PROVEN_WIDTH: f64 = 1e-6;
 
+/// Width of a proven bracket of `j_wt` of a pair with a drawn gear, mm: below what any drawing is made to.
+pub const PROVEN_WIDTH_DRAWN: f64 = 5e-5;
+
 /// One extreme of `j_wt`. Its bracket holds the extreme of the whole cycle, however wide it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -43,15 +46,14 @@ pub struct Extreme {
 impl Extreme {
     /// Whether the bracket is at most [`PROVEN_WIDTH`] wide.
     pub fn is_proven(&self) -> bool {
-        is_proven(self.low, self.high, self.doubt)
+        is_proven(self.low, self.high, PROVEN_WIDTH)
     }
 }
 
-/// Whether a bracket of `j_wt`, mm, is proven: narrow, and not of sampled poses alone.
-pub(crate) fn is_proven(low: f64, high: f64, doubt: Option<Doubt>) -> bool {
+/// Whether a bracket of `j_wt`, mm, is proven: at most `width` wide.
+pub(crate) fn is_proven(low: f64, high: f64, width: f64) -> bool {
     // Rounding of a difference of two lengths.
-    let is_narrow = high - low <= PROVEN_WIDTH * (1.0 + 1e-3);
-    is_narrow && doubt != Some(Doubt::Sampled)
+    high - low <= width * (1.0 + 1e-3)
 }
 
 /// Why a bracket is wider than wanted.
@@ -71,8 +73,8 @@ pub enum Doubt {
     Profile,
     /// A contact was lost at a pose: nothing bounds the extreme.
     ContactLost,
-    /// A gear is drawn: extremes are those of sampled poses, and of more round the best.
-    Sampled,
+    /// The drawings leave more open than is wanted.
+    Drawing,
 }
 
 /// A bound that holds for the whole cycle, rad, and why it is not as near as it was wanted.

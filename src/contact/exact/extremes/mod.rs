@@ -35,7 +35,7 @@ use crate::pair::{GearPair, Mating};
 use course::Course;
 use extreme::Which;
 pub(crate) use extreme::is_proven;
-pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH};
+pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
 use extreme::{PosesSeen, UNKNOWN};
 use sample::Until;
 use search::Search;

@@ -1,0 +1,250 @@
+//! The proven extremes of drawn pairs against dense poses of the same pairs: none lies outside the bracket.
+
+use crate::drawn::{closed_by_arcs, gear, turned};
+use crate::random::Random;
+use gearlash::analysis::extremes::{RunExtremes, extremes};
+use gearlash::analysis::study::{Material, Study};
+use gearlash::contact::{Method, OutlineKernel};
+use gearlash::outline::{OutlineGear, OutlinePair, PathSegment};
+use gearlash::pair::{Mating, Member, SweepPlan};
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::ops::ControlFlow;
+
+/// What flanks are made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Flanks {
+    Chords(u32),
+    Arcs(u32),
+    Cubics(u32),
+}
+
+/// A gear of module 1 and what is random about it.
+#[derive(Debug, Clone, Copy)]
+struct Drawn {
+    teeth: u32,
+    flanks: Flanks,
+    shift: f64,
+    tip: f64,
+    /// Greatest distance of a point from the involute, mm.
+    rough: f64,
+    /// Whether each tooth has points of its own.
+    unlike: bool,
+}
+
+impl Drawn {
+    /// Half the angle of a tooth at a radius: an involute of 20°, and a radial line below its base circle.
+    fn half_angle(&self, radius: f64) -> f64 {
+        let z = f64::from(self.teeth);
+        let involute = |angle: f64| angle.tan() - angle;
+        let angle = 20f64.to_radians();
+        let base = 0.5 * z * angle.cos();
+        let here = (base / radius.max(base)).acos();
+        (FRAC_PI_2 + 2.0 * self.shift * angle.tan()) / z + involute(angle) - involute(here)
+    }
+
+    /// Right flank from the root to the tip, of a tooth on +y.
+    fn flank(&self, random: &mut Random) -> Vec<PathSegment> {
+        let pitch = 0.5 * f64::from(self.teeth) + self.shift;
+        let [root, tip] = [pitch - 1.25, pitch + self.tip];
+        let count = match self.flanks {
+            Flanks::Chords(count) => count,
+            Flanks::Arcs(count) | Flanks::Cubics(count) => 2 * count,
+        };
+        let step = (tip - root) / f64::from(count);
+        let point = |k: u32, random: &mut Random| {
+            let inside = k > 0 && k < count;
+            let off = |random: &mut Random| random.within(-1.0, 1.0);
+            let along = if inside {
+                0.3 * step * off(random)
+            } else {
+                0.0
+            };
+            let radius = root + step * f64::from(k) + along;
+            let angle = self.half_angle(radius) + self.rough * off(random) / radius;
+            Point2::new(radius * angle.sin(), radius * angle.cos())
+        };
+        let points: Vec<Point2<f64>> = (0..=count).map(|k| point(k, random)).collect();
+        match self.flanks {
+            Flanks::Chords(_) => points
+                .windows(2)
+                .map(|ends| PathSegment::Line([ends[0], ends[1]]))
+                .collect(),
+            Flanks::Arcs(_) => points
+                .windows(3)
+                .step_by(2)
+                .map(|three| arc([three[0], three[1], three[2]]))
+                .collect(),
+            Flanks::Cubics(_) => {
+                let slope = |k: usize| {
+                    let (from, to) = (k.saturating_sub(1), (k + 1).min(points.len() - 1));
+                    (points[to] - points[from]) / (to - from) as f64
+                };
+                let piece = |k: usize| {
+                    let [a, d] = [points[k], points[k + 1]];
+                    PathSegment::Cubic([a, a + slope(k) / 3.0, d - slope(k + 1) / 3.0, d])
+                };
+                (0..points.len() - 1).map(piece).collect()
+            }
+        }
+    }
+
+    fn gear(&self, random: &mut Random) -> OutlineGear {
+        let pitch = TAU / f64::from(self.teeth);
+        let mut path: Vec<PathSegment> = Vec::new();
+        let mut flanks = None;
+        for tooth in 0..self.teeth {
+            if flanks.is_none() || self.unlike {
+                flanks = Some([self.flank(random), self.flank(random)]);
+            }
+            let Some([right, left]) = &flanks else { break };
+            // Up on the left, down on the right.
+            let mirrored = left.iter().map(PathSegment::mirrored);
+            let down = right.iter().rev().map(PathSegment::reversed);
+            let both: Vec<PathSegment> = mirrored.chain(down).collect();
+            path.extend(turned(&both, -pitch * f64::from(tooth)));
+        }
+        gear(&closed_by_arcs(&path), 0.0)
+    }
+}
+
+/// The arc through three points; a line where they lie on one.
+fn arc([from, middle, to]: [Point2<f64>; 3]) -> PathSegment {
+    let (b, c) = (middle - from, to - from);
+    let twice = 2.0 * b.perp(&c);
+    if twice.abs() < 1e-9 {
+        return PathSegment::Line([from, to]);
+    }
+    let [bb, cc] = [b.norm_squared(), c.norm_squared()];
+    let off = Vector2::new(c.y * bb - b.y * cc, b.x * cc - c.x * bb) / twice;
+    let arms = [-off, c - off];
+    PathSegment::Arc {
+        centre: from + off,
+        radius: off.norm(),
+        start: arms[0].y.atan2(arms[0].x),
+        sweep: arms[0].perp(&arms[1]).atan2(arms[0].dot(&arms[1])),
+    }
+}
+
+fn pair(random: &mut Random, flanks: impl Fn(&mut Random) -> Flanks) -> OutlinePair {
+    let unlike = random.chance(0.08);
+    let rough = match random.chance(0.5) {
+        true => random.decades(1e-4, 1e-2),
+        false => 0.0,
+    };
+    let runout = random.chance(0.08);
+    let mut drawn = || Drawn {
+        teeth: match unlike || runout {
+            true => 7 + random.tooth(4),
+            false => 8 + random.tooth(40),
+        },
+        flanks: flanks(random),
+        shift: random.within(-0.1, 0.5),
+        tip: random.within(0.8, 1.0),
+        rough,
+        unlike,
+    };
+    let each = [drawn(), drawn()];
+    let [wheel, pinion] = each.map(|drawn| {
+        let gear = drawn.gear(random);
+        match runout {
+            true => {
+                let high = 1.0 + random.within(0.0, f64::from(drawn.teeth));
+                gear.with_runout(random.within(0.0, 0.02), high).unwrap()
+            }
+            false => gear,
+        }
+    });
+    let [one, other] = each.map(|drawn| 0.5 * f64::from(drawn.teeth) + drawn.shift);
+    let a = one + other + random.within(-0.03, 0.2);
+    let locked = match random.chance(0.5) {
+        true => Member::Wheel,
+        false => Member::Pinion,
+    };
+    OutlinePair::new(wheel, pinion, a, locked).unwrap()
+}
+
+fn found(pair: &OutlinePair) -> RunExtremes {
+    let gear = |member| pair.gear(member).clone();
+    let study = Study::of_drawn(
+        "drawn",
+        vec![(
+            Material::AsMeasured,
+            gear(Member::Wheel),
+            gear(Member::Pinion),
+        )],
+        pair.locked(),
+        vec![pair.center_distance()],
+        SweepPlan::Matings {
+            matings: vec![(1, 1)],
+            fractions: vec![0.0],
+        },
+    );
+    let on = || ControlFlow::Continue(());
+    let found = extremes(&study, Method::Exact { certify: false }, &on).unwrap();
+    found.each.into_iter().next().unwrap()
+}
+
+/// Poses a pitch.
+const DENSE: u64 = 400;
+
+/// No pose lies outside the brackets of `pair`; the widths of these, mm.
+fn hold(pair: &OutlinePair, case: &str) -> [f64; 2] {
+    let run = found(pair);
+    let [Some(least), Some(greatest)] = [&run.least, &run.greatest] else {
+        panic!("{case}: {:?}", run.status)
+    };
+    let kernel = OutlineKernel::new(pair);
+    let radius = pair.operating_pitch_radius(pair.free());
+    // Like teeth are alike in every pitch; of unlike ones every 7th pose of the whole cycle.
+    let (pitches, every) = match run.has_like_teeth() {
+        true => (1, 1),
+        false => (run.matings, 7),
+    };
+    for k in (0..DENSE * pitches).step_by(every) {
+        let mating = Mating::FIRST.onward(pair, k as f64 / DENSE as f64);
+        let pose = kernel.lost_motion(&mating).unwrap();
+        let (angle, error) = pose.angle().zip(pose.error()).unwrap();
+        let [low, high] = [angle - error, angle + error].map(|angle| angle * radius);
+        assert!(
+            high >= least.low && low <= greatest.high,
+            "{case}: {low} {mating:?} {least:?} {greatest:?}"
+        );
+    }
+    // Both ends are attained, the inner ones by the poses named.
+    for end in [least, greatest] {
+        let j_wt = end.found();
+        assert!(end.low <= j_wt && j_wt <= end.high, "{case}: {end:?}");
+        assert!(end.is_proven(), "{case}: {end:?}");
+    }
+    [least, greatest].map(|end| end.high - end.low)
+}
+
+/// The brackets of `count` pairs hold and are proven; `GEARLASH_PAIRS` is another count.
+fn all_hold(seed: u64, count: u64, flanks: impl Fn(&mut Random) -> Flanks + Copy) {
+    let count = std::env::var("GEARLASH_PAIRS").map_or(count, |count| count.parse().unwrap());
+    let mut widest: f64 = 0.0;
+    for number in 0..count {
+        let mut random = Random(seed + 1000 * number);
+        let pair = pair(&mut random, flanks);
+        let widths = hold(&pair, &format!("seed {seed}, pair {number}"));
+        widest = widths.into_iter().fold(widest, f64::max);
+    }
+    println!("{count} pairs, the widest bracket {widest:e} mm");
+    assert!(widest <= 5e-5);
+}
+
+/// Source: poses of the same pairs, 400 a pitch.
+#[test]
+fn no_pose_of_polygons_lies_outside_the_bracket() {
+    all_hold(1, 300, |random| Flanks::Chords(2 + random.tooth(18)));
+}
+
+/// Source: as above.
+#[test]
+fn no_pose_of_arcs_and_cubics_lies_outside_the_bracket() {
+    all_hold(2, 60, |random| match random.chance(0.5) {
+        true => Flanks::Arcs(1 + random.tooth(3)),
+        false => Flanks::Cubics(1 + random.tooth(3)),
+    });
+}

@@ -230,10 +230,10 @@ impl Planned {
         if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
             return Ok(None);
         }
-        // A pair that needs no search ends by its number of cells: with a share of the effort, what can be proven would not be.
-        let endless = Effort::endless();
+        // A pair that needs no search has as much effort once more: with a share of the rest, what can be proven would not be.
+        let own = &self.effort(pair);
         let is_short = !pair.is_helical() && ExactKernel::new(pair).is_direct();
-        let effort = if is_short { &endless } else { effort };
+        let effort = if is_short { own } else { effort };
         let over = (self.first, self.distinct);
         let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;
         Ok(from.map(|from| AssemblesFrom {

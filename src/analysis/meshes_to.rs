@@ -19,6 +19,8 @@ pub struct MeshesTo {
     pub low: f64,
     /// Here one has not, mm.
     pub high: f64,
+    /// That pose.
+    pub mating: Mating,
     /// Why that is not proven.
     pub doubt: Option<Doubt>,
 }
@@ -36,7 +38,7 @@ impl MeshesTo {
         search: &Search<'_>,
         effort: &Effort,
     ) -> Result<Option<MeshesTo>, Error> {
-        let (Some(nearest), Some(lost)) =
+        let (Some(nearest), Some(mut lost)) =
             (InvolutePair::of(assembly).center_distance(0.0), found.lost)
         else {
             return Ok(None);
@@ -55,13 +57,14 @@ impl MeshesTo {
             }
             let pair = assembly.at(at)?;
             let kernel = kernel.at(&pair);
-            if passes(&pair, &kernel, &apart)? {
-                high = at;
+            if let Some(mating) = first_out_of_mesh(&pair, &kernel, &apart)? {
+                (high, lost) = (at, mating);
             } else {
                 let there = search(&pair, &kernel)?;
                 match there.greatest {
                     None => {
                         high = at;
+                        lost = there.lost.unwrap_or(lost);
                         apart.extend(there.lost);
                     }
                     Some(greatest) => {
@@ -75,17 +78,26 @@ impl MeshesTo {
             }
             at = 0.5 * (low + high);
         }
-        Ok((high > nearest).then_some(MeshesTo { low, high, doubt }))
+        Ok((high > nearest).then_some(MeshesTo {
+            low,
+            high,
+            mating: lost,
+            doubt,
+        }))
     }
 }
 
-/// Whether the pair is out of mesh at one of `matings`.
-fn passes(pair: &GearPair, kernel: &ExactKernel, matings: &[Mating]) -> Result<bool, Error> {
+/// The first of `matings` at which the pair is out of mesh.
+fn first_out_of_mesh(
+    pair: &GearPair,
+    kernel: &ExactKernel,
+    matings: &[Mating],
+) -> Result<Option<Mating>, Error> {
     for mating in matings {
         let found = kernel.lost_motion_at(pair, *mating)?;
         if found.is_some_and(|found| found.status() == Status::NoContact) {
-            return Ok(true);
+            return Ok(Some(*mating));
         }
     }
-    Ok(false)
+    Ok(None)
 }

@@ -108,7 +108,7 @@ pub struct Remedies {
 
 /// The remedies of `study`, if `verdict` says that it does not assemble or misses a requirement; otherwise none.
 ///
-/// A change is no remedy if another requirement is missed after it, or if the effort of one verdict does not suffice.
+/// A change is no remedy if another requirement is missed after it, or if as much effort as one verdict may take does not suffice.
 ///
 /// # Errors
 /// As [`super::extremes::extremes`].
@@ -134,7 +134,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     };
     let plans = plans(study)?;
     let pair = &plans[worst].run.assembly;
-    let effort = &match pair.data() {
+    let effort = || match pair.data() {
         Some(pair) => Effort::of_extremes(pair),
         // Each search of a drawn pair has its own.
         None => Effort::endless(),
@@ -148,7 +148,7 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     };
     let mut found = Remedies::default();
     if study.sweep.is_some() {
-        found.changes.extend(search.distance(effort)?);
+        found.changes.extend(search.distance(&effort())?);
     } else {
         found.missing.push(NoRemedy::MeasuredRows);
     }
@@ -162,7 +162,9 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
                     Gears::One(Member::Wheel),
                     Gears::One(Member::Pinion),
                 ] {
-                    found.changes.extend(search.thickness(pair, gears, effort)?);
+                    found
+                        .changes
+                        .extend(search.thickness(pair, gears, &effort())?);
                 }
             } else {
                 found.missing.push(NoRemedy::NotGenerated);

@@ -351,7 +351,14 @@ impl AsBuilt {
     /// Checks that every tooth keeps a tip land and a neck, and that every space is open at the form circle.
     pub(super) fn check_teeth(&self) -> Result<(), GearError> {
         let gear = &self.gear;
-        for tooth in 1..=gear.basic_data().teeth() {
+        let alike = |offsets: &[f64]| offsets.iter().all(|offset| *offset == offsets[0]);
+        // One tooth stands for all, where they are alike.
+        let last = if self.modified.is_none() && self.offsets.iter().all(|side| alike(side)) {
+            1
+        } else {
+            gear.basic_data().teeth()
+        };
+        for tooth in 1..=last {
             let widening =
                 self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
             let own = |side: Side, tooth: u32, place: ProfilePart| {

@@ -85,10 +85,9 @@ fn up_to_where_it_is_in_mesh() {
         let found = kernel.lost_motion(&pose).unwrap();
         assert_ne!(found.status(), Status::NoContact, "{pose:?}");
     }
-    assert_eq!(
-        extremes_of(&pair.at(to.high).unwrap()).status,
-        Status::NoContact
-    );
+    let beyond = pair.at(to.high).unwrap();
+    let lost = ExactKernel::new(&beyond).lost_motion(&Pose::new(&beyond, to.mating));
+    assert_eq!(lost.unwrap().status(), Status::NoContact);
 }
 
 /// Contact ratio near 1: no pair stays on the line of action through a part of a pitch, so the search for the greatest is given up. Poses bound it. The value

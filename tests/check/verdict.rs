@@ -164,6 +164,7 @@ fn distances_are_of_all_runs_that_fail() {
     };
     let apart = |low: Option<f64>| RunExtremes {
         meshes_to: low.map(|low| MeshesTo {
+            mating: Mating::FIRST,
             low,
             high: low + WIDTH,
             doubt: None,

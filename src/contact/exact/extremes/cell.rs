@@ -1,8 +1,8 @@
 //! Bounds of the lost motion over a stretch of one mating, which close with the square of its length.
 
-use super::course::{Course, PARTS};
+use super::course::{Course, FaceEnd, PARTS, Posed};
 use super::over::Over;
-use super::room::{greatest, least};
+use super::room::{PairRoom, greatest, least};
 use super::table::{Bounds, Table};
 
 /// A stretch of one mating and what its lost motion is at least and at most, rad.
@@ -68,22 +68,52 @@ impl Cell {
         ]
     }
 
+    /// This cell with the bounds of its table, taken from the line of action as it stands at both ends.
+    pub fn bounded_by_line(self, course: &Course, table: &Table) -> Cell {
+        let posed = course.posed(self.mating);
+        let rooms = [0, 1].map(|k| {
+            let over = self.over(course, &posed, k, Vec::new());
+            let beside = table.beside_line(k, self.mating, self.part)?;
+            over.of_all(beside).map(|room| vec![room])
+        });
+        match rooms {
+            [Some(right), Some(left)] => self.within(&[right, left]),
+            _ => self,
+        }
+    }
+
     /// The same cell with its bounds.
     pub fn bounded(self, course: &Course, table: &Table) -> Cell {
         let posed = course.posed(self.mating);
         let ends = course.posed_at_ends(self.mating);
         let rooms = [0, 1].map(|k| {
-            let over = Over {
-                stretch: [self.from, self.to],
-                side: &course.sides[k],
-                ends: [self.from, self.to].map(|at| posed[k].on(at)),
-                faces: ends.iter().map(|end| end[k]).collect(),
-                effort: course.effort,
-            };
+            let faces = ends.iter().map(|end| end[k]).collect();
+            let over = self.over(course, &posed, k, faces);
             over.rooms(table.steps(k, self.mating, self.part))
         });
-        let (lowest, low) = least(&rooms);
-        let (highest, high) = greatest(&rooms);
+        self.within(&rooms)
+    }
+
+    fn over<'a>(
+        &self,
+        course: &'a Course,
+        posed: &[Posed<'a>; 2],
+        side: usize,
+        faces: Vec<FaceEnd<'a>>,
+    ) -> Over<'a> {
+        Over {
+            stretch: [self.from, self.to],
+            side: &course.sides[side],
+            ends: [self.from, self.to].map(|at| posed[side].on(at)),
+            faces,
+            effort: course.effort,
+        }
+    }
+
+    /// The same cell with the bounds that `rooms` give.
+    fn within(self, rooms: &[Vec<PairRoom>; 2]) -> Cell {
+        let (lowest, low) = least(rooms);
+        let (highest, high) = greatest(rooms);
         let width = self.to - self.from;
         Cell {
             low: low.max(self.low),

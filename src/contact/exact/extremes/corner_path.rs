@@ -21,6 +21,12 @@ const STEPS: usize = 60;
 /// Width of its bracket, as a share of the fillet: a chord so short is within 1e-15 mm of it.
 const CLOSE: f64 = 1e-9;
 
+/// A chord need not end closer to the band of radii that the corner is in than this share of the band (tuned).
+const SHARE: f64 = 0.02;
+
+/// Nor, of a corner in one place, than this share of the form radius, if it is clear of such a chord (tuned).
+const COARSE: f64 = 1e-4;
+
 /// A stretch is cut so often at most.
 const MOST_CUTS: u32 = 12;
 
@@ -86,34 +92,41 @@ impl CornerPath {
             + rest;
         let farthest = -least(radial.map(|value| -value), half) + rest;
         let farthest = farthest + 0.5 * beside * beside / nearest;
-        let low = around_radius(mate, nearest, deepest).map(|(low, _)| low);
-        let high = if farthest >= mate.form_radius() {
-            Some(mate.fillet_end)
-        } else {
-            around_radius(mate, farthest, deepest).map(|(_, high)| high)
+        let clear = |play: f64| {
+            let low = around_radius(mate, nearest, deepest, play).map(|(low, _)| low);
+            let high = if farthest >= mate.form_radius() {
+                Some(mate.fillet_end)
+            } else {
+                around_radius(mate, farthest, deepest, play).map(|(_, high)| high)
+            };
+            let (Some(low), Some(high)) = (low, high) else {
+                return false;
+            };
+            let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
+            let chord = outer.point - inner.point;
+            let length = chord.norm();
+            if !(length > 0.0) {
+                return false;
+            }
+            // The right-hand half tooth has its metal on the left of the way inwards.
+            let normal = C::i() * chord / length;
+            let normal = if along(normal, outer.normal) < 0.0 {
+                -normal
+            } else {
+                normal
+            };
+            let height = [
+                along(self.point - outer.point, normal),
+                along(self.speed, normal),
+                along(self.acceleration, normal),
+            ];
+            least(height, half) - rest > need
         };
-        let (Some(low), Some(high)) = (low, high) else {
-            return false;
-        };
-        let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
-        let chord = outer.point - inner.point;
-        let length = chord.norm();
-        if !(length > 0.0) {
-            return false;
+        let band = SHARE * (farthest - nearest);
+        if half > 0.0 {
+            return clear(band);
         }
-        // The right-hand half tooth has its metal on the left of the way inwards.
-        let normal = C::i() * chord / length;
-        let normal = if along(normal, outer.normal) < 0.0 {
-            -normal
-        } else {
-            normal
-        };
-        let height = [
-            along(self.point - outer.point, normal),
-            along(self.speed, normal),
-            along(self.acceleration, normal),
-        ];
-        least(height, half) - rest > need
+        clear(COARSE * mate.form_radius()) || clear(band)
     }
 }
 
@@ -127,11 +140,13 @@ fn least([a, b, c]: [f64; 3], half: f64) -> f64 {
     }
 }
 
-/// Two parameters of a fillet close together: the radius at the first is at most `radius`, at the second at least. `None` for a radius below that at `deepest`.
+/// Two parameters of a fillet close together: the radius at the first is at most `radius`, at the second at least; closer than `play` mm is close
+/// enough. `None` for a radius below that at `deepest`.
 pub(super) fn around_radius(
     mate: &HalfToothShape,
     radius: f64,
     deepest: f64,
+    play: f64,
 ) -> Option<(f64, f64)> {
     let beyond = |gamma: f64| mate.radius(ProfilePart::Fillet, gamma) - radius;
     let (mut low, mut high) = (deepest, mate.fillet_end);
@@ -141,8 +156,9 @@ pub(super) fn around_radius(
     }
     let close = CLOSE * mate.fillet_end;
     let mut last = None;
+    let mut ends = [below, above];
     for _ in 0..STEPS {
-        if high - low <= close {
+        if high - low <= close || ends[1] - ends[0] <= play {
             break;
         }
         let secant = low - below * (high - low) / (above - below);
@@ -151,6 +167,7 @@ pub(super) fn around_radius(
         let value = beyond(at);
         // An end that stays twice counts for half (the Illinois rule).
         let is_low = value <= 0.0;
+        ends[usize::from(!is_low)] = value;
         let stays = if last.replace(is_low) == Some(is_low) {
             0.5
         } else {

@@ -6,6 +6,7 @@ use super::super::section::Section;
 use super::super::shape::HalfToothShape;
 use super::super::teeth::reduced;
 use super::dip::{Dip, Tip};
+use super::line_bends::LineBends;
 use crate::contact::Effort;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
@@ -34,6 +35,7 @@ pub(super) struct SideCourse<'a> {
     pub sense: f64,
     /// Eccentricities of the locked and the free gear.
     pub off: [f64; 2],
+    pub on_line: Option<LineBends>,
     pub dips: Vec<Dip>,
     /// How much farther on the locked teeth stand in one section of the common face than in the measuring plane, rad: least and greatest.
     pub turns: [f64; 2],
@@ -82,6 +84,7 @@ impl<'a> Course<'a> {
                 mirror,
                 sense: mirror * onward,
                 off,
+                on_line: LineBends::new(problem, off),
                 dips: dips
                     .filter_map(|(tip, deepest)| Dip::new(tip, shapes, deepest?, least))
                     .collect(),

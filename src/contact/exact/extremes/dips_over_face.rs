@@ -72,7 +72,7 @@ impl Over<'_> {
                     let room = [(0, a), (1, b)].map(|(k, touch)| self.ends[k].room(touch.gap));
                     let lower = PairRoom::straight(room.map(|room| room - slack));
                     let all = low - play >= from && high + play <= to;
-                    let upper = (room[0] + slack, room[1] - room[0]);
+                    let upper = room.map(|room| room + slack);
                     own.push(lower.within(all.then_some(upper)));
                 }
             }

@@ -233,7 +233,7 @@ fn radii(
         if radius >= mate.form_radius() {
             return end;
         }
-        around_radius(mate, radius, deepest).map_or(deepest, |(low, high)| 0.5 * (low + high))
+        around_radius(mate, radius, deepest, 0.0).map_or(deepest, |(low, high)| 0.5 * (low + high))
     };
     (low <= mate.form_radius()).then(|| (at(low), at(high)))
 }

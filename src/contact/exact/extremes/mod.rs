@@ -18,6 +18,7 @@ mod dips_over_face;
 mod enclosed;
 mod extreme;
 mod fillet;
+mod line_bends;
 mod over;
 mod rolls;
 mod room;
@@ -43,7 +44,7 @@ use table::Table;
 
 /// Of the effort that is left a search of one cycle takes one part in so many at most, one for an end of it alone at one of some ten other centre
 /// distances as well (tuned).
-const PARTS_OF_EFFORT: [u64; 2] = [2, 8];
+const PARTS_OF_EFFORT: [u64; 2] = [2, 4];
 
 impl ExactKernel {
     /// The extremes of `assembly`, which is this kernel's, over `matings` pitches from `first` on, each bracket no wider than `width` mm

@@ -8,11 +8,13 @@ use super::fillet::{self, OnFillet, Reached};
 use super::rolls::PIECE;
 use super::room::{self, PairRoom, Piece};
 use super::separation::{Separation, lowest_roll};
-use super::table::OpenStep;
+use super::table::{BesideLine, OpenStep};
 use crate::contact::Effort;
 
 /// What the room of a step takes, in nodes (tuned: 4000 cells of an ordinary pair take some 20 ms), and that of a tip corner and a fillet.
 const STEP: u64 = 12;
+
+/// Effort of a tip corner and a fillet (tuned).
 const DIP: u64 = 8;
 
 /// Effort of one look at the path of a tip corner past a fillet.
@@ -68,6 +70,22 @@ impl<'a> Over<'a> {
             .each_ref()
             .map(|one| one.bend(self.plays(), self.side.off));
         Some(a?.max(b?) * self.angle() * self.angle())
+    }
+
+    /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`, and is on the line of action between;
+    /// `None` where it may leave the line.
+    fn on_line_of_action(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
+        let bends = self.side.on_line?;
+        let angle = self.angle();
+        let turned = bends.turn * angle;
+        let plays = [turned, turned + bends.second * angle * angle / 8.0];
+        if !found.iter().all(|one| one.is_on_line(plays)) {
+            return None;
+        }
+        let room = [0, 1].map(|k| ends[k].room(found[k].gap));
+        let rates = [0, 1].map(|k| ends[k].rate(found[k].slope) * self.width());
+        let third = bends.third * angle.powi(3);
+        Some(PairRoom::smooth(room, rates, third, self.rounding()))
     }
 
     /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`.
@@ -153,25 +171,46 @@ impl<'a> Over<'a> {
         step: i64,
         rooms: &mut Vec<PairRoom>,
     ) -> [Separation; 2] {
-        let found = separations(ends, step, false);
-        if let Some(room) = self.with_ends(ends, &found) {
+        let found = separations(ends, step);
+        if let Some(room) = self.on_line_of_action(ends, &found) {
             rooms.push(room);
             return found;
         }
-        // Endless involutes are never farther apart, but for what lies below the form rolls; they are all but straight.
+        // Endless involutes are never farther apart, but for what lies below the form rolls.
         let problem = self.side.problem;
-        let endless = separations(ends, step, true);
-        let slack = self.bend(&endless).unwrap_or(f64::INFINITY) / 8.0 + self.rounding();
+        let endless = endless_separations(ends, step);
         let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
-        let short = endless[0].short(&endless[1], self.plays(), forms);
-        rooms.push(PairRoom::straight(
-            [0, 1].map(|k| ends[k].room(endless[k].gap) - (slack + short)),
-        ));
+        let mut prolonged = self.endless(ends, &endless).within(None);
+        prolonged.lower(endless[0].short(&endless[1], self.plays(), forms));
+        rooms.push(match self.with_ends(ends, &found) {
+            Some(room) => room.above(prolonged),
+            None => prolonged,
+        });
         found
+    }
+
+    /// Bounds of the room of all steps by that of `line.step` on the line of action; `None` where nothing says how it bends.
+    pub fn of_all(&self, line: BesideLine) -> Option<PairRoom> {
+        self.effort.spend(STEP / 2);
+        let found = endless_separations(&self.ends, line.step);
+        let room = self.on_line_of_action(&self.ends, &found)?;
+        Some(room.between(line.least, line.most))
+    }
+
+    /// The room of endless involutes, which have `found` at both ends of the cell.
+    fn endless(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> PairRoom {
+        let smooth = self.on_line_of_action(ends, found);
+        smooth.unwrap_or_else(|| {
+            let bend = self.bend(found).unwrap_or(f64::INFINITY);
+            self.convex(ends, found, bend, true)
+        })
     }
 
     /// The room of involutes and their ends; `None` where nothing says how it bends.
     fn with_ends(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
+        if let Some(room) = self.on_line_of_action(ends, found) {
+            return Some(room);
+        }
         let touches = found.iter().all(|one| one.touches);
         Some(self.convex(ends, found, self.bend(found)?, touches))
     }
@@ -185,7 +224,7 @@ impl<'a> Over<'a> {
         OpenStep { step, beside, .. }: OpenStep,
         rooms: &mut Vec<PairRoom>,
     ) -> [Separation; 2] {
-        let found = separations(&self.ends, step, true);
+        let found = endless_separations(&self.ends, step);
         let [a, b] = found.each_ref().map(|one| self.on_line(one));
         let [least, most] = self.side.turns;
         // As far as the sections may stand on, and back, for the stretch of either end of the cell to be met.
@@ -195,8 +234,8 @@ impl<'a> Over<'a> {
             .iter()
             .all(|[from, to]| from.max(least) <= to.min(most));
         let endless = {
-            let bend = self.bend(&found).unwrap_or(f64::INFINITY);
-            let mut room = self.convex(&self.ends, &found, bend, on);
+            let room = self.endless(&self.ends, &found);
+            let mut room = if on { room } else { room.within(None) };
             room.lower(-beside.min(0.0));
             room
         };
@@ -213,7 +252,7 @@ impl<'a> Over<'a> {
             .min_by(|one, other| far(one).total_cmp(&far(other)));
         let at_end = nearest.and_then(|face| {
             let ends = self.stretch.map(|at| face.posed.on(at));
-            let found = separations(&ends, step + face.steps, false);
+            let found = separations(&ends, step + face.steps);
             self.with_ends(&ends, &found)
         });
         if !off || at_end.is_none() {
@@ -253,7 +292,7 @@ impl<'a> Over<'a> {
         let half = 0.5 * (to - from) / pieces;
         let play = places.play + half;
         let less = |clearance: f64| {
-            let found = separations(ends, step, true);
+            let found = endless_separations(ends, step);
             let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + rounding;
             [0, 1].map(|k| ends[k].room(found[k].gap) - (slack - clearance))
         };
@@ -281,7 +320,7 @@ impl<'a> Over<'a> {
 
     /// About where the involutes of a section that stands as `ends` touch.
     pub fn gaps(&self, ends: &[Posed; 2], step: i64) -> [f64; 2] {
-        separations(ends, step, false).map(|found| found.gap)
+        separations(ends, step).map(|found| found.gap)
     }
 
     /// The room of a tip corner and a fillet of a section alone, which stands as `ends`, from about the gaps `near`.
@@ -301,11 +340,10 @@ impl<'a> Over<'a> {
         let rates = [0, 1].map(|k| ends[k].rate(bounds.clear[k].slope) * self.width());
         let clear = room(bounds.clear).map(|room| room - rounding);
         let clear = PairRoom::convex(clear, rates, bend, false);
-        let chord = bounds.inside.map(|inside| {
-            let [a, b] = room(inside);
-            (a + bend / 8.0 + rounding, b - a)
-        });
-        Some(clear.within(chord))
+        let most = bounds
+            .inside
+            .map(|inside| room(inside).map(|room| room + bend / 8.0 + rounding));
+        Some(clear.within(most))
     }
 
     /// Where the locked half tooth of a step stands, seen from the line of the outlines' centres.
@@ -332,6 +370,11 @@ impl<'a> Over<'a> {
 }
 
 /// What keeps the half teeth of a step apart, at both ends of a stretch.
-fn separations(ends: &[Posed; 2], step: i64, endless: bool) -> [Separation; 2] {
-    ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap(), endless))
+fn separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
+    ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap()))
+}
+
+/// What keeps the endless involutes of a step apart, at both ends of a stretch.
+fn endless_separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
+    ends.map(|end| Separation::endless(&end.flanks, step, end.nominal_gap()))
 }

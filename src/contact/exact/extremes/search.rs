@@ -261,7 +261,7 @@ impl Search<'_> {
         // How promising the best of the cells is that are too narrow to cut.
         let mut narrow = f64::NEG_INFINITY;
         for _ in 0..MOST_CELLS {
-            if self.course.effort.left() < self.spare {
+            if self.course.effort.left() <= self.spare {
                 break;
             }
             let Some(next) = open.pop() else {
@@ -278,7 +278,20 @@ impl Search<'_> {
                 ranked.near.push(next.cell);
                 continue;
             }
-            let cell = next.cell.bounded(self.course, self.table);
+            let enough = self.best(found) + self.width;
+            let mut cell = next.cell;
+            if cell.seen.is_none() {
+                cell = cell.bounded_by_line(self.course, self.table);
+            }
+            if self.key(cell.low, cell.high) > enough {
+                cell = cell.bounded(self.course, self.table);
+            }
+            let key = self.key(cell.low, cell.high);
+            if key <= enough {
+                bound = bound.max(key);
+                ranked.near.push(cell);
+                continue;
+            }
             let at = self.expected(&cell);
             if cell.seen != Some(at) {
                 found.look(self.course, self.course.mating(cell.mating, at))?;
@@ -291,7 +304,6 @@ impl Search<'_> {
                 // There is no bound of what has no value.
                 return Ok((self.value(self.best(found)), None));
             }
-            let key = self.key(cell.low, cell.high);
             let enough = self.best(found) + self.width;
             if key <= enough {
                 bound = bound.max(key);

@@ -23,6 +23,7 @@
 //! ([`Separation::bend`]). A tangent bounds it from above between poses, a chord from below.
 
 use super::super::flank_problem::PosedFlanks;
+use super::super::line::Line;
 use super::super::path::Pair;
 use super::super::shape::{C, HalfToothShape, turn};
 
@@ -45,15 +46,19 @@ struct Arc {
 }
 
 impl Arc {
-    fn new(shape: &HalfToothShape, prolonged: bool) -> Arc {
-        let (form, tip) = match prolonged {
-            true => (f64::NEG_INFINITY, f64::INFINITY),
-            false => (lowest_roll(shape), shape.tip_roll),
-        };
+    fn new(shape: &HalfToothShape) -> Arc {
         Arc {
             base: shape.base,
-            form,
-            tip,
+            form: lowest_roll(shape),
+            tip: shape.tip_roll,
+        }
+    }
+
+    fn endless(shape: &HalfToothShape) -> Arc {
+        Arc {
+            base: shape.base,
+            form: f64::NEG_INFINITY,
+            tip: f64::INFINITY,
         }
     }
 
@@ -104,12 +109,42 @@ pub(super) struct Separation {
 }
 
 impl Separation {
-    /// Of the pair at `step`, from about the gap `near`; `prolonged` takes the involutes for endless.
-    pub fn new(posed: &PosedFlanks, step: i64, near: f64, prolonged: bool) -> Separation {
+    /// Of the pair at `step`, its involutes taken for endless, from about the gap `near`: they touch on the line of action.
+    pub fn endless(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step);
-        let shapes = [&problem.locked.shape, &problem.free.shape];
-        let arcs = shapes.map(|shape| Arc::new(shape, prolonged));
+        let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::endless);
+        let sum = problem.sum();
+        let mut gap = near;
+        let mut beta = 0.0;
+        let mut turning = 1.0;
+        let mut touches = false;
+        for _ in 0..STEPS {
+            let (between, rate) = posed.between(gap);
+            let Some(line) = Line::new(between, sum) else {
+                break;
+            };
+            beta = line.angle;
+            turning = (turn(beta) * rate.conj()).im + arcs[1].base;
+            let apart = line.length
+                - arcs[0].base * (beta - pair.locked_base)
+                - arcs[1].base * (beta - gap - pair.free_base);
+            let step = -apart / turning;
+            gap += step;
+            // What is left after such a step is rounding.
+            if step.abs() < SETTLED.0 || rate == C::ZERO {
+                touches = true;
+                break;
+            }
+        }
+        Separation::at(posed, &pair, (gap, beta), (turning, 1.0), arcs, touches)
+    }
+
+    /// Of the pair at `step`, from about the gap `near`.
+    pub fn new(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
+        let problem = posed.problem;
+        let pair = posed.pair(step);
+        let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::new);
         let sum = problem.sum();
         let mut gap = near;
         let (mut between, mut rate) = posed.between(gap);
@@ -141,13 +176,34 @@ impl Separation {
         }
         // What is left of `s` goes to the safe side for both bounds: it is rounding.
         gap -= state.apart / state.turning;
-        let offset = posed.centre - C::from(problem.distance);
+        let slopes = state.slopes;
+        let touches = touches && gap.is_finite();
+        Separation::at(
+            posed,
+            &pair,
+            (gap, beta),
+            (state.turning, slopes[0]),
+            arcs,
+            touches,
+        )
+    }
+
+    /// The separation at a gap in the direction `beta`, of which the locked arc has `q'` there and the free gear turns by `turning`.
+    fn at(
+        posed: &PosedFlanks,
+        pair: &Pair,
+        (gap, beta): (f64, f64),
+        (turning, slope): (f64, f64),
+        arcs: [Arc; 2],
+        touches: bool,
+    ) -> Separation {
+        let offset = posed.centre - C::from(posed.problem.distance);
         let moving = C::i() * offset;
-        let along = (turn(beta) * moving.conj()).im + arcs[0].base * state.slopes[0];
+        let along = (turn(beta) * moving.conj()).im + arcs[0].base * slope;
         Separation {
             gap,
-            slope: -along / state.turning,
-            touches: touches && gap.is_finite(),
+            slope: -along / turning,
+            touches,
             rolls: [beta - pair.locked_base, beta - gap - pair.free_base],
             arcs,
         }
@@ -156,6 +212,14 @@ impl Separation {
     /// Rolls of the locked and the free involute in the direction that keeps them apart.
     pub fn rolls(&self) -> [f64; 2] {
         self.rolls
+    }
+
+    /// Whether both rolls are on their involutes, farther from the ends than `plays`.
+    pub fn is_on_line(&self, plays: [f64; 2]) -> bool {
+        [0, 1].iter().all(|&k| {
+            let (roll, arc) = (self.rolls[k], &self.arcs[k]);
+            roll - plays[k] >= arc.form && roll + plays[k] <= arc.tip
+        })
     }
 
     /// What involutes that end have less room than endless ones at most, between this pose and `other`, rad of the free gear; of endless ones

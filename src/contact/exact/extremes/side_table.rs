@@ -147,6 +147,13 @@ impl SideTable {
         each.reduce(f64::max)
     }
 
+    /// Whether every mating is as any other: all flanks are where they belong, and no dip depends on the distance of the centres.
+    pub fn is_uniform(&self) -> bool {
+        let alike = |offsets: &[f64]| offsets.iter().all(|off| *off == offsets[0]);
+        let dips = self.dipping.iter().any(|steps| !steps.is_empty());
+        !dips && alike(&self.locked) && alike(&self.free)
+    }
+
     fn ends(&self) -> [f64; 2] {
         let ends = |offsets: &[f64]| {
             let fold = |(low, high): (f64, f64), off: &f64| (low.min(*off), high.max(*off));

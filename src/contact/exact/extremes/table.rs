@@ -19,8 +19,9 @@ pub(super) struct Table {
     sides: [SideTable; 2],
     /// `−ε` of both sides together.
     shifts: Shift,
-    /// What the sums are off at most: the second order of `ε`, and its bend between the ends of a part.
-    slack: f64,
+    /// How much less and how much more room there may be than the sums say: the second order of `ε`, which adds room, its third order, and its
+    /// bend between the ends of a part.
+    slack: [f64; 2],
     /// Of each side, how far the outlines' centres are apart; `None` where no corner comes near a fillet.
     distances: Option<Distances>,
     /// Those to look through.
@@ -37,6 +38,15 @@ pub(super) struct OpenStep {
     pub dips: bool,
     /// How much more its involutes and their ends have than that place at least, anywhere in the part and on the face.
     pub beside: f64,
+}
+
+/// How much more room a side has in a part of a mating than one of its steps has on the line of action.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BesideLine {
+    pub step: i64,
+    pub least: f64,
+    /// Without end where no step is on the line all through.
+    pub most: f64,
 }
 
 /// How far the outlines' centres are apart.
@@ -70,7 +80,6 @@ impl Table {
         let nearest = problem.distance - off;
         let sum = problem.sum();
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
-        let turning = (1.0 + sum / length) / nearest;
         // Of each side: the gap at which `b` is taken, the second order in `b`, the bend over a part.
         let level = sides.iter().map(|side| side.level).fold(0.0, f64::max);
         let level = level + off * per_base / (1.0 - side.off[1] * per_base);
@@ -79,8 +88,13 @@ impl Table {
         let bends = [0, 1].map(|k| side.off[k] * pitches[k] * pitches[k]);
         let part = 1.0 / PARTS as f64;
         let bent = (bends[0] + bends[1]) * part * part / 8.0;
-        let slack = 2.0 * (moved + 0.5 * turning * off * off * per_base + bent * per_base)
+        // The second and the third derivative of ε by the place of the centres: see `line_bends`.
+        let second = 0.5 * off * off / (problem.distance.powi(2) - sum * sum).sqrt();
+        let steep = 2.0 + (problem.distance + off) / length;
+        let third = off.powi(3) * steep / (6.0 * length * length);
+        let less = 2.0 * (moved + (third + bent) * per_base)
             + 4.0 * problem.rounding(problem.free.shape.base, 1.0);
+        let slack = [less, less + 2.0 * second * per_base];
         let along = |index: usize, toward: C| {
             let (table, posed) = (&sides[index], &posed[index]);
             // The middle of the gaps on the line of action.
@@ -109,6 +123,11 @@ impl Table {
 
     /// Bounds of every part of every mating of `range`, in their order.
     pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(Bounds)) {
+        let uniform = self.sides.each_ref().map(|side| {
+            let beside = |part| self.beside(side, side.places(0), part, None);
+            side.is_uniform().then(|| std::array::from_fn(beside))
+        });
+        let uniform: [Option<[[f64; 2]; PARTS]>; 2] = uniform;
         for mating in range {
             let shift = self.shifts.at(mating);
             let places = self.sides.each_ref().map(|side| side.places(mating));
@@ -118,41 +137,71 @@ impl Table {
             for part in 0..PARTS {
                 let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
                 for (index, (side, places)) in self.sides.iter().zip(places).enumerate() {
-                    let plain = side.plain[part].iter();
-                    let plain = plain.map(|(step, more)| side.off(places, *step) + more);
-                    let mut least = plain.fold(f64::INFINITY, f64::min);
-                    if !side.dipping[part].is_empty() {
-                        let shares = match (&self.distances, &distances) {
-                            (Some(all), Some(ends)) => {
-                                all.shares([ends[index][part], ends[index][part + 1]])
-                            }
-                            _ => [0.0, 1.0],
-                        };
-                        let dipping = side.dipping[part].iter();
-                        least = dipping
-                            .map(|(step, more)| side.off(places, *step) + more.between(shares))
-                            .fold(least, f64::min);
-                    }
+                    let distances = distances.as_ref().map(|distances| &distances[index]);
+                    let [least, most] = match &uniform[index] {
+                        Some(beside) => beside[part],
+                        None => self.beside(side, places, part, distances),
+                    };
                     let drifts = side.drifts(part);
-                    let covering = side.covering[part].iter();
-                    let most = covering.map(|step| side.off(places, *step));
-                    let most = most.fold(f64::INFINITY, f64::min);
                     for (end, drift) in drifts.into_iter().enumerate() {
                         low[end] += least + drift;
                         high[end] += most + drift;
                     }
                 }
                 let nominal = self.sides[0].nominal + self.sides[1].nominal;
-                // All but the steps' own places changes along a straight line, but for `slack`.
+                // All but the steps' own places changes along a straight line, but for the slack.
                 let ends = [0, 1].map(|end| nominal + shift[part + end]);
                 take(Bounds {
                     mating,
                     part,
-                    low: (low[0] + ends[0]).min(low[1] + ends[1]) - self.slack,
-                    high: (high[0] + ends[0]).max(high[1] + ends[1]) + self.slack,
+                    low: (low[0] + ends[0]).min(low[1] + ends[1]) - self.slack[0],
+                    high: (high[0] + ends[0]).max(high[1] + ends[1]) + self.slack[1],
                 });
             }
         }
+    }
+
+    /// What a side has beside a room of `nominal` and the shift of the centres at least and at most, of steps at `places`.
+    fn beside(
+        &self,
+        side: &SideTable,
+        places: [i64; 2],
+        part: usize,
+        distances: Option<&[f64; PARTS + 1]>,
+    ) -> [f64; 2] {
+        let plain = side.plain[part].iter();
+        let plain = plain.map(|(step, more)| side.off(places, *step) + more);
+        let mut least = plain.fold(f64::INFINITY, f64::min);
+        if !side.dipping[part].is_empty() {
+            let shares = match (&self.distances, distances) {
+                (Some(all), Some(ends)) => all.shares([ends[part], ends[part + 1]]),
+                _ => [0.0, 1.0],
+            };
+            let dipping = side.dipping[part].iter();
+            least = dipping
+                .map(|(step, more)| side.off(places, *step) + more.between(shares))
+                .fold(least, f64::min);
+        }
+        let covering = side.covering[part].iter();
+        let most = covering.map(|step| side.off(places, *step));
+        [least, most.fold(f64::INFINITY, f64::min)]
+    }
+
+    /// How much more than a step on the line of action a side has in a part of a mating; `None` where no step is open.
+    pub fn beside_line(&self, side: usize, mating: u64, part: usize) -> Option<BesideLine> {
+        let table = &self.sides[side];
+        let places = table.places(mating);
+        let distances = self.distances.as_ref();
+        let distances = distances.map(|distances| distances.sides[side].at(mating));
+        let [least, most] = self.beside(table, places, part, distances.as_ref());
+        let covering = table.covering[part].first();
+        let step = *covering.or(table.open[part].first().map(|(step, ..)| step))?;
+        let own = table.off(places, step);
+        Some(BesideLine {
+            step,
+            least: least - own,
+            most: most - own,
+        })
     }
 
     /// Whether a tip corner on a fillet may be the tightest somewhere.
@@ -175,7 +224,7 @@ impl Table {
         let places = table.places(mating);
         let covering = table.covering[part].iter();
         let limit = covering.map(|step| table.off(places, *step));
-        let limit = limit.fold(f64::INFINITY, f64::min) + self.slack;
+        let limit = limit.fold(f64::INFINITY, f64::min) + self.slack[1];
         let open = table.open[part].iter();
         open.filter_map(move |(step, beside, dipping)| {
             let more = beside.min(*dipping);

@@ -407,9 +407,10 @@ impl SideCell<'_> {
                     let mut short = from;
                     for _ in 0..HALVINGS {
                         let middle = 0.5 * (short + to);
-                        match ends(&at(piece, middle)) {
-                            true => to = middle,
-                            false => short = middle,
+                        if ends(&at(piece, middle)) {
+                            to = middle;
+                        } else {
+                            short = middle;
                         }
                     }
                 }

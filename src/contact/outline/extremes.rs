@@ -247,9 +247,10 @@ impl CycleSearch<'_> {
                 let over = cell.value(end).map_or(f64::INFINITY, |value| {
                     (value - cell.bound(end).0) / (value - enough)
                 });
-                let parts = match over.is_finite() {
-                    true => over.sqrt().ceil().clamp(2.0, MOST_PARTS),
-                    false => 2.0,
+                let parts = if over.is_finite() {
+                    over.sqrt().ceil().clamp(2.0, MOST_PARTS)
+                } else {
+                    2.0
                 };
                 let half = cell.half / parts;
                 (0..parts as u32).map(move |part| {
@@ -434,9 +435,10 @@ impl<'a> SideKernel<'a> {
             distance,
             half,
             ratio,
-            rate: match (rate / ratio).abs() <= FASTEST {
-                true => rate,
-                false => ratio,
+            rate: if (rate / ratio).abs() <= FASTEST {
+                rate
+            } else {
+                ratio
             },
             fine: (width / 16.0).max(half * half / 8.0),
             bound: self.locked.gear.bound() + self.free.gear.bound(),

@@ -1,23 +1,23 @@
-//! Extremes of a pair with a runout of which no direction is stated: over all of them, proven.
+//! Proven extremes of a pair with a runout without a stated direction, over all directions.
 //!
-//! What two outlines do depends on where their centres stand (the axis, of a gear whose direction is known). Let these be `d` apart, and the
-//! line through them turned by `ψ`: turned back, it is a pose of the same outlines a little on in the cycle. (Of helical gears all sections at
-//! once: the centres of each stand alike.) So over a whole cycle and all
-//! directions nothing but `d` counts, and the room on either side grows with it, as the mate moves away from what it touches. The least
-//! backlash is that of gears whose high teeth face the mate at every pose, the greatest that of gears which turn them away: like gears
-//! without this eccentricity at the centre distance `a' = a ∓ Σ e` ([`ExactKernel::extremes`]), but that the free one turns about its axis,
-//! `e` behind (or before) its centre. A turn by `φ` about the axis moves the centre across by `e φ`, which turns the line of centres by
-//! `ψ = e φ/a'`; turned back, the locked gear is on by `ψ` and the free one by `φ + ψ`. With `r'` the free gear's operating pitch radius
-//! at `a'` the other pair's lost motion is
+//! The contact of two outlines depends on the positions of their centres (the axis, for a gear with a known direction). Let the centres be
+//! `d` apart, and the line through them be turned by `ψ`. Turned back, this is a pose of the same outlines slightly later in the cycle. (In
+//! helical gears all sections have the same centres.) So over a whole cycle and all directions only `d` counts. The room on either side
+//! grows with `d`, as the mate moves away from its contact. The least backlash is that of gears whose high teeth face the mate at every
+//! pose, and the greatest that of gears whose high teeth point away. These are gears without this eccentricity at the centre distance `a' =
+//! a ∓ Σ e` ([`ExactKernel::extremes`]), with one difference: the free one turns about its axis, `e` behind (or before) its centre. A turn
+//! by `φ` about the axis moves the centre across by `e φ`, which turns the line of centres by `ψ = e φ/a'`. Turned back, the locked gear is
+//! further by `ψ` and the free one by `φ + ψ`. With the free gear's operating pitch radius `r'` at `a'`, the lost motion of the other pair
+//! is
 //!
 //! ```text
 //! φ' = φ (1 ± e/r')
 //! ```
 //!
-//! its left flanks touching `ψ` farther on than its right ones: as those of gears whose left flanks are turned, the locked gear's by `ψ`, the
-//! free one's by as much less as it goes back meanwhile. Taken of the `φ_0` found without that, the extreme `φ_1` follows; and since the room on
-//! one side changes by less than half of what the free gear turns (a corner on an involute, `1 − (cos δ − ξ sin δ)`, `δ` at most a third), no
-//! pose is beyond `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
+//! and its left flanks touch `ψ` later than its right ones. That equals a pair with turned left flanks: the locked gear's by `ψ`, the free
+//! one's by the amount that it goes back meanwhile. The lost motion `φ_0` without this effect gives the effect, and so the extreme `φ_1`.
+//! The room on one side changes by less than half of the free gear's turn (a corner on an involute, `1 − (cos δ − ξ sin δ)`, with `δ` at
+//! most a third). So no pose exceeds `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
 
 use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status, is_proven};
 use crate::error::Error;
@@ -26,20 +26,21 @@ use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 
-/// How fast the room on a side changes at most, rad a rad of the free gear (on a fillet too: an arm of half the base radius is left, or
-/// nothing bounds the pair).
+/// Greatest change of the room on a side, rad per rad of the free gear. (It also holds on a fillet: an arm of half the base radius is left,
+/// or nothing bounds the pair.)
 const STEEPEST: f64 = 0.5;
 
-/// Of the free gear's operating pitch radius, how much eccentricity the derivation above allows: then `e` is below a quarter of `a'` too.
+/// Greatest eccentricity for the derivation above, as a part of the free gear's operating pitch radius. Then `e` is also below a quarter of
+/// `a'`.
 const LARGEST_SHARE: f64 = 0.25;
 
-/// How much beyond touching base circles the axes are at the nearest, of their sum.
+/// Least distance of the axes above touching base circles, as a part of the sum of the base radii.
 const NEAREST: f64 = 1e-6;
 
 /// A search for one extreme of a pair.
 pub(super) type Search<'a> = dyn Fn(&GearPair, &ExactKernel) -> Result<Extremes, Error> + 'a;
 
-/// Poses, and the pair in them: its high teeth where they are worst.
+/// Poses, and their pair with its high teeth at the worst place.
 #[derive(Debug, Clone)]
 pub(super) struct Directed {
     pub assembly: AssembledPair,
@@ -51,9 +52,10 @@ pub(super) struct AnyDirection {
     pub found: Extremes,
     /// The least, the greatest and the lost pose.
     pub poses: Vec<Directed>,
-    /// The pair nearer by the eccentricities without a direction, which it does not have, and its least; the one farther by them, and its greatest.
+    /// The pair at the centre distance less the open eccentricities, without those, and its least; the pair at the greater distance, and
+    /// its greatest.
     pub ends: [(GearPair, Extremes); 2],
-    /// Distance by which they are nearer and farther, mm.
+    /// Difference of these distances from the centre distance, mm.
     pub off: f64,
 }
 
@@ -63,11 +65,12 @@ pub(super) fn is_open(assembly: &GearPair) -> bool {
     gears.iter().any(|gear| open_eccentricity(gear) > 0.0)
 }
 
-/// The eccentricity, mm, of a gear that has no direction of it.
+/// The eccentricity, mm, of a gear without a direction.
 fn open_eccentricity(gear: &AsBuilt) -> f64 {
-    match gear.any_direction() {
-        true => gear.eccentricity(),
-        false => 0.0,
+    if gear.any_direction() {
+        gear.eccentricity()
+    } else {
+        0.0
     }
 }
 
@@ -120,7 +123,7 @@ pub(super) fn extremes(
     })
 }
 
-/// `j_wt` of a pose, mm, and what it is known to.
+/// `j_wt` of a pose, mm, and its error bound.
 struct Attained {
     low: f64,
     high: f64,
@@ -153,7 +156,7 @@ impl<'a> End<'a> {
         let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
         let wanted = assembly.center_distance() - off(Member::Wheel) - off(Member::Pinion);
         let base = wheel.gear().base_radius() + pinion.gear().base_radius();
-        // Involutes have no contact nearer than that: what is found there bounds nothing unless it jams.
+        // Involutes have no contact at a lesser distance: a result there bounds nothing unless it jams.
         let distance = wanted.max(base * (1.0 + NEAREST));
         let centred = assembly.with_gears(wheel, pinion, distance)?;
         let mut found = search(&centred, &kernel.at(&centred))?;
@@ -170,7 +173,7 @@ impl<'a> End<'a> {
         })
     }
 
-    /// The bracket of `extreme`, of the centred pair, as one of the assembly, and the pair whose high teeth are where it is attained.
+    /// The bracket of `extreme` of the centred pair, converted to the assembly, and the pair with its high teeth where it is attained.
     fn bounded(&self, extreme: Option<Extreme>) -> Result<Option<(Extreme, GearPair)>, Error> {
         let Some(mut extreme) = extreme else {
             return Ok(None);
@@ -198,18 +201,19 @@ impl<'a> End<'a> {
         }
         let ends = [angle(extreme.low), angle(extreme.high)];
         let turn = ends[0].abs().max(ends[1].abs());
-        // Off the turn that was supposed, and the third order of `2 atan(e sin(φ/2)/(A − e cos(φ/2)))`, `A` from the axis to the mate's centre:
-        // less than `φ²/24 + e φ²/(8 a')` of it, and of `e` below a quarter of `a'` less than `φ²/12`.
+        // The difference from the supposed turn, and the third order of `2 atan(e sin(φ/2)/(A − e cos(φ/2)))` with `A` from the axis to the
+        // mate's centre: less than `φ²/24 + e φ²/(8 a')` of it, and for `e` below a quarter of `a'` less than `φ²/12`.
         let off = supposed.map_or(turn, |supposed| {
             let each = ends.map(|end| (end.abs() - supposed).abs());
             each[0].max(each[1])
         });
-        // Beyond the largest share there is no claim.
+        // Above the largest share nothing is claimed.
         let most = share.abs().min(LARGEST_SHARE);
         // Without a bound it is unknown. The attained value alone has no slack.
-        let slack = match off.is_finite() {
-            true => (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most),
-            false => 0.0,
+        let slack = if off.is_finite() {
+            (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most)
+        } else {
+            0.0
         };
         let contacts = self.contacts(extreme.mating)?;
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
@@ -223,9 +227,10 @@ impl<'a> End<'a> {
             high: (angle + error) * per_radian,
             found: angle * per_radian,
         });
-        let (low, high) = match share.abs() > LARGEST_SHARE {
-            true => (f64::NEG_INFINITY, f64::INFINITY),
-            false => (low, high),
+        let (low, high) = if share.abs() > LARGEST_SHARE {
+            (f64::NEG_INFINITY, f64::INFINITY)
+        } else {
+            (low, high)
         };
         let (low, high, found) = match (seen, is_least) {
             (Some(seen), true) => (low.min(seen.low), seen.high, seen.found),
@@ -238,15 +243,16 @@ impl<'a> End<'a> {
             high,
             found,
             mating,
-            doubt: match share.abs() > LARGEST_SHARE {
-                true => Some(Doubt::Unbounded),
-                false => extreme.doubt.or(is_wide.then_some(Doubt::SecondOrder)),
+            doubt: if share.abs() > LARGEST_SHARE {
+                Some(Doubt::Unbounded)
+            } else {
+                extreme.doubt.or(is_wide.then_some(Doubt::SecondOrder))
             },
         };
         Ok(Some((bounded, assembly)))
     }
 
-    /// Rotations of the free gear where its right and its left flanks touch, at a mating of the centred pair.
+    /// Rotations of the free gear at contact of its right and its left flanks, at a mating of the centred pair.
     fn contacts(&self, mating: Mating) -> Result<Option<[f64; 2]>, Error> {
         let (assembly, mating) = self.directed(mating, None)?;
         let kernel = self.kernel.at(&assembly);
@@ -254,12 +260,12 @@ impl<'a> End<'a> {
         Ok(found.and_then(|found| Some([found.right?.rotation, found.left?.rotation])))
     }
 
-    /// How far the line of centres turns, rad, while the free gear turns by `turn` about its axis.
+    /// Turn of the line of centres, rad, while the free gear turns by `turn` about its axis.
     fn on(&self, turn: f64) -> f64 {
         self.off * turn / self.centred.center_distance()
     }
 
-    /// The centred pair, its left flanks where they are once the free gear has turned by `turn` about its axis.
+    /// The centred pair with the left flanks as after a turn of the free gear by `turn` about its axis.
     fn with_left_flanks_on(&self, turn: f64) -> Result<GearPair, Error> {
         let (locked, free) = (self.centred.locked(), self.centred.free());
         let teeth = |member| {
@@ -268,9 +274,10 @@ impl<'a> End<'a> {
         };
         let on = self.on(turn);
         let gear = |member| {
-            let by = match member == locked {
-                true => on,
-                false => -on * teeth(locked) / teeth(free),
+            let by = if member == locked {
+                on
+            } else {
+                -on * teeth(locked) / teeth(free)
             };
             self.centred.gear(member).with_side_turned(Side::Left, by)
         };
@@ -280,8 +287,8 @@ impl<'a> End<'a> {
             .with_gears(wheel, pinion, self.centred.center_distance())?)
     }
 
-    /// The assembly with its high teeth where they belong at this end, and its mating that stands as `mating` of the centred pair does; the
-    /// free gear between the rotations of both `contacts`, or at its nominal one.
+    /// The assembly with its high teeth as for this end, and its mating with the position of `mating` of the centred pair. The free gear is
+    /// between the rotations of both `contacts`, or at its nominal one.
     fn directed(
         &self,
         mating: Mating,
@@ -293,7 +300,7 @@ impl<'a> End<'a> {
         let there = Pose::new(&self.centred, mating).locked_rotation();
         let here = Pose::new(assembly, mating).locked_rotation();
         let beside = (there - here + PI).rem_euclid(TAU) - PI;
-        // Half of what the line of centres turns between the contacts: at the right one it is back by that.
+        // Half of the turn of the line of centres between the contacts: at the right one it is back by that.
         let turn = contacts.map_or(0.0, |[right, left]| left - right);
         let beside = beside + 0.5 * self.on(turn);
         let pitch = locked.gear().basic_data().angular_pitch();

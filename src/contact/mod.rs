@@ -37,7 +37,7 @@ pub use lost_motion::{Contact, LostMotion, Status, ToothPlace, Touch};
 pub use mesh_section::MeshSection;
 pub(crate) use outline::{End, OutlineCycle};
 pub use outline::{OutlineCertifier, OutlineKernel};
-pub use outline_contact::{NotBorneOut, SearchExhausted};
+pub use outline_contact::{ContactNotConfirmed, SearchExhausted};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;

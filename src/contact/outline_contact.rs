@@ -17,7 +17,7 @@ pub struct SearchExhausted {
 /// A contact that polygons do not confirm.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("polygons do not confirm the contact on {flank} flanks: {reason}")]
-pub struct NotBorneOut {
+pub struct ContactNotConfirmed {
     /// `right` or `left`.
     pub flank: &'static str,
     /// The finding of the polygons.

@@ -5,7 +5,7 @@ use super::half::{HalfOutline, HalfPiece};
 use crate::gear::Side;
 use nalgebra::{Complex, Point2};
 
-/// Teeth that lie farther from each other, mm, are not equal: two such gears change a backlash by a hundredth of a micrometre.
+/// Greatest distance of equal teeth, mm: two such gears change a backlash by a hundredth of a micrometre.
 const EQUAL: f64 = 2e-6;
 
 impl OutlineGear {

@@ -1,9 +1,9 @@
 //! Bounds of one side's contact over a cell of locked rotations.
 //!
-//! The frame is the side's: free axis at the origin, locked axis at `a` on +x. In a cell the locked gear turns by `τ`,
-//! `|τ| ≤ w`. Each bound is a line: the free gear stands at `level + g τ`. The rate `g` is the rate of the contact in the
-//! middle. In the frame of a free gear that follows the line, a locked point `P` moves as follows. Its position in the
-//! middle is `P`, and `p = P − a` from the locked axis.
+//! The frame is the side's: free axis at the origin, locked axis at `a` on +x. In a cell the locked gear turns by `τ`, `|τ| ≤ w`. Each
+//! bound is a line: the free gear has the rotation `level + g τ`. The rate `g` is the rate of the contact in the middle. In the frame of a
+//! free gear that follows the line, a locked point `P` moves as follows. Its position in the middle is `P`, and `p = P − a` from the locked
+//! axis.
 //!
 //! `P(τ) = a e^{−igτ} + p e^{i(1−g)τ}`, `P'(0) = i ((1−g) P − a)`, `P''(0) = −g² a − (1−g)² p`,
 //! `|P'''| ≤ |g|³ a + |1−g|³ |p|`.
@@ -431,8 +431,8 @@ impl SideCell<'_> {
         Some(round)
     }
 
-    /// The level, from `level` down, at which a line with the normal `n` has all of `free` on the locked side of it, and all of `locked` on the free
-    /// side in the whole cell.
+    /// The level, from `level` down, at which a line with the normal `n` has `free` wholly on its locked side and `locked` on its free side
+    /// throughout the cell.
     fn held(
         &self,
         n: C,

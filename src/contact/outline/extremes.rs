@@ -27,8 +27,8 @@ const CELLS_A_PITCH: u64 = 4;
 /// Cells to begin with at most (tuned: some seconds). Longer cycles have wider cells.
 const MOST_CELLS: u64 = 60_000;
 
-/// Cells divided in one round: a quarter of the open ones, or so many (tuned: enough for a machine's cores, few enough that the best pose is known
-/// soon).
+/// Cells divided in one round: a quarter of the open ones, or this number (tuned: enough for a machine's cores, few enough that the best
+/// pose is known soon).
 const ROUND: usize = 96;
 
 /// A cell of this width, pitches, that nothing bounds, ends the search: no bracket has that end.

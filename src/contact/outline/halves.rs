@@ -4,7 +4,7 @@ use super::teeth::{Frame, SideTeeth};
 use crate::contact::gap::{Arc, Boxes, Path, PlacedRun, Rectangle};
 use crate::outline::HalfPiece;
 
-/// A locked half tooth where a pose has it.
+/// A locked half tooth at its position in a pose.
 pub(super) struct LockedHalf<'a> {
     pieces: &'a [HalfPiece],
     boxes: &'a Boxes,

@@ -1,11 +1,11 @@
 //! Lost motion of outlines: any curves, by branch and bound over all pairs of pieces that can meet.
 //!
-//! The frame is that of the exact method ([`super::ExactKernel`]): the free gear's axis at the origin, the locked one's at `(a, 0)`, the left
-//! side mirrored; of a side the contact is the greatest gap of its facing half teeth. A half tooth's whole tip counts on both sides.
-//! Both methods search pairs of curves in `gap`, where rectangles round runs of pieces rule out most; polygons of their own check each pose
-//! (`certificate`).
+//! The frame is that of the exact method ([`super::ExactKernel`]): the free gear's axis at the origin, the locked one's at `(a, 0)`, the
+//! left side mirrored. The contact of a side is the greatest gap of its facing half teeth. The whole tip of a half tooth counts on both
+//! sides. Both methods search pairs of curves in `gap`, where rectangles around runs of pieces rule out most. Separate polygons check each
+//! pose (`certificate`).
 //!
-//! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
+//! A curve only needs points, normals, and bounds of both over a piece.
 
 mod cell;
 mod certificate;
@@ -20,7 +20,7 @@ use super::gap::{
     C, CurveContact, CurvePoint, Inside, Origin, PathSearch, common_normal, rounding, turn,
 };
 use super::lost_motion::{Contact, Framed, LostMotion, ToothPlace, Touch};
-use super::outline_contact::{NotBorneOut, SearchExhausted};
+use super::outline_contact::{ContactNotConfirmed, SearchExhausted};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
@@ -35,7 +35,7 @@ use teeth::{Frame, SideTeeth, nearest};
 pub struct OutlineKernel<'a> {
     pair: &'a OutlinePair,
     sides: [SideKernel<'a>; 2],
-    /// Least radius about the free axis of the free outline, mm: within it the free gear is solid.
+    /// Least radius of the free outline about the free axis, mm: inside it the free gear is solid.
     solid: f64,
 }
 
@@ -78,13 +78,13 @@ impl<'a> OutlineKernel<'a> {
     /// Right- and left-flank contact at `mating`.
     ///
     /// # Errors
-    /// [`SearchExhausted`], never a pair of curves left out.
+    /// [`SearchExhausted`]. No pair of curves is ever omitted.
     pub fn lost_motion(&self, mating: &Mating) -> Result<LostMotion, SearchExhausted> {
         self.lost_motion_at(self.pair, mating)
     }
 
-    /// The same with every pair of pieces looked at, none ruled out by what stands round it: a hundred times slower, to check
-    /// [`OutlineKernel::lost_motion`] by.
+    /// The lost motion from every pair of pieces, without rectangles. It checks [`OutlineKernel::lost_motion`] and is a hundred times
+    /// slower.
     ///
     /// # Errors
     /// As [`OutlineKernel::lost_motion`].
@@ -92,7 +92,7 @@ impl<'a> OutlineKernel<'a> {
         self.found(self.pair, mating, false)
     }
 
-    /// The same of `pair`: these gears, perhaps at another centre distance.
+    /// The lost motion of `pair`: these gears, perhaps at another centre distance.
     ///
     /// # Errors
     /// As [`OutlineKernel::lost_motion`].
@@ -110,10 +110,11 @@ impl<'a> OutlineKernel<'a> {
         mating: &Mating,
         prunes: bool,
     ) -> Result<LostMotion, SearchExhausted> {
-        let effort = match prunes {
-            true => Effort::of_pose(),
-            // Each side ends by its own nodes.
-            false => Effort::endless(),
+        let effort = if prunes {
+            Effort::of_pose()
+        } else {
+            // Each side has its own limit of nodes.
+            Effort::endless()
         };
         let [right, left] = &self.sides;
         let right = right.meeting(pair, mating, prunes, &effort)?;
@@ -154,10 +155,10 @@ struct Meeting {
     nominal: f64,
 }
 
-/// A rotation known no closer than this part of a pitch is no place to look at: other teeth, or nothing, may stand there.
+/// Greatest uncertainty of a rotation, as a part of a pitch, that is checked. With a wider one other teeth, or none, may be there.
 const NARROW: f64 = 1e-2;
 
-/// Bears out by polygons what a kernel finds.
+/// Confirms by polygons the contacts that a kernel finds.
 #[derive(Debug)]
 pub struct OutlineCertifier<'a> {
     kernel: &'a OutlineKernel<'a>,
@@ -165,7 +166,7 @@ pub struct OutlineCertifier<'a> {
 }
 
 impl<'a> OutlineCertifier<'a> {
-    /// Of the gears of `kernel`.
+    /// The certifier of the gears of `kernel`.
     pub fn new(kernel: &'a OutlineKernel<'a>) -> OutlineCertifier<'a> {
         let sides = kernel.sides.each_ref();
         OutlineCertifier {
@@ -174,20 +175,20 @@ impl<'a> OutlineCertifier<'a> {
         }
     }
 
-    /// Bears out both contacts of `found` at `mating`. Of a jammed pose the rotations mean nothing, and of a contact whose bound is wider than a
-    /// hundredth of a pitch no more than that is said: neither is looked at.
+    /// Confirms both contacts of `found` at `mating`. Two kinds of contact are not checked: the rotations of a jammed pose, which have no
+    /// meaning, and contacts with a bound wider than a hundredth of a pitch.
     ///
     /// # Errors
-    /// [`NotBorneOut`]: something touches before, or nothing there.
-    pub fn check(&self, mating: &Mating, found: &LostMotion) -> Result<(), NotBorneOut> {
+    /// [`ContactNotConfirmed`]: something touches before, or nothing there.
+    pub fn check(&self, mating: &Mating, found: &LostMotion) -> Result<(), ContactNotConfirmed> {
         if found.solid {
             return Ok(());
         }
         let contacts = [found.right.as_ref(), found.left.as_ref()];
         let sides = self.kernel.sides.iter().zip(&self.cut).zip(contacts);
         for ((side, cut), contact) in sides {
-            let seen = side.borne_out(self.kernel.pair, cut, mating, contact);
-            seen.map_err(|reason| NotBorneOut {
+            let seen = side.confirmed(self.kernel.pair, cut, mating, contact);
+            seen.map_err(|reason| ContactNotConfirmed {
                 flank: side.side.name(),
                 reason,
             })?;
@@ -197,7 +198,7 @@ impl<'a> OutlineCertifier<'a> {
 }
 
 impl SideKernel<'_> {
-    fn borne_out(
+    fn confirmed(
         &self,
         pair: &OutlinePair,
         cut: &CutSide,
@@ -238,7 +239,7 @@ impl SideKernel<'_> {
         let (locked_tooth, free_tooth) = (mating.tooth(pair.locked()), mating.tooth(pair.free()));
         let beyond = i64::from(mating.flank != self.side);
         let steps = self.steps(pair, mating, rotation, half);
-        // From the middle outwards: what touches stands there most often, and rules the rest out.
+        // From the middle outwards: most contacts are there, and they rule out the rest.
         let middle = (steps.start() + steps.end()).div_euclid(2);
         let farthest = (steps.end() - middle).max(middle - steps.start());
         let outwards = (0..=farthest).flat_map(move |away| [middle + away, middle - away]);
@@ -276,7 +277,7 @@ impl SideKernel<'_> {
         let there = rotation - self.side.sense() * gear.tooth_angle(tooth);
         let there = there - TAU * (there / TAU).round();
         let lens = lens_half(gear.reach(), mate.reach(), pair.center_distance()).unwrap_or(0.0);
-        // A tooth and a half on either side: its own width, and teeth off their even places by less than half a pitch.
+        // One tooth and a half on either side: its own width, and teeth off their even places by less than half a pitch.
         let far = lens + 1.5 * pitch;
         // Never more than once round.
         let most = (i64::from(gear.teeth()) - 1) / 2;
@@ -340,7 +341,7 @@ impl SideKernel<'_> {
         }
     }
 
-    /// The contact of a meeting, in the picture.
+    /// The contact in the picture.
     fn report(&self, pair: &OutlinePair, meeting: &Meeting) -> Contact {
         let Meeting { found, nominal, .. } = meeting;
         let [locked, free] = meeting.teeth;
@@ -396,7 +397,7 @@ impl SideKernel<'_> {
         ([p, q], normal, slope)
     }
 
-    /// Whether a point of the locked outline lies within `radius`, mm, of the free axis.
+    /// Whether a point of the locked outline is within `radius`, mm, of the free axis.
     fn reaches_within(&self, pair: &OutlinePair, mating: &Mating, radius: f64) -> bool {
         let (rotation, frame) = self.locked_frame(pair, mating);
         let tooth = mating.tooth(pair.locked());

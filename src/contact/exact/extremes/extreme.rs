@@ -1,4 +1,4 @@
-//! The least and the greatest of a cycle as a result, and the poses seen on the way to it.
+//! The least and the greatest of a cycle as a result, and the poses examined during the search.
 
 use super::course::Course;
 use crate::contact::lost_motion::{LostMotion, Status};
@@ -11,35 +11,35 @@ use crate::pair::Mating;
 pub struct Extremes {
     /// Matings of the cycle.
     pub matings: u64,
-    /// How the worst of its poses ends: jammed, else out of mesh, else with interference, else clear.
+    /// The status of its worst pose: jammed, otherwise out of mesh, otherwise interference, otherwise clear.
     pub status: Status,
-    /// The least; `None` where a pose is jammed.
+    /// The least; `None` if a pose is jammed.
     pub least: Option<Extreme>,
-    /// The greatest; `None` where a pose is out of mesh.
+    /// The greatest; `None` if a pose is out of mesh.
     pub greatest: Option<Extreme>,
-    /// A pose that is jammed or out of mesh, where `status` says so.
+    /// A pose that is jammed or out of mesh, if `status` reports one.
     pub lost: Option<Mating>,
 }
 
-/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
+/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of the accuracy of any measured gear.
 pub const PROVEN_WIDTH: f64 = 1e-6;
 
 /// Width of a proven bracket of `j_wt` of a pair with a drawn gear, mm: below what any drawing is made to.
 pub const PROVEN_WIDTH_DRAWN: f64 = 5e-5;
 
-/// One extreme of `j_wt`. Its bracket holds the extreme of the whole cycle, however wide it is.
+/// One extreme of `j_wt`. Its bracket contains the extreme of the whole cycle, at any width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
-    /// The extreme is no less, mm: −∞ where nothing bounds it.
+    /// Lower bound, mm; −∞ without one.
     pub low: f64,
-    /// The extreme is no greater, mm: ∞ where nothing bounds it.
+    /// Upper bound, mm; ∞ without one.
     pub high: f64,
-    /// `j_wt` at `mating`, mm: the best of all poses looked at.
+    /// `j_wt` at `mating`, mm: the best of all examined poses.
     pub found: f64,
     /// The pose that attains `found`.
     pub mating: Mating,
-    /// Why the bracket is wider than wanted.
+    /// The reason why the bracket is too wide.
     pub doubt: Option<Doubt>,
 }
 
@@ -56,16 +56,16 @@ pub(crate) fn is_proven(low: f64, high: f64, width: f64) -> bool {
     high - low <= width * (1.0 + 1e-3)
 }
 
-/// Why a bracket is wider than wanted.
+/// The reason why a bracket is too wide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Doubt {
     /// Fillets or roots may touch, or a tooth is no involute: nothing bounds the lost motion between poses.
     OffInvolute,
-    /// Too many stretches of the cycle come near the extreme.
+    /// Too many stretches of the cycle are near the extreme.
     Effort,
-    /// Too many stretches of the cycle have no bound: no pair stays on the line of action all through them.
+    /// Too many stretches of the cycle have no bound: no pair stays on the line of action throughout them.
     Unbounded,
     /// A runout of any direction is bounded to the second order of the lost motion.
     SecondOrder,
@@ -77,13 +77,13 @@ pub enum Doubt {
     Drawing,
 }
 
-/// A bound that holds for the whole cycle, rad, and why it is not as near as it was wanted.
+/// A bound for the whole cycle, rad, and the reason why it is too far away.
 pub(super) type Proof = (f64, Option<Doubt>);
 
-/// No bound at all.
+/// No bound.
 pub(super) const UNKNOWN: Proof = (f64::NAN, Some(Doubt::OffInvolute));
 
-/// Poses seen so far.
+/// Poses examined so far.
 #[derive(Debug, Default)]
 pub(super) struct PosesSeen {
     pub least: Option<Seen>,
@@ -91,7 +91,7 @@ pub(super) struct PosesSeen {
     pub jammed: Option<Mating>,
     pub unmeshed: Option<Mating>,
     lost: bool,
-    /// What bounds the least from below and the greatest from above where the cycle was sampled, rad.
+    /// Lower bound of the least and upper bound of the greatest from sampling the cycle, rad.
     pub sampled: Option<[f64; 2]>,
 }
 
@@ -104,7 +104,7 @@ pub(super) struct Seen {
 }
 
 impl PosesSeen {
-    /// Looks at a pose; `None` where the contact is lost.
+    /// Examines a pose; `None` if the contact is lost.
     pub fn look(&mut self, course: &Course, mating: Mating) -> Result<Option<LostMotion>, Error> {
         let (found, effort) = course.kernel.lost_motion_counted(course.assembly, mating);
         course.effort.spend(effort);
@@ -187,7 +187,7 @@ impl PosesSeen {
     }
 }
 
-/// Which extreme is sought.
+/// The extreme that is searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Which {
     Least,
@@ -195,17 +195,17 @@ pub(super) enum Which {
 }
 
 impl Which {
-    /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
+    /// Greatest excess of a stretch with these bounds over everything else: the sign makes the least a greatest.
     pub fn key(self, low: f64, high: f64) -> f64 {
         let key = match self {
             Which::Least => -low,
             Which::Greatest => high,
         };
-        // Without a bound it may reach any distance.
+        // Without a bound any excess is possible.
         if key.is_nan() { f64::INFINITY } else { key }
     }
 
-    /// How far it reaches for sure.
+    /// The guaranteed value of a stretch with these bounds.
     pub fn sure(self, low: f64, high: f64) -> f64 {
         match self {
             Which::Least => -high,

@@ -1,4 +1,4 @@
-//! The mesh cycles of a study, and what the search finds in each: at its centre distance, and at both ends of the bearing clearance.
+//! The mesh cycles of a study, and the search of each: at its centre distance, and at both ends of the bearing clearance.
 
 use super::assembles_from::AssemblesFrom;
 use super::directions::{self, AnyDirection, Directed, Search, is_open};
@@ -25,17 +25,17 @@ pub fn proven_width(assembly: &AssembledPair) -> f64 {
     }
 }
 
-/// A run and where its cycle begins.
+/// A run and the start of its cycle.
 pub(super) struct Planned {
     pub run: RunPlan,
     first: Mating,
-    /// Matings that differ.
+    /// Number of distinct matings.
     distinct: u64,
-    /// Whether the pair has several assembly phases that differ.
+    /// Whether the pair has several distinct assembly phases.
     differ: bool,
-    /// Phases of the same pair that are searched: they share the effort of one pair.
+    /// Number of phases of the same pair that are searched; they share the effort of one pair.
     phases: u64,
-    /// Its assembly phase, where several are searched.
+    /// Its assembly phase, if several are searched.
     pub phase: Option<(u32, u32)>,
 }
 
@@ -53,12 +53,12 @@ pub(super) struct SearchedEnd {
     pub assembly: AssembledPair,
     pub status: Status,
     pub extreme: Option<Extreme>,
-    /// The pose of that.
+    /// The pose of that extreme.
     pub pose: Option<Directed>,
 }
 
 impl Planned {
-    /// Wheel and pinion tooth that name its assembly phase; `None` where the pair has one, or all are equal.
+    /// Wheel and pinion tooth that name its assembly phase; `None` if the pair has only one, or all are equal.
     pub fn covers(&self) -> Option<(u32, u32)> {
         self.differ
             .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
@@ -105,7 +105,7 @@ impl Planned {
         })
     }
 
-    /// The poses of `found`, and what binds where the pair begins to assemble, for checks that seek distances.
+    /// The poses of `found`, and the binding pose at the distance from which the pair assembles, for checks that search distances.
     fn poses_of(&self, found: &Extremes, from: Option<AssemblesFrom>) -> Directed {
         let extremes = [found.least, found.greatest].into_iter().flatten();
         let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
@@ -133,8 +133,8 @@ impl Planned {
         kernel.extremes(pair, &self.outlines(pair), &[end], PROVEN_WIDTH_DRAWN)
     }
 
-    /// The least with the axes nearer by `clearance`, mm, and the greatest with them farther apart by it. Backlash grows with the
-    /// distance, so no pose between has less or more.
+    /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
+    /// so no pose in between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
         Ok([
             self.at_end(-clearance, true)?,
@@ -178,7 +178,7 @@ impl Planned {
         })
     }
 
-    /// The extremes of `pair` over the cycle: only the least, or only the greatest, where the other need not be searched for.
+    /// The extremes of `pair` over the cycle: only the least, or only the greatest, if the other is not needed.
     pub fn end(
         &self,
         pair: &AssembledPair,
@@ -202,7 +202,7 @@ impl Planned {
         }
     }
 
-    /// Effort that the search of `assembly` may spend.
+    /// Effort of the search of `assembly`.
     fn effort(&self, assembly: &GearPair) -> Effort {
         Effort::of_extremes(assembly).part(self.phases)
     }
@@ -218,7 +218,7 @@ impl Planned {
         any_direction(pair, (self.first, self.distinct), WIDTH, effort)
     }
 
-    /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
+    /// The distance from which `pair`, with the result `found`, assembles, increased by `farther`, mm.
     fn assembles_from(
         &self,
         pair: &GearPair,
@@ -244,7 +244,7 @@ impl Planned {
     }
 }
 
-/// Up to where the axes of `pair`, of which `found` was found, may be apart: less than it is in mesh by `nearer`.
+/// The distance up to which `pair`, with the result `found`, is in mesh, reduced by `nearer`, mm.
 fn meshes_to(
     pair: &GearPair,
     found: &Extremes,
@@ -262,7 +262,7 @@ fn meshes_to(
     }))
 }
 
-/// Every centre distance and material in every assembly phase that the study is about: those of its listed matings, or all of them where it lists none.
+/// Every centre distance and material in every assembly phase of the study: those of its listed matings, or all.
 pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     let runs = study.runs()?;
     let mut plans: Vec<Planned> = Vec::new();
@@ -277,13 +277,13 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
         };
         phases.sort_unstable();
         phases.dedup();
-        // Against perfect teeth it does not matter which are met.
+        // Against perfect teeth the mating tooth does not matter.
         let distinct = distinct(&run.assembly);
         let differ = phase_count(&run.assembly) > 1 && deviate(&run.assembly) == [true, true];
         if !differ {
             phases.truncate(1);
         }
-        // A run that is one phase of all has the others beside it.
+        // A run of one phase among all has the others beside it.
         let count = match run.phase {
             Some(_) => u64::from(phase_count(&run.assembly)),
             None => phases.len() as u64,
@@ -307,8 +307,8 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     Ok(plans)
 }
 
-/// The extremes of one pair over the mesh cycle on which the right flank of wheel tooth 1 meets that of pinion tooth `phase`, in brackets of
-/// about `width` mm: over all directions of a runout that has none.
+/// The extremes of one pair over the mesh cycle on which the right flank of wheel tooth 1 meets that of pinion tooth `phase`, in brackets
+/// of about `width` mm. They cover all directions of a runout without one.
 ///
 /// # Errors
 /// As [`ExactKernel::extremes`].
@@ -331,7 +331,7 @@ fn any_direction(
     width: f64,
     effort: &Effort,
 ) -> Result<AnyDirection, Error> {
-    // The bracket holds that of a search and what the direction adds.
+    // The bracket contains that of a search and the effect of the direction.
     let width = 0.4 * width;
     let least = |pair: &GearPair, kernel: &ExactKernel| kernel.least(pair, over, width, effort);
     let greatest =
@@ -355,7 +355,7 @@ pub(super) fn hunting_pitches(assembly: &impl ToothNumbers) -> u64 {
     SweepPlan::hunting_pitches(wheel, pinion)
 }
 
-/// Whether the extremes over the cycle depend on the assembly phase. They do not where all teeth of one gear are equal.
+/// Whether the extremes over the cycle depend on the assembly phase. They do not if all teeth of one gear are equal.
 pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
     deviate_of_data(assembly) == [true, true]
 }
@@ -370,12 +370,12 @@ fn deviate(assembly: &AssembledPair) -> [bool; 2] {
     }
 }
 
-/// Whether wheel and pinion have unlike teeth: in any direction an eccentricity alone makes no tooth another.
+/// Whether wheel and pinion have unequal teeth. An eccentricity alone, in any direction, keeps all teeth equal.
 fn deviate_of_data(assembly: &GearPair) -> [bool; 2] {
     Member::BOTH.map(|one| assembly.gear(one).centred().has_different_teeth())
 }
 
-/// Matings that differ: after them every deviation of both gears is where it was.
+/// Number of distinct matings; after them every deviation of both gears recurs.
 pub(super) fn distinct(assembly: &AssembledPair) -> u64 {
     distinct_of(deviate(assembly), assembly)
 }

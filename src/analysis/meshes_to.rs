@@ -1,4 +1,4 @@
-//! The centre distance up to which a pair is in mesh: farther apart, tips pass each other somewhere in the mesh cycle.
+//! The centre distance up to which a pair is in mesh: above it tips pass each other somewhere in the mesh cycle.
 
 use super::directions::Search;
 use crate::analytic::InvolutePair;
@@ -6,29 +6,28 @@ use crate::contact::{Doubt, Effort, ExactKernel, Extremes, Status};
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 
-/// Width of the bracket, mm: a tip leaves its mate at some speed, so more would say nothing.
+/// Width of the bracket, mm. A tip leaves its mate at some speed, so a narrower one has no meaning.
 const WIDTH: f64 = 1e-5;
 
-/// Steps of the search: halving a reach of 10 m alone.
+/// Limit of steps: bisection of a range of 10 m alone.
 const STEPS: usize = 40;
 
 /// The centre distance up to which a pair is in mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshesTo {
-    /// Here every pose has its contacts, mm.
+    /// A distance at which every pose has its contacts, mm.
     pub low: f64,
-    /// Here one has not, mm.
+    /// A distance at which one has not, mm.
     pub high: f64,
     /// That pose.
     pub mating: Mating,
-    /// Why that is not proven.
+    /// The reason why it is unproven.
     pub doubt: Option<Doubt>,
 }
 
 impl MeshesTo {
-    /// That of `assembly`, out of mesh at a pose of which `found` tells; `search` looks for the greatest over the whole cycle of another distance, with what `effort`
-    /// allows. `None` where
-    /// the pair is not in mesh at its distance without backlash either.
+    /// The result for `assembly`, which is out of mesh at a pose according to `found`. `search` finds the greatest over the whole cycle at
+    /// another distance, within the budget `effort`. `None` if the pair is not in mesh at its distance without backlash either.
     ///
     /// # Errors
     /// As `search`.

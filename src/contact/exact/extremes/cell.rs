@@ -5,7 +5,7 @@ use super::over::Over;
 use super::room::{PairRoom, greatest, least};
 use super::table::{Bounds, Table};
 
-/// A stretch of one mating and what its lost motion is at least and at most, rad.
+/// A stretch of one mating with the bounds of its lost motion, rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     pub mating: u64,
@@ -15,15 +15,15 @@ pub(super) struct Cell {
     pub to: f64,
     pub low: f64,
     pub high: f64,
-    /// Where, between `from` and `to`, the lost motion is expected to be least and greatest.
+    /// The places between `from` and `to` where the least and the greatest lost motion are expected.
     pub lowest: f64,
     pub highest: f64,
-    /// A pose in it or at its end that has been looked at.
+    /// A pose in it, or at its end, that was examined.
     pub seen: Option<f64>,
 }
 
 impl Cell {
-    /// The cell of a part of a mating; its bounds are still to be found.
+    /// The cell of a part of a mating, without bounds yet.
     pub fn of_part(mating: u64, part: usize) -> Cell {
         let from = part as f64 / PARTS as f64;
         Cell {
@@ -48,7 +48,7 @@ impl Cell {
         }
     }
 
-    /// The two cells to both sides of `at`, a pose that has been looked at; the cut is kept off the ends.
+    /// The two cells on either side of `at`, a pose that was examined; the cut is kept off the ends.
     pub fn cut(&self, at: f64) -> [Cell; 2] {
         let width = self.to - self.from;
         let border = at.clamp(self.from + 0.25 * width, self.to - 0.25 * width);
@@ -82,7 +82,7 @@ impl Cell {
         }
     }
 
-    /// The same cell with its bounds.
+    /// The cell with its bounds.
     pub fn bounded(self, course: &Course, table: &Table) -> Cell {
         let posed = course.posed(self.mating);
         let ends = course.posed_at_ends(self.mating);

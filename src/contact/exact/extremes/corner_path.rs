@@ -1,24 +1,26 @@
 //! The path of a tip corner past its mate's fillet over a stretch of the locked gear's turn.
 //!
-//! Let the locked gear turn by `x` and the free gear by `g x`. Seen from the mate the corner runs along one of two sums of two rotations, `d` the distance of
-//! the axes, `c` from the locked axis to its outline's centre, `p` and `q` from the axes to the corner:
+//! Let the locked gear turn by `x` and the free gear by `g x`. In the mate's frame the corner's path is one of two sums of two rotations.
+//! `d` is the distance of the axes, `c` the vector from the locked axis to its outline's centre, and `p` and `q` are those from the axes to
+//! the corner:
 //!
 //! ```text
 //! free corner:   Q(x) = e^{−iλ} (p e^{i(g−1)x} − d e^{−ix} − c),    |Q'''| ≤ |g−1|³ |p| + d
 //! locked corner: Q(x) = e^{−iφ} (d e^{−igx} + q e^{i(1−g)x}) − c_F, |Q'''| ≤ |g|³ d + |1−g|³ |q|
 //! ```
 //!
-//! So two derivatives and the bound of the third hold it. The fillet is hollow: a chord of it lies outside the metal. While the radius of the corner lies between
-//! those of the chord's ends, and the corner in front of the chord's line, it is clear. Above the form circle there is no fillet. The half tooth has one point at each
-//! radius about the free axis ([`super::super::search_free_proof`], 1.), so a corner that is clear at one rotation is clear at all greater gaps.
+//! So two derivatives and a bound of the third bound the path. The fillet is hollow: its chord is outside the metal. The corner is clear if
+//! its radius is between those of the chord's ends and it is in front of the chord's line. Above the form circle there is no fillet. The
+//! half tooth has one point at each radius about the free axis ([`super::super::search_free_proof`], 1.). So a corner that is clear at one
+//! rotation is clear at all greater gaps.
 
 use super::super::shape::{C, HalfToothShape};
 use crate::gear::ProfilePart;
 
-/// Steps of the search for a fillet's parameter (it takes 8).
+/// Limit of steps of the search for a fillet's parameter (8 are usual).
 const STEPS: usize = 60;
 
-/// Width of its bracket, as a share of the fillet: a chord so short is within 1e-15 mm of it.
+/// Width of its bracket, as a part of the fillet: such a short chord is within 1e-15 mm of it.
 const CLOSE: f64 = 1e-9;
 
 /// A chord need not end closer to the band of radii that the corner is in than this share of the band (tuned).
@@ -27,13 +29,13 @@ const SHARE: f64 = 0.02;
 /// Nor, of a corner in one place, than this share of the form radius, if it is clear of such a chord (tuned).
 const COARSE: f64 = 1e-4;
 
-/// A stretch is cut so often at most.
+/// Limit of halvings of a stretch.
 const MOST_CUTS: u32 = 12;
 
-/// Stretches looked at, at most (tuned: 20 are common).
+/// Limit of stretches examined (tuned: 20 are common).
 const MOST_LOOKS: u32 = 160;
 
-/// The corner of a tip in its mate's frame where a stretch has its middle.
+/// The corner of a tip in its mate's frame, in the middle of a stretch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CornerPath {
     point: C,
@@ -45,8 +47,8 @@ pub(super) struct CornerPath {
 }
 
 impl CornerPath {
-    /// Of the free gear's corner at `corner` from the free axis; the locked gear's outline has its centre at `centre`, its half tooth points to `−l`; the axes are
-    /// `distance` apart; `rate` is `g`.
+    /// The path of the free gear's corner at `corner` from the free axis. The locked gear's outline has its centre at `centre`, its half
+    /// tooth points to `−l`, the axes are `distance` apart, and `rate` is `g`.
     pub fn of_free(corner: C, centre: C, l: C, distance: f64, rate: f64) -> CornerPath {
         let (one, other) = (rate - 1.0, l.conj());
         CornerPath {
@@ -57,7 +59,8 @@ impl CornerPath {
         }
     }
 
-    /// Of the locked gear's corner at `corner` from the locked axis; the free gear's outline has its centre at `centre` from the free axis, its half tooth points to `f`.
+    /// The path of the locked gear's corner at `corner` from the locked axis. The free gear's outline has its centre at `centre` from the
+    /// free axis, and its half tooth points to `f`.
     pub fn of_locked(corner: C, centre: C, f: C, distance: f64, rate: f64) -> CornerPath {
         let (one, other) = (1.0 - rate, f.conj());
         CornerPath {
@@ -68,7 +71,8 @@ impl CornerPath {
         }
     }
 
-    /// Whether the corner is clear of the fillet of `mate`, from `deepest` up, by more than `need` mm for every turn within `half` of the middle.
+    /// Whether the corner is clear of the fillet of `mate`, from `deepest` up, by more than `need` mm at every turn within `half` of the
+    /// middle.
     pub fn is_clear(&self, mate: &HalfToothShape, deepest: f64, half: f64, need: f64) -> bool {
         let along = |z: C, n: C| z.re * n.re + z.im * n.im;
         let rest = self.jerk * half * half * half / 6.0;
@@ -162,10 +166,10 @@ pub(super) fn around_radius(
             break;
         }
         let secant = low - below * (high - low) / (above - below);
-        // Half the width beyond either end, so that both ends come near.
+        // Half the width past either end, so that both ends converge.
         let at = secant.max(low + 0.5 * close).min(high - 0.5 * close);
         let value = beyond(at);
-        // An end that stays twice counts for half (the Illinois rule).
+        // An end that stays twice gets half its weight (the Illinois rule).
         let is_low = value <= 0.0;
         ends[usize::from(!is_low)] = value;
         let stays = if last.replace(is_low) == Some(is_low) {
@@ -184,8 +188,8 @@ pub(super) fn around_radius(
     Some((low, high))
 }
 
-/// Whether the corner is clear everywhere within `half` of `at`, places of which `per_place` is the locked gear's turn and `path` the path with its middle there. A
-/// stretch is cut where one chord does not show it.
+/// Whether the corner is clear everywhere within `half` of `at`. `per_place` is the locked gear's turn per place, and `path` the path with
+/// its middle at a place. A stretch is cut if one chord does not suffice.
 pub(super) fn is_clear_over(
     (at, half): (f64, f64),
     per_place: f64,
@@ -220,7 +224,7 @@ mod tests {
     use super::*;
     use crate::gear::{Gear, GearDesign, Profile};
 
-    /// Both paths are those of points turned about their axes, but for the third order. Source: the points turned.
+    /// Both paths agree with points turned about their axes to the third order. Source: the points turned.
     #[test]
     fn a_path_is_that_of_the_points_turned() {
         let (distance, rate, gap) = (50.0, -1.3, 0.2);
@@ -264,7 +268,7 @@ mod tests {
         }
     }
 
-    /// A corner beside a fillet, at rest, is clear in front of it and not behind. Source: the fillet's own points and normals.
+    /// A corner at rest beside a fillet is clear in front of it and not behind. Source: the fillet's own points and normals.
     #[test]
     fn a_corner_is_clear_in_front_of_the_fillet_alone() {
         for teeth in [12, 18, 40] {

@@ -1,4 +1,4 @@
-//! A mesh cycle as the exact method sees it: both sides of every mating, and what stands between them.
+//! A mesh cycle with its kernel: both sides of every mating, and the turn between them.
 
 use super::super::ExactKernel;
 use super::super::flank_problem::{FlankProblem, PosedFlanks};
@@ -11,10 +11,10 @@ use crate::contact::Effort;
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
 
-/// Parts of a pitch (tuned: ordinary pairs, contact ratio 1.2 and more, have a pair on the line of action all through each).
+/// Parts of a pitch (tuned: ordinary pairs, contact ratio 1.2 and more, have a pair on the line of action throughout each).
 pub(super) const PARTS: usize = 8;
 
-/// The matings of a cycle, from where `first` begins on, each pitch gone through once.
+/// The matings of a cycle, from `first` on, each covering one pitch.
 #[derive(Debug)]
 pub(super) struct Course<'a> {
     pub kernel: &'a ExactKernel,
@@ -22,11 +22,11 @@ pub(super) struct Course<'a> {
     pub first: Mating,
     pub matings: u64,
     pub sides: [SideCourse<'a>; 2],
-    /// What may be done for its extremes.
+    /// The budget for its extremes.
     pub effort: &'a Effort,
 }
 
-/// One side of it, in the frame of [`super::super::flank_problem`].
+/// One side of the cycle, in the frame of [`super::super::flank_problem`].
 #[derive(Debug)]
 pub(super) struct SideCourse<'a> {
     pub problem: &'a FlankProblem,
@@ -37,12 +37,12 @@ pub(super) struct SideCourse<'a> {
     pub off: [f64; 2],
     pub on_line: Option<LineBends>,
     pub dips: Vec<Dip>,
-    /// How much farther on the locked teeth stand in one section of the common face than in the measuring plane, rad: least and greatest.
+    /// Angle of the locked teeth in a section of the common face relative to the measuring plane, rad: least and greatest.
     pub turns: [f64; 2],
 }
 
 impl SideCourse<'_> {
-    /// The half tooth into whose fillet a tip dips.
+    /// The half tooth whose fillet a tip approaches.
     pub fn mate(&self, tip: Tip) -> &HalfToothShape {
         match tip {
             Tip::Locked => &self.problem.free.shape,
@@ -107,7 +107,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Whether one mating is as any other: all teeth are alike, and run true.
+    /// Whether all matings are equal: all teeth are equal, and there is no runout.
     pub fn repeats(&self) -> bool {
         self.sides.iter().all(|side| {
             let teeth = [&side.problem.locked, &side.problem.free];
@@ -118,7 +118,7 @@ impl<'a> Course<'a> {
         })
     }
 
-    /// The mating `fraction` of a pitch beyond mating number `index`; a whole pitch is the next mating.
+    /// The mating `fraction` of a pitch past mating number `index`; a whole pitch is the next mating.
     pub fn mating(&self, index: u64, fraction: f64) -> Mating {
         let (index, fraction) = if fraction >= 1.0 {
             (index + 1, fraction - 1.0)
@@ -129,8 +129,8 @@ impl<'a> Course<'a> {
         Mating { fraction, ..onward }
     }
 
-    /// Of all numbers of the mating that is as mating number `index`, the one with the least wheel tooth, then the least pinion tooth. Where the teeth
-    /// of one gear are all alike, each tooth of the other meets several.
+    /// The first of all matings equal to mating number `index`, by least wheel tooth, then least pinion tooth. If all teeth of one gear are
+    /// equal, each tooth of the other has several.
     pub fn first_alike(&self, index: u64) -> u64 {
         let alike = |k: usize| {
             self.sides.iter().all(|side| {
@@ -156,13 +156,13 @@ impl<'a> Course<'a> {
         (mating.wheel_tooth, mating.pinion_tooth)
     }
 
-    /// Both sides where mating number `index` begins.
+    /// Both sides at the start of mating number `index`.
     pub fn posed(&self, index: u64) -> [Posed<'a>; 2] {
         let pose = Pose::new(self.assembly, self.mating(index, 0.0));
         self.at(&self.kernel.section, &pose)
     }
 
-    /// The same in the sections at both ends of the common face of helical gears; nothing of spur gears.
+    /// Both sides at the start of mating number `index`, in the sections at both ends of the common face; empty for spur gears.
     pub fn posed_at_ends(&self, index: u64) -> Vec<[FaceEnd<'a>; 2]> {
         let Some(helical) = &self.kernel.helical else {
             return Vec::new();
@@ -207,27 +207,27 @@ impl<'a> Course<'a> {
     }
 }
 
-/// One side where a mating begins, in the section at an end of the face.
+/// One side at the start of a mating, in the section at an end of the face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceEnd<'a> {
     pub posed: Posed<'a>,
-    /// How much farther on the locked teeth stand there than in the measuring plane, rad.
+    /// Angle of the locked teeth there relative to the measuring plane, rad.
     pub turn: f64,
-    /// How many steps a pair of teeth has more there.
+    /// Additional steps of a pair of teeth there.
     pub steps: i64,
 }
 
-/// One side where a mating begins.
+/// One side at the start of a mating.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Posed<'a> {
     pub flanks: PosedFlanks<'a>,
-    /// What a gap of 0 is short of the nominal rotation.
+    /// Difference of the nominal rotation from a gap of 0.
     level: f64,
     sense: f64,
 }
 
 impl<'a> Posed<'a> {
-    /// The same side `fraction` of a pitch on.
+    /// This side `fraction` of a pitch later.
     pub fn on(&self, fraction: f64) -> Posed<'a> {
         let problem = self.flanks.problem;
         Posed {
@@ -239,28 +239,28 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// The way the free gear has from its nominal rotation to a gap, rad.
+    /// The free gear's way from its nominal rotation to a gap, rad.
     pub fn room(&self, gap: f64) -> f64 {
         -(gap + self.level)
     }
 
-    /// The gap at which it has a room.
+    /// The gap for a room.
     pub fn gap(&self, room: f64) -> f64 {
         -(room + self.level)
     }
 
-    /// What the locked gear turns by to another pose of the same mating, in this frame.
+    /// Turn of the locked gear to another pose of the same mating, in this frame.
     pub fn angle_to(&self, other: &Posed) -> f64 {
         other.flanks.ahead - self.flanks.ahead
     }
 
-    /// How fast that grows with the pitches, where the gap changes at `slope` with the locked gear's rotation.
+    /// Rate of the room per pitch, if the gap changes at `slope` with the locked gear's rotation.
     pub fn rate(&self, slope: f64) -> f64 {
         let problem = self.flanks.problem;
         -self.sense * (slope * problem.locked.pitch + problem.free.pitch)
     }
 
-    /// The gap at a room of 0.
+    /// The gap for a room of 0.
     pub fn nominal_gap(&self) -> f64 {
         -self.level
     }

@@ -1,15 +1,15 @@
 //! The room of tip corners and fillets of helical gears over their common face and a stretch of a mating.
 //!
-//! Somewhere between the ends of the face a corner touches tightest where the fillet's normal passes through the pitch point
-//! ([`super::super::deepest`]). How much farther than to the involutes' touch the free gear turns to there, `G`, depends on the distance `d` of
-//! the centres alone, and
+//! Between the ends of the face a corner touches tightest where the fillet's normal passes through the pitch point
+//! ([`super::super::deepest`]). Let `G` be the free gear's further turn from the contact of the involutes to that touch. It depends only on
+//! the distance `d` of the centres, and
 //!
 //! ```text
 //! dG/dd = −sin α/r_bF + cot ω/r_wF,    r_wF = d r_bF/Σ,
 //! ```
 //!
-//! what the line of action's touch and that of a normal at `ω` from the line of centres change by. Else it touches tightest at an end
-//! of the face, which is a section as any.
+//! from the changes of the contact on the line of action and of a contact with a normal at `ω` from the line of centres. Otherwise the
+//! tightest touch is at an end of the face, in a section like any other.
 
 use super::super::deepest::deepest;
 use super::super::line::Line;
@@ -22,24 +22,24 @@ use super::room::PairRoom;
 use super::separation::Separation;
 use super::table::OpenStep;
 
-/// Rounds in which the free gear's own eccentricity settles: each leaves a hundredth at most.
+/// Rounds in which the free gear's own eccentricity converges: each leaves at most a hundredth.
 const ROUNDS: usize = 6;
 
 /// The touch between the ends of the face, at one end of a stretch.
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    /// How far on the locked half tooth stands there from where it does in the measuring plane, rad.
+    /// Angle of the locked half tooth there relative to the measuring plane, rad.
     turn: f64,
-    /// The gap of touch.
+    /// The gap of the touch.
     gap: f64,
     distance: f64,
-    /// `|dG/dd|` and a bound of what it changes by with `d`.
+    /// `|dG/dd|` and a bound of its change with `d`.
     slope: f64,
     bend: f64,
 }
 
 impl Over<'_> {
-    /// Adds the rooms of `dip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` where they cannot be had.
+    /// Adds the rooms of `dip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` if they are unknown.
     pub fn add_dip_over_face(
         &self,
         step: OpenStep,
@@ -82,12 +82,12 @@ impl Over<'_> {
         true
     }
 
-    /// What the room is off the straight line between both ends at most, rad.
+    /// Greatest difference of the room from the straight line between both ends, rad.
     fn slack(&self, touches: [Between; 2], found: &[Separation; 2]) -> f64 {
         let [a, b] = touches;
         let problem = self.side.problem;
         let angles = [problem.locked.pitch, problem.free.pitch].map(|pitch| pitch * self.width());
-        // The distance runs along a sine of each eccentricity.
+        // The distance is a sine of each eccentricity.
         let bent: f64 = [0, 1]
             .map(|k| self.side.off[k] * angles[k] * angles[k] / 8.0)
             .iter()
@@ -100,8 +100,8 @@ impl Over<'_> {
     }
 }
 
-/// The touch of `dip` at `step` where the centres of a pose have it, from the involutes' gap `near`, if there is any; `None` where that
-/// cannot be said, or there are several.
+/// The touch of `dip` at `step` for the centres of a pose, searched near the involutes' gap `near`, if there is one; `None` if that is
+/// unknown, or there are several.
 fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Between>> {
     let flanks = &posed.flanks;
     let problem = flanks.problem;
@@ -110,7 +110,7 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
         Tip::Free => (locked, free),
         Tip::Locked => (free, locked),
     };
-    // Without a tip round nothing bounds how the fillet bends.
+    // Without a tip radius of the tool nothing bounds the curvature of the fillet.
     if !(fillet.round > 0.0) {
         return None;
     }
@@ -133,14 +133,15 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
         let alpha = (problem.sum() / distance).acos();
         let arm = distance * free.base / problem.sum() * lean.sin();
         let slope = -alpha.sin() * problem.per_free_base + lean.cos() / arm;
-        // In the measuring plane it stands at `λ − arg B`.
+        // In the measuring plane it is at `λ − arg B`.
         let here = pair.locked_base + locked.half_base - centres.arg();
         last = Some(Between {
             turn: reduced(at - here),
             gap,
             distance,
             slope: slope.abs(),
-            // The fillet bends by its radius of curvature, which is half of the tip round at least at any helix angle taken; four times that.
+            // The fillet's radius of curvature is at least half of the tool's tip radius at any helix angle; this takes four times that
+            // curvature.
             bend: 8.0 / (fillet.round * arm.abs()) + dip.bend(distance),
         });
         if settled {
@@ -150,8 +151,8 @@ fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Betw
     Some(last)
 }
 
-/// Of undisturbed teeth `distance` apart, where they touch so: the angle of the locked half tooth, how much farther the free gear turns, and the
-/// normal's lean. `None` where they do at several places.
+/// The touch of undisturbed teeth `distance` apart: the angle of the locked half tooth, the free gear's further turn, and the angle of the
+/// normal. `None` if there are several.
 fn touch(
     (locked, free): (&HalfToothShape, &HalfToothShape),
     (fillet, tip): (&HalfToothShape, &HalfToothShape),
@@ -166,7 +167,7 @@ fn touch(
     if found.next().is_some() {
         return None;
     }
-    // The fillet's centre at 0, the edge's on +x: turned by half a turn where the fillet is the locked gear's.
+    // The fillet's centre at 0 and the edge's on +x: turned by half a turn if the fillet belongs to the locked gear.
     let edge = (touch.point - C::from(distance)).arg() - corner.arg();
     let (at, gap) = match whose {
         Tip::Free => (touch.tooth, edge + std::f64::consts::PI),

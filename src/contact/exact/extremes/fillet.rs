@@ -1,15 +1,15 @@
 //! A tip corner on its mate's fillet over a stretch of a mating: bounds that close with the square of its length.
 //!
-//! While the corner `P` stands between two radii of the mate, the hollow fillet lies inside its chord between these, and outside its
-//! tangent in their middle. Of a straight line with the normal `n` through `A` of the mate's frame, `P` lies outside while
+//! While the corner `P` is between two radii of the mate, the hollow fillet is inside its chord between these radii, and outside its
+//! tangent in their middle. `P` is outside a straight line with the normal `n` through `A` of the mate's frame while
 //!
 //! ```text
 //! s(x, μ) = (Q − A)·n ≥ 0,    Q = P in that frame,
 //! ```
 //!
-//! so that `s = 0` gives a rotation `μ` that bounds that of touch, from above with the chord, from below with the tangent. All its derivatives
-//! are lengths of the picture: `|s_xx|`, `|s_xμ|` and `|s_μμ|` are at most the distances of `P` from the axes, and
-//! `μ'' = −(s_xx + 2 s_xμ μ' + s_μμ μ'²)/s_μ`.
+//! so `s = 0` gives a rotation `μ` that bounds that of the touch, from above with the chord, from below with the tangent. All its
+//! derivatives are lengths of the picture. `|s_xx|`, `|s_xμ|` and `|s_μμ|` are at most the distances of `P` from the axes, and `μ'' =
+//! −(s_xx + 2 s_xμ μ' + s_μμ μ'²)/s_μ`.
 
 use super::super::flank_problem::PosedFlanks;
 use super::super::shape::{C, HalfToothShape, turn};
@@ -17,7 +17,7 @@ use super::corner_path::{CornerPath, around_radius};
 use super::dip::Tip;
 use crate::gear::ProfilePart;
 
-/// Steps of Newton's method: `s` is a sine of `μ`, near its steepest (it takes 4).
+/// Limit of Newton steps: `s` is a sine of `μ`, near its steepest place (4 are usual).
 const STEPS: usize = 20;
 
 /// A straight line of the mate's frame.
@@ -27,7 +27,7 @@ struct Border {
     normal: C,
 }
 
-/// Where the corner reaches a border.
+/// The place where the corner reaches a border.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reached {
     pub gap: f64,
@@ -50,12 +50,12 @@ pub(super) struct OnFillet<'a> {
     tip: Tip,
 }
 
-/// What two poses come to: bounds of the gap at both, its slopes, and how much either bends between.
+/// The results of two poses: bounds of the gap at both, its slopes, and the curvature between them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounds {
-    /// At these gaps the corner is clear of the fillet.
+    /// Gaps at which the corner is clear of the fillet.
     pub clear: [Reached; 2],
-    /// At these it is in it; `None` where nothing says so.
+    /// Gaps at which it is in the fillet; `None` if unknown.
     pub inside: Option<[Reached; 2]>,
     /// Bound on the second derivative of any of them by the rotation of the locked gear.
     pub bend: f64,
@@ -95,7 +95,7 @@ impl<'a> OnFillet<'a> {
         }
     }
 
-    /// Where the corner reaches `border`, from about the gap `near`; `None` where it does not.
+    /// The place where the corner reaches `border`, searched near the gap `near`; `None` if it does not.
     fn reach(&self, border: Border, near: f64) -> Option<Reached> {
         let problem = self.posed.problem;
         let pair = self.posed.pair(self.step);
@@ -108,7 +108,7 @@ impl<'a> OnFillet<'a> {
         let mut gap = near;
         for _ in 0..STEPS {
             let turned = turn(gap);
-            // The corner from the free axis, in the mate's frame, and that by gap and by the locked rotation.
+            // The corner from the free axis, in the mate's frame, and its derivatives by gap and by the locked rotation.
             let (point, seen, by_gap, by_turn) = match self.tip {
                 Tip::Free => {
                     let point = turned * (free_centre + f * free.corners()[0].1);
@@ -156,10 +156,10 @@ impl<'a> OnFillet<'a> {
     }
 }
 
-/// Bounds over a stretch between two poses of the same teeth, `angle` of the locked gear apart; `deepest` is the least `γ` in reach.
-/// `None` where they cannot be had.
+/// Bounds over a stretch between two poses of the same teeth, `angle` of the locked gear apart; `deepest` is the least `γ` in reach. `None`
+/// if they are unknown.
 ///
-/// A corner that is above the form circle as it comes to the line of a chord that ends there has not been in the fillet up to there.
+/// A chord may end at the form circle. A corner above that circle when it meets the chord's line was not in the fillet before.
 pub(super) fn bounds(
     ends: [OnFillet; 2],
     near: [f64; 2],
@@ -168,12 +168,12 @@ pub(super) fn bounds(
 ) -> Option<Bounds> {
     let mate = ends[0].mate();
     let range = (deepest, mate.fillet_end);
-    // In front of the line of a chord that goes on to the form circle there is no fillet, from `low` on.
+    // In front of the line of a chord that extends to the form circle there is no fillet, from `low` on.
     let to_the_form_circle = |(low, _): (f64, f64)| {
         let found = reach(ends, chord(mate, (low, mate.fillet_end)), near)?;
         bent(found, None, angle)
     };
-    // Where the corner is, the whole fillet's chord for a start, then between the radii it was found at.
+    // The radii of the corner: the whole fillet's chord first, then the radii found with it.
     let mut band = range;
     for _ in 0..3 {
         let border = chord(mate, band);
@@ -184,7 +184,7 @@ pub(super) fn bounds(
         }
     }
     let clear = reach(ends, chord(mate, band), near)?;
-    // The chord now used holds for the radii that the corner has with it.
+    // The final chord holds for the radii that the corner has with it.
     let Some(needed) = radii(mate, clear, angle, range) else {
         return to_the_form_circle(band);
     };
@@ -194,14 +194,14 @@ pub(super) fn bounds(
     }
     let band = (needed.0.min(band.0), needed.1.max(band.1));
     let clear = reach(ends, chord(mate, band), near)?;
-    // Above the form circle the tangent of the fillet lies outside the involute.
+    // Above the form circle the tangent of the fillet is outside the involute.
     let inside = (band.1 < mate.fillet_end)
         .then(|| reach(ends, tangent(mate, 0.5 * (band.0 + band.1)), near))
         .flatten();
     bent(clear, inside, angle)
 }
 
-/// These bounds with how much they bend over `angle`.
+/// These bounds with their curvature over `angle`.
 fn bent(clear: [Reached; 2], inside: Option<[Reached; 2]>, angle: f64) -> Option<Bounds> {
     let both = clear.iter().chain(inside.iter().flatten());
     let bend = both
@@ -219,7 +219,7 @@ fn reach(ends: [OnFillet; 2], border: Border, near: [f64; 2]) -> Option<[Reached
     Some([a?, b?])
 }
 
-/// The parameters between which the corner is all through; `None` above the form circle.
+/// The parameters between which the corner stays; `None` above the form circle.
 fn radii(
     mate: &HalfToothShape,
     found: [Reached; 2],
@@ -238,12 +238,12 @@ fn radii(
     (low <= mate.form_radius()).then(|| (at(low), at(high)))
 }
 
-/// The chord between two parameters of a fillet, the metal behind it.
+/// The chord between two parameters of a fillet, with the metal behind it.
 fn chord(mate: &HalfToothShape, (low, high): (f64, f64)) -> Border {
     let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
     let along = inner.point - outer.point;
     if along.norm() < 1e-9 * mate.base {
-        // Too short for a direction: the tangent, a little out.
+        // Too short for a direction: the tangent, slightly outside.
         return Border {
             point: outer.point + outer.normal * along.norm(),
             normal: outer.normal,
@@ -267,11 +267,11 @@ fn tangent(mate: &HalfToothShape, gamma: f64) -> Border {
 }
 
 impl Reached {
-    /// Bound on the second derivative over a stretch of `angle`; `None` where its own assumptions on slope and arm do not come out.
+    /// Bound on the second derivative over a stretch of `angle`; `None` if its assumptions on slope and arm fail.
     fn bend(&self, angle: f64) -> Option<f64> {
         let [xx, xm, mm] = self.lengths;
         let angle = angle.abs();
-        // Assumed, and checked with the bound that follows: no steeper than this, and an arm no shorter than that.
+        // Assumptions, checked with the resulting bound: no steeper slope than this, and no shorter arm than that.
         let rate = 1.2 * self.slope.abs();
         let turning = self.turning - (xm + mm * rate) * angle;
         let bend = (xx + 2.0 * xm * rate + mm * rate * rate) / turning;
@@ -289,7 +289,7 @@ mod tests {
     use crate::gear::{AsBuilt, Face, Gear, GearDesign, Profile};
     use crate::pair::{GearPair, Mating, Member};
 
-    /// Source: differences between neighbouring poses. A point that turns about an axis has its radius for the second derivative.
+    /// Source: differences between neighbouring poses. The second derivative of a point that turns about an axis is its radius.
     #[test]
     fn slopes_and_bends_are_those_of_poses() {
         let gear = |teeth, face, eccentricity| {
@@ -346,7 +346,7 @@ mod tests {
         assert!(compared.iter().all(|count| *count > 5), "{compared:?}");
     }
 
-    /// `(|s_xx| + 2 |s_xμ| |μ'| + |s_μμ| μ'²)/s_μ` with the slope taken a fifth steeper.
+    /// `(|s_xx| + 2 |s_xμ| |μ'| + |s_μμ| μ'²)/s_μ` with a slope a fifth steeper.
     #[test]
     fn a_bend_is_its_formula() {
         let reached = Reached {
@@ -359,11 +359,11 @@ mod tests {
         };
         let expected = (5.0 + 2.0 * 3.0 * 2.4 + 2.0 * 2.4 * 2.4) / 30.0;
         assert!((reached.bend(0.0).unwrap() - expected).abs() < 1e-15);
-        // Over so long a stretch the arm may be short, and the slope steep.
+        // Over such a long stretch the arm may be short, and the slope steep.
         assert_eq!(reached.bend(1.0), None);
     }
 
-    /// A chord goes through both its ends, and the fillet between, which is hollow, lies on its metal's side.
+    /// A chord goes through both its ends, and the hollow fillet between them is on the side of the metal.
     #[test]
     fn a_chord_has_its_ends_on_it_and_the_fillet_behind() {
         let gear = Gear::nominal(GearDesign::plain(18, 2.0)).unwrap();

@@ -1,13 +1,13 @@
 //! The least and the greatest lost motion of a pair over its whole mesh cycle and every rotation, proven.
 //!
 //! Each side has room until its tightest pair of half teeth touches; the lost motion is the sum of both. Two bounds hold over a stretch of
-//! a mating: from below, that of each pair as if both were nothing but involutes and their ends, and below the form circle what the
-//! fillets leave ([`separation`], [`dip`]); from above, that of any pair at all. Tables ([`table`]) rule out nearly every mating of a
-//! long cycle; what is left is cut where its bound is worst until no stretch can beat the best pose found by more than the width
-//! asked for. So the bracket holds every rotation of every mating, and one of its ends is a pose of the exact method.
+//! a mating. The lower bound treats each pair as nothing but involutes and their ends, and adds what fillets leave below the form circle
+//! ([`separation`], [`dip`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly every mating of a long cycle.
+//! The rest is cut where its bound is worst, until no stretch can beat the best known pose by more than the requested width. So the bracket
+//! covers every rotation of every mating, and one of its ends is a pose of the exact method.
 //!
-//! What the lower bound asks of a pair is what spares the exact method its searches ([`super::search_free_proof`]). Where that does not
-//! hold, poses are sampled, and the result says so.
+//! The lower bound has the same conditions under which the exact method needs no search ([`super::super::search_free_proof`]). If they
+//! fail, poses are sampled, and the result reports it.
 
 mod cell;
 mod clearance;
@@ -42,16 +42,15 @@ use sample::Until;
 use search::Search;
 use table::Table;
 
-/// Of the effort that is left a search of one cycle takes one part in so many at most, one for an end of it alone at one of some ten other centre
-/// distances as well (tuned).
+/// Parts of the remaining effort: a search of one cycle may use one part in the first number. A search for a single end, at each of about
+/// ten other centre distances, may use one part in the second (tuned).
 const PARTS_OF_EFFORT: [u64; 2] = [2, 4];
 
 impl ExactKernel {
-    /// The extremes of `assembly`, which is this kernel's, over `matings` pitches from `first` on, each bracket no wider than `width` mm
-    /// where it is proven.
+    /// The extremes of this kernel's `assembly`, over `matings` pitches from `first` on. Each proven bracket is at most `width` mm wide.
     ///
     /// # Errors
-    /// None of a pair that has a kernel: a contact that is lost is a [`Doubt`].
+    /// None for a pair with a kernel: a lost contact is a [`Doubt`].
     pub fn extremes(
         &self,
         assembly: &GearPair,
@@ -67,7 +66,7 @@ impl ExactKernel {
         )
     }
 
-    /// The same with what `effort` allows, and no more than a part of that ([`PARTS_OF_EFFORT`]).
+    /// The extremes within a part ([`PARTS_OF_EFFORT`]) of the budget `effort`.
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].
@@ -87,7 +86,7 @@ impl ExactKernel {
         )
     }
 
-    /// As [`ExactKernel::extremes_within`] but for the least, and no further than to the first pose that is out of mesh.
+    /// [`ExactKernel::extremes_within`] without the least; it stops at the first pose that is out of mesh.
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].
@@ -104,7 +103,7 @@ impl ExactKernel {
         })
     }
 
-    /// As [`ExactKernel::extremes_within`], but for the greatest, and no further than to the first pose that is jammed.
+    /// [`ExactKernel::extremes_within`] without the greatest; it stops at the first jammed pose.
     ///
     /// # Errors
     /// As [`ExactKernel::extremes`].
@@ -121,8 +120,8 @@ impl ExactKernel {
         })
     }
 
-    /// Whether it is clear at once that no tip comes to a fillet or a root at any pose of `assembly`, which is this kernel's, nor at any
-    /// greater centre distance: involutes, their ends and tip lands touch before.
+    /// Whether a quick test shows that no tip reaches a fillet or a root at any pose of this kernel's `assembly`, or at any greater centre
+    /// distance. Then involutes, their ends and tip lands touch first.
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
         if assembly.is_modified()
             || self.section.blocked
@@ -186,7 +185,8 @@ impl ExactKernel {
             width: search::PROOF_SHARE * width,
             equal: search::EQUAL_SHARE * width,
             which,
-            // A third each to both searches and to the poses that are sampled if they do not close. A search for the least alone samples none.
+            // A third each for both searches and for the poses that are sampled if the searches do not close. A search for the least alone
+            // samples none.
             spare: match which {
                 Which::Greatest => course.effort.left() / 3 * 2,
                 Which::Least if until == Until::Jammed => 0,
@@ -216,7 +216,7 @@ impl ExactKernel {
         Ok(found.extremes(course, [least, greatest]))
     }
 
-    /// Whether nothing but involutes, their ends and tip lands can touch, but for corners on fillets, which [`dip`] bounds.
+    /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
     fn stays_on_involutes(&self, course: &Course) -> bool {
         let side = &course.sides[0];
         let problem = side.problem;

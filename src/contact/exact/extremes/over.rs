@@ -1,4 +1,4 @@
-//! What bounds the room of one side over a stretch of a mating: pair by pair of half teeth.
+//! Bounds of the room of one side over a stretch of a mating, pair by pair of half teeth.
 
 use super::clearance::Lines;
 use super::corner_path;
@@ -11,13 +11,14 @@ use super::separation::{Separation, lowest_roll};
 use super::table::{BesideLine, OpenStep};
 use crate::contact::Effort;
 
-/// What the room of a step takes, in nodes (tuned: 4000 cells of an ordinary pair take some 20 ms), and that of a tip corner and a fillet.
+/// Effort of the room of a step, in nodes (tuned: 4000 cells of an ordinary pair take about 20 ms), and of that of a tip corner and a
+/// fillet.
 const STEP: u64 = 12;
 
 /// Effort of a tip corner and a fillet (tuned).
 const DIP: u64 = 8;
 
-/// Effort of one look at the path of a tip corner past a fillet.
+/// Effort of one evaluation of the path of a tip corner past a fillet.
 const LOOK: u64 = 2;
 
 /// Effort of the place of a tip corner on a fillet at both ends of a stretch.
@@ -32,24 +33,24 @@ pub(super) struct Places {
 
 /// One side over a stretch of a mating.
 pub(super) struct Over<'a> {
-    /// Fractions of the pitch at which it begins and ends.
+    /// Fractions of the pitch at its ends.
     pub stretch: [f64; 2],
     pub side: &'a SideCourse<'a>,
-    /// In the measuring plane, where the cell begins and where it ends.
+    /// The sides in the measuring plane at the ends of the cell.
     pub ends: [Posed<'a>; 2],
-    /// In the sections at both ends of helical gears' common face, where the mating begins.
+    /// The sides in the sections at both ends of helical gears' common face, at the start of the mating.
     pub faces: Vec<FaceEnd<'a>>,
-    /// Of the course.
+    /// Budget of the cycle.
     pub effort: &'a Effort,
 }
 
 impl<'a> Over<'a> {
-    /// Share of a pitch.
+    /// Width as a part of a pitch.
     pub fn width(&self) -> f64 {
         self.stretch[1] - self.stretch[0]
     }
 
-    /// Rolls change with the pitches, and a little with what the eccentricities do in this time.
+    /// Change of the rolls over the stretch: that of the pitches, plus a small effect of the eccentricities.
     pub fn plays(&self) -> [f64; 2] {
         let problem = self.side.problem;
         [problem.locked.pitch, problem.free.pitch].map(|pitch| 1.2 * pitch * self.width())
@@ -88,7 +89,7 @@ impl<'a> Over<'a> {
         Some(PairRoom::smooth(room, rates, third, self.rounding()))
     }
 
-    /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`.
+    /// The room of a pair with `found` at both ends of the cell; `ends` are the sides there.
     fn convex(
         &self,
         ends: &[Posed; 2],
@@ -101,7 +102,7 @@ impl<'a> Over<'a> {
         PairRoom::convex(room, rates, bend, touches)
     }
 
-    /// What bounds the room of each of `steps`: that of its involutes, and that of a corner and a fillet.
+    /// Bounds of the room of each of `steps`: that of its involutes, and that of a corner and a fillet.
     pub fn rooms(&self, steps: impl Iterator<Item = OpenStep>) -> Vec<PairRoom> {
         let mut rooms = Vec::with_capacity(8);
         let mut dipping = Vec::new();
@@ -128,7 +129,7 @@ impl<'a> Over<'a> {
         rooms
     }
 
-    /// Adds the room of tip corners that may touch fillets before the involutes touch, of spur gears.
+    /// Adds the room of tip corners that can touch fillets before the involutes touch, for spur gears.
     fn add_spur_dips(&self, dipping: &[(OpenStep, [f64; 2])], rooms: &mut Vec<PairRoom>) {
         let above = room::lines_above(rooms);
         for (step, near) in dipping {
@@ -164,7 +165,7 @@ impl<'a> Over<'a> {
         })
     }
 
-    /// Adds the room of the involutes of a section that stands as `ends`, and their ends: what keeps them apart.
+    /// Adds the room of the involutes and their ends in a section with the sides `ends`, and returns their separations.
     fn add_involutes(
         &self,
         ends: &[Posed; 2],
@@ -206,7 +207,7 @@ impl<'a> Over<'a> {
         })
     }
 
-    /// The room of involutes and their ends; `None` where nothing says how it bends.
+    /// The room of involutes and their ends; `None` without a bound of its curvature.
     fn with_ends(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
         if let Some(room) = self.on_line_of_action(ends, found) {
             return Some(room);
@@ -217,7 +218,7 @@ impl<'a> Over<'a> {
 
     /// Adds the room of the involutes of helical gears over their whole common face.
     ///
-    /// On the line of action it is the same in every section; beyond the stretch that is on it, it grows along the face (see
+    /// On the line of action the room is equal in every section. Outside the stretch on the line it grows along the face (see
     /// [`super::super::helical`]). So a pair that leaves the line has the room of one end of the face.
     fn add_over_face(
         &self,
@@ -227,7 +228,7 @@ impl<'a> Over<'a> {
         let found = endless_separations(&self.ends, step);
         let [a, b] = found.each_ref().map(|one| self.on_line(one));
         let [least, most] = self.side.turns;
-        // As far as the sections may stand on, and back, for the stretch of either end of the cell to be met.
+        // Allows the contact stretch of either end to move over the cell.
         let play = self.plays()[0];
         let off = a[0].min(b[0]) - play > most || a[1].max(b[1]) + play < least;
         let on = [a, b]
@@ -243,7 +244,7 @@ impl<'a> Over<'a> {
             rooms.push(endless);
             return found;
         }
-        // Of both ends of the face the one nearer to the stretch is the tighter.
+        // The end of the face nearer to the stretch is the tighter one.
         let middle = 0.25 * (a[0] + a[1] + b[0] + b[1]);
         let far = |face: &&FaceEnd| (face.turn - middle).abs();
         let nearest = self
@@ -262,7 +263,8 @@ impl<'a> Over<'a> {
         found
     }
 
-    /// How much farther on locked teeth stand in sections in which `endless` involutes touch where there are some, rad: from, to.
+    /// Angles of the locked teeth, relative to the measuring plane, in the sections where `endless` involutes touch on the line of action,
+    /// rad: from, to.
     fn on_line(&self, endless: &Separation) -> [f64; 2] {
         let problem = self.side.problem;
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
@@ -274,7 +276,7 @@ impl<'a> Over<'a> {
         ]
     }
 
-    /// Adds the room of tip corners and fillets that may come near, each by `near` where that can have it.
+    /// Adds the room of tip corners and fillets that can come near, each by `near` if that has a result.
     fn add_dips(
         &self,
         OpenStep { step, enough, .. }: OpenStep,
@@ -285,7 +287,7 @@ impl<'a> Over<'a> {
         let (problem, rounding) = (side.problem, self.rounding());
         let places = self.places(ends, step);
         let lines = Lines::new(places.distances, problem.sum());
-        // Over a face the piece of turn that has the least.
+        // Over a face: the piece of turn with the least room.
         let [from, to] = side.turns;
         let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
         let pieces = pieces.ceil().max(1.0);
@@ -318,12 +320,12 @@ impl<'a> Over<'a> {
         }
     }
 
-    /// About where the involutes of a section that stands as `ends` touch.
+    /// Approximate gaps of the involutes of a section with the sides `ends`.
     pub fn gaps(&self, ends: &[Posed; 2], step: i64) -> [f64; 2] {
         separations(ends, step).map(|found| found.gap)
     }
 
-    /// The room of a tip corner and a fillet of a section alone, which stands as `ends`, from about the gaps `near`.
+    /// The room of a tip corner and a fillet in one section with the sides `ends`, searched near the gaps `near`.
     pub fn on_fillet(
         &self,
         ends: &[Posed; 2],
@@ -346,7 +348,7 @@ impl<'a> Over<'a> {
         Some(clear.within(most))
     }
 
-    /// Where the locked half tooth of a step stands, seen from the line of the outlines' centres.
+    /// Direction of the locked half tooth of a step from the line of the outlines' centres.
     pub fn places(&self, ends: &[Posed; 2], step: i64) -> Places {
         let side = self.side;
         let problem = side.problem;
@@ -355,7 +357,7 @@ impl<'a> Over<'a> {
             let at = end.flanks.pair(step).locked_base + problem.locked.shape.half_base;
             (at - between.arg(), between.norm())
         });
-        // Between the ends, and as far as the free gear may stand from where `between` was taken: a hundredth of a radian.
+        // Between the ends, plus the possible distance of the free gear from the rotation of `between`: a hundredth of a radian.
         let off = side.off[0] * problem.locked.pitch * self.width()
             + side.off[1] * (problem.free.pitch * self.width() + 0.01);
         Places {
@@ -369,7 +371,7 @@ impl<'a> Over<'a> {
     }
 }
 
-/// What keeps the half teeth of a step apart, at both ends of a stretch.
+/// The separations of the half teeth of a step, at both ends of a stretch.
 fn separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
     ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap()))
 }

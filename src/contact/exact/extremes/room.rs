@@ -1,12 +1,12 @@
-//! The room of pairs of half teeth over a stretch of a mating, and what both sides come to together.
+//! The room of pairs of half teeth over a stretch of a mating, and the sum of both sides.
 
 use std::f64::consts::PI;
 
 /// The room of one pair of half teeth over a cell, `u` from 0 to 1.
 ///
-/// With `bend/2 (u − 1/2)²` added it is convex, above both of its tangents and, where it is known to touch at both ends, below its chord.
-/// (The chord takes the directions that separate the pair between the ends to lie between those at the ends: the contact of a pair moves one
-/// way along its flanks.)
+/// With `bend/2 (u − 1/2)²` added it is convex. It is then above both of its tangents and, if the pair touches at both ends, below its
+/// chord. (The chord assumes that the separating directions between the ends lie between those at the ends: the contact of a pair moves in
+/// one direction along its flanks.)
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PairRoom {
     tangents: [(f64, f64); 2],
@@ -26,7 +26,7 @@ pub(super) struct Chord {
 }
 
 impl PairRoom {
-    /// Of the room `a`, `b` at both ends, the rates there, and the bend.
+    /// The bound from the room `a`, `b` at both ends, the rates there, and the curvature `bend`.
     pub fn convex([a, b]: [f64; 2], rates: [f64; 2], bend: f64, touches: bool) -> PairRoom {
         let up = bend / 8.0;
         let (at_a, at_b) = (rates[0] - 0.5 * bend, rates[1] + 0.5 * bend);
@@ -55,7 +55,7 @@ impl PairRoom {
         room
     }
 
-    /// At least a straight line between the ends; without a bound, NaN or −∞, no more than half a turn of interference.
+    /// At least a straight line between the ends; without a bound, NaN or −∞, at most half a turn of interference.
     pub fn straight(ends: [f64; 2]) -> PairRoom {
         let [a, b] = ends.map(|end| end.max(-PI));
         PairRoom {
@@ -97,7 +97,7 @@ impl PairRoom {
         self
     }
 
-    /// Takes `by` off what it is at least.
+    /// Lowers the bound by `by`.
     pub fn lower(&mut self, by: f64) {
         for (start, _) in &mut self.tangents {
             *start -= by;
@@ -127,16 +127,16 @@ impl Chord {
 /// A straight piece of [`lines_above`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Piece {
-    /// `u` where it begins and ends.
+    /// `u` at its ends.
     pub over: [f64; 2],
-    /// Its room at `u = 0` and at `u = 1`, prolonged.
+    /// Its room at `u = 0` and at `u = 1`, extended.
     pub room: [f64; 2],
 }
 
-/// A broken line that the least of the touching rooms stays below: the least of their chords, each raised by what the room bends. It has no pieces where no room is
-/// known to touch.
+/// A broken line above the least of the touching rooms: the least of their chords, each raised by its curvature. It has no pieces if no
+/// room is known to touch.
 ///
-/// A pair with more room than this changes neither bound. Only touching rooms count, as the others bound nothing from above.
+/// A pair with more room than this changes neither bound. Only touching rooms count, because the others have no upper bound.
 pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<Piece> {
     let chords = rooms.iter().filter_map(|room| room.chord);
     let lines = chords.map(|chord| {
@@ -154,7 +154,7 @@ pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<Piece> {
     };
     let (mut pieces, mut from) = (Vec::new(), 0.0);
     loop {
-        // The next line that falls below.
+        // The next line that is lower.
         let steeper = lines.iter().filter(|other| rate(other) < rate(line));
         let crossed =
             steeper.map(|other| ((other[0] - line[0]) / (rate(line) - rate(other)), other));
@@ -174,7 +174,7 @@ pub(super) fn lines_above(rooms: &[PairRoom]) -> Vec<Piece> {
     }
 }
 
-/// Where the sum of both sides is least, and its bound there.
+/// The place where the sum of both sides is least, and its bound.
 pub(super) fn least(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     let [right, left] = rooms;
     let mut least = (0.5, f64::INFINITY);

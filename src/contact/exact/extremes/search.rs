@@ -1,4 +1,4 @@
-//! The search for one extreme: what may beat the best pose found is cut, the most promising stretch first.
+//! The search for one extreme: it cuts the stretches that can beat the best known pose, the most promising first.
 
 use super::cell::Cell;
 use super::course::{Course, PARTS};
@@ -8,42 +8,42 @@ use super::table::{Bounds, Table};
 use crate::error::Error;
 use std::collections::BinaryHeap;
 
-/// Cells looked into for one extreme, at most (tuned: a hundred settle an ordinary one; so many take some 20 ms).
+/// Limit of cells examined for one extreme (tuned: a hundred settle an ordinary one; the limit takes about 20 ms).
 const MOST_CELLS: usize = 4_000;
 
-/// A cell narrower than this is not cut, pitches: its bound does not close.
+/// Least width of a cell, pitches: the bound of a narrower one does not close.
 const NARROWEST: f64 = 1e-9;
 
-/// Cells looked into for one place that may be equal to the best, at most.
+/// Limit of cells examined for one place that may equal the best.
 const CELLS_OF_A_PLACE: usize = 24;
 
-/// Places that may be equal to the best, at most (tuned: 300 kB).
+/// Limit of places that may equal the best (tuned: 300 kB).
 const MOST_PLACES: usize = 4_096;
 
-/// Share of the wanted width that the proof leaves open. Rounding and equal places take the rest.
+/// Part of the requested width that the proof may leave open. Rounding and equal places take the rest.
 pub(super) const PROOF_SHARE: f64 = 0.95;
 
-/// Places within this share of the wanted width are equal: far above rounding, and so small that the first of them bounds nothing worse than the best.
+/// Part of the requested width within which places are equal: far above rounding, and small enough that the first of them is a valid bound.
 pub(super) const EQUAL_SHARE: f64 = 1e-3;
 
-/// Matings whose stretches are taken up before what was overtaken is dropped (tuned: 160 kB of stretches).
+/// Matings whose stretches are collected before outdated ones are dropped (tuned: 160 kB of stretches).
 const STRIDE: u64 = 512;
 
-/// Stretches that may hold an extreme: those which may reach as far as any that was seen reaches for sure.
+/// Stretches that can contain an extreme: they can reach the best guaranteed value so far.
 struct Candidates<'a> {
     search: &'a Search<'a>,
     kept: Vec<Bounds>,
-    /// Those which cannot beat the best found, but may be equal to it.
+    /// Stretches that cannot beat the best pose, but may equal it.
     near: Vec<Bounds>,
-    /// The most promising.
+    /// The most promising stretch.
     top: Option<Bounds>,
-    /// How promising that is.
+    /// Its key.
     key: f64,
-    /// How far the best reaches for sure.
+    /// The best guaranteed value.
     sure: f64,
-    /// So many may be kept before a pose is looked at, to drop what cannot beat it.
+    /// Number of stretches to keep before a pose is examined to drop some.
     room: usize,
-    /// How promising the best of those dropped is.
+    /// The best key of the dropped ones.
     dropped: f64,
 }
 
@@ -74,7 +74,7 @@ impl Candidates<'_> {
         }
     }
 
-    /// Looks at the most promising stretch in its middle.
+    /// Examines the most promising stretch in its middle.
     fn look(&self, found: &mut PosesSeen) -> Result<(), Error> {
         let Some(top) = self.top else {
             return Ok(());
@@ -86,8 +86,8 @@ impl Candidates<'_> {
         Ok(())
     }
 
-    /// Looks at the most promising stretch where its extreme is expected, and drops what cannot beat that: of gears that repeat themselves
-    /// every mating is as promising as any.
+    /// Examines the most promising stretch at its expected extreme, and drops the stretches that cannot beat that. In gears with equal
+    /// teeth every mating is equally promising.
     fn thin(&mut self, found: &mut PosesSeen) -> Result<(), Error> {
         let Some(top) = self.top else {
             return Ok(());
@@ -100,12 +100,12 @@ impl Candidates<'_> {
         let key = |bounds: &Bounds| self.search.key(bounds.low, bounds.high);
         let top = self.kept.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
         (self.top, self.key) = (top.copied(), top.map_or(f64::NEG_INFINITY, key));
-        // Doubled at least, so that this costs no more than keeping.
+        // At least doubled, so that this costs no more than keeping.
         self.room = self.room.max(2 * self.kept.len());
         Ok(())
     }
 
-    /// Drops what cannot beat the best found by more than the width.
+    /// Drops the stretches that cannot beat the best pose by more than the width.
     fn drop(&mut self, found: &PosesSeen) {
         let search = self.search;
         let (which, dropped, near) = (search.which, &mut self.dropped, &mut self.near);
@@ -121,7 +121,7 @@ impl Candidates<'_> {
         search.keep_near(near, found);
     }
 
-    /// What has to be looked into.
+    /// The stretches to examine.
     fn ranked(mut self, found: &PosesSeen) -> Ranked {
         self.drop(found);
         let open = self.kept.iter().map(|bounds| Open {
@@ -141,21 +141,21 @@ impl Candidates<'_> {
 pub(super) struct Search<'a> {
     pub course: &'a Course<'a>,
     pub table: &'a Table,
-    /// What the proof may leave open, rad.
+    /// The part of the bracket that the proof may leave open, rad.
     pub width: f64,
-    /// Places within so much of the best are equal to it, rad.
+    /// Distance from the best within which places are equal, rad.
     pub equal: f64,
     pub which: Which,
-    /// Effort that is left to what comes after this search.
+    /// Effort reserved for the steps after this search.
     pub spare: u64,
-    /// How far poses are sampled where the effort was too great.
+    /// The condition that ends sampling after the effort of the search was too great.
     pub until: Until,
 }
 
-/// A cell in the order in which cells are looked into.
+/// A cell in the order of examination.
 #[derive(Debug)]
 struct Open {
-    /// How promising it is.
+    /// Its key.
     key: f64,
     cell: Cell,
 }
@@ -175,7 +175,7 @@ impl PartialOrd for Open {
 }
 
 impl Ord for Open {
-    /// The most promising first, of equal ones the first in the cycle.
+    /// The most promising first; of equal ones the first in the cycle.
     fn cmp(&self, other: &Open) -> std::cmp::Ordering {
         let place = |open: &Open| (open.cell.mating, open.cell.part);
         let key = self.key.total_cmp(&other.key);
@@ -184,17 +184,17 @@ impl Ord for Open {
     }
 }
 
-/// What one search has to look into.
+/// The cells that a search has to examine.
 #[derive(Debug, Default)]
 pub(super) struct Ranked {
     open: Vec<Open>,
-    /// Cells that do not beat the best, but may be equal to it.
+    /// Cells that do not beat the best, but may equal it.
     pub near: Vec<Cell>,
-    /// How promising the best of the rest is.
+    /// The best key of the others.
     bound: f64,
 }
 
-/// Looks at the most promising pose of each of `searches` over one cycle, and ranks what may beat the best found.
+/// Examines the most promising pose of each of `searches` over one cycle, and ranks the stretches that may beat the best.
 pub(super) fn rank(searches: &[Search], found: &mut PosesSeen) -> Result<Vec<Ranked>, Error> {
     let Some(Search { table, .. }) = searches.first() else {
         return Ok(Vec::new());
@@ -225,7 +225,7 @@ impl Search<'_> {
         self.which.key(low, high)
     }
 
-    /// Where in a cell with its bounds the extreme is expected.
+    /// The place of the expected extreme in a cell with bounds.
     fn expected(&self, cell: &Cell) -> f64 {
         match self.which {
             Which::Least => cell.lowest,
@@ -233,7 +233,7 @@ impl Search<'_> {
         }
     }
 
-    /// The best found, as a key.
+    /// The best known pose, as a key.
     fn best(&self, found: &PosesSeen) -> f64 {
         let seen = match self.which {
             Which::Least => found.least.map(|seen| -seen.angle),
@@ -242,7 +242,7 @@ impl Search<'_> {
         seen.unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// The bound that holds for the whole cycle, rad, of the `ranked` stretches of the same search.
+    /// The bound for the whole cycle, rad, from the `ranked` stretches of this search.
     pub fn run(&self, ranked: &mut Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
         let mut open = BinaryHeap::from(std::mem::take(&mut ranked.open));
         let proof = self.settle(&mut open, ranked, found)?;
@@ -250,7 +250,7 @@ impl Search<'_> {
         Ok(proof)
     }
 
-    /// Cuts the most promising of `open` until none can beat the best found.
+    /// Cuts the most promising of `open` until none can beat the best pose.
     fn settle(
         &self,
         open: &mut BinaryHeap<Open>,
@@ -258,7 +258,7 @@ impl Search<'_> {
         found: &mut PosesSeen,
     ) -> Result<Proof, Error> {
         let mut bound = ranked.bound;
-        // How promising the best of the cells is that are too narrow to cut.
+        // The best key of the cells that are too narrow to cut.
         let mut narrow = f64::NEG_INFINITY;
         for _ in 0..MOST_CELLS {
             if self.course.effort.left() <= self.spare {
@@ -301,7 +301,7 @@ impl Search<'_> {
                 Which::Greatest => found.unmeshed,
             };
             if without.is_some() {
-                // There is no bound of what has no value.
+                // A jammed or unmeshed pose has no extreme.
                 return Ok((self.value(self.best(found)), None));
             }
             let enough = self.best(found) + self.width;
@@ -318,7 +318,7 @@ impl Search<'_> {
         if left <= self.best(found) + self.width {
             return Ok((self.value(bound), None));
         }
-        // What holds is what the most promising stretch may come to.
+        // The key of the most promising stretch is the valid bound.
         if self.until != Until::Jammed {
             sample::sample(self.course, found, self.until)?;
         }
@@ -331,7 +331,7 @@ impl Search<'_> {
         Ok((self.value(top), Some(doubt)))
     }
 
-    /// Keeps of the stretches `near` those that may be equal to the best found, the first in the order of teeth where these are too many.
+    /// Keeps the stretches of `near` that may equal the best pose; if these are too many, the first in the order of teeth.
     fn keep_near(&self, near: &mut Vec<Bounds>, found: &PosesSeen) {
         let least = self.best(found) - self.equal;
         near.retain(|bounds| self.key(bounds.low, bounds.high) >= least);
@@ -346,8 +346,8 @@ impl Search<'_> {
         self.course.teeth(self.course.first_alike(mating))
     }
 
-    /// Names the first of the places equal to the best found: least wheel tooth, then least pinion tooth, then least fraction. Otherwise the last bit of a
-    /// sine decides.
+    /// Reports the first of the places equal to the best: least wheel tooth, then least pinion tooth, then least fraction. Otherwise the
+    /// last bit of a sine would decide.
     pub fn name_first(&self, mut near: Vec<Cell>, found: &mut PosesSeen) -> Result<(), Error> {
         let least = self.best(found) - self.equal;
         let best = match self.which {
@@ -382,7 +382,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// The pose of a mating, where it reaches as far as `least`.
+    /// The pose of a mating, if it reaches `least`.
     fn equal_at(&self, index: u64, at: f64, least: f64) -> Result<Option<Seen>, Error> {
         let mut seen = PosesSeen::default();
         seen.look(self.course, self.course.mating(index, at))?;
@@ -393,7 +393,7 @@ impl Search<'_> {
         Ok(one.filter(|_| self.best(&seen) >= least))
     }
 
-    /// A pose of a cell that reaches as far as `least`, in the first of its cells that has one.
+    /// A pose of a cell that reaches `least`, in the first of its cells that has one.
     fn first_within(&self, cell: Cell, least: f64) -> Result<Option<Seen>, Error> {
         let index = self.course.first_alike(cell.mating);
         let mut open = vec![cell];

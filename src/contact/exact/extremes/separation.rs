@@ -1,43 +1,42 @@
-//! The rotation at which a pair of half teeth touches, from what keeps them apart: one closed form for involutes and their ends.
+//! The rotation at which a pair of half teeth touches, in closed form for involutes with ends, from the direction that separates them.
 //!
-//! An arc of an involute is convex. Its support function in the direction of the normal at the roll `ξ` is `r_b q(ξ)`: `q = ξ` where
-//! the roll lies on the arc, and beyond an end `ξ_e`, with `δ = ξ − ξ_e`, that of the end point,
-//!
+//! An arc of an involute is convex. Its support function in the direction of the normal at the roll `ξ` is `r_b q(ξ)`. On the arc `q = ξ`.
+//! Past an end `ξ_e`, with `δ = ξ − ξ_e`, it is that of the end point,
 //! ```text
 //! q = ξ_e cos δ + sin δ        (q = ξ, q' = 1, q'' = 0 at most at δ = 0; q'' = −ξ_e cos δ − sin δ)
 //! ```
 //!
-//! A tip land adds nothing to it in the directions that matter here: its normals lie a right angle less `α_a` beyond the corner's.
-//! With the centres `B` apart ([`super::super::line`]) both arcs lie on different sides of a line of the direction `β` where
+//! A tip land contributes nothing in the relevant directions: its normals are a right angle less `α_a` past those of the corner. With the
+//! centres `B` apart ([`super::super::line`]) the arcs are on different sides of a line of the direction `β` if
 //!
 //! ```text
 //! s(β) = Im(e^{iβ} B*) − r_bL q_L(β − λ_b) − r_bF q_F(β − μ − μ_b) ≥ 0,
 //! ```
 //!
-//! and they touch at the rotation `μ` at which the greatest `s` over all directions is 0. Any direction whatever gives a rotation
-//! `μ_β` (where `s = 0`) at which they are apart for sure.
+//! They touch at the rotation `μ` at which the greatest `s` over all directions is 0. Any direction gives a rotation `μ_β` (where `s = 0`)
+//! at which they are certainly apart.
 //!
-//! **Between two poses.** Let the locked gear turn by `x`. Of `s(β; x, μ) = 0` at a fixed `β` follows
-//! `μ'' = −(s_xx + s_μμ μ'²)/s_μ`, and `s_xx ≥ −e_L + …`: both arcs contribute `−r_b q'' ≥ 0` only, where `ξ_e cos δ + sin δ ≥ 0`.
-//! So `μ'' ≤ (e_L + e_F μ'²)/s_μ`: every `μ_β`, and with it their least, the rotation of touch, is concave up to that small constant
-//! ([`Separation::bend`]). A tangent bounds it from above between poses, a chord from below.
+//! **Between two poses.** Let the locked gear turn by `x`. From `s(β; x, μ) = 0` at a fixed `β` follows `μ'' = −(s_xx + s_μμ μ'²)/s_μ`,
+//! with `s_xx ≥ −e_L + …`: both arcs contribute only `−r_b q'' ≥ 0`, where `ξ_e cos δ + sin δ ≥ 0`. So `μ'' ≤ (e_L + e_F μ'²)/s_μ`. Every
+//! `μ_β`, and their least, the rotation of the touch, are concave up to that small constant ([`Separation::bend`]). A tangent bounds it
+//! from above between poses, a chord from below.
 
 use super::super::flank_problem::PosedFlanks;
 use super::super::line::Line;
 use super::super::path::Pair;
 use super::super::shape::{C, HalfToothShape, turn};
 
-/// Steps of Newton's method (it takes 3 to 6).
+/// Limit of Newton steps (3 to 6 are usual).
 const STEPS: usize = 24;
 
-/// After steps this small of `μ` and `β`, rad, what is left is of their squares: rounding.
+/// Steps of `μ` and `β`, rad, after which only their squares are left, which are rounding.
 const SETTLED: (f64, f64) = (1e-7, 1e-6);
 
-/// `s` bends by this share of `Σ` at least, where the direction in which it is greatest is known: else two corners meet, which touch
-/// in any.
+/// Least curvature of `s`, as a part of `Σ`, if the direction of its maximum is known. Otherwise two corners meet, which touch in any
+/// direction.
 const LEVEL: f64 = -1e-3;
 
-/// An arc of an involute, or all of it.
+/// An arc of an involute, or the whole involute.
 #[derive(Debug, Clone, Copy)]
 struct Arc {
     base: f64,
@@ -73,11 +72,11 @@ impl Arc {
         [end * cos + sin, cos - end * sin, -end * cos - sin]
     }
 
-    /// Of all rolls within `play` of this one: the least `q'`, the greatest, and the greatest `q''` or 0.
+    /// Over all rolls within `play` of this one: the least `q'`, the greatest, and the greatest `q''` or 0.
     fn range(&self, roll: f64, play: f64) -> [f64; 3] {
         let (low, high) = (roll - play, roll + play);
         let [l, h] = [low, high].map(|roll| self.support(roll));
-        // q' falls beyond the tip; below the form roll it is at most √(1 + ξ_f²), and has no minimum between.
+        // q' falls past the tip; below the form roll it is at most √(1 + ξ_f²), without a minimum in between.
         let most = match low < self.form {
             true => (1.0 + self.form * self.form).sqrt(),
             false => l[1],
@@ -86,8 +85,8 @@ impl Arc {
     }
 }
 
-/// The roll down to which there is metal at least as far out as the involute: a fillet that is not undercut leaves the involute, prolonged
-/// down to the base circle, inside.
+/// The roll down to which metal is at least as far out as the involute. A fillet without undercut lies outside the involute extended to the
+/// base circle.
 pub(super) fn lowest_roll(shape: &HalfToothShape) -> f64 {
     match shape.corners().len() {
         1 => shape.form_roll.min(0.0),
@@ -95,14 +94,14 @@ pub(super) fn lowest_roll(shape: &HalfToothShape) -> f64 {
     }
 }
 
-/// Where a pair of half teeth touches, each taken for its involute.
+/// The touch of a pair of half teeth, with each represented by its involute.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Separation {
     /// The gap, as [`super::super::candidate::CandidateContact::gap`].
     pub gap: f64,
     /// Its derivative by the rotation of the locked gear.
     pub slope: f64,
-    /// Whether it is the touch itself; else only a rotation at which they are apart.
+    /// Whether it is the touch itself; otherwise only a rotation at which they are apart.
     pub touches: bool,
     rolls: [f64; 2],
     arcs: [Arc; 2],
@@ -154,10 +153,10 @@ impl Separation {
         let mut touches = false;
         let mut last = (0.0f64, 0.0);
         for _ in 0..STEPS {
-            // One step for both: where `s` is greatest its derivative by the direction is 0.
-            // Where it does not bend down, that is farther up the slope.
+            // One step for both: where `s` is greatest its derivative by the direction is 0. If it is not concave, the maximum is further
+            // up the slope.
             let newton = (-state.tilt / state.bend.min(LEVEL * sum)).clamp(-0.3, 0.3);
-            // At an end of an arc `s` bends at once, and two such steps may lead to and fro: the chord of both tilts does not.
+            // At an end of an arc the curvature of `s` jumps, and two such steps can oscillate; the chord of both tilts does not.
             let returns = state.tilt * last.1 < 0.0 && newton.abs() >= last.0.abs();
             let turned = match returns {
                 true => -last.0 * state.tilt / (state.tilt - last.1),
@@ -174,7 +173,7 @@ impl Separation {
                 break;
             }
         }
-        // What is left of `s` goes to the safe side for both bounds: it is rounding.
+        // The remainder of `s` is rounding, and is put on the safe side for both bounds.
         gap -= state.apart / state.turning;
         let slopes = state.slopes;
         let touches = touches && gap.is_finite();
@@ -209,7 +208,7 @@ impl Separation {
         }
     }
 
-    /// Rolls of the locked and the free involute in the direction that keeps them apart.
+    /// Rolls of the locked and the free involute in the separating direction.
     pub fn rolls(&self) -> [f64; 2] {
         self.rolls
     }
@@ -222,8 +221,8 @@ impl Separation {
         })
     }
 
-    /// What involutes that end have less room than endless ones at most, between this pose and `other`, rad of the free gear; of endless ones
-    /// nothing but the cube of what lies below the form roll counts.
+    /// Greatest deficit of room of involutes with ends against endless ones, between this pose and `other`, rad of the free gear. For
+    /// endless ones only the cube of the part below the form roll counts.
     pub fn short(&self, other: &Separation, plays: [f64; 2], forms: [f64; 2]) -> f64 {
         let bases = [self.arcs[0].base, self.arcs[1].base];
         let short = |k: usize| {
@@ -235,15 +234,15 @@ impl Separation {
         (bases[0] * short(0) + bases[1] * short(1)) / bases[1]
     }
 
-    /// Bound on the second derivative of the rotation of touch by that of the locked gear while the rolls change by `plays`, with the
-    /// eccentricities `off`; `None` where the free gear's arm may vanish.
+    /// Bound on the second derivative of the rotation of the touch by that of the locked gear, while the rolls change by `plays`, with the
+    /// eccentricities `off`. `None` if the free gear's arm can vanish.
     pub fn bend(&self, plays: [f64; 2], off: [f64; 2]) -> Option<f64> {
         let [locked, free] = [0, 1].map(|k| self.arcs[k].range(self.rolls[k], plays[k]));
         let bases = [self.arcs[0].base, self.arcs[1].base];
         let turning = bases[1] * free[0] - off[1];
         let rate = (bases[0] * locked[1] + off[0]) / turning;
         let bend = off[0] + bases[0] * locked[2] + (off[1] + bases[1] * free[2]) * rate * rate;
-        // Half an arm is left of all that can be the tightest.
+        // At least half an arm is left for all that can be the tightest.
         (turning > 0.5 * bases[1]).then_some(bend / turning)
     }
 }
@@ -302,8 +301,8 @@ mod tests {
         }
     }
 
-    /// Source: how far the end point, and an endless involute, reach in the direction of a roll below the form roll: `ξ_f cos δ + sin δ` and
-    /// `ξ`, at the least of all rolls in play.
+    /// Source: the reach of the end point, `ξ_f cos δ + sin δ`, and of an endless involute, `ξ`, in the direction of a roll below the form
+    /// roll, at the least of all rolls in play.
     #[test]
     fn involutes_that_end_are_short_by_what_their_end_reaches_farther() {
         let (bases, forms) = ([30.0, 20.0], [0.01, 0.02]);
@@ -321,8 +320,8 @@ mod tests {
         assert_eq!(there.short(&there, [0.0, 0.0], [0.0, 0.0]), 0.0);
     }
 
-    /// No touch bends more than its bound, and one that the eccentricities bend the most not much less. Source: differences of the rotation
-    /// of touch of involutes, found by Newton's method from the length of the line of action.
+    /// No touch has more curvature than its bound, and the greatest effect of the eccentricities is near the bound. Source: differences of
+    /// the rotation of the touch of involutes, by Newton's method from the length of the line of action.
     #[test]
     fn a_touch_bends_no_more_than_its_bound() {
         for (bases, off) in [

@@ -1,4 +1,4 @@
-//! What bounds the room of one side in each part of a pitch, and of every place what its flanks are off.
+//! Tables of one side: bounds of the room in each part of a pitch, and the flank offsets of every place.
 
 use super::super::line::Line;
 use super::super::shape::C;
@@ -10,37 +10,37 @@ use std::ops::Range;
 /// One side's tables.
 #[derive(Debug)]
 pub(super) struct SideTable {
-    /// `r δ_L` and `δ_F` by place, some places more at both ends.
+    /// `r δ_L` and `δ_F` by place, with some places more at both ends.
     locked: Vec<f64>,
     free: Vec<f64>,
     pad: i64,
-    /// Places of step 0 where the cycle begins; the locked one falls by `sense` with each mating.
+    /// Places of step 0 at the start of the cycle; the locked one falls by `sense` with each mating.
     first: [i64; 2],
     sense: i64,
-    /// Steps that may be the tightest, and what they have beside the line of action at least: their involutes, and where a tip corner meets
-    /// a fillet.
+    /// Steps that can be the tightest, with their least room beside the line of action: that of their involutes, and that of a tip corner
+    /// and a fillet.
     pub open: [Vec<(i64, f64, f64)>; PARTS],
-    /// Those of them of which involutes and their ends decide, and those whose tip corners may dip into fillets.
+    /// The steps decided by involutes and their ends, and those whose tip corners can reach fillets.
     pub plain: [Vec<(i64, f64)>; PARTS],
     pub dipping: [Vec<(i64, Part)>; PARTS],
-    /// Whether a tip corner on a fillet may have no more room than a pair on the line of action: it need not have less than
-    /// [`SideTable::plain`] holds its involutes to have.
+    /// Whether a tip corner on a fillet can have no more room than a pair on the line of action. It need not have less than
+    /// [`SideTable::plain`] gives its involutes.
     pub may_dip: bool,
-    /// Steps that are on the line of action all through.
+    /// Steps that are on the line of action throughout.
     pub covering: [Vec<i64>; PARTS],
     /// `ρ`.
     pub nominal: f64,
     /// `κ`: 0 where base pitches are equal.
     pub per_step: f64,
-    /// How much `r δ_L + δ_F + κ s` differs over all flanks and the steps that may be the tightest.
+    /// Greatest difference of `r δ_L + δ_F + κ s` over all flanks and the steps that can be the tightest.
     spread: f64,
-    /// How far `r δ_L + δ_F + κ (s + sense f)` lies from the middle of `r δ_L + δ_F` at most, of those steps all through a pitch: of
-    /// steps `s` that reach farther to one side than to the other more than half of what they differ.
+    /// Greatest distance of `r δ_L + δ_F + κ (s + sense f)` from the middle of `r δ_L + δ_F`, over those steps throughout a pitch. If the
+    /// steps `s` reach further to one side than to the other, it is more than half of their difference.
     pub level: f64,
 }
 
 impl SideTable {
-    /// Of a side and how it stands where the cycle begins.
+    /// The tables of a side that is `posed` at the start of the cycle.
     pub fn new(side: &SideCourse, posed: &Posed) -> SideTable {
         let problem = side.problem;
         let steps = steps(side, posed.flanks.ahead);
@@ -71,7 +71,7 @@ impl SideTable {
             level: 0.0,
         };
         let [low, high] = table.ends();
-        // A step more: what it comes to in a pitch.
+        // One more step, for the change within a pitch.
         let reach = (steps.end - steps.start + 1) as f64;
         table.spread = high - low + table.per_step.abs() * reach;
         let farthest = steps.start.abs().max((steps.end - 1).abs()) + 1;
@@ -91,7 +91,7 @@ impl SideTable {
         for part in 0..PARTS {
             let found = steps.clone().map(|step| (step, rolls.of(step, part)));
             let found: Vec<(i64, Part)> = found.collect();
-            // What has more room than any pair on the line of action can have is never the tightest.
+            // A step with more room than any pair on the line of action can have is never the tightest.
             let limit = match found.iter().any(|(_, part)| part.covers) {
                 true => spread,
                 false => f64::INFINITY,
@@ -136,7 +136,7 @@ impl SideTable {
         [part, part + 1].map(|end| drift * end as f64 / PARTS as f64)
     }
 
-    /// How much deeper or higher than its involute a tip corner may meet a fillet, rad; `None` where none comes near.
+    /// Greatest difference between the contact of a tip corner with a fillet and that of its involute, rad; `None` if none comes near.
     pub fn deepest(&self) -> Option<f64> {
         let each = self
             .dipping
@@ -182,7 +182,7 @@ pub(super) fn steps(side: &SideCourse, ahead: f64) -> Range<i64> {
     let (first, last) = (ahead.min(beyond) + least, ahead.max(beyond) + most);
     let from = ((low - last) * problem.per_pitch).floor() as i64;
     let to = ((high - first) * problem.per_pitch).ceil() as i64;
-    // A wide helical face may have more steps than there are teeth.
+    // A wide helical face can have more steps than there are teeth.
     if least < most {
         return from..to + 1;
     }

@@ -1,11 +1,11 @@
 //! Bounds of every mating of a cycle from tables: a few sums each.
 //!
-//! Where two involutes touch on the line of action, the room a side has is `ρ + r δ_L + δ_F − ε`: what perfect gears would have, what both
-//! flanks are off their places (`r = r_bL/r_bF`) and what the eccentricities take, which is the shift `b` of the centres along the line
-//! of action: `ε = (−b_x sin α + b_y cos α)/r_bF`, but for its second order. Of gears of unequal base pitch a pair `s` steps on, and `f` of a
-//! pitch later, has `κ (s + sense f)` more, `κ = r τ_L − τ_F`. Beside the line of action a pair has more room. How much more at least
-//! depends on the part of the pitch alone, so it is worked out once for each of [`PARTS`]; and so is which pairs stand on
-//! the line of action all through a part: these bound the room from above.
+//! Where two involutes touch on the line of action, a side has the room `ρ + r δ_L + δ_F − ε`. `ρ` is that of perfect gears, `r δ_L + δ_F`
+//! the offset of both flanks (`r = r_bL/r_bF`), and `ε` the effect of the eccentricities. The shift `b` of the centres along the line of
+//! action gives `ε = (−b_x sin α + b_y cos α)/r_bF`, except for its second order. In gears of unequal base pitch a pair `s` steps on, and
+//! `f` of a pitch later, has `κ (s + sense f)` more, with `κ = r τ_L − τ_F`. Beside the line of action a pair has more room. The least
+//! addition depends only on the part of the pitch, so it is computed once for each of [`PARTS`]. So are the pairs on the line of action
+//! throughout a part: these bound the room from above.
 
 use super::super::shape::C;
 use super::course::{Course, PARTS};
@@ -13,7 +13,7 @@ use super::shift::Shift;
 use super::side_table::SideTable;
 use std::ops::Range;
 
-/// Both sides'.
+/// The tables of both sides.
 #[derive(Debug)]
 pub(super) struct Table {
     sides: [SideTable; 2],
@@ -22,21 +22,21 @@ pub(super) struct Table {
     /// How much less and how much more room there may be than the sums say: the second order of `ε`, which adds room, its third order, and its
     /// bend between the ends of a part.
     slack: [f64; 2],
-    /// Of each side, how far the outlines' centres are apart; `None` where no corner comes near a fillet.
+    /// The distances of the outlines' centres, for each side; `None` if no corner comes near a fillet.
     distances: Option<Distances>,
-    /// Those to look through.
+    /// Number of matings to examine.
     matings: u64,
 }
 
-/// A step that may be the tightest in a part of a mating.
+/// A step that can be the tightest in a part of a mating.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OpenStep {
     pub step: i64,
-    /// How much more room than its own place on the line of action gives a step on that line has at most.
+    /// Upper bound of the room of the side in excess of this step's place on the line of action.
     pub enough: f64,
-    /// Whether a corner on a fillet may have less than that.
+    /// Whether a corner on a fillet can have less than that.
     pub dips: bool,
-    /// How much more its involutes and their ends have than that place at least, anywhere in the part and on the face.
+    /// Least excess of its involutes and their ends over that place, anywhere in the part and on the face.
     pub beside: f64,
 }
 
@@ -49,14 +49,14 @@ pub(super) struct BesideLine {
     pub most: f64,
 }
 
-/// How far the outlines' centres are apart.
+/// Distances of the outlines' centres.
 #[derive(Debug)]
 struct Distances {
-    /// How much farther than the axes, each side.
+    /// Excess over the distance of the axes, for each side.
     sides: [Shift; 2],
-    /// No more than this, both ways.
+    /// Upper bound of the excess, in both directions.
     off: f64,
-    /// What that is off at most: the gap at which it is taken, its second order, and its bend over a part.
+    /// Error bound of the excess: its gap, its second order, and its curvature over a part.
     slack: f64,
 }
 
@@ -80,7 +80,7 @@ impl Table {
         let nearest = problem.distance - off;
         let sum = problem.sum();
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
-        // Of each side: the gap at which `b` is taken, the second order in `b`, the bend over a part.
+        // For each side: the gap of `b`, the second order in `b`, the curvature over a part.
         let level = sides.iter().map(|side| side.level).fold(0.0, f64::max);
         let level = level + off * per_base / (1.0 - side.off[1] * per_base);
         let moved = side.off[1] * per_base * level / (1.0 - side.off[1] * per_base);
@@ -204,7 +204,7 @@ impl Table {
         })
     }
 
-    /// Whether a tip corner on a fillet may be the tightest somewhere.
+    /// Whether a tip corner on a fillet can be the tightest somewhere.
     pub fn has_dips(&self) -> bool {
         self.sides.iter().any(|side| side.may_dip)
     }
@@ -213,7 +213,7 @@ impl Table {
         self.matings
     }
 
-    /// Steps of a side that may be the tightest in a part of a mating: those that need not have more room than one on the line of action.
+    /// Steps of a side that can be the tightest in a part of a mating: those whose room may be less than that of one on the line of action.
     pub fn steps(
         &self,
         side: usize,
@@ -240,7 +240,7 @@ impl Table {
 }
 
 impl Distances {
-    /// Between which shares of the way from the least to the greatest distance the centres stay, of the shifts at both ends of a part.
+    /// The range of the centres' distance, in parts of the way from the least to the greatest, for the shifts at both ends of a part.
     fn shares(&self, ends: [f64; 2]) -> [f64; 2] {
         if self.off == 0.0 {
             return [0.0, 1.0];
@@ -262,8 +262,8 @@ mod tests {
     };
     use crate::pair::{GearPair, Mating};
 
-    /// 400/400 of base pitches 0.001 % apart, profile shifts −6 and 6: they touch far from the pitch point, and their steps reach farther to
-    /// one side of it. Whatever step touches, κ (s + sense f) is no more than the level says.
+    /// 400/400 teeth with base pitches 0.001 % apart and profile shifts −6 and 6. They touch far from the pitch point, and their steps
+    /// reach further to one side of it. κ (s + sense f) of any touching step is at most the level.
     #[test]
     fn the_level_holds_steps_to_one_side() {
         let gear = |module: f64, shift: f64, face| {
@@ -297,8 +297,8 @@ mod tests {
         assert!(lopsided > 0);
     }
 
-    /// Where no tip is said to come to a fillet none does, of pinions of few teeth above all: their involutes end at edges, whose room is no
-    /// bound on that of a fillet below. Source: the kernel's own contacts at 300 poses.
+    /// No tip reaches a fillet where none is reported. Pinions of few teeth matter most: their involutes end at edges, whose room does not
+    /// bound that of a fillet below. Source: the kernel's own contacts at 300 poses.
     #[test]
     fn no_tip_touches_a_fillet_where_none_is_said_to() {
         let (mut kept, mut touched) = (0, 0);

@@ -352,7 +352,7 @@ impl AsBuilt {
     pub(super) fn check_teeth(&self) -> Result<(), GearError> {
         let gear = &self.gear;
         let alike = |offsets: &[f64]| offsets.iter().all(|offset| *offset == offsets[0]);
-        // One tooth stands for all, where they are alike.
+        // If all teeth are equal, one is checked.
         let last = if self.modified.is_none() && self.offsets.iter().all(|side| alike(side)) {
             1
         } else {

@@ -11,7 +11,7 @@ use nalgebra::{Point2, Vector2};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::ops::ControlFlow;
 
-/// What flanks are made of.
+/// The kind of curve of a flank.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Flanks {
     Chords(u32),
@@ -196,7 +196,7 @@ fn hold(pair: &OutlinePair, case: &str) -> [f64; 2] {
     };
     let kernel = OutlineKernel::new(pair);
     let radius = pair.operating_pitch_radius(pair.free());
-    // Like teeth are alike in every pitch; of unlike ones every 7th pose of the whole cycle.
+    // Equal teeth repeat in every pitch; of unlike ones every 7th pose of the whole cycle.
     let (pitches, every) = match run.has_like_teeth() {
         true => (1, 1),
         false => (run.matings, 7),

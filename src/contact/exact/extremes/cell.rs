@@ -68,7 +68,7 @@ impl Cell {
         ]
     }
 
-    /// This cell with the bounds of its table, taken from the line of action as it stands at both ends.
+    /// This cell with the bounds of its table, taken from the line of action at both ends.
     pub fn bounded_by_line(self, course: &Course, table: &Table) -> Cell {
         let posed = course.posed(self.mating);
         let rooms = [0, 1].map(|k| {

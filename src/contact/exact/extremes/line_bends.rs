@@ -25,18 +25,21 @@
 
 use super::super::flank_problem::FlankProblem;
 
-/// Bounds over all poses of a side, a radian of the locked gear.
+/// Bounds over all poses of a side, per radian of the locked gear's rotation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LineBends {
-    /// Of the turn of the line of action.
+    /// Bound of the turn of the line of action.
     pub turn: f64,
-    /// Of the second and the third derivative of the touch.
+    /// Bound of the second derivative of the touch.
     pub second: f64,
+    /// Bound of its third derivative.
     pub third: f64,
 }
 
 impl LineBends {
-    /// Of a side whose outlines have the eccentricities `off`, mm; `None` where base circles may overlap or less than half the free arm is left.
+    /// The bounds of a side with the eccentricities `off`, mm, of its outlines.
+    ///
+    /// They are `None` if base circles may overlap or less than half the free arm is left.
     pub fn new(problem: &FlankProblem, off: [f64; 2]) -> Option<LineBends> {
         let bases = [problem.locked.shape.base, problem.free.shape.base];
         LineBends::of(bases, problem.distance, off)

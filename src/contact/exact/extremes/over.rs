@@ -177,7 +177,7 @@ impl<'a> Over<'a> {
             rooms.push(room);
             return found;
         }
-        // Endless involutes are never farther apart, but for what lies below the form rolls.
+        // Endless involutes have no more room, except by the part below the form rolls.
         let problem = self.side.problem;
         let endless = endless_separations(ends, step);
         let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
@@ -376,7 +376,7 @@ fn separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
     ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap()))
 }
 
-/// What keeps the endless involutes of a step apart, at both ends of a stretch.
+/// The separations of a step's endless involutes at both ends of a stretch.
 fn endless_separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
     ends.map(|end| Separation::endless(&end.flanks, step, end.nominal_gap()))
 }

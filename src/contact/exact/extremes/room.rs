@@ -42,7 +42,7 @@ impl PairRoom {
         }
     }
 
-    /// Of a room whose third derivative is no more than `third`: its bend is that of its rates but for this.
+    /// The room has these `ends` and `rates`, and a third derivative of at most `third`, which bounds its bend by the mean of the rates.
     pub fn smooth(ends: [f64; 2], rates: [f64; 2], third: f64, rounding: f64) -> PairRoom {
         let bend = rates[0] - rates[1] + third;
         let mut room = PairRoom::convex(ends, rates, bend, true);
@@ -211,7 +211,7 @@ pub(super) fn greatest(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     if sharp.1 < every.1 { sharp } else { every }
 }
 
-/// What one side's room is at most: the least of straight lines, and `bend/2 u (1 − u)` more.
+/// An upper bound of one side's room: the least of straight lines, plus `bend/2 u (1 − u)`.
 #[derive(Debug, Clone)]
 struct Above {
     lines: Vec<(f64, f64)>,
@@ -227,7 +227,7 @@ impl Above {
         }
     }
 
-    /// Of the sharp chords, if there are any. They bend alike.
+    /// The bound by the sharp chords, if there are any. It takes the greatest of their bends, which hardly differ.
     fn of_sharp(side: &[PairRoom]) -> Option<Above> {
         let chords = side.iter().filter_map(|room| room.chord);
         let chords: Vec<Chord> = chords.filter(|chord| chord.is_sharp).collect();

@@ -108,7 +108,7 @@ pub(super) struct Separation {
 }
 
 impl Separation {
-    /// Of the pair at `step`, its involutes taken for endless, from about the gap `near`: they touch on the line of action.
+    /// The pair at `step` with endless involutes, which touch on the line of action, found from about the gap `near`.
     pub fn endless(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step);
@@ -130,7 +130,7 @@ impl Separation {
                 - arcs[1].base * (beta - gap - pair.free_base);
             let step = -apart / turning;
             gap += step;
-            // What is left after such a step is rounding.
+            // After such a step only rounding is left.
             if step.abs() < SETTLED.0 || rate == C::ZERO {
                 touches = true;
                 break;
@@ -139,7 +139,7 @@ impl Separation {
         Separation::at(posed, &pair, (gap, beta), (turning, 1.0), arcs, touches)
     }
 
-    /// Of the pair at `step`, from about the gap `near`.
+    /// The pair at `step`, found from about the gap `near`.
     pub fn new(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step);
@@ -213,7 +213,7 @@ impl Separation {
         self.rolls
     }
 
-    /// Whether both rolls are on their involutes, farther from the ends than `plays`.
+    /// Whether both rolls are on their involutes and at least `plays` from the ends.
     pub fn is_on_line(&self, plays: [f64; 2]) -> bool {
         [0, 1].iter().all(|&k| {
             let (roll, arc) = (self.rolls[k], &self.arcs[k]);

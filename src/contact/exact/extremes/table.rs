@@ -161,7 +161,7 @@ impl Table {
         }
     }
 
-    /// What a side has beside a room of `nominal` and the shift of the centres at least and at most, of steps at `places`.
+    /// Least and greatest room of a side at `places`, beyond `nominal` and the shift of the centres.
     fn beside(
         &self,
         side: &SideTable,

@@ -68,6 +68,8 @@ impl Teeth {
             farthest: f64::NEG_INFINITY,
             deepest: f64::NEG_INFINITY,
         };
+        // The far corner of the tooth before, which most teeth share.
+        let mut last = (f64::NAN, C::ZERO);
         for place in 0..i64::from(count) {
             let tooth = number(place);
             let offset = mirror * gear.flank_offset(side, tooth);
@@ -75,7 +77,10 @@ impl Teeth {
             let (_, half_tip) = gear.profile(side.other(), tooth).range(ProfilePart::Tip);
             let far = half_tip + mirror * gear.flank_offset(side.other(), tooth);
             teeth.farthest = teeth.farthest.max(far);
-            teeth.far.push(turn(far - offset) * teeth.shape.tip_radius);
+            if last.0 != far - offset {
+                last = (far - offset, turn(far - offset) * teeth.shape.tip_radius);
+            }
+            teeth.far.push(last.1);
             let root_end = gear.root_end(side, tooth);
             teeth.deepest = teeth.deepest.max(root_end - offset);
             teeth.root_ends.push(root_end);

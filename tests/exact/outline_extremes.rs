@@ -247,12 +247,14 @@ fn no_pose_of_polygons_lies_outside_the_bracket() {
 
 /// Source: poses of the same pairs, 400 per pitch.
 #[test]
+#[ignore = "a minute: cargo test --release --test exact outline_extremes -- --ignored"]
 fn no_pose_of_other_polygons_lies_outside_the_bracket() {
     polygons(100);
 }
 
 /// Source: poses of the same pairs, 400 per pitch.
 #[test]
+#[ignore = "a minute: cargo test --release --test exact outline_extremes -- --ignored"]
 fn no_pose_of_further_polygons_lies_outside_the_bracket() {
     polygons(200);
 }

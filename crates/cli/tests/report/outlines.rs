@@ -63,7 +63,7 @@ fn the_page_of_two_drawings() {
             "7·15 / 7·16",
             "152.43",
             "174.18",
-            "3·19 / 3·20"
+            "6·16 / 6·17"
         ]
     );
     for (name, wheel, pinion) in [

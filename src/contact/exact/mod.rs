@@ -45,8 +45,8 @@ mod teeth;
 mod tests;
 mod tightest;
 
-pub(crate) use extremes::is_proven;
 pub use extremes::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
+pub(crate) use extremes::{End, is_proven};
 pub(super) use flank_problem::{FlankProblem, PosedFlanks, lens_half};
 pub(super) use placed::Placed;
 pub(super) use section::Section;

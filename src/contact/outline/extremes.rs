@@ -13,7 +13,7 @@ use super::cell::{Bound, SideCell, Touching};
 use super::teeth::Frame;
 use super::{Meeting, OutlineKernel, SideKernel};
 use crate::contact::effort::Effort;
-use crate::contact::exact::{Doubt, Extreme, Extremes};
+use crate::contact::exact::{Doubt, End, Extreme, Extremes};
 use crate::contact::gap::{C, turn};
 use crate::contact::lost_motion::Status;
 use crate::outline::OutlinePair;
@@ -59,13 +59,6 @@ const POLISHED: u32 = 20;
 /// Values that differ by less, rad, are equal: rounding of different platforms.
 const EQUAL: f64 = 1e-12;
 
-/// Which extreme is sought.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum End {
-    Least,
-    Greatest,
-}
-
 /// A mesh cycle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OutlineCycle {
@@ -108,21 +101,6 @@ impl Cell {
         match end {
             End::Least => self.low,
             End::Greatest => (-self.high.0, self.high.1),
-        }
-    }
-}
-
-impl End {
-    pub const BOTH: [End; 2] = [End::Least, End::Greatest];
-
-    pub fn of(is_least: bool) -> End {
-        if is_least { End::Least } else { End::Greatest }
-    }
-
-    fn sign(self) -> f64 {
-        match self {
-            End::Least => 1.0,
-            End::Greatest => -1.0,
         }
     }
 }
@@ -311,10 +289,12 @@ impl CycleSearch<'_> {
             End::Least => (bound, angle + error),
             End::Greatest => (angle - error, -bound),
         };
-        let doubt = match closed {
-            false => Some(Doubt::Effort),
-            true if high - low > self.width / ENOUGH => Some(Doubt::Drawing),
-            true => None,
+        let doubt = if !closed {
+            Some(Doubt::Effort)
+        } else if high - low > self.width / ENOUGH {
+            Some(Doubt::Drawing)
+        } else {
+            None
         };
         Some(Extreme {
             low: low * radius,

@@ -25,7 +25,7 @@ use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
 use certificate::{CutSide, Witness};
-pub(crate) use extremes::{End, OutlineCycle};
+pub(crate) use extremes::OutlineCycle;
 use halves::{FreeHalf, LockedHalf};
 use std::f64::consts::TAU;
 use teeth::{Frame, SideTeeth, nearest};

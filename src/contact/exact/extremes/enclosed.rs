@@ -5,13 +5,13 @@
 //! gears.
 
 use super::course::Course;
-use super::extreme::{Doubt, Extreme, Proof, UNKNOWN, Which};
+use super::extreme::{Doubt, End, Extreme, Proof, UNKNOWN};
 use crate::contact::ExactKernel;
 use crate::error::Error;
 use crate::pair::{GearPair, Member};
 
 /// Lower bound of the least and upper bound of the greatest.
-pub(super) fn bounds(course: &Course, width: f64, of: &[Which]) -> Result<[Proof; 2], Error> {
+pub(super) fn bounds(course: &Course, width: f64, of: &[End]) -> Result<[Proof; 2], Error> {
     let assembly = course.assembly;
     let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
     let Some((wheels, pinions)) = enclosing(Member::Wheel).zip(enclosing(Member::Pinion)) else {
@@ -25,12 +25,12 @@ pub(super) fn bounds(course: &Course, width: f64, of: &[Which]) -> Result<[Proof
         ExactKernel::new(&pair).extremes_within(&pair, over, width, course.effort)
     };
     let per_radian = course.per_radian();
-    let least = if of.contains(&Which::Least) {
+    let least = if of.contains(&End::Least) {
         proof(extremes(0)?.least, |least| least.low / per_radian)
     } else {
         UNKNOWN
     };
-    let greatest = if of.contains(&Which::Greatest) {
+    let greatest = if of.contains(&End::Greatest) {
         proof(extremes(1)?.greatest, |most| most.high / per_radian)
     } else {
         UNKNOWN

@@ -189,17 +189,31 @@ impl PosesSeen {
 
 /// The extreme that is searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Which {
+pub(crate) enum End {
     Least,
     Greatest,
 }
 
-impl Which {
+impl End {
+    pub const BOTH: [End; 2] = [End::Least, End::Greatest];
+
+    pub fn of(is_least: bool) -> End {
+        if is_least { End::Least } else { End::Greatest }
+    }
+
+    /// The sign that makes the least of the values the extreme.
+    pub fn sign(self) -> f64 {
+        match self {
+            End::Least => 1.0,
+            End::Greatest => -1.0,
+        }
+    }
+
     /// Greatest excess of a stretch with these bounds over everything else: the sign makes the least a greatest.
     pub fn key(self, low: f64, high: f64) -> f64 {
         let key = match self {
-            Which::Least => -low,
-            Which::Greatest => high,
+            End::Least => -low,
+            End::Greatest => high,
         };
         // Without a bound any excess is possible.
         if key.is_nan() { f64::INFINITY } else { key }
@@ -208,8 +222,8 @@ impl Which {
     /// The guaranteed value of a stretch with these bounds.
     pub fn sure(self, low: f64, high: f64) -> f64 {
         match self {
-            Which::Least => -high,
-            Which::Greatest => low,
+            End::Least => -high,
+            End::Greatest => low,
         }
     }
 }

@@ -34,9 +34,8 @@ use crate::contact::effort::Effort;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
 use course::Course;
-use extreme::Which;
-pub(crate) use extreme::is_proven;
 pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
+pub(crate) use extreme::{End, is_proven};
 use extreme::{PosesSeen, UNKNOWN};
 use sample::Until;
 use search::Search;
@@ -77,13 +76,7 @@ impl ExactKernel {
         width: f64,
         effort: &Effort,
     ) -> Result<Extremes, Error> {
-        self.sought_within(
-            assembly,
-            over,
-            width,
-            effort,
-            &[Which::Greatest, Which::Least],
-        )
+        self.sought_within(assembly, over, width, effort, &[End::Greatest, End::Least])
     }
 
     /// [`ExactKernel::extremes_within`] without the least; it stops at the first pose that is out of mesh.
@@ -99,7 +92,7 @@ impl ExactKernel {
     ) -> Result<Extremes, Error> {
         Ok(Extremes {
             least: None,
-            ..self.sought_within(assembly, over, width, effort, &[Which::Greatest])?
+            ..self.sought_within(assembly, over, width, effort, &[End::Greatest])?
         })
     }
 
@@ -116,7 +109,7 @@ impl ExactKernel {
     ) -> Result<Extremes, Error> {
         Ok(Extremes {
             greatest: None,
-            ..self.sought_within(assembly, over, width, effort, &[Which::Least])?
+            ..self.sought_within(assembly, over, width, effort, &[End::Least])?
         })
     }
 
@@ -143,7 +136,7 @@ impl ExactKernel {
         over: (Mating, u64),
         width: f64,
         effort: &Effort,
-        of: &[Which],
+        of: &[End],
     ) -> Result<Extremes, Error> {
         let parts = match of {
             [_] => PARTS_OF_EFFORT[1],
@@ -155,10 +148,10 @@ impl ExactKernel {
         found
     }
 
-    fn sought(&self, course: &Course, width: f64, of: &[Which]) -> Result<Extremes, Error> {
+    fn sought(&self, course: &Course, width: f64, of: &[End]) -> Result<Extremes, Error> {
         let until = match of {
-            [Which::Least] => Until::Jammed,
-            [Which::Greatest] => Until::Unmeshed,
+            [End::Least] => Until::Jammed,
+            [End::Greatest] => Until::Unmeshed,
             _ => Until::End,
         };
         let mut found = PosesSeen::default();
@@ -188,26 +181,26 @@ impl ExactKernel {
             // A third each for both searches and for the poses that are sampled if the searches do not close. A search for the least alone
             // samples none.
             spare: match which {
-                Which::Greatest => course.effort.left() / 3 * 2,
-                Which::Least if until == Until::Jammed => 0,
-                Which::Least => course.effort.left() / 3,
+                End::Greatest => course.effort.left() / 3 * 2,
+                End::Least if until == Until::Jammed => 0,
+                End::Least => course.effort.left() / 3,
             },
             until,
         };
         let stays = self.stays_on_involutes(course);
         let wanted = of.iter().copied();
-        let wanted = wanted.filter(|which| stays || *which == Which::Greatest);
+        let wanted = wanted.filter(|which| stays || *which == End::Greatest);
         let searches: Vec<Search> = wanted.map(search).collect();
         let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
         let mut ranked = search::rank(&searches, &mut found)?;
         for (search, ranked) in searches.iter().zip(&mut ranked) {
             let proof = search.run(ranked, &mut found)?;
             match search.which {
-                Which::Least => least = proof,
-                Which::Greatest => greatest = proof,
+                End::Least => least = proof,
+                End::Greatest => greatest = proof,
             }
         }
-        if !stays && of.contains(&Which::Least) {
+        if !stays && of.contains(&End::Least) {
             sample::sample(course, &mut found, until)?;
         }
         for (search, ranked) in searches.iter().zip(ranked) {

@@ -118,7 +118,7 @@ impl<'a> Over<'a> {
                 continue;
             }
             self.effort.spend(STEP);
-            let found = self.add_involutes(&self.ends, step.step, &mut rooms);
+            let found = self.add_involutes(step.step, &mut rooms);
             if step.dips {
                 dipping.push((step, found.map(|found| found.gap)));
             }
@@ -165,25 +165,20 @@ impl<'a> Over<'a> {
         })
     }
 
-    /// Adds the room of the involutes and their ends in a section with the sides `ends`, and returns their separations.
-    fn add_involutes(
-        &self,
-        ends: &[Posed; 2],
-        step: i64,
-        rooms: &mut Vec<PairRoom>,
-    ) -> [Separation; 2] {
-        let found = separations(ends, step);
-        if let Some(room) = self.on_line_of_action(ends, &found) {
+    /// Adds the room of the involutes and their ends of spur gears, and returns their separations.
+    fn add_involutes(&self, step: i64, rooms: &mut Vec<PairRoom>) -> [Separation; 2] {
+        let found = separations(&self.ends, step);
+        if let Some(room) = self.on_line_of_action(&self.ends, &found) {
             rooms.push(room);
             return found;
         }
         // Endless involutes have no more room, except by the part below the form rolls.
         let problem = self.side.problem;
-        let endless = endless_separations(ends, step);
+        let endless = self.endless_separations(step);
         let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
-        let mut prolonged = self.endless(ends, &endless).within(None);
+        let mut prolonged = self.endless(&endless).within(None);
         prolonged.lower(endless[0].short(&endless[1], self.plays(), forms));
-        rooms.push(match self.with_ends(ends, &found) {
+        rooms.push(match self.off_line_of_action(&self.ends, &found) {
             Some(room) => room.above(prolonged),
             None => prolonged,
         });
@@ -193,25 +188,26 @@ impl<'a> Over<'a> {
     /// Bounds of the room of all steps by that of `line.step` on the line of action; `None` where nothing says how it bends.
     pub fn of_all(&self, line: BesideLine) -> Option<PairRoom> {
         self.effort.spend(STEP / 2);
-        let found = endless_separations(&self.ends, line.step);
+        let found = self.endless_separations(line.step);
         let room = self.on_line_of_action(&self.ends, &found)?;
         Some(room.between(line.least, line.most))
     }
 
     /// The room of endless involutes, which have `found` at both ends of the cell.
-    fn endless(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> PairRoom {
-        let smooth = self.on_line_of_action(ends, found);
-        smooth.unwrap_or_else(|| {
-            let bend = self.bend(found).unwrap_or(f64::INFINITY);
-            self.convex(ends, found, bend, true)
-        })
+    fn endless(&self, found: &[Separation; 2]) -> PairRoom {
+        let smooth = self.on_line_of_action(&self.ends, found);
+        let room = smooth.or_else(|| self.off_line_of_action(&self.ends, found));
+        room.unwrap_or_else(|| PairRoom::straight([f64::NEG_INFINITY; 2]))
     }
 
-    /// The room of involutes and their ends; `None` without a bound of its curvature.
-    fn with_ends(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
-        if let Some(room) = self.on_line_of_action(ends, found) {
-            return Some(room);
-        }
+    /// The separations of a step's endless involutes at both ends of the cell.
+    fn endless_separations(&self, step: i64) -> [Separation; 2] {
+        self.ends
+            .map(|end| Separation::endless(&end.flanks, step, end.nominal_gap()))
+    }
+
+    /// The room of involutes that may leave the line of action between the ends; `None` without a bound of its curvature.
+    fn off_line_of_action(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
         let touches = found.iter().all(|one| one.touches);
         Some(self.convex(ends, found, self.bend(found)?, touches))
     }
@@ -225,7 +221,7 @@ impl<'a> Over<'a> {
         OpenStep { step, beside, .. }: OpenStep,
         rooms: &mut Vec<PairRoom>,
     ) -> [Separation; 2] {
-        let found = endless_separations(&self.ends, step);
+        let found = self.endless_separations(step);
         let [a, b] = found.each_ref().map(|one| self.on_line(one));
         let [least, most] = self.side.turns;
         // Allows the contact stretch of either end to move over the cell.
@@ -235,7 +231,7 @@ impl<'a> Over<'a> {
             .iter()
             .all(|[from, to]| from.max(least) <= to.min(most));
         let endless = {
-            let room = self.endless(&self.ends, &found);
+            let room = self.endless(&found);
             let mut room = if on { room } else { room.within(None) };
             room.lower(-beside.min(0.0));
             room
@@ -254,7 +250,8 @@ impl<'a> Over<'a> {
         let at_end = nearest.and_then(|face| {
             let ends = self.stretch.map(|at| face.posed.on(at));
             let found = separations(&ends, step + face.steps);
-            self.with_ends(&ends, &found)
+            let on_line = self.on_line_of_action(&ends, &found);
+            on_line.or_else(|| self.off_line_of_action(&ends, &found))
         });
         if !off || at_end.is_none() {
             rooms.push(endless);
@@ -294,7 +291,7 @@ impl<'a> Over<'a> {
         let half = 0.5 * (to - from) / pieces;
         let play = places.play + half;
         let less = |clearance: f64| {
-            let found = endless_separations(ends, step);
+            let found = self.endless_separations(step);
             let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + rounding;
             [0, 1].map(|k| ends[k].room(found[k].gap) - (slack - clearance))
         };
@@ -374,9 +371,4 @@ impl<'a> Over<'a> {
 /// The separations of the half teeth of a step, at both ends of a stretch.
 fn separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
     ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap()))
-}
-
-/// The separations of a step's endless involutes at both ends of a stretch.
-fn endless_separations(ends: &[Posed; 2], step: i64) -> [Separation; 2] {
-    ends.map(|end| Separation::endless(&end.flanks, step, end.nominal_gap()))
 }

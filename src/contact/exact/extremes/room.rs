@@ -206,13 +206,19 @@ pub(super) fn least(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
 /// Where the least of each side's rooms, summed up, is greatest at most, and that.
 pub(super) fn greatest(rooms: &[Vec<PairRoom>; 2]) -> (f64, f64) {
     let every = rooms.each_ref().map(|side| Above::of_every(side));
-    let sharp = [0, 1].map(|k| Above::of_sharp(&rooms[k]).unwrap_or_else(|| every[k].clone()));
-    let [every, sharp] = [every, sharp].map(|above| sum_of(&above));
-    if sharp.1 < every.1 { sharp } else { every }
+    let sum = sum_of(&every);
+    let sharp = rooms.each_ref().map(|side| Above::of_sharp(side));
+    if sharp.iter().all(Option::is_none) {
+        return sum;
+    }
+    let [right, left] = every;
+    let [sharp_right, sharp_left] = sharp;
+    let sharp = sum_of(&[sharp_right.unwrap_or(right), sharp_left.unwrap_or(left)]);
+    if sharp.1 < sum.1 { sharp } else { sum }
 }
 
 /// An upper bound of one side's room: the least of straight lines, plus `bend/2 u (1 − u)`.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 struct Above {
     lines: Vec<(f64, f64)>,
     bend: f64,

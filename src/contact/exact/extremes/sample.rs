@@ -14,7 +14,7 @@
 //! halved.
 
 use super::course::Course;
-use super::extreme::{PosesSeen, Which};
+use super::extreme::{End, PosesSeen};
 use crate::contact::{Contact, LostMotion};
 use crate::error::Error;
 use crate::pair::{Mating, Pose};
@@ -58,11 +58,11 @@ impl Until {
     }
 
     /// The extremes to search.
-    fn sought(self) -> &'static [Which] {
+    fn sought(self) -> &'static [End] {
         match self {
-            Until::Jammed => &[Which::Least],
-            Until::Unmeshed => &[Which::Greatest],
-            Until::End => &[Which::Greatest, Which::Least],
+            Until::Jammed => &[End::Least],
+            Until::Unmeshed => &[End::Greatest],
+            Until::End => &[End::Greatest, End::Least],
         }
     }
 }
@@ -116,7 +116,7 @@ impl Sampled<'_, '_> {
     /// Halves the stretch with the worst bound up to `most` times; returns the remaining bound.
     fn refine(
         &self,
-        which: Which,
+        which: End,
         stretches: &mut Vec<Stretch>,
         most: u64,
         found: &mut PosesSeen,
@@ -170,8 +170,8 @@ impl Sampled<'_, '_> {
         let worst = heap.peek().map_or(f64::INFINITY, |top| top.key);
         stretches.extend(heap.into_iter().map(|ranked| ranked.stretch));
         Ok(match which {
-            Which::Least => -worst,
-            Which::Greatest => worst,
+            End::Least => -worst,
+            End::Greatest => worst,
         })
     }
 }
@@ -263,7 +263,7 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
     let has_bounds = section.bodies.is_none() && !section.blocked;
     for which in until.sought().iter().filter(|_| has_bounds) {
         let bound = sampled.refine(*which, &mut stretches, poses / 3, found, until)?;
-        bounds[usize::from(*which == Which::Greatest)] = bound;
+        bounds[usize::from(*which == End::Greatest)] = bound;
     }
     found.sampled = Some(bounds);
     let mut width = 0.5 * course.matings as f64 / cells as f64;

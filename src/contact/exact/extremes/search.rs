@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::course::{Course, PARTS};
-use super::extreme::{Doubt, PosesSeen, Proof, Seen, Which};
+use super::extreme::{Doubt, End, PosesSeen, Proof, Seen};
 use super::sample::{self, Until};
 use super::table::{Bounds, Table};
 use crate::error::Error;
@@ -145,7 +145,7 @@ pub(super) struct Search<'a> {
     pub width: f64,
     /// Distance from the best within which places are equal, rad.
     pub equal: f64,
-    pub which: Which,
+    pub which: End,
     /// Effort reserved for the steps after this search.
     pub spare: u64,
     /// The condition that ends sampling after the effort of the search was too great.
@@ -228,16 +228,16 @@ impl Search<'_> {
     /// The place of the expected extreme in a cell with bounds.
     fn expected(&self, cell: &Cell) -> f64 {
         match self.which {
-            Which::Least => cell.lowest,
-            Which::Greatest => cell.highest,
+            End::Least => cell.lowest,
+            End::Greatest => cell.highest,
         }
     }
 
     /// The best known pose, as a key.
     fn best(&self, found: &PosesSeen) -> f64 {
         let seen = match self.which {
-            Which::Least => found.least.map(|seen| -seen.angle),
-            Which::Greatest => found.greatest.map(|seen| seen.angle),
+            End::Least => found.least.map(|seen| -seen.angle),
+            End::Greatest => found.greatest.map(|seen| seen.angle),
         };
         seen.unwrap_or(f64::NEG_INFINITY)
     }
@@ -278,34 +278,32 @@ impl Search<'_> {
                 ranked.near.push(next.cell);
                 continue;
             }
-            let enough = self.best(found) + self.width;
             let mut cell = next.cell;
+            let beats = |cell: &Cell, found: &PosesSeen| {
+                self.key(cell.low, cell.high) > self.best(found) + self.width
+            };
             if cell.seen.is_none() {
                 cell = cell.bounded_by_line(self.course, self.table);
             }
-            if self.key(cell.low, cell.high) > enough {
+            if beats(&cell, found) {
                 cell = cell.bounded(self.course, self.table);
             }
-            let key = self.key(cell.low, cell.high);
-            if key <= enough {
-                bound = bound.max(key);
-                ranked.near.push(cell);
-                continue;
-            }
             let at = self.expected(&cell);
-            if cell.seen != Some(at) {
-                found.look(self.course, self.course.mating(cell.mating, at))?;
+            if beats(&cell, found) {
+                if cell.seen != Some(at) {
+                    found.look(self.course, self.course.mating(cell.mating, at))?;
+                }
+                let without = match self.which {
+                    End::Least => found.jammed,
+                    End::Greatest => found.unmeshed,
+                };
+                if without.is_some() {
+                    // A jammed or unmeshed pose has no extreme.
+                    return Ok((self.value(self.best(found)), None));
+                }
             }
-            let without = match self.which {
-                Which::Least => found.jammed,
-                Which::Greatest => found.unmeshed,
-            };
-            if without.is_some() {
-                // A jammed or unmeshed pose has no extreme.
-                return Ok((self.value(self.best(found)), None));
-            }
-            let enough = self.best(found) + self.width;
-            if key <= enough {
+            let key = self.key(cell.low, cell.high);
+            if !beats(&cell, found) {
                 bound = bound.max(key);
                 ranked.near.push(cell);
                 continue;
@@ -351,8 +349,8 @@ impl Search<'_> {
     pub fn name_first(&self, mut near: Vec<Cell>, found: &mut PosesSeen) -> Result<(), Error> {
         let least = self.best(found) - self.equal;
         let best = match self.which {
-            Which::Least => &mut found.least,
-            Which::Greatest => &mut found.greatest,
+            End::Least => &mut found.least,
+            End::Greatest => &mut found.greatest,
         };
         let Some(named) = best.map(|seen| seen.mating) else {
             return Ok(());
@@ -387,8 +385,8 @@ impl Search<'_> {
         let mut seen = PosesSeen::default();
         seen.look(self.course, self.course.mating(index, at))?;
         let one = match self.which {
-            Which::Least => seen.least,
-            Which::Greatest => seen.greatest,
+            End::Least => seen.least,
+            End::Greatest => seen.greatest,
         };
         Ok(one.filter(|_| self.best(&seen) >= least))
     }
@@ -420,8 +418,8 @@ impl Search<'_> {
 
     fn value(&self, key: f64) -> f64 {
         match self.which {
-            Which::Least => -key,
-            Which::Greatest => key,
+            End::Least => -key,
+            End::Greatest => key,
         }
     }
 }

@@ -108,23 +108,21 @@ pub(super) struct Separation {
 }
 
 impl Separation {
-    /// The pair at `step` with endless involutes, which touch on the line of action, found from about the gap `near`.
+    /// The pair at `step` with endless involutes, which touch on the line of action, found from about the gap `near`. Without a line nothing
+    /// bounds the gap.
     pub fn endless(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step);
         let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::endless);
         let sum = problem.sum();
         let mut gap = near;
-        let mut beta = 0.0;
-        let mut turning = 1.0;
-        let mut touches = false;
         for _ in 0..STEPS {
             let (between, rate) = posed.between(gap);
             let Some(line) = Line::new(between, sum) else {
                 break;
             };
-            beta = line.angle;
-            turning = (turn(beta) * rate.conj()).im + arcs[1].base;
+            let beta = line.angle;
+            let turning = (turn(beta) * rate.conj()).im + arcs[1].base;
             let apart = line.length
                 - arcs[0].base * (beta - pair.locked_base)
                 - arcs[1].base * (beta - gap - pair.free_base);
@@ -132,11 +130,16 @@ impl Separation {
             gap += step;
             // After such a step only rounding is left.
             if step.abs() < SETTLED.0 || rate == C::ZERO {
-                touches = true;
-                break;
+                return Separation::at(posed, &pair, (gap, beta), (turning, 1.0), arcs, true);
             }
         }
-        Separation::at(posed, &pair, (gap, beta), (turning, 1.0), arcs, touches)
+        Separation {
+            gap: f64::INFINITY,
+            slope: 0.0,
+            touches: false,
+            rolls: [f64::NAN; 2],
+            arcs,
+        }
     }
 
     /// The pair at `step`, found from about the gap `near`.

@@ -49,9 +49,9 @@ pub enum PitchSense {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema), schemars(inline))]
 pub enum EccentricitySource {
-    /// The one that datum-axis pitch holds.
+    /// The eccentricity in the datum-axis pitch.
     Pitch,
-    /// That of the runout.
+    /// The eccentricity of the runout.
     Runout,
 }
 

@@ -49,13 +49,13 @@ pub enum ReadingPlace {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = pitch_keys, transform = columns("tooth, left, right (µm)"))]
 pub struct PitchSpec {
-    /// What the values are.
+    /// The kind of the values.
     #[serde(default)]
     pub kind: PitchKind,
     /// "own": the values are free of eccentricity; "datum": measured about the datum axis (the bore), they contain it.
     #[serde(default)]
     pub axis: PitchAxis,
-    /// What + means: along ascending numbers, or more material.
+    /// The meaning of +: along ascending numbers, or more material.
     #[serde(default)]
     pub sense: PitchSense,
     /// Right flanks, µm, tooth 1 first.

@@ -53,7 +53,7 @@ pub struct GearSpec {
     /// Required accuracy grade, ISO 1328-1; the report sets it beside the one achieved.
     #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
-    /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Of gears face to face one is front, the other back: consecutive numbers mate.
+    /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Two gears face to face have one front and one back: consecutive numbers mate.
     #[serde(default)]
     pub reference_face: Face,
     /// Tip diameter d_a, mm; default from addendum and profile shift.

@@ -36,7 +36,7 @@ pub struct PairSpec<G = GearSpec> {
     pub accuracy: Option<AccuracySpec>,
     /// Settings of gearlash compare.
     pub compare: Option<CompareSpec>,
-    /// What the pair must keep over its whole mesh cycle; exit code 1 where it does not.
+    /// Limits that the pair must keep over its whole mesh cycle; exit code 1 where it does not.
     pub require: Option<RequireSpec>,
     /// Standard uncertainties of what was measured, µm; least and greatest backlash are shown with theirs.
     pub uncertainty: Option<UncertaintySpec>,

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
 
-/// What the pair must keep over its whole mesh cycle, at every centre distance and material; exit code 1 when it does not.
+/// Limits that the pair must keep over its whole mesh cycle, at every centre distance and material; exit code 1 when it does not.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(extend("minProperties" = 1))]

@@ -169,7 +169,7 @@ pub struct OverPinsSpec {
     /// Diameter D_M of the pins or balls, mm.
     #[schemars(transform = length())]
     pub pin_mm: f64,
-    /// What was measured over; needed for an odd number of teeth with a helix angle, elsewhere both give one dimension.
+    /// The measuring body; needed for an odd number of teeth with a helix angle, elsewhere both give one dimension.
     pub kind: Option<MeasuringBody>,
     /// The measured length.
     #[serde(flatten)]

@@ -68,7 +68,7 @@ pub enum PhaseName {
     /// Any, each as often.
     #[default]
     Any,
-    /// That of the sweep's start, or wheel tooth 1 with pinion tooth 1.
+    /// The phase of the sweep's start, or wheel tooth 1 with pinion tooth 1.
     Marked,
 }
 

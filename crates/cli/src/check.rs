@@ -10,12 +10,21 @@ use super::{distances, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash::analysis::Plan;
+use gearlash::pair::Member;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::{AnyPair, Sources};
 use gearlash_results::judged::Judged;
 use gearlash_results::{RemedyRecords, checked};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+
+/// A distance at which no two gears touch, mm.
+const APART_MM: f64 = 1e6;
+
+/// Steps of 1 mm to which a distance that is found is rounded up.
+const STEPS_PER_MM: f64 = 1000.0;
+
+const NOT_FOUND: &str = "two drawings need their centre distance, as none is found at which they mesh without play: add --center-distance A";
 
 /// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
 ///
@@ -29,7 +38,7 @@ pub(super) struct Args {
     /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv, .txt), of the wheel and of the pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Centre distance of two drawings, mm
+    /// Centre distance of two drawings, mm [default: the one at which they mesh without play]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     #[command(flatten)]
@@ -54,10 +63,15 @@ pub(super) struct Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let drawn = drawings(args)?;
-    if args.inputs && drawn.is_none() {
-        return studies::print_inputs(&args.pairs);
+    if args.inputs {
+        return match given(args)? {
+            Some(drawings) => studies::print_inputs([gearlash_files::read_drawings(&drawings)]),
+            None => {
+                studies::print_inputs(args.pairs.iter().map(|path| gearlash_files::read_any(path)))
+            }
+        };
     }
+    let drawn = drawings(args)?;
     if args.map && drawn.is_none() && args.pairs.len() > 1 {
         return Err(Error::Usage(
             "--map draws one pair: give one pair file".to_owned(),
@@ -109,31 +123,76 @@ fn pair(
 
 /// The pair of two drawings on the command line; `None` for pair files.
 fn drawings(args: &Args) -> Result<Option<AnyPair>, Error> {
-    match (&args.pairs[..], args.center_distance) {
-        ([wheel, pinion], Some(distance)) if is_drawing(wheel) && is_drawing(pinion) => {
-            let drawings = Drawings {
-                wheel,
-                pinion,
-                center_distance_mm: distance,
-                options: args.drawn.options()?,
-            };
-            studies::drawings(&drawings).map(Some)
-        }
-        (paths, distance) if paths.iter().any(|path| is_drawing(path)) => {
-            Err(Error::Usage(match (paths, distance) {
-                ([wheel, pinion], None) if is_drawing(wheel) && is_drawing(pinion) => {
-                    "two drawings need their centre distance: add --center-distance A".to_owned()
-                }
-                _ => "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)"
-                    .to_owned(),
-            }))
-        }
-        (_, distance) if distance.is_some() || args.drawn.given() => Err(Error::Usage(format!(
+    let Some(mut drawings) = given(args)? else {
+        return Ok(None);
+    };
+    let mut warning = None;
+    if args.center_distance.is_none() {
+        let (distance, taken) = without_play(args, drawings)?;
+        drawings.center_distance_mm = distance;
+        warning = Some(taken);
+    }
+    studies::drawings(&drawings, warning).map(Some)
+}
+
+/// Two drawings on the command line, apart if no distance is given; `None` for pair files.
+fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
+    match &args.pairs[..] {
+        [wheel, pinion] if is_drawing(wheel) && is_drawing(pinion) => Ok(Some(Drawings {
+            wheel,
+            pinion,
+            center_distance_mm: args.center_distance.unwrap_or(APART_MM),
+            options: args.drawn.options()?,
+        })),
+        paths if paths.iter().any(|path| is_drawing(path)) => Err(Error::Usage(
+            "give two drawings, of the wheel and of the pinion, or pair files alone (--map writes into the folder of -o)"
+                .to_owned(),
+        )),
+        _ if args.center_distance.is_some() || args.drawn.given() => Err(Error::Usage(format!(
             "--center-distance, {} belong to two drawings: pair files state them",
             DrawnArgs::NAMES
         ))),
         _ => Ok(None),
     }
+}
+
+/// The least centre distance, mm, at which the gears of two drawings assemble, and a warning that names it. `drawings`
+/// are apart. The search begins where a tip touches a root.
+fn without_play(args: &Args, mut drawings: Drawings) -> Result<(f64, String), Error> {
+    let not_found = || Error::Usage(NOT_FOUND.to_owned());
+    let apart = gearlash_files::read_drawings(&drawings)?;
+    let runs = apart.study.runs()?;
+    let pair = runs.first().and_then(|run| run.assembly.drawn());
+    let pair = pair.ok_or_else(not_found)?;
+    let touching =
+        |member: Member| pair.gear(member).tip_radius() + pair.gear(member.mate()).root_radius();
+    let nearest = touching(Member::Wheel).max(touching(Member::Pinion));
+    drawings.center_distance_mm = nearest;
+    let tight = gearlash_files::read_drawings(&drawings)?;
+    let plan = Plan::new(&tight.study, args.method.of(&tight.study)?).with_extremes();
+    let analysis = run_under_bar(&plan)?;
+    let verdict = analysis.verdict();
+    let from = match verdict.assembles() {
+        Some(true) => Some(nearest),
+        Some(false) => verdict
+            .assembles_from()
+            .filter(|from| from.doubt.is_none())
+            .map(|from| from.high),
+        None => None,
+    };
+    let from = from.ok_or_else(not_found)?;
+    let distance = (from * STEPS_PER_MM).ceil() / STEPS_PER_MM;
+    let mesh = if from > nearest {
+        "the gears mesh without play"
+    } else {
+        "a tip touches a root and no flank binds"
+    };
+    Ok((
+        distance,
+        format!(
+            "no centre distance is given: at {distance:.3} mm, taken here, {mesh}; --center-distance states another"
+        ),
+    ))
 }
 
 /// The folder for maps, where they are requested.

@@ -4,7 +4,7 @@ use super::console::{check_not_input, print, warn};
 use crate::error::Error;
 use gearlash_files::characters::plain;
 use gearlash_files::outlines::{Drawings, OutlineOptions};
-use gearlash_files::{AnyGears, AnyPair, GearsFile, PairFile, Sources};
+use gearlash_files::{AnyGears, AnyPair, GearsFile, InputError, PairFile, Sources};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -28,12 +28,13 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     Ok(file)
 }
 
-/// The pair of two drawings at a centre distance; warnings and notes are reported.
+/// The pair of two drawings at a centre distance; its warnings, `warning` first, and notes are reported.
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn drawings(drawings: &Drawings) -> Result<AnyPair, Error> {
-    let file = gearlash_files::read_drawings(drawings)?;
+pub(super) fn drawings(drawings: &Drawings, warning: Option<String>) -> Result<AnyPair, Error> {
+    let mut file = gearlash_files::read_drawings(drawings)?;
+    file.warnings.splice(..0, warning);
     let name = Path::new(&file.stem);
     print_error_line(name, &file.sources, &file.warnings, &file.remarks)?;
     Ok(file)
@@ -53,15 +54,16 @@ pub(super) fn check_stdin_once(paths: &[PathBuf]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Prints the names of the files that the pair files at `paths` read, one a line.
+/// Prints the names of the files that were read for `pairs`, one a line.
 ///
 /// # Errors
 /// As [`pair`]; [`Error::Usage`] for a name that cannot be printed unchanged.
-pub(super) fn print_inputs(paths: &[PathBuf]) -> Result<ExitCode, Error> {
+pub(super) fn print_inputs(
+    pairs: impl IntoIterator<Item = Result<AnyPair, InputError>>,
+) -> Result<ExitCode, Error> {
     let mut lines = String::new();
-    for path in paths {
-        let file = gearlash_files::read_any(path)?;
-        for name in file.sources.names() {
+    for pair in pairs {
+        for name in pair?.sources.names() {
             let text = name.to_str().filter(|text| plain(text) == **text);
             let Some(text) = text else {
                 let name = plain(&name.to_string_lossy()).to_string();

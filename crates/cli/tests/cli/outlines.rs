@@ -60,6 +60,39 @@ fn two_drawings_need_no_pair_file() {
     assert!(text.contains("Assembles at a = 40.200 mm."), "{text}");
 }
 
+/// Without a centre distance, the gears mesh without play at the one that is taken, and interfere 0.01 mm below it.
+/// Backlash grows by 2 tan α a mm, about 0.7 µm a µm: rounded up by 1 µm, the least is below 10 µm.
+#[test]
+fn the_distance_without_play_is_found() {
+    let folder = copied();
+    let drawings = ["check", "wheel_20.dxf", "pinion_20.svg"];
+    let check = |more: &[&str]| {
+        let (code, text, notes) = run(folder.path(), &[&drawings[..], more].concat());
+        (code, text, notes)
+    };
+    let (code, text, notes) = check(&[]);
+    assert_eq!(code, Some(0), "{text}{notes}");
+    let taken = notes.split_once("at ").unwrap().1;
+    let taken: f64 = taken.split_once(" mm").unwrap().0.parse().unwrap();
+    assert!(
+        text.contains(&format!("Assembles at a = {taken:.3} mm.")),
+        "{text}"
+    );
+    let least = text.lines().find(|line| line.trim().starts_with("least"));
+    let least: f64 = least
+        .unwrap()
+        .split_whitespace()
+        .nth(1)
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!((0.0..10.0).contains(&least), "{text}");
+    let nearer = format!("{:.3}", taken - 0.01);
+    let (code, text, _) = check(&["--center-distance", &nearer]);
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("Does not assemble"), "{text}");
+}
+
 /// The least backlash of the drawn pair is that of the gears they were drawn from, within both tolerances of 20 µm.
 #[test]
 fn simulate_writes_what_it_found() {

@@ -14,8 +14,15 @@ use crate::contact::gap::{
 };
 use crate::gear::{ProfilePart, smooth};
 
-/// Parts of a far half tooth that can touch, and of the free half tooth that touches them.
-const PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
+/// Parts of a far half tooth that can touch. Its tip land belongs to the near half tooth, too.
+const FAR_PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
+
+/// Parts of the free half tooth that touch a far one. In a jam, the far flank meets a root land.
+const FREE_PARTS: [ProfilePart; 3] = [
+    ProfilePart::Involute,
+    ProfilePart::Fillet,
+    ProfilePart::Root,
+];
 
 /// The first contact: `found`, or a contact on the far flank of a locked tooth that comes before it.
 ///
@@ -62,11 +69,11 @@ fn far_contact(
         ..locked.curve(part)
     };
     let mut nodes = Vec::new();
-    for part in PARTS {
+    for part in FAR_PARTS {
         let (low, high) = shape.range(part);
         for (low, high) in smooth(shape.curve(part).edges(), low, high) {
             let arc = Arc::new(far(part), part as usize, low, high);
-            for mate in [ProfilePart::Involute, ProfilePart::Fillet] {
+            for mate in FREE_PARTS {
                 let (low, high) = free.range(mate);
                 let ends = smooth(free.shape.curve(mate).edges(), low, high);
                 nodes.extend(ends.map(|(low, high)| {

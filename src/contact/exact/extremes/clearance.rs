@@ -6,7 +6,7 @@ use super::corner_path::{CornerPath, is_clear_over};
 use super::dip::{Dip, Tip};
 
 /// Limit of halvings of a stretch (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
-const HALVINGS: u32 = 5;
+pub(super) const HALVINGS: u32 = 5;
 
 /// Two distances of the outlines' centres, and the line of action at each.
 #[derive(Debug)]
@@ -25,8 +25,15 @@ impl Dip {
     /// negative if the corner may be first.
     ///
     /// The locked half tooth is within `play` of the angle `at`. The two values are for the two distances of the outlines' centres in
-    /// `lines` ([`Lines::new`]); between them the straight line holds. The stretch is halved if they do not reach `enough`.
-    pub fn clearance(&self, at: f64, play: f64, lines: &Lines, enough: f64) -> [f64; 2] {
+    /// `lines` ([`Lines::new`]); between them the straight line holds. The stretch is
+    /// halved up to `halvings` times if they do not reach `enough`.
+    pub fn clearance(
+        &self,
+        (at, play): (f64, f64),
+        lines: &Lines,
+        enough: f64,
+        halvings: u32,
+    ) -> [f64; 2] {
         let [(low, _), (high, _)] = lines.0;
         let cut = Cut {
             dip: self,
@@ -38,7 +45,7 @@ impl Dip {
             },
         };
         let whole = cut.over(at, play);
-        cut.refined((at, play), whole, enough, HALVINGS)
+        cut.refined((at, play), whole, enough, halvings)
     }
 
     /// Whether the corner stays clear of the fillet of `mate` while the free gear has `room` more to the contact of the involutes. It must

@@ -242,7 +242,7 @@ fn length(vector: C) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::super::ExactKernel;
-    use super::super::clearance::Lines;
+    use super::super::clearance::{HALVINGS, Lines};
     use super::super::course::Course;
     use super::*;
     use crate::contact::Effort;
@@ -306,7 +306,7 @@ mod tests {
                 for part in -5..=5 {
                     let at = dip.middle + 0.17 * f64::from(part) * dip.half;
                     for play in [0.0, 0.1 * dip.half] {
-                        let bounds = dip.clearance(at, play, &lines, f64::INFINITY);
+                        let bounds = dip.clearance((at, play), &lines, f64::INFINITY, HALVINGS);
                         for (end, distance) in [distances.0, distances.1].into_iter().enumerate() {
                             for k in -4..=4 {
                                 let there = at + 0.25 * f64::from(k) * play;

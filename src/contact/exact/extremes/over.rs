@@ -1,6 +1,6 @@
 //! Bounds of the room of one side over a stretch of a mating, pair by pair of half teeth.
 
-use super::clearance::Lines;
+use super::clearance::{HALVINGS, Lines};
 use super::corner_path;
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
 use super::dip::Dip;
@@ -302,7 +302,7 @@ impl<'a> Over<'a> {
             let clearance = there.map(|at| match &lines {
                 Some(lines) => {
                     self.effort.spend(DIP);
-                    let [a, b] = dip.clearance(at, play, lines, enough);
+                    let [a, b] = dip.clearance((at, play), lines, enough, HALVINGS);
                     a.min(b)
                 }
                 None => f64::NEG_INFINITY,

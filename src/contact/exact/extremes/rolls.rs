@@ -1,7 +1,7 @@
 //! Rolls of the half teeth of a step in a part of a pitch, and their room beside the line of action.
 
 use super::super::line::Line;
-use super::clearance::Lines;
+use super::clearance::{HALVINGS, Lines};
 use super::course::{PARTS, SideCourse};
 use super::separation::lowest_roll;
 
@@ -11,6 +11,9 @@ pub(super) const PIECE: f64 = 0.25;
 /// Excess of a clearance over the spread of the flanks from which it does not matter, rad.
 const BEYOND: f64 = 1e-12;
 
+/// Limit of halvings before the path of the corner is followed, which takes as long as some 60 bounds (tuned).
+const HALVINGS_BEFORE_PATH: u32 = 1;
+
 /// The properties of a step in a part of a pitch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
@@ -18,8 +21,6 @@ pub(super) struct Part {
     pub beside: f64,
     /// Room of a tip corner and a fillet, at the least and at the greatest distance of the outlines' centres; `None`: none is near.
     pub dip: Option<[f64; 2]>,
-    /// Whether it is on the line of action throughout.
-    pub covers: bool,
 }
 
 /// Rolls on the line of action at any pose of the cycle.
@@ -80,47 +81,47 @@ impl<'a> Rolls<'a> {
         }
     }
 
-    /// For helical gears it covers the whole common face: all sections, piece by piece of turn.
-    pub fn of(&self, step: i64, part: usize) -> Part {
-        let problem = self.side.problem;
-        let pitch = problem.locked.pitch;
+    /// The middle of a step's angles in a part of a pitch, in the measuring plane, and their distance from it.
+    fn place(&self, step: i64, part: usize) -> (f64, f64) {
+        let pitch = self.side.problem.locked.pitch;
         let width = pitch / PARTS as f64;
         let at = self.ahead + step as f64 * pitch + self.side.sense * (part as f64 + 0.5) * width;
+        (at, 0.5 * width)
+    }
+
+    /// The room of a step in a part of a pitch. Above `enough` it is not refined.
+    ///
+    /// For helical gears it covers the whole common face: all sections, piece by piece of turn.
+    pub fn of(&self, step: i64, part: usize, enough: f64) -> Part {
+        let (at, half) = self.place(step, part);
         let own = self.places + self.turning;
-        let play = 0.5 * width + own;
         let [from, to] = self.side.turns;
         if from == to {
-            return Part {
-                covers: self.covers(at, play),
-                ..self.around(at + from, play)
-            };
+            return self.around(at + from, half + own, enough);
         }
         // The range over the face and over the part.
-        let all = to - from + width;
-        let pieces = (all / (PIECE * width)).ceil();
+        let all = to - from + 2.0 * half;
+        let pieces = (all / (PIECE * 2.0 * half)).ceil();
+        let first = at + from - half;
         let half = 0.5 * all / pieces;
-        let first = at + from - 0.5 * width;
         let each = (0..pieces as u64)
-            .map(|piece| self.around(first + (2 * piece + 1) as f64 * half, half + own));
+            .map(|piece| self.around(first + (2 * piece + 1) as f64 * half, half + own, enough));
         let all = each.reduce(|one, other| Part {
             beside: one.beside.min(other.beside),
             dip: match (one.dip, other.dip) {
                 (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].min(b[1])]),
                 (a, b) => a.or(b),
             },
-            covers: false,
         });
-        Part {
-            covers: self.covers(at, play),
-            ..all.expect("at least one piece")
-        }
+        all.expect("at least one piece")
     }
 
-    /// Whether a locked half tooth within `play` of the angle `at` in the measuring plane is on the line of action in some section of the
-    /// face.
+    /// Whether a step is on the line of action all through a part of a pitch, in some section of the face.
     ///
     /// In a section turned by `σ` the locked roll is less by `σ` and the free one more by `σ r_bL/r_bF`.
-    fn covers(&self, at: f64, play: f64) -> bool {
+    pub fn covers(&self, step: i64, part: usize) -> bool {
+        let (at, half) = self.place(step, part);
+        let play = half + self.places + self.turning;
         let problem = self.side.problem;
         let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let roll = self.line.angle - (at - locked.half_base);
@@ -137,8 +138,8 @@ impl<'a> Rolls<'a> {
         from.max(high - most) <= to.min(low - least)
     }
 
-    /// A locked half tooth within `play` of the angle `at`, in its own section; `covers` is not evaluated.
-    fn around(&self, at: f64, play: f64) -> Part {
+    /// The room of a locked half tooth within `play` of the angle `at`, in its own section.
+    fn around(&self, at: f64, play: f64, enough: f64) -> Part {
         let problem = self.side.problem;
         let locked = &problem.locked.shape;
         let roll = self.line.angle - (at - locked.half_base);
@@ -149,19 +150,22 @@ impl<'a> Rolls<'a> {
             other(low, self.line.length + self.stretching),
         );
         let rolls = [(low, high), (free_low, free_high)];
-        let beside = self.beside(rolls);
+        let beside = self.beside(rolls, enough);
         let dips = self.side.dips.iter();
         let dips = dips.filter(|dip| dip.may_dip(at, play));
         let dips = dips.map(|dip| match &self.lines {
             Some(lines) => {
                 let mate = self.side.mate(dip.tip);
                 let beyond = self.spread + BEYOND;
-                let found = dip.clearance(at, play, lines, self.spread);
-                let is_beyond = found[0].min(found[1]) >= beyond;
-                if !is_beyond && dip.stays_clear(mate, (at, play), lines, beyond) {
+                let clearance = |halvings| dip.clearance((at, play), lines, self.spread, halvings);
+                let is_beyond = |found: [f64; 2]| found[0].min(found[1]) >= beyond;
+                let found = clearance(HALVINGS_BEFORE_PATH);
+                if is_beyond(found) {
+                    found
+                } else if dip.stays_clear(mate, (at, play), lines, beyond) {
                     [beyond; 2]
                 } else {
-                    found
+                    clearance(HALVINGS)
                 }
             }
             None => [f64::NEG_INFINITY; 2],
@@ -169,7 +173,6 @@ impl<'a> Rolls<'a> {
         Part {
             beside,
             dip: dips.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),
-            covers: false,
         }
     }
 
@@ -177,8 +180,8 @@ impl<'a> Rolls<'a> {
     ///
     /// In a direction `y` past that of the line of action, `s` is less by `T (1 − cos y) + Σ (y − sin y)`, and more by the contribution of
     /// the involutes' ends. Any `y` gives a bound. Three are tried: zero, the best for a tip corner alone, and the one that leaves no roll
-    /// below the form roll.
-    fn beside(&self, rolls: [(f64, f64); 2]) -> f64 {
+    /// below the form roll. Above `enough` the first suffices.
+    fn beside(&self, rolls: [(f64, f64); 2], enough: f64) -> f64 {
         let problem = self.side.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let (sum, length) = (problem.sum(), self.line.length);
@@ -198,6 +201,10 @@ impl<'a> Rolls<'a> {
                 1.25 * apart
             }
         };
+        let first = more(0.0);
+        if first > enough {
+            return first;
+        }
         let each = || shapes.iter().zip(rolls);
         let below = each().map(|(shape, (low, high))| lowest_roll(shape) - 0.5 * (low + high));
         let below = below.fold(0.0, f64::max);
@@ -207,7 +214,7 @@ impl<'a> Rolls<'a> {
         });
         let corner = corner.fold(0.0, f64::max);
         let others = [corner, below].into_iter().filter(|y| *y != 0.0);
-        others.map(more).fold(more(0.0), f64::max)
+        others.map(more).fold(first, f64::max)
     }
 }
 

@@ -89,13 +89,17 @@ impl SideTable {
         let spread = table.spread;
         let rolls = Rolls::new(side, &line, posed.flanks.ahead, spread);
         for part in 0..PARTS {
-            let found = steps.clone().map(|step| (step, rolls.of(step, part)));
-            let found: Vec<(i64, Part)> = found.collect();
+            let covering = steps.clone().filter(|step| rolls.covers(*step, part));
+            table.covering[part] = covering.collect();
             // A step with more room than any pair on the line of action can have is never the tightest.
-            let limit = match found.iter().any(|(_, part)| part.covers) {
-                true => spread,
-                false => f64::INFINITY,
+            let limit = if table.covering[part].is_empty() {
+                f64::INFINITY
+            } else {
+                spread
             };
+            let found = steps.clone();
+            let found = found.map(|step| (step, rolls.of(step, part, limit)));
+            let found: Vec<(i64, Part)> = found.collect();
             table.may_dip |= found.iter().any(|(_, part)| part.dipping() <= limit);
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
             table.open[part] = open()
@@ -107,8 +111,6 @@ impl SideTable {
                     false => table.plain[part].push((*step, found.beside)),
                 }
             }
-            let covering = found.iter().filter(|(_, part)| part.covers);
-            table.covering[part] = covering.map(|(step, _)| *step).collect();
         }
         table
     }

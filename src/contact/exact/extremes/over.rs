@@ -118,7 +118,7 @@ impl<'a> Over<'a> {
                 continue;
             }
             self.effort.spend(STEP);
-            let found = self.add_involutes(step.step, &mut rooms);
+            let found = self.add_involutes(step, &mut rooms);
             if step.dips {
                 dipping.push((step, found.map(|found| found.gap)));
             }
@@ -166,18 +166,22 @@ impl<'a> Over<'a> {
     }
 
     /// Adds the room of the involutes and their ends of spur gears, and returns their separations.
-    fn add_involutes(&self, step: i64, rooms: &mut Vec<PairRoom>) -> [Separation; 2] {
+    fn add_involutes(
+        &self,
+        OpenStep { step, beside, .. }: OpenStep,
+        rooms: &mut Vec<PairRoom>,
+    ) -> [Separation; 2] {
         let found = separations(&self.ends, step);
         if let Some(room) = self.on_line_of_action(&self.ends, &found) {
             rooms.push(room);
             return found;
         }
-        // Endless involutes have no more room, except by the part below the form rolls.
+        // Endless involutes have no more room, except by the part below the form rolls. The table knows how much less they have.
         let problem = self.side.problem;
         let endless = self.endless_separations(step);
         let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
-        let mut prolonged = self.endless(&endless).within(None);
-        prolonged.lower(endless[0].short(&endless[1], self.plays(), forms));
+        let short = endless[0].short(&endless[1], self.plays(), forms);
+        let prolonged = self.endless(&endless, beside.max(-short)).within(None);
         rooms.push(match self.off_line_of_action(&self.ends, &found) {
             Some(room) => room.above(prolonged),
             None => prolonged,
@@ -193,11 +197,14 @@ impl<'a> Over<'a> {
         Some(room.between(line.least, line.most))
     }
 
-    /// The room of endless involutes, which have `found` at both ends of the cell.
-    fn endless(&self, found: &[Separation; 2]) -> PairRoom {
+    /// A bound `more` above the room of endless involutes, which have `found` at both ends of the cell.
+    fn endless(&self, found: &[Separation; 2], more: f64) -> PairRoom {
         let smooth = self.on_line_of_action(&self.ends, found);
         let room = smooth.or_else(|| self.off_line_of_action(&self.ends, found));
-        room.unwrap_or_else(|| PairRoom::straight([f64::NEG_INFINITY; 2]))
+        room.map_or(PairRoom::straight([f64::NEG_INFINITY; 2]), |mut room| {
+            room.lower(-more);
+            room
+        })
     }
 
     /// The separations of a step's endless involutes at both ends of the cell.
@@ -230,12 +237,8 @@ impl<'a> Over<'a> {
         let on = [a, b]
             .iter()
             .all(|[from, to]| from.max(least) <= to.min(most));
-        let endless = {
-            let room = self.endless(&found);
-            let mut room = if on { room } else { room.within(None) };
-            room.lower(-beside.min(0.0));
-            room
-        };
+        let room = self.endless(&found, beside.min(0.0));
+        let endless = if on { room } else { room.within(None) };
         if on {
             rooms.push(endless);
             return found;

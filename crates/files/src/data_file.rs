@@ -2,7 +2,6 @@
 
 use super::node::{LONGEST, Node};
 use super::reading::Reading;
-use super::source;
 use super::table::Table;
 use crate::characters::cut;
 use crate::error::Problem;
@@ -43,7 +42,7 @@ impl DataFile {
             reading: Rc::clone(reading),
             key: table.path_of("file"),
             name: name.to_owned(),
-            outside: is_outside(&path, reading.folder()),
+            outside: reading.is_outside(&path),
             path,
         })
     }
@@ -65,7 +64,7 @@ impl DataFile {
 
     /// Its bytes; `None` where they cannot be read.
     pub fn bytes(&self) -> Option<Vec<u8>> {
-        let bytes = source::bytes(&self.path);
+        let bytes = self.reading.bytes(&self.path);
         let bytes = bytes.map_err(|problem| self.problem(problem.reason, problem.help));
         self.reading.keep(bytes)
     }
@@ -141,19 +140,6 @@ impl DataFile {
     /// The result of `read`; `None` where it adds a problem. Only the first dozen are reported.
     pub fn list<T>(&self, read: impl FnOnce() -> Option<T>) -> Option<T> {
         self.reading.list(&self.key, read)
-    }
-}
-
-/// Whether the real place of `path`, links followed, is not below `folder`. A file that does not exist is outside.
-fn is_outside(path: &Path, folder: &Path) -> bool {
-    let folder = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
-    match (path.canonicalize(), folder.canonicalize()) {
-        (Ok(path), Ok(folder)) => !path.starts_with(folder),
-        _ => true,
     }
 }
 

@@ -23,6 +23,7 @@ mod data_file;
 pub mod drawing;
 mod error;
 mod faults;
+mod files;
 mod findings;
 mod gauged_file;
 mod gear;
@@ -86,6 +87,7 @@ pub fn named(path: &Path) -> &Path {
 }
 
 pub use error::{InputError, Problem};
+pub use files::Files;
 pub use gauged_file::{NoGearFile, gauged_file};
 pub use helix::short_for_span;
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
@@ -125,6 +127,16 @@ pub fn read(path: &Path) -> Result<PairFile, InputError> {
 /// As [`read`].
 pub fn read_any_text(name: &Path, text: &str) -> Result<AnyPair, InputError> {
     of_text(name, text, any_pair)
+}
+
+/// Reads the pair file `main` of `files` with gears by data or by outlines; the files that it names are among them.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_files(files: Rc<Files>, main: &str) -> Result<AnyPair, InputError> {
+    let name = Path::new(main);
+    let text = files.bytes(name).and_then(source::text);
+    with_text(name, Reading::of_files(files), text, any_pair)
 }
 
 /// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.

@@ -1,11 +1,14 @@
 //! One reading of a file: the folder of its files, the files read, problems and remarks.
 
 use crate::error::Problem;
+use crate::files::Files;
 use crate::inches::Inches;
 use crate::node::Node;
+use crate::source;
 use crate::sources::Sources;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// Problems of one list that are reported one by one; the others are counted. Tuned: they fit a screen beside others.
 const MOST_OF_A_LIST: usize = 12;
@@ -14,6 +17,8 @@ const MOST_OF_A_LIST: usize = 12;
 #[derive(Debug)]
 pub struct Reading {
     folder: PathBuf,
+    /// The files that it names, where they are given by name and bytes.
+    files: Option<Rc<Files>>,
     /// No result may be written over these.
     sources: RefCell<Sources>,
     remarks: RefCell<Vec<String>>,
@@ -43,10 +48,46 @@ impl Reading {
     pub fn of_working_folder() -> Reading {
         Reading {
             folder: PathBuf::new(),
+            files: None,
             sources: RefCell::default(),
             remarks: RefCell::default(),
             inches: RefCell::default(),
             problems: RefCell::default(),
+        }
+    }
+
+    /// The reading of a text whose files are among `files`.
+    pub fn of_files(files: Rc<Files>) -> Reading {
+        Reading {
+            files: Some(files),
+            ..Reading::of_working_folder()
+        }
+    }
+
+    /// The bytes of the file at `path`.
+    ///
+    /// # Errors
+    /// As [`source::bytes`]; a problem where it is not among the given files.
+    pub fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
+        match &self.files {
+            Some(files) => files.bytes(path),
+            None => source::bytes(path),
+        }
+    }
+
+    /// Whether the real place of `path`, links followed, is not below its folder. A file that does not exist is outside.
+    pub fn is_outside(&self, path: &Path) -> bool {
+        if self.files.is_some() {
+            return false;
+        }
+        let folder = if self.folder.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            &self.folder
+        };
+        match (path.canonicalize(), folder.canonicalize()) {
+            (Ok(path), Ok(folder)) => !path.starts_with(folder),
+            _ => true,
         }
     }
 
@@ -58,7 +99,9 @@ impl Reading {
     /// Resolves `name` and records it as a source.
     pub fn file(&self, name: &str) -> PathBuf {
         let path = self.folder.join(name);
-        self.sources.borrow_mut().add(&path);
+        if self.files.is_none() {
+            self.sources.borrow_mut().add(&path);
+        }
         path
     }
 

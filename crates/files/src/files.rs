@@ -1,0 +1,76 @@
+//! Files by name and bytes, for a caller without a file system.
+
+use crate::error::Problem;
+use std::collections::BTreeMap;
+use std::path::{Component, Path};
+
+/// Files by name and bytes, in place of a folder. A name is relative to that folder, such as `wheel.csv` or `data/wheel.csv`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Files(BTreeMap<String, Vec<u8>>);
+
+impl Files {
+    /// No files.
+    pub fn new() -> Files {
+        Files::default()
+    }
+
+    /// Adds a file, in place of one with the same name.
+    pub fn add(&mut self, name: &str, bytes: Vec<u8>) {
+        self.0.insert(plain_name(Path::new(name)), bytes);
+    }
+
+    /// Takes a file out; whether there was one.
+    pub fn remove(&mut self, name: &str) -> bool {
+        self.0.remove(&plain_name(Path::new(name))).is_some()
+    }
+
+    /// The names, sorted.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
+    }
+
+    /// The bytes of the file called `path`. A file that was given without its folder counts where only one has its name.
+    ///
+    /// # Errors
+    /// A problem where there is no such file.
+    pub(crate) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
+        let name = plain_name(path);
+        let found = self.0.get(&name).or_else(|| {
+            let last = path.file_name()?.to_str()?;
+            self.0.get(last)
+        });
+        found.cloned().ok_or_else(|| {
+            Problem::of_file(
+                "is not among the files given",
+                format!("add the file {}", name.rsplit('/').next().unwrap_or(&name)),
+            )
+        })
+    }
+}
+
+/// `path` with `/` between its parts and without `.`.
+fn plain_name(path: &Path) -> String {
+    let text = path.to_string_lossy().replace('\\', "/");
+    let parts = Path::new(&text)
+        .components()
+        .filter(|part| !matches!(part, Component::CurDir | Component::RootDir));
+    let parts = parts.map(|part| part.as_os_str().to_string_lossy().into_owned());
+    parts.collect::<Vec<_>>().join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_found_by_its_path_or_its_name_alone() {
+        let mut files = Files::new();
+        files.add("wheel.csv", vec![1]);
+        files.add("data\\pinion.csv", vec![2]);
+        let read = |name: &str| files.bytes(Path::new(name)).ok();
+        assert_eq!(read("./wheel.csv"), Some(vec![1]));
+        assert_eq!(read("sheets/wheel.csv"), Some(vec![1]));
+        assert_eq!(read("data/pinion.csv"), Some(vec![2]));
+        assert_eq!(read("pinion.csv"), None);
+    }
+}

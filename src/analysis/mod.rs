@@ -22,6 +22,7 @@ pub mod study;
 pub mod tally;
 pub mod uncertainty;
 pub mod verdict;
+pub mod without_play;
 
 use self::backlash_map::BacklashMap;
 use self::compare::{ComparedRun, compare};

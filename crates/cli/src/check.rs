@@ -10,7 +10,7 @@ use super::{distances, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash::analysis::Plan;
-use gearlash::pair::Member;
+use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash_files::outlines::Drawings;
 use gearlash_files::{AnyPair, Sources};
 use gearlash_results::judged::Judged;
@@ -20,9 +20,6 @@ use std::process::ExitCode;
 
 /// A distance at which no two gears touch, mm.
 const APART_MM: f64 = 1e6;
-
-/// Steps of 1 mm to which a distance that is found is rounded up.
-const STEPS_PER_MM: f64 = 1000.0;
 
 const NOT_FOUND: &str = "two drawings need their centre distance, as none is found at which they mesh without play: add --center-distance A";
 
@@ -161,28 +158,14 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
 fn without_play(args: &Args, mut drawings: Drawings) -> Result<(f64, String), Error> {
     let not_found = || Error::Usage(NOT_FOUND.to_owned());
     let apart = gearlash_files::read_drawings(&drawings)?;
-    let runs = apart.study.runs()?;
-    let pair = runs.first().and_then(|run| run.assembly.drawn());
-    let pair = pair.ok_or_else(not_found)?;
-    let touching =
-        |member: Member| pair.gear(member).tip_radius() + pair.gear(member.mate()).root_radius();
-    let nearest = touching(Member::Wheel).max(touching(Member::Pinion));
+    let nearest = tips_on_roots(&apart.study)?.ok_or_else(not_found)?;
     drawings.center_distance_mm = nearest;
     let tight = gearlash_files::read_drawings(&drawings)?;
     let plan = Plan::new(&tight.study, args.method.of(&tight.study)?).with_extremes();
     let analysis = run_under_bar(&plan)?;
-    let verdict = analysis.verdict();
-    let from = match verdict.assembles() {
-        Some(true) => Some(nearest),
-        Some(false) => verdict
-            .assembles_from()
-            .filter(|from| from.doubt.is_none())
-            .map(|from| from.high),
-        None => None,
-    };
-    let from = from.ok_or_else(not_found)?;
-    let distance = (from * STEPS_PER_MM).ceil() / STEPS_PER_MM;
-    let mesh = if from > nearest {
+    let found = WithoutPlay::of(&analysis.verdict(), nearest).ok_or_else(not_found)?;
+    let distance = found.distance;
+    let mesh = if found.flanks_bind {
         "the gears mesh without play"
     } else {
         "a tip touches a root and no flank binds"

@@ -7,10 +7,9 @@ use super::target::Target;
 use super::{poses, studies};
 use crate::error::{Error, exit_code};
 use gearlash::analysis::Plan;
-use gearlash::gauge::{graded, pitches, profiles};
-use gearlash::gear::Inspection;
-use gearlash_files::{AnyPair, Sources};
-use gearlash_render::{self, GearGrades, Report};
+use gearlash_files::Sources;
+use gearlash_render::{self, Report};
+use gearlash_results::grades::grades;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -71,29 +70,4 @@ fn target(args: &Args, stem: &str, sources: &Sources) -> Result<Target, Error> {
 fn name(args: &Args) -> String {
     let name = args.pair.file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()
-}
-
-/// The grades of each gear that has deviations or a required grade. The gauge grades the one of most material.
-fn grades(pair: &AnyPair) -> Vec<GearGrades> {
-    let gears = pair.study.materials.first().zip(pair.spec.by_data());
-    let Some(((_, wheel, pinion), specs)) = gears else {
-        return Vec::new();
-    };
-    let deviating = [("wheel", wheel, specs[0]), ("pinion", pinion, specs[1])]
-        .into_iter()
-        .filter(|(_, gear, spec)| {
-            spec.grade.is_some() || spec.profile.is_some() || Inspection::of(gear).deviates()
-        });
-    deviating
-        .map(|(name, gear, spec)| GearGrades {
-            name,
-            required: spec.grade,
-            graded: graded(gear, spec.thickness.pin_mm()),
-            pitches: pitches(gear),
-            profile: spec
-                .profile
-                .as_ref()
-                .and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
-        })
-        .collect()
 }

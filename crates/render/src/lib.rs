@@ -37,6 +37,6 @@ pub mod viewer;
 pub use chart::PictureError;
 pub use map::{backlash_map_picture, map_picture};
 pub use match_map::match_map;
-pub use report::{GearGrades, Report, ToleranceReport, report, tolerance_report};
+pub use report::{Report, ToleranceReport, report, tolerance_report};
 pub use snapshot::{Snapshot, animation, exaggerated, outline_difference, pose_picture, snapshot};
 pub use tolerance::{Pictures, pictures as tolerance_pictures};

@@ -23,6 +23,7 @@ mod difference;
 mod extreme;
 mod fitted;
 pub mod gauge;
+pub mod grades;
 mod json;
 pub mod judged;
 mod junit;

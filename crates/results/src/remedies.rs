@@ -111,7 +111,7 @@ impl RemedyRecords {
     }
 
     /// The remedies below a table of checks; empty for a pair that fits. `requires`: the file states a requirement.
-    pub(crate) fn text(&self, requires: bool) -> String {
+    pub fn text(&self, requires: bool) -> String {
         let what = if requires {
             "assemble and meet [require]"
         } else {

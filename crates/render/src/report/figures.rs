@@ -1,12 +1,13 @@
 //! The charts of the page.
 
-use super::page::{GearGrades, Page};
+use super::page::Page;
 use super::table::Table;
 use crate::chart::PictureError;
 use crate::chart::{self, Chart, Heading};
 use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
 use gearlash_files::numbers::stated_distance;
+use gearlash_results::grades::GearGrades;
 use maud::{Markup, PreEscaped, html};
 
 /// Most centre distances and phases whose curves are in the page (tuned: some 100 kB each).

@@ -1,13 +1,14 @@
 //! Accuracy grades of pitch and runout as measured by the gauge, beside the required ones.
 
 use super::marks::marked;
-use super::page::{GearGrades, Page};
+use super::page::Page;
 use super::phrases::symbol;
 use super::table::{Table, cells, columns};
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::gauge::{GradedReading, PitchReadings};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::numbers::um;
+use gearlash_results::grades::GearGrades;
 use maud::{Markup, html};
 
 pub(super) fn table(page: &Page) -> Markup {

@@ -35,7 +35,7 @@ use maud::html;
 use page::Page;
 use page_frame::PageFrame;
 
-pub use page::{GearGrades, Report};
+pub use page::Report;
 pub use tolerance::{ToleranceReport, tolerance_report};
 
 /// The page of `report`, in UTF-8.

@@ -4,8 +4,8 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
-use gearlash::gauge::{GradedReading, PitchReadings, ProfileReadings, Unmeasured};
 use gearlash_files::AnyPair;
+use gearlash_results::grades::GearGrades;
 
 /// Input of a report.
 #[derive(Debug, Clone, Copy)]
@@ -20,21 +20,6 @@ pub struct Report<'a> {
     pub analysis: &'a Analysis<'a>,
     /// Pitch and runout of each gear that deviates, with the gauge's readings and grades.
     pub grades: &'a [GearGrades],
-}
-
-/// Pitch and runout of one gear as measured by the gauge, and the required grade.
-#[derive(Debug, Clone)]
-pub struct GearGrades {
-    /// `wheel` or `pinion`.
-    pub name: &'static str,
-    /// The grade that its table requires.
-    pub required: Option<u32>,
-    /// The graded readings.
-    pub graded: Result<Vec<GradedReading>, Unmeasured>,
-    /// Pitch about both axes.
-    pub pitches: Vec<PitchReadings>,
-    /// Profiles, where the file states their deviations.
-    pub profile: Option<ProfileReadings>,
 }
 
 /// Data shared by the sections of a page.

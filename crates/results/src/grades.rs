@@ -1,0 +1,46 @@
+//! Accuracy grades of gears that deviate.
+
+use gearlash::gauge::{GradedReading, PitchReadings, ProfileReadings, Unmeasured};
+use gearlash::gauge::{graded, pitches, profiles};
+use gearlash::gear::Inspection;
+use gearlash_files::AnyPair;
+
+/// Pitch and runout of one gear as measured by the gauge, and the required grade.
+#[derive(Debug, Clone)]
+pub struct GearGrades {
+    /// `wheel` or `pinion`.
+    pub name: &'static str,
+    /// The grade that its table requires.
+    pub required: Option<u32>,
+    /// The graded readings.
+    pub graded: Result<Vec<GradedReading>, Unmeasured>,
+    /// Pitch about both axes.
+    pub pitches: Vec<PitchReadings>,
+    /// Profiles, where the file states their deviations.
+    pub profile: Option<ProfileReadings>,
+}
+
+/// The grades of each gear that has deviations or a required grade. The gauge grades the one of most material.
+pub fn grades(pair: &AnyPair) -> Vec<GearGrades> {
+    let gears = pair.study.materials.first().zip(pair.spec.by_data());
+    let Some(((_, wheel, pinion), specs)) = gears else {
+        return Vec::new();
+    };
+    let deviating = [("wheel", wheel, specs[0]), ("pinion", pinion, specs[1])]
+        .into_iter()
+        .filter(|(_, gear, spec)| {
+            spec.grade.is_some() || spec.profile.is_some() || Inspection::of(gear).deviates()
+        });
+    deviating
+        .map(|(name, gear, spec)| GearGrades {
+            name,
+            required: spec.grade,
+            graded: graded(gear, spec.thickness.pin_mm()),
+            pitches: pitches(gear),
+            profile: spec
+                .profile
+                .as_ref()
+                .and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
+        })
+        .collect()
+}

@@ -14,6 +14,7 @@ mod gears;
 mod import;
 mod init;
 mod judged;
+mod live_page;
 mod man;
 mod maps;
 mod matching;

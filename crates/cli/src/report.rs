@@ -4,7 +4,7 @@ use super::date::today;
 use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
 use super::target::Target;
-use super::{poses, studies};
+use super::{live_page, poses, studies};
 use crate::error::{Error, exit_code};
 use gearlash::analysis::Plan;
 use gearlash_files::Sources;
@@ -26,6 +26,12 @@ pub(super) struct Args {
     /// The page [default: out/<file stem>.html]; - for standard output
     #[arg(short, long, value_name = "FILE.html")]
     output: Option<PathBuf>,
+    /// Write the page that runs the program in the browser, with this pair and its tables in it
+    #[arg(long)]
+    live: bool,
+    /// The page without a pair [default: gearlash.html beside the program]
+    #[arg(long, value_name = "FILE.html", requires = "live")]
+    page: Option<PathBuf>,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -36,6 +42,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let pair = &studies::any(&args.pair)?;
     let study = &pair.study;
     let target = target(args, &pair.stem, &pair.sources)?;
+    if args.live {
+        target.write(&live_page::with_pair(
+            args.page.as_deref(),
+            &args.pair,
+            pair,
+        )?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let method = args.method.of(study)?;
     let plan = Plan::whole(study, method);
     poses::allow(&args.pair, plan.poses(), &poses::HELD)?;

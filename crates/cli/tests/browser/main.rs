@@ -8,6 +8,7 @@ mod mesh;
 mod page;
 mod paper;
 mod section;
+mod web;
 mod zoom;
 
 use chromium::Chromium;
@@ -101,6 +102,24 @@ const TESTS: [(&str, Test); 23] = [
     ),
 ];
 
+/// Tests of the page that `crates/web/build` makes.
+const WEB_TESTS: [(&str, Test); 5] = [
+    (
+        "page_examples_have_the_verdict_of_the_program",
+        web::page_examples_have_the_verdict_of_the_program,
+    ),
+    (
+        "page_problems_have_their_places",
+        web::page_problems_have_their_places,
+    ),
+    (
+        "page_slider_gives_the_extremes_of_the_program",
+        web::page_slider_gives_the_extremes_of_the_program,
+    ),
+    ("page_fits_its_window", web::page_fits_its_window),
+    ("page_saved_has_its_pair", web::page_saved_has_its_pair),
+];
+
 fn main() {
     let mut arguments = Arguments::from_args();
     // One browser; its tabs would only wait for each other.
@@ -111,8 +130,17 @@ fn main() {
             "\nbrowser tests skipped: no Chromium found (looked on PATH for chromium, chromium-browser and google-chrome; CHROME names another)"
         );
     }
+    if web::built().is_none() {
+        println!(
+            "\ntests of the page skipped: target/page/gearlash.html is not there; crates/web/build makes it"
+        );
+    }
     let stage: Arc<OnceLock<(Chromium, Site)>> = Arc::default();
-    let trials = TESTS.map(|(name, test)| {
+    let reports = TESTS.into_iter().map(|(name, test)| (name, test, true));
+    let pages = WEB_TESTS
+        .into_iter()
+        .map(|(name, test)| (name, test, web::built().is_some()));
+    let trials = reports.chain(pages).map(|(name, test, is_built)| {
         let (stage, program) = (Arc::clone(&stage), program.clone());
         let run = move || {
             let program = program.ok_or("no Chromium")?;
@@ -120,9 +148,9 @@ fn main() {
             test(browser, site);
             Ok(())
         };
-        Trial::test(name, run).with_ignored_flag(chromium::find().is_none())
+        Trial::test(name, run).with_ignored_flag(!is_built || chromium::find().is_none())
     });
-    let conclusion = libtest_mimic::run(&arguments, trials.into());
+    let conclusion = libtest_mimic::run(&arguments, trials.collect());
     // Ends the browser, which `exit` would leave running.
     drop(stage);
     conclusion.exit();

@@ -13,6 +13,7 @@ mod helical;
 mod hostile;
 mod large;
 mod leaks;
+mod live_page;
 mod matching;
 mod matching_warnings;
 mod outline;

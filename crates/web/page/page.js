@@ -1,0 +1,416 @@
+"use strict";
+// Lays out what gearlash answers. Numbers, sentences and pictures come from the program in the workers; this file moves them.
+(() => {
+  // The page as it was sent, to save it with another pair.
+  const source = "<!doctype html>\n" + document.documentElement.outerHTML;
+  const byId = (id) => document.getElementById(id);
+  const make = (tag, text, properties = {}) => Object.assign(document.createElement(tag), text === undefined ? {} : { textContent: text }, properties);
+  const examples = JSON.parse(byId("example-files").textContent);
+  const own = JSON.parse(byId("own").textContent);
+
+  // ---- the program, in two workers: long work, and answers while the slider moves
+  const workers = {};
+  let module = null;
+  let calls = 0;
+
+  async function unpacked(base64) {
+    const packed = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0));
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  }
+
+  function begin(name) {
+    workers[name]?.worker.terminate();
+    const url = URL.createObjectURL(new Blob([byId("worker").textContent], { type: "text/javascript" }));
+    const worker = new Worker(url);
+    const waiting = new Map();
+    worker.onmessage = ({ data }) => {
+      if (data.progress) return showProgress(data.progress);
+      const call = waiting.get(data.id);
+      waiting.delete(data.id);
+      if (data.fault === undefined) return call.done(data.answer);
+      // A panic leaves the program in no known state: the next call meets a new one.
+      if (call.begun) begin(name);
+      call.failed(new Error(data.fault));
+    };
+    workers[name] = { worker, waiting };
+    return ask(name, "start", module);
+  }
+
+  function ask(name, call, ...args) {
+    const { worker, waiting } = workers[name];
+    return new Promise((done, failed) => {
+      const id = ++calls;
+      waiting.set(id, { done, failed, begun: call !== "start" });
+      worker.postMessage({ id, call, args });
+    });
+  }
+
+  const answer = async (name, call, ...args) => JSON.parse(await ask(name, call, ...args));
+
+  // ---- files: names and bytes; one of them is the pair file in the editor
+  const files = new Map();
+  let main = "pair.toml";
+  const text = byId("text");
+  const isText = (name) => /\.(toml|json)$/i.test(name);
+  const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
+  const decoded = (bytes) => new TextDecoder().decode(bytes);
+  const MOST_BYTES = 64 * 2 ** 20;
+
+  function edit(name) {
+    main = name;
+    text.value = decoded(files.get(name));
+    byId("text-label").textContent = name;
+    number();
+    listFiles();
+  }
+
+  function number() {
+    const lines = text.value.split("\n").length;
+    byId("lines").textContent = Array.from({ length: lines }, (_, i) => i + 1).join("\n");
+  }
+
+  function listFiles() {
+    byId("files").replaceChildren(...[...files.keys()].map((name) => {
+      const item = make("li", name, { className: name === main ? "now" : "" });
+      const out = make("button", "×", { type: "button", ariaLabel: `Remove ${name}` });
+      out.addEventListener("click", () => { files.delete(name); listFiles(); calculate(); });
+      item.append(" ", out);
+      return item;
+    }));
+  }
+
+  async function take(given) {
+    const added = [];
+    for (const file of given) {
+      if (file.size > MOST_BYTES) {
+        showProblems([{ reason: `${file.name} has more than 64 MiB`, help: "check that this is the file you mean" }]);
+        return;
+      }
+      files.set(file.name, new Uint8Array(await file.arrayBuffer()));
+      added.push(file.name);
+    }
+    const pair = added.find(isText);
+    const drawings = added.filter(isDrawing);
+    listFiles();
+    if (pair) edit(pair);
+    else if (drawings.length === 2 && !(await startFromDrawings(drawings))) return;
+    calculate();
+  }
+
+  // Two drawings without a pair file: a text to go on from, at the distance without play.
+  async function startFromDrawings([wheel, pinion]) {
+    await send("long");
+    const unit = byId("unit").value;
+    const made = await answer("long", "of_drawings", wheel, pinion, unit);
+    if (!made.text) {
+      showProblems(made.problems ?? [{ reason: made.failed }]);
+      byId("unit-row").hidden = false;
+      return false;
+    }
+    files.set("pair.toml", new TextEncoder().encode(made.text));
+    edit("pair.toml");
+    return true;
+  }
+
+  async function send(name) {
+    for (const [file, bytes] of files) await ask(name, "add", file, bytes);
+  }
+
+  // ---- calculate
+  let run = 0;
+  let opened = null;
+  async function calculate() {
+    const now = ++run;
+    files.set(main, new TextEncoder().encode(text.value));
+    listFiles();
+    byId("found").classList.add("old");
+    byId("working").hidden = false;
+    byId("stage").textContent = "Reading";
+    byId("progress").removeAttribute("value");
+    if (workers.long.waiting.size > 0) begin("long");
+    try {
+      for (const name of ["long", "live"]) await send(name);
+      const found = await answer("long", "open", main);
+      await ask("live", "open", main);
+      if (now !== run) return;
+      if (found.problems || found.failed) {
+        showProblems(found.problems ?? [{ reason: found.failed }]);
+        return;
+      }
+      opened = found;
+      byId("problems").hidden = true;
+      const result = await answer("long", "result");
+      if (now !== run) return;
+      if (result.failed) showProblems([{ reason: result.failed }]);
+      else show(result);
+    } catch (fault) {
+      if (now === run) showProblems([{ reason: `an internal fault: ${fault.message}`, help: "report it with this pair file" }]);
+    } finally {
+      if (now === run) byId("working").hidden = true;
+    }
+  }
+
+  function showProgress({ done, of, stage }) {
+    byId("progress").max = of;
+    byId("progress").value = Math.min(done, of);
+    byId("stage").textContent = stage || "Poses";
+  }
+
+  function cancel() {
+    run += 1;
+    begin("long");
+    byId("working").hidden = true;
+  }
+
+  // ---- problems, each with its place in the text
+  function showProblems(problems) {
+    byId("found").hidden = true;
+    byId("problems").hidden = false;
+    byId("problems-title").textContent = problems.length === 1 ? "1 problem" : `${problems.length} problems`;
+    byId("problem-list").replaceChildren(...problems.map(({ key, value, reason, help, line, from, to }) => {
+      const item = make("li");
+      if (key) item.append(make("code", value === null || value === undefined ? key : `${key} = ${value}`), ": ");
+      item.append(help ? `${reason}; ${help}` : reason);
+      if (line) {
+        const go = make("button", `Line ${line}`, { type: "button" });
+        go.addEventListener("click", () => mark(from, to, line));
+        item.append(" ", go);
+      }
+      return item;
+    }));
+  }
+
+  function mark(from, to, line) {
+    text.focus();
+    text.setSelectionRange(from, to);
+    const height = text.scrollHeight / text.value.split("\n").length;
+    text.scrollTop = Math.max(0, (line - 4) * height);
+  }
+
+  // ---- result
+  const words = { pass: "Pass", warn: "Warning", unproven: "Unproven", fail: "Fail" };
+
+  function verdict(into, { state, status, proof, rows, qualifiers }) {
+    const list = make("dl", undefined, { className: "extremes" });
+    for (const { name, value, arcmin, place } of rows) {
+      const row = make("div");
+      row.append(make("dt", `${name} backlash`), make("dd", value, { className: "number" }));
+      if (arcmin) row.append(make("dd", arcmin));
+      row.append(make("dd", place));
+      list.append(row);
+    }
+    into.className = `verdict ${state}`;
+    into.replaceChildren(make("p", words[state] ?? state, { className: "word" }), make("p", status, { className: "status" }), list,
+      ...qualifiers.map((line) => make("p", line)), make("p", proof, { className: "proof" }));
+  }
+
+  function picture(into, svg) {
+    const drawn = svg && new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+    into.replaceChildren(...(drawn ? [document.importNode(drawn, true)] : []));
+  }
+
+  function checks(table) {
+    const cell = (tag) => (value, i) => make(tag, value, { className: table.left[i] ? "left" : "" });
+    const head = make("thead");
+    const heads = make("tr");
+    heads.append(...table.headings.map(cell("th")));
+    head.append(heads);
+    const body = make("tbody");
+    for (const row of table.rows) {
+      const line = make("tr");
+      line.append(...row.map(cell("td")));
+      body.append(line);
+    }
+    return [head, body];
+  }
+
+  function show(result) {
+    byId("found").hidden = false;
+    byId("found").classList.remove("old");
+    verdict(byId("verdict"), result.verdict);
+    picture(byId("curve"), result.curve);
+    byId("remedies").textContent = result.remedies.trim();
+    byId("checks").replaceChildren(...(result.checks ? checks(result.checks) : []));
+    const notes = [...opened.warnings, ...opened.remarks];
+    byId("notes").hidden = notes.length === 0;
+    byId("notes").querySelector("summary").textContent = notes.length === 1 ? "1 note on the input" : `${notes.length} notes on the input`;
+    byId("notes").querySelector("ul").replaceChildren(...notes.map((note) => make("li", note)));
+    document.title = `${opened.title}: gearlash`;
+    startLive(result.start);
+  }
+
+  // ---- live: one pose and the whole cycle at another centre distance; the newest request wins
+  const fields = { a: byId("a"), number: byId("a-number"), turn: byId("turn"), wheel: byId("wheel"), pinion: byId("pinion"), flank: byId("flank") };
+  let wanted = false;
+  let busy = false;
+  let resting = null;
+
+  function startLive(start) {
+    const [low, high] = opened.range_mm;
+    for (const field of [fields.a, fields.number]) [field.min, field.max] = [low, high];
+    [fields.wheel.max, fields.pinion.max] = opened.teeth;
+    const place = start ?? { distance_mm: opened.distances_mm[0], wheel: 1, pinion: 1, left: false, fraction: 0 };
+    fields.a.value = fields.number.value = place.distance_mm;
+    [fields.wheel.value, fields.pinion.value] = [place.wheel, place.pinion];
+    fields.flank.value = place.left ? "left" : "right";
+    const half = Math.max(0.5, Math.ceil(2 * Math.abs(place.fraction)) / 2);
+    [fields.turn.min, fields.turn.max, fields.turn.value] = [-half, half, place.fraction];
+    live();
+  }
+
+  const distance = () => Number(fields.number.value);
+  const counted = (field) => Math.min(Math.max(1, Math.round(Number(field.value) || 1)), Number(field.max));
+
+  async function live() {
+    wanted = true;
+    if (busy) return;
+    busy = true;
+    try {
+      while (wanted) {
+        wanted = false;
+        const a = distance();
+        const pose = await answer("live", "live", a, counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value));
+        showPose(pose);
+        const band = await answer("live", "live_band", a);
+        showBand(band);
+        byId("cycle").dataset.a = a;
+      }
+    } catch (fault) {
+      byId("here").textContent = `an internal fault: ${fault.message}`;
+      await begin("live");
+      await send("live");
+      await ask("live", "open", main);
+    } finally {
+      busy = false;
+    }
+    clearTimeout(resting);
+    resting = setTimeout(() => {
+      byId("spoken").textContent = `At ${distance()} mm: this mating ${byId("here").textContent}, whole cycle ${byId("cycle").textContent}`;
+    }, 1000);
+  }
+
+  function showPose(pose) {
+    const say = pose.failed ?? (pose.j_wt_um === null ? pose.status.replaceAll("_", " ") : `${pose.j_wt} µm`);
+    byId("here").textContent = say;
+    if (pose.failed) return;
+    picture(byId("mesh"), pose.svg);
+    byId("mesh").setAttribute("aria-label", `Mesh of wheel tooth ${fields.wheel.value} and pinion tooth ${fields.pinion.value}, ${say}`);
+  }
+
+  function showBand(band) {
+    if (band.failed) {
+      byId("cycle").textContent = band.failed;
+      scale(null);
+      return;
+    }
+    const rows = band.verdict.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
+    byId("cycle").textContent = rows || band.verdict.status;
+    byId("cycle").title = band.verdict.text;
+    scale(band);
+  }
+
+  // Least to greatest as a band, with the limits of the requirement as lines.
+  function scale(band) {
+    const drawing = byId("scale");
+    drawing.replaceChildren();
+    if (!band || band.least_um === null || band.greatest_um === null) return;
+    const limits = opened.limits_um.filter((limit) => limit !== null);
+    const ends = [0, band.least_um, band.greatest_um, ...limits];
+    const [low, high] = [Math.min(...ends), Math.max(...ends)];
+    const x = (um) => 10 + (580 * (um - low)) / (high - low || 1);
+    const add = (tag, attributes) => {
+      const part = document.createElementNS("http://www.w3.org/2000/svg", tag);
+      for (const [name, value] of Object.entries(attributes)) part.setAttribute(name, value);
+      drawing.append(part);
+    };
+    add("rect", { x: x(band.least_um), y: 8, width: Math.max(2, x(band.greatest_um) - x(band.least_um)), height: 18, fill: "var(--band)" });
+    add("line", { x1: x(0), x2: x(0), y1: 2, y2: 32, stroke: "var(--ink)" });
+    for (const limit of limits) add("line", { x1: x(limit), x2: x(limit), y1: 2, y2: 32, stroke: "var(--fail)", "stroke-width": 3 });
+  }
+
+  fields.a.addEventListener("input", () => { fields.number.value = fields.a.value; live(); });
+  fields.number.addEventListener("input", () => { fields.a.value = fields.number.value; live(); });
+  fields.a.addEventListener("keydown", (event) => {
+    const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+    if (!steps) return;
+    event.preventDefault();
+    const um = steps * (event.shiftKey ? 10 : 1);
+    fields.number.value = fields.a.value = (distance() + um / 1000).toFixed(3);
+    live();
+  });
+  for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank]) field.addEventListener("input", live);
+
+  byId("keep").addEventListener("click", () => {
+    const key = /^(\s*center_distance_mm\s*=\s*)(\[[^\]]*\]|\{[^}]*\}|[^#\n]*?)(\s*(?:#.*)?)$/m;
+    text.value = text.value.replace(key, (_, before, __, after) => before + distance() + after);
+    number();
+    calculate();
+  });
+
+  // ---- saves
+  function save(name, type, content) {
+    const link = make("a", "", { href: URL.createObjectURL(new Blob([content], { type })), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+  }
+
+  const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+
+  byId("save-pair").addEventListener("click", () => save(main, "text/plain", text.value));
+  byId("save-picture").addEventListener("click", () => {
+    const svg = byId("mesh").querySelector("svg");
+    if (svg) save(`${opened.stem}.svg`, "image/svg+xml", new XMLSerializer().serializeToString(svg));
+  });
+  byId("save-report").addEventListener("click", async () => {
+    byId("working").hidden = false;
+    try {
+      const report = await answer("long", "report", new Date().toISOString().slice(0, 10));
+      if (report.failed) showProblems([{ reason: report.failed }]);
+      else save(`${opened.stem}.html`, "text/html", report.html);
+    } finally {
+      byId("working").hidden = true;
+    }
+  });
+  byId("save-page").addEventListener("click", () => {
+    files.set(main, new TextEncoder().encode(text.value));
+    const held = { main, files: Object.fromEntries([...files].map(([name, bytes]) => [name, base64(bytes)])) };
+    const empty = '<script type="application/json" id="own">' + byId("own").textContent;
+    const full = '<script type="application/json" id="own">' + JSON.stringify(held).replaceAll("<", "\\u003c");
+    save("gearlash.html", "text/html", source.replace(empty, () => full));
+  });
+
+  // ---- input
+  function open(held) {
+    files.clear();
+    for (const [name, content] of Object.entries(held.files)) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));
+    edit(held.main);
+    calculate();
+  }
+
+  byId("examples").append(...examples.map(({ title }, i) => make("option", title, { value: i })));
+  byId("examples").addEventListener("change", (event) => open(examples[event.target.value]));
+  byId("open").addEventListener("change", (event) => take(event.target.files));
+  byId("unit").addEventListener("change", async () => {
+    const drawings = [...files.keys()].filter(isDrawing);
+    if (drawings.length === 2 && (await startFromDrawings(drawings))) calculate();
+  });
+  byId("calculate").addEventListener("click", calculate);
+  byId("cancel").addEventListener("click", cancel);
+  text.addEventListener("input", number);
+  text.addEventListener("scroll", () => { byId("lines").scrollTop = text.scrollTop; });
+  text.addEventListener("keydown", (event) => { if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) calculate(); });
+  document.addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("over"); });
+  document.addEventListener("dragleave", () => document.body.classList.remove("over"));
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    document.body.classList.remove("over");
+    take(event.dataTransfer.files);
+  });
+
+  (async () => {
+    module = await unpacked(byId("wasm").textContent);
+    await Promise.all([begin("long"), begin("live")]);
+    open(own ?? examples[0]);
+  })().catch((fault) => showProblems([{ reason: `this browser cannot run the page: ${fault.message}`, help: "use Chrome 103, Firefox 114, Safari 16.4 or later" }]));
+})();

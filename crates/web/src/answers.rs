@@ -1,0 +1,375 @@
+//! What the page shows, as JSON. Every number and sentence comes from the packages that the program uses.
+
+use gearlash::analysis::curves::courses;
+use gearlash::analysis::requirement::{Limits, Quantity};
+use gearlash::analysis::study::Study;
+use gearlash::analysis::verdict::Verdict;
+use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
+use gearlash::analysis::{Analysis, Plan, Progress, extremes};
+use gearlash::contact::Method;
+use gearlash::gear::Side;
+use gearlash::pair::{Mating, Member};
+use gearlash_files::numbers::um;
+use gearlash_files::{AnyPair, Files, InputError, read_files};
+use gearlash_render::chart::{self, Heading};
+use gearlash_render::{Report, pose_picture};
+use gearlash_results::RemedyRecords;
+use gearlash_results::grades::grades;
+use gearlash_results::text::check::shown;
+use gearlash_results::verdict::{ExtremeRow, VerdictLines, extremes_in_short, lines};
+use serde_json::{Value, json};
+use std::fmt::Display;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+const METHOD: Method = Method::Exact { certify: true };
+
+/// Most poses that a page holds: 500 MB of memory.
+pub const MOST_POSES: u64 = 500_000;
+
+/// Receives steps begun, steps in all and the stage; a break ends the work.
+pub type OnStep = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync;
+
+/// The files and the pair of a page.
+#[derive(Debug, Default)]
+pub struct Page {
+    /// The files given.
+    pub files: Files,
+    pair: Option<AnyPair>,
+    main: String,
+}
+
+impl Page {
+    /// Reads the pair file `main` of the files: its title, warnings and what a page lets one choose; or all its problems.
+    pub fn open(&mut self, main: &str) -> Value {
+        self.main = main.to_owned();
+        self.pair = None;
+        let read = read_files(Rc::new(self.files.clone()), main);
+        let pair = match read {
+            Ok(pair) => pair,
+            Err(error) => return problems(&error),
+        };
+        let study = &pair.study;
+        let poses = Plan::new(study, METHOD).with_revolution().poses();
+        if poses > MOST_POSES {
+            return failed(format!(
+                "{poses} poses, a page holds up to {MOST_POSES}: take fewer steps_per_pitch or centre distances"
+            ));
+        }
+        let materials = study.materials.iter().map(|gears| gears.0);
+        let materials = materials.chain(study.drawn.iter().map(|gears| gears.0));
+        let found = json!({
+            "title": study.title,
+            "stem": pair.stem,
+            "warnings": pair.warnings,
+            "remarks": pair.remarks,
+            "teeth": study.teeth(),
+            "distances_mm": study.center_distances,
+            "materials": materials.map(|material| material.words()).collect::<Vec<_>>(),
+            "limits_um": limits(study),
+            "range_mm": range(study),
+        });
+        self.pair = Some(pair);
+        found
+    }
+
+    /// Verdict, checks, remedies and the curve over the teeth.
+    pub fn result(&self, report: &OnStep) -> Value {
+        let Some(pair) = &self.pair else {
+            return nothing_open();
+        };
+        let study = &pair.study;
+        let plan = Plan::new(study, METHOD)
+            .with_revolution()
+            .with_remedies()
+            .with_checks();
+        let analysis = match analysed(&plan, report) {
+            Ok(analysis) => analysis,
+            Err(error) => return failed(error),
+        };
+        let verdict = analysis.verdict();
+        let remedies = RemedyRecords::new(pair, &analysis.remedies);
+        let checks = if study.is_drawn() {
+            Value::Null
+        } else {
+            table(&analysis)
+        };
+        let start = verdict.worst().map(|(extremes, assembly, pose)| {
+            let mating = pose.simulated.pose.mating();
+            json!({
+                "distance_mm": assembly.center_distance(),
+                "wheel": mating.wheel_tooth,
+                "pinion": mating.pinion_tooth,
+                "left": mating.flank == Side::Left,
+                "fraction": mating.fraction,
+                "material": extremes.material.words(),
+            })
+        });
+        json!({
+            "verdict": verdict_json(&lines(&verdict)),
+            "checks": checks,
+            "remedies": remedies.text(!study.requirements.is_empty()),
+            "curve": curve(&analysis, &verdict),
+            "start": start,
+            "unproven": analysis.unproven(),
+        })
+    }
+
+    /// The report as a page.
+    pub fn report(&self, date: &str, report: &OnStep) -> Value {
+        let Some(pair) = &self.pair else {
+            return nothing_open();
+        };
+        let plan = Plan::whole(&pair.study, METHOD);
+        let analysis = match analysed(&plan, report) {
+            Ok(analysis) => analysis,
+            Err(error) => return failed(error),
+        };
+        let page = gearlash_render::report(&Report {
+            pair,
+            file: &self.main,
+            date,
+            analysis: &analysis,
+            grades: &grades(pair),
+        });
+        match page {
+            Ok(html) => json!({ "html": html }),
+            Err(error) => failed(error),
+        }
+    }
+
+    /// A pair file for two of the drawings, at the centre distance without play: `{text}`, or all problems of the drawings.
+    /// `unit` is that of drawings without one, or empty.
+    pub fn of_drawings(&self, drawings: [&str; 2], unit: &str) -> Value {
+        const NAME: &str = "pair.toml";
+        let read = |a: f64| {
+            let text = text_of_drawings(drawings, a, unit);
+            let mut files = self.files.clone();
+            files.add(NAME, text.clone().into_bytes());
+            Ok::<_, Value>((
+                text,
+                read_files(Rc::new(files), NAME).map_err(|error| problems(&error))?,
+            ))
+        };
+        let found = || -> Result<Value, Value> {
+            let (_, apart) = read(APART_MM)?;
+            let nearest = tips_on_roots(&apart.study).map_err(failed)?;
+            let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
+            let (_, tight) = read(nearest)?;
+            let plan = Plan::new(&tight.study, METHOD).with_extremes();
+            let analysis = Analysis::silently(&plan).map_err(failed)?;
+            let found = WithoutPlay::of(&analysis.verdict(), nearest);
+            let (text, _) = read(found.map_or(nearest, |found| found.distance))?;
+            Ok(json!({ "text": text }))
+        };
+        found().unwrap_or_else(|failed| failed)
+    }
+
+    /// One pose at another centre distance, with its picture.
+    pub fn live(&self, a: f64, teeth: [u32; 2], left: bool, fraction: f64) -> Value {
+        let Some(pair) = &self.pair else {
+            return nothing_open();
+        };
+        let study = &pair.study;
+        let assembly = study.pairs(a).map(|pairs| pairs.into_iter().next());
+        let (material, assembly) = match assembly {
+            Ok(Some(found)) => found,
+            Ok(None) => return nothing_open(),
+            Err(error) => return failed(error),
+        };
+        for (member, tooth) in Member::BOTH.into_iter().zip(teeth) {
+            let of = assembly.teeth(member);
+            if !(1..=of).contains(&tooth) {
+                let name = member.name();
+                return failed(format!("the {name} has teeth 1 … {of}, not {tooth}"));
+            }
+        }
+        let mating = Mating {
+            wheel_tooth: teeth[0],
+            pinion_tooth: teeth[1],
+            flank: if left { Side::Left } else { Side::Right },
+            fraction,
+        };
+        let pose = match assembly.lost_motion(mating) {
+            Ok(pose) => pose,
+            Err(error) => return failed(error),
+        };
+        match pose_picture(&study.title, &assembly, material, &pose) {
+            Ok(svg) => json!({
+                "status": pose.status().name(),
+                "j_wt_um": pose.backlash.map(|mm| mm * 1e3),
+                "j_wt": um(pose.backlash, 2),
+                "svg": svg,
+            }),
+            Err(error) => failed(error),
+        }
+    }
+
+    /// Least and greatest backlash of the whole mesh cycle at another centre distance, in the lines of the verdict.
+    pub fn live_band(&self, a: f64) -> Value {
+        let Some(pair) = &self.pair else {
+            return nothing_open();
+        };
+        let moved = Study {
+            bearing_clearance: 0.0,
+            ..pair.study.clone()
+        };
+        let found = moved.at(vec![a]).and_then(|study| {
+            let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+            let verdict = Verdict::of_study(&study, &found.each, Vec::new());
+            let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
+            let shown = lines(&verdict);
+            Ok(json!({
+                "verdict": verdict_json(&shown),
+                "least_um": value(verdict.least().map(|(_, least)| least.low)),
+                "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
+            }))
+        });
+        found.unwrap_or_else(failed)
+    }
+}
+
+/// Centre distances to choose from, mm: from below the least of the pair to where the tips pass each other.
+fn range(study: &Study) -> [f64; 2] {
+    let distances = || study.center_distances.iter().copied();
+    let (least, most) = (
+        distances().fold(f64::INFINITY, f64::min),
+        distances().fold(0.0, f64::max),
+    );
+    let pairs = study.pairs(least).into_iter().flatten();
+    let apart = pairs.map(|(_, pair)| pair.reach()).fold(most, f64::max);
+    // As far below as a fourth of the way up: backlash falls by more than two thirds of a module there.
+    [least - 0.25 * (apart - least), apart]
+}
+
+/// The limits of the operating backlash, µm, least and greatest.
+fn limits(study: &Study) -> [Option<f64>; 2] {
+    let of_backlash = |(quantity, _): &&_| *quantity == Quantity::OperatingBacklash;
+    let limits = study.requirements.iter().find(of_backlash);
+    limits.map_or([None; 2], |(_, Limits { min, max })| {
+        [min, max].map(|mm| mm.map(|mm| mm * 1e3))
+    })
+}
+
+/// A distance at which no two gears touch, mm.
+const APART_MM: f64 = 1e6;
+
+/// A pair file of two drawings, as text.
+fn text_of_drawings([wheel, pinion]: [&str; 2], a: f64, unit: &str) -> String {
+    let unit = if unit.is_empty() {
+        String::new()
+    } else {
+        format!(", units = {unit:?}")
+    };
+    format!(
+        "title = {:?}\n\n[wheel]\noutline = {{ file = {wheel:?}{unit} }}\n\n[pinion]\noutline = {{ file = {pinion:?}{unit} }}\n\n\
+         [assembly]\ncenter_distance_mm = {a}\n\n[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 16\n",
+        format!("{wheel} with {pinion}")
+    )
+}
+
+/// The work of `plan`; its steps go to `report`.
+fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearlash::error::Error> {
+    let of = plan.steps()?;
+    let (done, stage) = (AtomicU64::new(0), std::sync::Mutex::new(String::new()));
+    let tick = || {
+        let done = done.fetch_add(1, Ordering::Relaxed);
+        let stage = stage.lock().map(|stage| stage.clone()).unwrap_or_default();
+        report(done, of, &stage)
+    };
+    let mut begun = |name: &str| {
+        if let Ok(mut stage) = stage.lock() {
+            name.clone_into(&mut stage);
+        }
+        let _ = report(done.load(Ordering::Relaxed), of, name);
+    };
+    Analysis::run(
+        plan,
+        &mut Progress {
+            stage: &mut begun,
+            tick: &tick,
+        },
+    )
+}
+
+/// The verdict in its lines and in parts.
+fn verdict_json(lines: &VerdictLines) -> Value {
+    let row = |row: &ExtremeRow| {
+        json!({
+            "name": row.name,
+            "value": row.value,
+            "arcmin": row.arcmin.as_ref().map(|(value, member)| format!("{value} arcmin at the {}", member.name())),
+            "place": row.place_words(),
+        })
+    };
+    json!({
+        "state": lines.state.name(),
+        "status": lines.status,
+        "proof": lines.proof,
+        "rows": lines.rows.iter().map(row).collect::<Vec<_>>(),
+        "qualifiers": lines.qualifiers,
+        "text": lines.to_string(),
+    })
+}
+
+/// The checks as a table for people.
+fn table(analysis: &Analysis) -> Value {
+    let columns = shown(&analysis.diagnosis);
+    let rows = columns.first().map_or(0, |column| column.cells.len());
+    let row = |number: usize| -> Vec<&str> {
+        let cells = columns.iter().map(|column| column.cells[number].as_str());
+        cells.collect()
+    };
+    json!({
+        "headings": columns.iter().map(|column| column.heading.heading()).collect::<Vec<_>>(),
+        "left": columns.iter().map(|column| column.heading.is_left()).collect::<Vec<_>>(),
+        "rows": (0..rows).map(row).collect::<Vec<_>>(),
+    })
+}
+
+/// The backlash over the teeth at the first centre distance, as SVG; empty where there is no curve.
+fn curve(analysis: &Analysis, verdict: &Verdict) -> String {
+    let course = courses(&analysis.curves).into_iter().next();
+    let Some(course) = course else {
+        return String::new();
+    };
+    let course = course.with_cycle(&analysis.extremes.each);
+    let cycle = extremes_in_short(verdict);
+    let heading = Heading {
+        prefix: "curve",
+        title: &analysis.study.title,
+        subtitle: &cycle,
+    };
+    chart::revolution(&heading, &course).map_or(String::new(), |chart| chart.svg)
+}
+
+/// The problems of a file, with their places in its text.
+fn problems(error: &InputError) -> Value {
+    let spans = error.spans();
+    let each = error.problems.iter().zip(spans).map(|(problem, span)| {
+        let line = span
+            .as_ref()
+            .map(|span| 1 + error.text[..span.start].matches('\n').count());
+        // A page counts as JavaScript does.
+        let units = |end: usize| error.text[..end].encode_utf16().count();
+        json!({
+            "key": problem.key,
+            "value": problem.value,
+            "reason": problem.reason,
+            "help": problem.help,
+            "line": line,
+            "from": span.as_ref().map(|span| units(span.start)),
+            "to": span.as_ref().map(|span| units(span.end)),
+        })
+    });
+    json!({ "problems": each.collect::<Vec<_>>() })
+}
+
+fn failed(error: impl Display) -> Value {
+    json!({ "failed": error.to_string() })
+}
+
+fn nothing_open() -> Value {
+    failed("no pair is open")
+}

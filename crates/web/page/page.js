@@ -56,6 +56,8 @@
   const isDrawing = (name) => /\.(dxf|svg)$/i.test(name);
   const decoded = (bytes) => new TextDecoder().decode(bytes);
   const MOST_BYTES = 64 * 2 ** 20;
+  // The editor of a longer text would not follow the keys.
+  const MOST_TEXT = 2 ** 20;
 
   function edit(name) {
     main = name;
@@ -83,8 +85,9 @@
   async function take(given) {
     const added = [];
     for (const file of given) {
-      if (file.size > MOST_BYTES) {
-        showProblems([{ reason: `${file.name} has more than 64 MiB`, help: "check that this is the file you mean" }]);
+      const most = isText(file.name) ? MOST_TEXT : MOST_BYTES;
+      if (file.size > most) {
+        showProblems([{ reason: `${file.name} has more than ${most / 2 ** 20} MiB`, help: "check that this is the file you mean" }]);
         return;
       }
       files.set(file.name, new Uint8Array(await file.arrayBuffer()));

@@ -103,7 +103,11 @@ const TESTS: [(&str, Test); 23] = [
 ];
 
 /// Tests of the page that `crates/web/build` makes.
-const WEB_TESTS: [(&str, Test); 5] = [
+const WEB_TESTS: [(&str, Test); 6] = [
+    (
+        "page_hostile_files_are_problems",
+        web::page_hostile_files_are_problems,
+    ),
     (
         "page_examples_have_the_verdict_of_the_program",
         web::page_examples_have_the_verdict_of_the_program,

@@ -204,3 +204,32 @@ pub fn page_saved_has_its_pair(browser: &Chromium, _: &Site) {
     assert_eq!(text(&mut tab, "verdict"), verdict);
     assert!(text(&mut tab, "files").contains("wheel.csv"));
 }
+
+/// Noise, a long file and a name with markup are problems in words; no script of theirs runs.
+pub fn page_hostile_files_are_problems(browser: &Chromium, _: &Site) {
+    let mut tab = opened(browser, [1280, 900]);
+    let noise: Vec<u8> = (0..200_000u32)
+        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
+        .collect();
+    let name = "<img src=x onerror=\"window.ran = true\">.toml";
+    let files = [
+        (name, noise.clone()),
+        ("long.toml", vec![b'#'; 3 << 20]),
+        (
+            "deep.toml",
+            format!("a = {}1{}", "[".repeat(10_000), "]".repeat(10_000)).into_bytes(),
+        ),
+    ];
+    for (name, bytes) in files {
+        tab.eval("document.getElementById('problems').hidden = true");
+        drop_files(&mut tab, &[(name.to_owned(), bytes)]);
+        tab.until("!document.getElementById('problems').hidden && document.getElementById('working').hidden");
+        let shown = text(&mut tab, "problem-list");
+        assert!(!shown.is_empty(), "{name}");
+    }
+    assert_eq!(tab.eval("window.ran === undefined"), json!(true));
+    assert_eq!(tab.events("Runtime.exceptionThrown"), Vec::<&Value>::new());
+    // The page goes on.
+    tab.eval("document.getElementById('examples').dispatchEvent(new Event('change'))");
+    tab.until("document.getElementById('problems').hidden && document.querySelector('#verdict .status') !== null && document.getElementById('working').hidden");
+}

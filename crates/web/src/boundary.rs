@@ -1,0 +1,91 @@
+//! The boundary to JavaScript: the functions that the page calls, each of texts and bytes.
+
+use crate::answers::Page;
+use std::cell::RefCell;
+use std::ops::ControlFlow;
+use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// Receives the progress of long work: steps begun, steps in all, stage.
+    static PROGRESS: RefCell<Option<js_sys::Function>> = const { RefCell::new(None) };
+}
+
+/// The files and the pair of a page.
+#[wasm_bindgen]
+#[derive(Debug, Default)]
+pub struct Gearlash {
+    page: Page,
+}
+
+#[wasm_bindgen]
+impl Gearlash {
+    /// No files and no pair.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Gearlash {
+        Gearlash::default()
+    }
+
+    /// The version of the program.
+    pub fn version() -> String {
+        env!("CARGO_PKG_VERSION").to_owned()
+    }
+
+    /// Names the function that receives the progress: steps begun, steps in all, stage.
+    pub fn on_progress(function: js_sys::Function) {
+        PROGRESS.set(Some(function));
+    }
+
+    /// Adds a file, in place of one with the same name.
+    pub fn add(&mut self, name: &str, bytes: Vec<u8>) {
+        self.page.files.add(name, bytes);
+    }
+
+    /// Takes a file out.
+    pub fn remove(&mut self, name: &str) -> bool {
+        self.page.files.remove(name)
+    }
+
+    /// Reads the pair file `main`: `{title, stem, warnings, remarks, teeth, distances_mm, materials}`, or `{problems}`.
+    pub fn open(&mut self, main: &str) -> String {
+        self.page.open(main).to_string()
+    }
+
+    /// Verdict, checks, remedies and curve of the pair that is open.
+    pub fn result(&self) -> String {
+        self.page.result(&progress).to_string()
+    }
+
+    /// The report of the pair that is open: `{html}`. `date` is its day, as printed.
+    pub fn report(&self, date: &str) -> String {
+        self.page.report(date, &progress).to_string()
+    }
+
+    /// One pose at the centre distance `a`, mm, with its picture.
+    pub fn live(&self, a: f64, wheel: u32, pinion: u32, left: bool, fraction: f64) -> String {
+        self.page
+            .live(a, [wheel, pinion], left, fraction)
+            .to_string()
+    }
+
+    /// Least and greatest backlash of the whole mesh cycle at the centre distance `a`, mm.
+    pub fn live_band(&self, a: f64) -> String {
+        self.page.live_band(a).to_string()
+    }
+
+    /// A pair file for the drawings `wheel` and `pinion` at the distance without play; `unit` is that of drawings without one.
+    pub fn of_drawings(&self, wheel: &str, pinion: &str, unit: &str) -> String {
+        self.page.of_drawings([wheel, pinion], unit).to_string()
+    }
+}
+
+/// Reports a step. Work ends when the page ends its worker.
+fn progress(done: u64, of: u64, stage: &str) -> ControlFlow<()> {
+    PROGRESS.with_borrow(|function| {
+        if let Some(function) = function {
+            let (done, of) = (JsValue::from(done as f64), JsValue::from(of as f64));
+            // The page shows an error of its own; the work goes on.
+            let _ = function.call3(&JsValue::NULL, &done, &of, &JsValue::from(stage));
+        }
+    });
+    ControlFlow::Continue(())
+}

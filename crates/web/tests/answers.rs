@@ -1,0 +1,131 @@
+//! The answers of the page against the same files read from disk.
+
+use gearlash::analysis::{Analysis, Plan};
+use gearlash::contact::Method;
+use gearlash::gear::Side;
+use gearlash::pair::Mating;
+use gearlash_files::read_any;
+use gearlash_results::verdict::lines;
+use gearlash_web::answers::Page;
+use serde_json::Value;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(name)
+}
+
+/// A page with these files, and the answer to opening the first.
+fn opened(names: &[&str]) -> (Page, Value) {
+    let mut page = Page::default();
+    let last = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
+    for name in names {
+        let bytes = std::fs::read(path(name)).expect("an example is in the repository");
+        page.files.add(&last(name), bytes);
+    }
+    let found = page.open(&last(names[0]));
+    (page, found)
+}
+
+fn silent(_: u64, _: u64, _: &str) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Source: the pair read from disk, as the program does.
+#[test]
+fn a_verdict_is_that_of_the_files_on_disk() {
+    let examples: [&[&str]; 4] = [
+        &["docs/files/sheet.toml", "docs/files/wheel.csv"],
+        &["docs/files/jams.toml"],
+        &["docs/files/helical.toml"],
+        &[
+            "fixtures/outlines/drawn_20x20.toml",
+            "fixtures/outlines/wheel_20.dxf",
+            "fixtures/outlines/pinion_20.svg",
+        ],
+    ];
+    for names in examples {
+        let (page, found) = opened(names);
+        assert!(found["title"].is_string(), "{names:?}: {found}");
+        let result = page.result(&silent);
+        let pair = read_any(&path(names[0])).expect("an example can be read");
+        let plan = Plan::new(&pair.study, Method::Exact { certify: true });
+        let analysis = Analysis::silently(&plan.with_remedies().with_checks()).unwrap();
+        let text = lines(&analysis.verdict()).to_string();
+        assert_eq!(result["verdict"]["text"], text, "{names:?}");
+        assert!(result["curve"].as_str().unwrap().contains("<svg"));
+    }
+}
+
+/// The third line states the teeth; the table is missing.
+#[test]
+fn problems_have_their_lines_and_a_missing_table_its_name() {
+    let mut page = Page::default();
+    let text = "title = \"é\"\n[wheel]\nteeth = 20.5\n";
+    page.files.add("pair.toml", text.as_bytes().to_vec());
+    let found = page.open("pair.toml");
+    let problems = found["problems"].as_array().expect("it has problems");
+    let teeth = problems.iter().find(|one| one["key"] == "wheel.teeth");
+    let teeth = teeth.expect("the teeth are wrong");
+    assert_eq!(teeth["line"], 3);
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let [from, to] = ["from", "to"].map(|end| teeth[end].as_u64().unwrap() as usize);
+    assert_eq!(String::from_utf16_lossy(&units[from..to]), "teeth = 20.5");
+    let (_, found) = opened(&["docs/files/sheet.toml"]);
+    assert!(
+        found.to_string().contains("add the file wheel.csv"),
+        "{found}"
+    );
+}
+
+/// Source: the library's pose and, for the whole cycle, its extremes at the same distance.
+#[test]
+fn a_moved_pair_has_the_backlash_of_its_distance() {
+    let name = "docs/files/jams.toml";
+    let (page, _) = opened(&[name]);
+    let study = read_any(&path(name)).unwrap().study;
+    let a = study.center_distances[0] + 0.3;
+    let live = page.live(a, [1, 1], true, 0.25);
+    let (_, assembly) = study.pairs(a).unwrap().remove(0);
+    let mating = Mating {
+        wheel_tooth: 1,
+        pinion_tooth: 1,
+        flank: Side::Left,
+        fraction: 0.25,
+    };
+    let own = assembly.lost_motion(mating).unwrap().backlash.unwrap() * 1e3;
+    assert_eq!(live["j_wt_um"].as_f64(), Some(own));
+    assert!(live["svg"].as_str().unwrap().contains("<svg"));
+    let band = page.live_band(a);
+    let moved = study.at(vec![a]).unwrap();
+    let plan = Plan::new(&moved, Method::Exact { certify: true }).with_extremes();
+    let analysis = Analysis::silently(&plan).unwrap();
+    let verdict = analysis.verdict();
+    let least = verdict.least().unwrap().1.low * 1e3;
+    assert_eq!(band["least_um"].as_f64(), Some(least));
+    let wrong = page.live(a, [0, 1], false, 0.0);
+    assert!(
+        wrong["failed"].as_str().unwrap().contains("teeth 1"),
+        "{wrong}"
+    );
+}
+
+/// Two drawings without a pair file: the text that is made can be opened, and the gears touch there.
+#[test]
+fn two_drawings_make_a_pair_file() {
+    let (mut page, _) = opened(&[
+        "fixtures/outlines/wheel_20.dxf",
+        "fixtures/outlines/pinion_20.svg",
+    ]);
+    let made = page.of_drawings(["wheel_20.dxf", "pinion_20.svg"], "");
+    let text = made["text"].as_str().expect("both state their unit");
+    page.files.add("pair.toml", text.as_bytes().to_vec());
+    let found = page.open("pair.toml");
+    let a = found["distances_mm"][0].as_f64().unwrap();
+    let band = page.live_band(a);
+    let least = band["least_um"].as_f64().unwrap();
+    // Rounded up to 1 µm, the distance leaves at most 2 µm tan α_w.
+    assert!((-1e-3..2.0).contains(&least) || a == 39.418, "{a}: {least}");
+}

@@ -24,6 +24,12 @@ impl Files {
         self.0.remove(&plain_name(Path::new(name))).is_some()
     }
 
+    /// The bytes of the file with this name.
+    pub fn get(&self, name: &str) -> Option<&[u8]> {
+        let bytes = self.0.get(&plain_name(Path::new(name)));
+        bytes.map(Vec::as_slice)
+    }
+
     /// The names, sorted.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)

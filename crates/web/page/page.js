@@ -96,6 +96,9 @@
     const pair = added.find(isText);
     const drawings = added.filter(isDrawing);
     listFiles();
+    byId("understood").hidden = true;
+    const tables = added.filter((name) => !isText(name) && !isDrawing(name));
+    if (!pair && tables.length === 1 && drawings.length === 0) await understand(tables[0]);
     if (pair) edit(pair);
     else if (drawings.length === 2 && !(await startFromDrawings(drawings))) return;
     calculate();
@@ -114,6 +117,18 @@
     files.set("pair.toml", new TextEncoder().encode(made.text));
     edit("pair.toml");
     return true;
+  }
+
+  // A table without a pair file: what is understood of it, and the lines that name it.
+  async function understand(name) {
+    await send("live");
+    const found = await answer("live", "understand", name);
+    const reasons = (found.problems ?? []).map(({ reason, help }) => `${reason}; ${help}`);
+    byId("understood").hidden = false;
+    byId("understood-title").textContent = `Understood of ${name}`;
+    byId("understood-text").textContent = found.text ?? (reasons.join("\n") || found.failed);
+    byId("understood-toml").textContent = found.toml ?? "";
+    byId("paste").hidden = !found.toml;
   }
 
   async function send(name) {
@@ -383,7 +398,36 @@
     save("gearlash.html", "text/html", source.replace(empty, () => full));
   });
 
+  // ---- a link with the pair in its fragment, which browsers never send
+  const LINK = "#pair=";
+  const MOST_OF_LINK = 8192;
+  const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
+
+  byId("link").addEventListener("click", async () => {
+    const packed = await through(new TextEncoder().encode(text.value), new CompressionStream("gzip"));
+    const code = base64(new Uint8Array(packed)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+    const fits = files.size === 1 && code.length <= MOST_OF_LINK;
+    if (fits) location.hash = LINK + code;
+    byId("linked").textContent = fits
+      ? "The address of this page now holds the pair. Browsers do not send the part behind #."
+      : "The pair has more files, or is too long for a link: save the page with this pair.";
+  });
+
+  async function linked() {
+    if (!location.hash.startsWith(LINK)) return null;
+    const code = location.hash.slice(LINK.length).replaceAll("-", "+").replaceAll("_", "/");
+    const packed = Uint8Array.from(atob(code), (char) => char.charCodeAt(0));
+    const bytes = new Uint8Array(await through(packed, new DecompressionStream("gzip")));
+    return { main: "pair.toml", files: { "pair.toml": base64(bytes) } };
+  }
+
   // ---- input
+  byId("paste").addEventListener("click", () => {
+    text.value = `${text.value.trimEnd()}\n\n${byId("understood-toml").textContent}`;
+    number();
+    calculate();
+  });
+
   function open(held) {
     files.clear();
     for (const [name, content] of Object.entries(held.files)) files.set(name, Uint8Array.from(atob(content), (char) => char.charCodeAt(0)));
@@ -414,6 +458,6 @@
   (async () => {
     module = await unpacked(byId("wasm").textContent);
     await Promise.all([begin("long"), begin("live")]);
-    open(own ?? examples[0]);
+    open(own ?? (await linked().catch(() => null)) ?? examples[0]);
   })().catch((fault) => showProblems([{ reason: `this browser cannot run the page: ${fault.message}`, help: "use Chrome 103, Firefox 114, Safari 16.4 or later" }]));
 })();

@@ -1,4 +1,4 @@
-//! What the page shows, as JSON. Every number and sentence comes from the packages that the program uses.
+//! Answers of the page as JSON. Every number and sentence comes from the packages that the program uses.
 
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::requirement::{Limits, Quantity};
@@ -10,16 +10,18 @@ use gearlash::contact::Method;
 use gearlash::gear::Side;
 use gearlash::pair::{Mating, Member};
 use gearlash_files::numbers::um;
-use gearlash_files::{AnyPair, Files, InputError, read_files};
+use gearlash_files::{AnyPair, Files, InputError, import, read_files};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::{Report, pose_picture};
 use gearlash_results::RemedyRecords;
 use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
+use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{ExtremeRow, VerdictLines, extremes_in_short, lines};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -136,6 +138,24 @@ impl Page {
         match page {
             Ok(html) => json!({ "html": html }),
             Err(error) => failed(error),
+        }
+    }
+
+    /// The content of a table among the files, for people, and the lines of a pair file that name it: `{text, toml}`, or `{problems}`.
+    pub fn understand(&self, name: &str) -> Value {
+        let Some(bytes) = self.files.get(name) else {
+            return failed(format!("{name} is not among the files"));
+        };
+        let options = import::Options {
+            gear: "wheel",
+            ..import::Options::default()
+        };
+        match import::tables(Path::new(name), bytes.to_vec(), &options) {
+            Ok(found) => json!({
+                "text": imported(&found, &Screen::default()),
+                "toml": found.toml,
+            }),
+            Err(error) => problems(&error),
         }
     }
 

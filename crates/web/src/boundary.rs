@@ -72,6 +72,11 @@ impl Gearlash {
         self.page.live_band(a).to_string()
     }
 
+    /// The content of a table among the files, and the lines of a pair file that name it.
+    pub fn understand(&self, name: &str) -> String {
+        self.page.understand(name).to_string()
+    }
+
     /// A pair file for the drawings `wheel` and `pinion` at the distance without play; `unit` is that of drawings without one.
     pub fn of_drawings(&self, wheel: &str, pinion: &str, unit: &str) -> String {
         self.page.of_drawings([wheel, pinion], unit).to_string()

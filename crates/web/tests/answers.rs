@@ -129,3 +129,17 @@ fn two_drawings_make_a_pair_file() {
     // Rounded up to 1 µm, the distance leaves at most 2 µm tan α_w.
     assert!((-1e-3..2.0).contains(&least) || a == 39.418, "{a}: {least}");
 }
+
+/// A table alone: what is understood of it, and lines that name it.
+#[test]
+fn a_table_is_understood() {
+    let (page, _) = opened(&["docs/files/wheel.csv"]);
+    let found = page.understand("wheel.csv");
+    assert!(
+        found["toml"].as_str().unwrap().contains("wheel.csv"),
+        "{found}"
+    );
+    assert!(found["text"].as_str().unwrap().contains("pitch"), "{found}");
+    let none = page.understand("pinion.csv");
+    assert!(none["failed"].is_string());
+}

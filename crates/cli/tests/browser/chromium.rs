@@ -161,11 +161,13 @@ impl Tab {
 
     /// Opens a file from disk and waits until it is loaded.
     pub fn open(&mut self, page: &Path) {
+        self.open_address(&format!("file://{}", page.display()));
+    }
+
+    /// Opens an address and waits until it is loaded.
+    pub fn open_address(&mut self, address: &str) {
         self.events.clear();
-        self.call(
-            "Page.navigate",
-            json!({ "url": format!("file://{}", page.display()) }),
-        );
+        self.call("Page.navigate", json!({ "url": address }));
         let loaded = |event: &Value| event["method"] == "Page.loadEventFired";
         while !self.events.iter().any(loaded) {
             let event = self.next();

@@ -103,7 +103,11 @@ const TESTS: [(&str, Test); 23] = [
 ];
 
 /// Tests of the page that `crates/web/build` makes.
-const WEB_TESTS: [(&str, Test); 6] = [
+const WEB_TESTS: [(&str, Test); 7] = [
+    (
+        "page_tables_and_links_are_understood",
+        web::page_tables_and_links_are_understood,
+    ),
     (
         "page_hostile_files_are_problems",
         web::page_hostile_files_are_problems,

@@ -205,6 +205,27 @@ pub fn page_saved_has_its_pair(browser: &Chromium, _: &Site) {
     assert!(text(&mut tab, "files").contains("wheel.csv"));
 }
 
+/// A table alone is shown as understood, with the lines that name it. A pair in the link opens with it.
+pub fn page_tables_and_links_are_understood(browser: &Chromium, _: &Site) {
+    let mut tab = opened(browser, [1280, 900]);
+    drop_files(&mut tab, &read(&["docs/files/wheel.csv"]));
+    tab.until("document.getElementById('understood-toml').textContent.includes('wheel.csv')");
+    drop_files(&mut tab, &read(&["docs/files/jams.toml"]));
+    settled(&mut tab);
+    tab.eval("document.querySelector('#files li:not(.now) button').click()");
+    settled(&mut tab);
+    tab.eval("[...document.querySelectorAll('#files li:not(.now) button')].forEach((out) => out.click())");
+    settled(&mut tab);
+    let verdict = text(&mut tab, "verdict");
+    tab.eval("document.getElementById('link').click()");
+    tab.until("location.hash.startsWith('#pair=')");
+    let address = tab.text("location.href");
+    let mut other = browser.tab(1280, 900);
+    other.open_address(&address);
+    settled(&mut other);
+    assert_eq!(text(&mut other, "verdict"), verdict);
+}
+
 /// Noise, a long file and a name with markup are problems in words; no script of theirs runs.
 pub fn page_hostile_files_are_problems(browser: &Chromium, _: &Site) {
     let mut tab = opened(browser, [1280, 900]);

@@ -73,35 +73,3 @@ fn is_named(name: &Spanned<toml::de::DeString>, segment: &str) -> bool {
     let name = name.get_ref().as_ref();
     name == segment || segment.starts_with('"') && format!("{name:?}") == segment
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A dot in quotes is part of its key.
-    #[test]
-    fn a_quoted_key_is_one_key() {
-        let text = "[wheel]\n\"a.b\" = 1\n";
-        let found = of_keys(text, ["wheel.\"a.b\""].into_iter()).remove(0);
-        assert_eq!(&text[found.unwrap()], "\"a.b\" = 1");
-    }
-
-    /// By hand: a decimal comma in each of two lines, two in a third, and a key given twice.
-    #[test]
-    fn each_line_with_a_syntax_error_is_found_once() {
-        let text = "a = 3,0\nb = 1\nc = 20,5\nspan = { min = 50,548, max = 50,561 }\nb = 2\n";
-        let spans = of_keys(text, ["", "", "", "", ""].into_iter());
-        let lines = spans
-            .into_iter()
-            .flatten()
-            .map(|span| text[..span.start].matches('\n').count());
-        assert_eq!(lines.collect::<Vec<_>>(), [0, 2, 3, 4]);
-    }
-
-    /// A text over the limit has its first error.
-    #[test]
-    fn a_long_text_has_one_syntax_error() {
-        let text = "]\n".repeat(MOST_LOCATED);
-        assert_eq!(syntax_errors(&text).len(), 1);
-    }
-}

@@ -20,19 +20,3 @@ pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<(&'k str, usize)> {
 pub fn is_slip(word: &str, distance: usize) -> bool {
     5 * distance <= 2 * word.chars().count()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_nearest_word_is_found_and_slips_are_told_from_other_words() {
-        let known = ["teeth", "module_mm", "runout"];
-        assert_eq!(nearest("moduel_mm", &known), Some(("module_mm", 1)));
-        assert_eq!(nearest("run_out", &known), Some(("runout", 1)));
-        assert_eq!(nearest("x", &[]), None);
-        let is_near =
-            |word, known| nearest(word, &[known]).is_some_and(|(_, far)| is_slip(word, far));
-        assert!(is_near("theet", "teeth") && !is_near("phases", "start"));
-    }
-}

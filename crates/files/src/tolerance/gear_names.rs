@@ -198,21 +198,3 @@ pub fn duplicates(files: &[PathBuf]) -> Vec<String> {
     }
     duplicates
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_pattern_does_not_walk_the_file_system() {
-        for name in ["../../**", "**/*.toml", "measured/**/w.toml"] {
-            let found = named(Path::new("."), name);
-            assert!(found.files.is_empty());
-            assert_eq!(found.faults.len(), 1, "{name}");
-            assert!(found.faults[0].ends_with("`**` is not allowed, name each folder"));
-        }
-        // Relative to the folder of this package.
-        let found = named(Path::new("src"), "../Cargo.*");
-        assert_eq!(found.files, [Path::new("src/../Cargo.toml")]);
-    }
-}

@@ -251,27 +251,6 @@ fn the_file_says_which_eccentricity_counts() {
     assert_eq!(alone.study.notes[0].eccentricity.unwrap().stated, None);
 }
 
-#[test]
-fn an_eccentricity_counts_once() {
-    let (keys, _) = sheet("");
-    let found = problem(&(keys + "runout = { total_um = 20, high_tooth = 12.5 }"));
-    assert_eq!(found.key, "wheel.pitch.axis");
-    assert!(
-        found
-            .help
-            .contains("eccentricity = \"pitch\" or \"runout\""),
-        "{found}"
-    );
-    let (keys, _) = sheet("eccentricity = \"runout\",");
-    assert_eq!(problem(&keys).key, "wheel.pitch.eccentricity");
-    let own = keys.replace("datum", "own");
-    assert!(
-        problem(&own)
-            .reason
-            .contains("goes with axis = \"datum\" only")
-    );
-}
-
 /// The mean thickness by some spans takes the own pitch, and the eccentricity the mean thickness: both are found.
 #[test]
 fn some_spans_beside_datum_axis_pitch() {

@@ -6,16 +6,15 @@ mod common;
 mod contradictions;
 mod cross_check;
 mod datum;
-mod mean;
 mod pins;
 mod reversed_flanks;
 mod runout;
 mod spans;
 
 use gearlash::gear::{AsBuilt, Flank, Side};
+use gearlash_files::InputError;
 use gearlash_files::PairFile;
 use gearlash_files::read;
-use gearlash_files::{InputError, Problem};
 use std::fs;
 use tempfile::TempDir;
 
@@ -52,15 +51,6 @@ fn pair_beside(keys: &str, table: &str) -> Result<PairFile, InputError> {
 
 fn pair(keys: &str) -> PairFile {
     pair_beside(keys, "").unwrap_or_else(|error| panic!("{error}"))
-}
-
-/// The only problem of the pair.
-fn problem(keys: &str) -> Problem {
-    match pair_beside(keys, "") {
-        Err(InputError { mut problems, .. }) if problems.len() == 1 => problems.remove(0),
-        Err(error) => panic!("{error}"),
-        Ok(_) => panic!("no problem in\n{keys}"),
-    }
 }
 
 fn wheel(study: &PairFile) -> &AsBuilt {

@@ -118,17 +118,3 @@ fn even_readings_give_the_closed_form() {
         }
     }
 }
-
-#[test]
-fn pins_that_reach_the_base_circle() {
-    let found = problem(
-        "teeth = 20\nmodule_mm = 3\nthickness.over_pins = { pin_mm = 5.25, mm = [67.3, 30], space = [1, 2] }",
-    );
-    assert_eq!(found.key, "wheel.thickness.over_pins.mm");
-    assert!(
-        found
-            .reason
-            .contains("above the base diameter plus the pin"),
-        "{found}"
-    );
-}

@@ -261,29 +261,6 @@ fn readings_that_do_not_show_the_flanks_are_reported() {
     );
 }
 
-#[test]
-fn a_ball_goes_with_readings_in_spaces() {
-    let gear = "teeth = 44\nmodule_mm = 3\n";
-    let found = problem(&format!(
-        "{gear}runout = {{ total_um = 6, high_tooth = 3, ball_mm = 5 }}"
-    ));
-    assert_eq!(found.key, "wheel.runout.ball_mm");
-    let rows: String = (1..=44).map(|tooth| format!("{tooth},0\n")).collect();
-    for (at, ball, words) in [
-        ("tooth", 5.0, "goes with at = \"space\""),
-        ("space", 50.0, "off the involute"),
-    ] {
-        let keys =
-            format!("{gear}runout = {{ file = \"spans.csv\", at = {at:?}, ball_mm = {ball:?} }}");
-        let Err(InputError { problems, .. }) = pair_beside(&keys, &format!("tooth,runout\n{rows}"))
-        else {
-            panic!("{at} {ball}")
-        };
-        assert_eq!(problems[0].key, "wheel.runout.ball_mm");
-        assert!(problems[0].reason.contains(words), "{}", problems[0]);
-    }
-}
-
 /// Datum-axis pitch stated as own explains the readings of the ball by itself: next to nothing is left as eccentricity, so nothing counts
 /// twice. The warning said it did.
 #[test]

@@ -3,17 +3,14 @@
 mod faults;
 mod imported;
 mod made;
-#[path = "../tables/mutant.rs"]
-mod mutant;
 mod mutants;
-#[path = "../../../../tests/common/pair_with_table.rs"]
-mod pair_with_table;
 
+use crate::mutant;
+use crate::pair_with_table::pair;
 use gearlash::contact::ExactKernel;
 use gearlash::pair::Pose;
 use gearlash_files::{PairFile, Problem, read};
 use made::{Made, POINTS, other, tenths};
-use pair_with_table::pair;
 use std::fs;
 use tempfile::TempDir;
 

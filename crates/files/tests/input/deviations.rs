@@ -93,28 +93,6 @@ fn runout_is_twice_the_eccentricity() {
     assert_eq!(gear.high_tooth(), 5.9);
 }
 
-/// 20 values rounded to 0.1 µm may sum to 1 µm.
-#[test]
-fn single_pitches_that_do_not_close_are_warned_of() {
-    let list = |first: &str| format!("[{first}{}]", ", 0".repeat(19));
-    let pitch = |right: &str, left: &str| {
-        wheel(&format!(
-            "pitch = {{ kind = \"single\", right_um = {}, left_um = {} }}",
-            list(right),
-            list(left)
-        ))
-    };
-    assert_eq!(pitch("1.0", "0.9").warnings, [""; 0]);
-    let warnings = pitch("0", "-2.5").warnings;
-    assert_eq!(warnings.len(), 1);
-    assert!(
-        warnings[0].starts_with("wheel.pitch.left_um: "),
-        "{}",
-        warnings[0]
-    );
-    assert!(warnings[0].contains("sum to -2.50 µm"), "{}", warnings[0]);
-}
-
 /// Issue 5: pitch about the datum axis contains the eccentricity. First order (design section 6):
 /// F_R = −e sin(ψ − α)/cos α, F_L = −e sin(ψ + α)/cos α, ψ from the high tooth to the flank.
 #[test]

@@ -1,8 +1,5 @@
 //! Gearbox models (REXS). The models are made, from the public grammar of the format.
 
-#[path = "../tables/mutant.rs"]
-mod mutant;
-
 mod generated;
 mod helical;
 mod left_out;
@@ -10,6 +7,7 @@ mod mutations;
 mod oracle;
 mod read;
 
+use crate::mutant;
 use gearlash_files::InputError;
 use gearlash_files::rexs::{self, RexsFile};
 use std::path::Path;

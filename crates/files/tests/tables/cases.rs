@@ -65,47 +65,6 @@ fn runout_by_spaces() {
     assert!(problems[0].reason.contains("numbered by spaces"));
 }
 
-/// Each of these lines may follow the last tooth, with numbers or without.
-#[test]
-fn every_kind_of_footer() {
-    let rows: String = (1..=17)
-        .map(|tooth| format!("{tooth};0,5;-0,5\n"))
-        .collect();
-    let keys = "pitch = { kind = \"cumulative\", file = \"p.csv\" }";
-    let with = |footer: &str| {
-        let table = format!("Zahn;Fp links;Fp rechts\n{rows}{footer}\n");
-        read_with("p.csv", table.as_bytes(), &pair(17, keys))
-    };
-    let expected = with("").unwrap();
-    for footer in [
-        "Fp ges.;6,6;7,0",
-        "Gesamt;6,6;7,0",
-        "Std.abw.;0,1;",
-        "i.O.;;",
-        "12.03.2024;6,6;",
-        "Zahnweite W3 [mm];19,235;19,235",
-        "Prüfer 7;;",
-    ] {
-        let found = with(footer).unwrap_or_else(|message| panic!("{footer}: {message:#?}"));
-        assert!(found.study == expected.study, "{footer}");
-        let label = footer.split(';').next().unwrap();
-        assert!(
-            found.remarks.concat().contains(label),
-            "{footer}: {:?}",
-            found.remarks
-        );
-    }
-    // These may be a tooth that was mistyped.
-    for footer in ["x;6,6;7,0", "Zahn 18;6,6;7,0", "18;6,6;7,0"] {
-        let message = with(footer).unwrap_err();
-        assert!(
-            message[0].reason.contains("line 19: tooth is "),
-            "{footer}: {}",
-            message[0]
-        );
-    }
-}
-
 #[test]
 fn formats_that_are_not_read_say_how_to_save_them() {
     let open_document = b"PK\x03\x04\x14\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x08\0\0\0\

@@ -3,12 +3,9 @@
 mod cases;
 mod formats;
 mod good;
-mod mutant;
 mod mutated_workbooks;
 mod mutations;
 mod oracle;
-#[path = "../../../../tests/common/pair_with_table.rs"]
-mod pair_with_table;
 mod profiles;
 mod protocols;
 mod readings;
@@ -16,8 +13,9 @@ mod sheets;
 mod shop_books;
 mod workbooks;
 
+use crate::mutant;
+use crate::pair_with_table::pair;
 use gearlash_files::{PairFile, Problem, read};
-use pair_with_table::pair;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;

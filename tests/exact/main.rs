@@ -1,6 +1,7 @@
 //! The exact method against everything outside it: the reference poses, closed forms, a
 //! brute-force search, and the hard cases.
 
+mod both_methods;
 mod brackets;
 mod campaign;
 #[path = "../common/clearance/mod.rs"]
@@ -11,6 +12,7 @@ mod drawn;
 mod extremes;
 mod face_width;
 mod field;
+mod grazing;
 mod hard;
 mod helical;
 mod helical_extremes;
@@ -22,6 +24,8 @@ mod odd_teeth;
 mod outline_extremes;
 mod outlines;
 mod perfect;
+#[path = "../common/posed.rs"]
+mod posed;
 mod proofs;
 mod random;
 mod reference;

@@ -306,7 +306,7 @@ fn polygons_bear_out_that_dense_tips_miss_each_other() {
     }
 }
 
-/// Three free teeth, turned by more than half a turn from where they face the mate (the same pose as in `tests/campaign.rs`).
+/// Three free teeth, turned by more than half a turn from where they face the mate (the same pose as in `both_methods`).
 #[test]
 fn a_gap_of_more_than_half_a_turn_is_the_greatest() {
     let drawn = Drawn::new(None, 29, 637_932);

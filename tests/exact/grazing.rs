@@ -3,17 +3,12 @@
 //! Expected values come from solid teeth ([`solid`]): which rotations of the free gear leave two whole outlines
 //! apart is asked point by point, without half teeth, pairs of curves or a polar gap.
 
-#[path = "../common/campaign/mod.rs"]
-mod campaign;
-#[path = "../common/design.rs"]
-mod design;
-#[path = "../common/posed.rs"]
-mod posed;
 #[path = "../common/solid.rs"]
 mod solid;
 
-use campaign::{Depth, Drawn, LONGEST, run};
-use design::design;
+use crate::design::design;
+use crate::posed;
+use crate::wide::drawn::{Depth, Drawn, LONGEST, run};
 use gearlash::contact::{Certifier, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::gear::{AsBuilt, BasicRack, Deviations, Face, Gear, GearDesign, ProfilePart, Side};
 use gearlash::pair::{GearPair, Mating, Member, Pose};

@@ -1,14 +1,8 @@
 //! A short campaign of exact against polygon method, and of exact method against brute force (the long ones:
 //! `tests/tools/campaign.rs`).
 
-#[path = "common/campaign/mod.rs"]
-mod campaign;
-#[path = "common/clearance/mod.rs"]
-mod clearance;
-#[path = "common/posed.rs"]
-mod posed;
-
-use campaign::{Depth, Drawn, LONGEST, Teeth, run, run_of};
+use crate::wide::drawn::{Depth, Drawn, LONGEST, Teeth, run, run_of};
+use crate::{clearance, posed};
 use gearlash::contact::{CutPair, ExactKernel, Method, Status, sweep};
 use gearlash::gear::Side;
 use gearlash::pair::{Member, Pose};

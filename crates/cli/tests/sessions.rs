@@ -8,7 +8,7 @@
 //! | `~ FILE: FROM => TO` | replaces the first FROM by TO for the next command alone; an empty FROM is the end of the file |
 //! | `^ LINK TARGET` | makes a symbolic link |
 //! | `$ ARGUMENTS` | runs gearlash; `NAME=VALUE` before the command sets a variable; `cat FILE` prints a file |
-//! | `$ ARGUMENTS ? KEY…` | stores of printed JSON the values below these keys |
+//! | `$ ARGUMENTS ? KEY…` | stores of printed JSON the values below these keys; of a picture or page the texts, of a table the lines that hold one of them, `_` for a blank |
 //! | `$! ARGUMENTS` | stores no standard output |
 //!
 //! An outcome is the exit code (`=`), standard output (`|`), standard error (`!`), and each file that is new, changed or gone (`*`).
@@ -31,6 +31,8 @@ use tempfile::TempDir;
 const MAX_LINES: usize = 40;
 /// More new, changed or gone files are counted.
 const MAX_FILES: usize = 6;
+/// A longer line or text that holds a key is data.
+const MAX_PIECE: usize = 400;
 
 fn root() -> PathBuf {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).to_owned()
@@ -75,6 +77,36 @@ fn values(value: &Value, path: &str, keys: &[&str], out: &mut String) {
             }
         }
     }
+}
+
+/// What is stored of `text`: all of it where no key is named.
+fn selected(text: &str, keys: &[&str]) -> String {
+    if keys.is_empty() {
+        return text.to_owned();
+    }
+    if let Ok(json) = serde_json::from_str::<Value>(text) {
+        let mut lines = String::new();
+        // A list of one file is shown as that file.
+        let only = json["files"].as_array().filter(|files| files.len() == 1);
+        values(only.map_or(&json, |files| &files[0]), "", keys, &mut lines);
+        return lines;
+    }
+    let pieces: Vec<String> = if text.starts_with('<') {
+        let texts = text.split('<').filter_map(|tag| tag.split_once('>'));
+        let words = |(_, text): (&str, &str)| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        texts.map(words).collect()
+    } else {
+        text.lines().map(str::to_owned).collect()
+    };
+    let mut found: Vec<&String> = Vec::new();
+    for piece in &pieces {
+        let mut held = keys.iter();
+        let holds = held.any(|key| piece.contains(key) || piece.contains(&key.replace('_', " ")));
+        if holds && piece.len() <= MAX_PIECE && !found.contains(&piece) {
+            found.push(piece);
+        }
+    }
+    found.iter().map(|piece| format!("{piece}\n")).collect()
 }
 
 struct Session {
@@ -134,7 +166,8 @@ impl Session {
         let (words, keys) = words.split_once(" ? ").unwrap_or((words, ""));
         let keys: Vec<&str> = keys.split_whitespace().collect();
         if let Some(name) = words.strip_prefix("cat ") {
-            return prefixed("|", &fs::read_to_string(self.at(name)).expect(words));
+            let text = fs::read_to_string(self.at(name)).expect(words);
+            return prefixed("|", &selected(&text, &keys));
         }
         let mut command = Command::new(env!("CARGO_BIN_EXE_gearlash"));
         command.current_dir(self.folder.path());
@@ -155,15 +188,8 @@ impl Session {
         };
         let mut out = format!("= {}\n", found.status.code().unwrap());
         let printed = text(&found.stdout);
-        if !keys.is_empty() {
-            let json: Value = serde_json::from_str(&printed).unwrap_or_default();
-            let mut lines = String::new();
-            // A list of one file is shown as that file.
-            let only = json["files"].as_array().filter(|files| files.len() == 1);
-            values(only.map_or(&json, |files| &files[0]), "", &keys, &mut lines);
-            out += &prefixed("|", &lines);
-        } else if with_output {
-            out += &prefixed("|", &printed);
+        if with_output {
+            out += &prefixed("|", &selected(&printed, &keys));
         }
         let messages = text(&found.stderr);
         let messages: Vec<&str> = messages.lines().filter(|line| !is_excerpt(line)).collect();

@@ -4,12 +4,7 @@
 mod action;
 #[cfg(unix)]
 mod bombs;
-mod chart;
-mod check;
-mod difference;
 mod docs;
-mod hard;
-mod helical;
 mod hostile;
 mod large;
 mod leaks;
@@ -17,33 +12,24 @@ mod live_page;
 mod matching;
 mod matching_warnings;
 mod outline;
-mod outlines;
-mod outlines_drawn;
-mod outlines_notes;
-#[path = "../../../../tests/common/pair_86_21.rs"]
-mod pair_86_21;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
 mod pictures;
 mod reference;
 mod remedies;
 mod rexs;
-mod runs;
 mod schema;
 mod schema_init;
 mod simulate;
 #[path = "../../../../tests/common/skip.rs"]
 mod skip;
 mod small;
-mod snapshot;
-mod stated;
 #[cfg(target_os = "linux")]
 mod terminal;
 mod tolerance;
 mod tolerance_earlier;
 mod tolerance_helical;
 mod tolerance_rows;
-mod tolerance_warnings;
 mod units;
 mod verdict;
 

@@ -31,35 +31,6 @@ pub(super) fn matched(folder: &Path) -> assert_cmd::assert::Assert {
     command.args(MATCH.split(' ')).args(["-o", "out"]).assert()
 }
 
-/// At the reference centre distance perfect gears have the backlash that their teeth are thinner: 40 + 80 µm of a thick and a thin one.
-#[test]
-fn thick_teeth_go_with_thin_ones() {
-    let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
-    for kind in ["w", "p"] {
-        gear(&here.join(kind), "thick.toml", 40.0, 0.0);
-        gear(&here.join(kind), "thin.toml", 80.0, 0.0);
-    }
-    pair(here, "[require]\nj_wt_um = { min = 115, max = 125 }\n");
-    matched(here).success().stdout(predicates::str::starts_with(
-        "2 of 2 pairs keep 115 … 125 µm; to be expected 1.0 at random, 2.0 with 2 thickness classes.",
-    ));
-    let json: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(here.join("out/match.json")).unwrap()).unwrap();
-    let names: Vec<[&str; 2]> = json["pairs"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|pair| ["wheel", "pinion"].map(|kind| pair[kind].as_str().unwrap()))
-        .collect();
-    assert_eq!(names, [["thick", "thin"], ["thin", "thick"]]);
-    for pair in json["pairs"].as_array().unwrap() {
-        for end in ["least_um", "greatest_um"] {
-            assert!((pair[end].as_f64().unwrap() - 120.0).abs() < 1e-3, "{pair}");
-        }
-    }
-}
-
 /// Two eccentric gears of one number of teeth have, with their high places together, twice the spread; marked, none but that of rounding:
 /// the backlash of their phase is what `simulate` finds where the teeth that are marked meet.
 #[test]
@@ -151,45 +122,6 @@ fn a_gear_seen_from_behind_is_its_sheet_turned_over() {
     let tooth = |pair: &serde_json::Value| pair["pinion_tooth"].as_u64().unwrap();
     assert_eq!(tooth(&behind), (21 - tooth(&by_hand)) % 20 + 1);
     assert_ne!(matched("asis", "front")["least_um"], behind["least_um"]);
-}
-
-/// At `a = d_1/2 + d_2/2` perfect gears have `j_wt = j_t`, `j_bn = j_wt cos 20°`. A limit of `j_bn` thus decides like one of
-/// `j_wt`, and its middle is the target. It was a warning, and any pair met it.
-#[test]
-fn every_requirement_decides_which_gears_go_together() {
-    let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
-    for kind in ["w", "p"] {
-        gear(&here.join(kind), "thick.toml", 40.0, 0.0);
-        gear(&here.join(kind), "thin.toml", 80.0, 0.0);
-    }
-    let cos = 20f64.to_radians().cos();
-    let [min, max] = [115.0, 125.0].map(|um| um * cos);
-    for require in [
-        format!("j_bn_um = {{ min = {min}, max = {max} }}"),
-        "j_t_um = { min = 115, max = 125 }".to_owned(),
-    ] {
-        pair(here, &format!("[require]\n{require}\n"));
-        let printed = output(
-            gearlash(here)
-                .args(MATCH.split(' '))
-                .args(["--format", "json", "-o", "out"]),
-        );
-        let json: serde_json::Value = serde_json::from_str(&printed).unwrap();
-        assert_eq!(json["pairs"][0]["pinion"], "thin");
-        let wanted = json["wanted_um"].as_f64().unwrap();
-        assert!((wanted - 120.0).abs() < 1e-9, "{wanted}");
-        let expected = json["expected_pairs"]["random"]["any_phase"]
-            .as_f64()
-            .unwrap();
-        assert!((expected - 1.0).abs() < 1e-12, "{expected}");
-        let text = json["text"].as_str().unwrap();
-        assert!(text.starts_with("2 of 2 pairs keep j_"), "{text}");
-    }
-    pair(here, "[require]\nradial_clearance_mm = { min = 0.9 }\n");
-    matched(here).code(1).stdout(predicates::str::starts_with(
-        "0 of 2 pairs keep radial clearance 0.9 mm or more",
-    ));
 }
 
 /// On any number of threads, printed and written.

@@ -108,35 +108,3 @@ fn descriptions_name_the_unit_of_their_key() {
     check(&schema(&[]), &mut count);
     assert!(count >= 20, "{count}");
 }
-
-/// The file `init` writes runs as it stands, and is not written over.
-#[test]
-fn init_writes_a_pair_file_that_runs() {
-    let folder = tempfile::tempdir().unwrap();
-    let output = gearlash(folder.path(), &["init"]).output().unwrap();
-    assert!(output.status.success());
-    assert_eq!(String::from_utf8(output.stdout).unwrap(), "pair.toml\n");
-    let written = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
-    let run = gearlash(
-        folder.path(),
-        &["simulate", "pair.toml", "--format", "json"],
-    )
-    .output()
-    .unwrap();
-    assert!(run.status.success());
-    assert!(run.stderr.is_empty(), "no warning: {run:?}");
-    let result: Value = serde_json::from_slice(&run.stdout).unwrap();
-    assert_eq!(result["runs"].as_array().unwrap().len(), 4);
-
-    let again = gearlash(folder.path(), &["init"]).output().unwrap();
-    assert_eq!(again.status.code(), Some(2));
-    assert!(
-        String::from_utf8(again.stderr)
-            .unwrap()
-            .contains("pair.toml: already exists")
-    );
-    assert_eq!(
-        std::fs::read_to_string(folder.path().join("pair.toml")).unwrap(),
-        written
-    );
-}

@@ -2,18 +2,6 @@
 
 use super::*;
 
-/// `worst.svg` is the picture that `snapshot --worst` finds by a run of its own.
-#[test]
-fn the_worst_picture_is_that_of_snapshot() {
-    let folder = empty_folder();
-    small(folder.path());
-    output(gearlash(folder.path()).args(["simulate", "small.toml"]));
-    let picture =
-        output(gearlash(folder.path()).args(["snapshot", "small.toml", "--worst", "-o", "-"]));
-    let worst = std::fs::read_to_string(folder.path().join("out/small/worst.svg")).unwrap();
-    assert!(worst.starts_with("<svg") && worst == picture);
-}
-
 /// `-`: the same result as from the file, its tables beside the working folder, its place named after standard input.
 #[test]
 fn a_pair_file_from_standard_input() {

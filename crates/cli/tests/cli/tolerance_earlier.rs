@@ -1,37 +1,7 @@
 //! Formats of `gearlash tolerance` without a folder, and names of files that are not UTF-8.
 
-use super::tolerance::{PAIR, pair, tolerance};
+use super::tolerance::PAIR;
 use super::*;
-
-fn read(folder: &Path, name: &str) -> String {
-    std::fs::read_to_string(folder.join(name)).unwrap()
-}
-
-/// Runs, with the exit code that is expected, and says what was reported.
-fn ends(folder: &Path, args: &str, wanted: i32) -> String {
-    let (code, _, message) = tolerance(folder, args);
-    assert_eq!(code, Some(wanted), "{args}: {message}");
-    message.replace('\n', " ")
-}
-
-/// As of `simulate`: JSON and CSV are the result itself, printed, and files where a folder is named.
-#[test]
-fn json_and_csv_without_a_folder_write_nothing() {
-    let folder = empty_folder();
-    let here = folder.path();
-    pair(here);
-    let run = "tolerance pair.toml --assemblies 40";
-    ends(here, &format!("{run} -o o"), 0);
-    let before = files(here);
-    for (format, file) in [("json", "result.json"), ("csv", "result.csv")] {
-        let (code, printed, message) = tolerance(here, &format!("{run} --format {format}"));
-        assert_eq!(code, Some(0), "{message}");
-        assert_eq!(printed, read(here, &format!("o/{file}")));
-    }
-    assert_eq!(files(here), before);
-    let (_, printed, _) = tolerance(here, &format!("{run} --format csv -o named"));
-    assert_eq!(printed, read(here, "named/result.csv"));
-}
 
 /// Folders and files whose names are no UTF-8: everything is found, written and told apart.
 #[cfg(target_os = "linux")]

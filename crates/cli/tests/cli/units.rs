@@ -122,39 +122,3 @@ fn a_table_in_arcmin_is_the_one_in_um_times_a_factor() {
         }
     }
 }
-
-#[test]
-fn a_chart_in_arcmin_names_its_gear() {
-    let folder = empty_folder();
-    for (kind, at) in [("revolution", "wheel"), ("distance", "pinion")] {
-        let mut command = gearlash(folder.path());
-        command.arg("chart").arg(fixture("karba_44x44.toml"));
-        let options = ["--kind", kind, "--unit", "arcmin", "--at", at, "-o", "-"];
-        let svg = output(command.args(options));
-        let axis = format!("lost motion at the {at}, arcmin");
-        assert!(svg.contains(&axis) && !svg.contains("µm"), "{kind}");
-    }
-}
-
-/// The labels of the extremes: µm times the factor, to half a digit of either.
-#[test]
-fn a_chart_in_arcmin_is_the_one_in_um_times_a_factor() {
-    let folder = empty_folder();
-    let least = |unit: &str| -> f64 {
-        let mut command = gearlash(folder.path());
-        command.arg("chart").arg(fixture("karba_44x44_pitch.toml"));
-        let distance = ["--kind", "revolution", "--center-distance", "132"];
-        let svg = output(command.args(distance).args(["--unit", unit, "-o", "-"]));
-        let label = svg
-            .split("least ")
-            .find(|text| text.contains("right flanks 38·38"));
-        let value = label.unwrap().split(' ').next().unwrap();
-        value.replace('−', "-").parse().unwrap()
-    };
-    let factor = arcmin_per_um(132.0, 44.0, 88.0);
-    let (um, arcmin) = (least("um"), least("arcmin"));
-    assert!(
-        (um * factor - arcmin).abs() < 0.6e-2 + 0.06 * factor,
-        "{um} {arcmin}"
-    );
-}

@@ -2,7 +2,6 @@
 
 mod command;
 mod files;
-mod helical;
 #[path = "../../../../tests/common/made_up.rs"]
 mod made_up;
 mod outlines;

@@ -1,7 +1,6 @@
 //! Gears whose profiles deviate, as a user checks and gauges them.
 
 use super::command::{gauge, stdout};
-use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
 
@@ -133,31 +132,4 @@ fn what_was_gauged_gauges_alike() {
             }
         }
     }
-}
-
-/// `check` takes such a pair, says what was taken for the teeth that were not measured, and echoes the profile.
-#[test]
-fn the_pair_is_checked() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut command = Command::cargo_bin("gearlash").unwrap();
-    command
-        .current_dir(folder.path())
-        .args(["check", FIXTURE, "--verbose"]);
-    let output = command.output().unwrap();
-    let errors = String::from_utf8(output.stderr).unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert!(
-        text.contains("contact ratio; between real form circles"),
-        "{text} {errors}"
-    );
-    assert!(errors.contains("traces of 4 of 44 right flanks; the other teeth take their mean"));
-    let mut command = Command::cargo_bin("gearlash").unwrap();
-    command.current_dir(folder.path());
-    command.args(["simulate", FIXTURE, "--format", "json"]);
-    let output = command.output().unwrap();
-    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let profile = &result["pair"]["wheel"]["profile"];
-    assert_eq!(profile["right"]["slope_um"], 3.0);
-    assert_eq!(profile["left"]["tip_relief"]["um"], 12.0);
-    assert_eq!(profile["left"]["slope_um"], Value::Null);
 }

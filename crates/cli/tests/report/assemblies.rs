@@ -106,20 +106,3 @@ fn phases_that_do_not_assemble_are_counted() {
         "{titles}"
     );
 }
-
-/// 0.1 + 0.05 mm was 0.15000000000000002; negative numbers and `j_wt` in the checks' notes stood as in a terminal.
-#[test]
-fn numbers_are_set_as_numbers() {
-    let text = twenty("revolutions = \"wheel\"").replace(
-        "center_distance_mm = 39.95",
-        "center_distance_mm = 39.85\nbearing_clearance_mm = { wheel = 0.1, pinion = 0.05 }",
-    );
-    let document = Html::parse_document(&page(&text));
-    assert!(words(&document, ".verdict").contains("± 0.150 mm (bearing clearance)"));
-    let checks = words(&document, "#checks");
-    assert!(checks.contains("least j wt −"), "{checks}");
-    assert!(
-        !checks.contains("j_wt") && !checks.contains(" -"),
-        "{checks}"
-    );
-}

@@ -1,7 +1,6 @@
 //! The command run on a pair file, and what it ends with.
 
 use assert_cmd::Command;
-use predicates::prelude::*;
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -91,36 +90,6 @@ pub fn fixture(name: &str) -> String {
         .assert()
         .success();
     String::from_utf8(output.get_output().stdout.clone()).unwrap()
-}
-
-#[test]
-fn the_page_goes_beside_the_other_results() {
-    let folder = folder(SMALL);
-    gearlash(&folder)
-        .args(["report", "pair.toml"])
-        .assert()
-        .code(0)
-        .stdout("out/pair.html\n");
-    let page = std::fs::read_to_string(folder.path().join("out/pair.html")).unwrap();
-    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
-}
-
-#[test]
-fn the_date_is_that_of_the_environment() {
-    let page = page(SMALL);
-    assert!(page.contains("2023-11-14"));
-    let folder = folder(SMALL);
-    for bad in ["yesterday", "-1", "1.5", "99999999999999"] {
-        gearlash(&folder)
-            .env("SOURCE_DATE_EPOCH", bad)
-            .args(["report", "pair.toml"])
-            .assert()
-            .code(2)
-            .stdout("")
-            .stderr(predicate::str::contains("SOURCE_DATE_EPOCH"))
-            .stderr(predicate::str::contains("seconds since 1970"));
-        assert!(!folder.path().join("out").exists());
-    }
 }
 
 #[test]

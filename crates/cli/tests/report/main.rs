@@ -5,10 +5,8 @@ mod bytes;
 mod command;
 #[path = "../../../../tests/common/eccentric_17_100.rs"]
 mod eccentric_17_100;
-mod outlines;
 mod page;
 mod size;
-mod trust;
 #[path = "../../../../tests/common/two_thick_teeth.rs"]
 mod two_thick_teeth;
 mod verdict;

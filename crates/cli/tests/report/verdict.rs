@@ -2,19 +2,12 @@
 
 use crate::command::{folder, gearlash, page, page_with};
 use crate::eccentric_17_100::eccentric_17_100;
-use crate::page::plain;
 use crate::words::{row, select, text};
 use scraper::Html;
 use serde_json::Value;
 
 fn answer(document: &Html) -> String {
     text(&select(document, ".answer")[0])
-}
-
-/// The notes under the table of the result.
-fn notes(document: &Html) -> String {
-    let notes = select(document, "#result .note");
-    notes.iter().map(text).collect::<Vec<_>>().join(" ")
 }
 
 fn at_117_3(sweep: &str) -> String {
@@ -51,7 +44,7 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
     assert!(place.contains("teeth 5·60"), "{place}");
     let cells = row(&document, "#result", "117.300");
     assert_eq!(cells[1], "no: interference");
-    let notes = notes(&document);
+    let notes = text_of(&document, "#result");
     assert!(
         notes.contains("The hunting cycle is 1700 matings."),
         "{notes}"
@@ -103,74 +96,4 @@ fn millions_of_matings_count_whole() {
 
 fn text_of(document: &Html, selector: &str) -> String {
     text(&select(document, selector)[0])
-}
-
-/// Nominal gears at the centre distance of their drawing, m (z_1 + z_2)/2, have no backlash; rounding makes no
-/// interference of it, and the same everywhere.
-#[test]
-fn nominal_gears_at_their_own_distance_have_no_backlash_and_do_not_interfere() {
-    let document = Html::parse_document(&page(&plain("40.0")));
-    let answer = answer(&document);
-    assert_eq!(answer, "Assembles without backlash at a = 40.000 mm.");
-    assert_eq!(text_of(&document, ".extremes .value"), "0.00 µm");
-    assert_eq!(select(&document, ".verdict.bad").len(), 0);
-    assert_eq!(row(&document, "#result", "40.000")[1], "without backlash");
-    assert_eq!(row(&document, "#backlash", "40.000")[6], "0", "interfering");
-}
-
-/// Perfect gears have the same backlash at every pose: no teeth bind more than others.
-#[test]
-fn teeth_that_are_all_alike_are_not_called_binding() {
-    let document = Html::parse_document(&page(&plain("[40.1, 40.2]")));
-    let place = text_of(&document, ".extremes");
-    assert!(place.contains("any teeth, a 40.100 mm"), "{place}");
-    assert!(!place.contains('·'), "{place}");
-    let cells = row(&document, "#result", "40.100");
-    assert_eq!([&cells[3], &cells[6]], ["all alike", "all alike"]);
-    assert!(notes(&document).contains("All teeth of each gear are equal, and so are all matings."));
-}
-
-/// 20 right-flank poses of the file at 16 a pitch, and as many left-flank ones that only the page has.
-#[test]
-fn says_which_poses_it_adds_to_those_of_the_file() {
-    let text = plain("40.1").replace("mating = [[1, 1]]", "revolutions = \"wheel\"");
-    let notes = notes(&Html::parse_document(&page(&text)));
-    assert!(
-        notes.starts_with(
-            "Over 642 poses: the 320 of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report, \
-             the 320 of the same wheel teeth and fractions with the left flank at the pitch point, for the curves, and 2 at the extremes of the whole mesh cycle. Least and greatest are over all of them."
-        ),
-        "{notes}"
-    );
-}
-
-#[test]
-fn a_title_of_nothing_is_that_of_the_file() {
-    for title in ["", "  ", "\\u0007"] {
-        let document =
-            Html::parse_document(&page(&format!("title = \"{title}\"\n{}", plain("40.1"))));
-        assert_eq!(text_of(&document, "h1"), "pair.toml");
-    }
-}
-
-/// The clearance takes the pair out of the range in which it has backlash: no empty band.
-#[test]
-fn bearing_clearance_that_leaves_no_value_is_named() {
-    // Below 39.5 mm a tip sits in a root; above 44 mm tips pass each other.
-    let text = plain("41.5").replace("[sweep]", "bearing_clearance_mm = 1.4\n[sweep]");
-    let document = Html::parse_document(&page(&text));
-    let verdict = text_of(&document, ".verdict");
-    assert!(
-        verdict.contains("a ± 2.800 mm (bearing clearance): jammed … out of mesh"),
-        "{verdict}"
-    );
-    assert!(!verdict.contains("within –"), "{verdict}");
-}
-
-/// The first chart over the teeth is that of the centre distance with the least backlash.
-#[test]
-fn the_first_chart_is_of_the_least_backlash() {
-    let page = page(&plain("[40.2, 40.1]"));
-    let first = page.find("Backlash over the teeth at a = ").unwrap();
-    assert!(page[first..].starts_with("Backlash over the teeth at a = 40.100 mm"));
 }

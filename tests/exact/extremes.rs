@@ -99,7 +99,7 @@ fn proven_of_ordinary_pairs(count: usize, expansion: f64, poses: u32) -> usize {
 /// Newton's method for the direction of separation stalled or oscillated at an end of an involute.
 #[test]
 fn ordinary_pairs_are_proven_and_hold() {
-    assert_eq!(proven_of_ordinary_pairs(400, 0.0, 150), 400);
+    assert_eq!(proven_of_ordinary_pairs(100, 0.0, 150), 100);
 }
 
 /// Ordinary pairs whose base pitches differ by up to 0.4 %, some tens of kelvin of a polymer: a few then touch off the line of action.

@@ -14,6 +14,14 @@ impl Choice {
     }
 }
 
+/// Mutants that a test draws: `GEARLASH_MUTANTS`, or 2500.
+pub fn count() -> usize {
+    let wanted = std::env::var("GEARLASH_MUTANTS").ok();
+    wanted.map_or(2500, |number| {
+        number.parse().expect("GEARLASH_MUTANTS is a number")
+    })
+}
+
 /// Typing mistakes and losses, including a line end of old Macs, NUL, half of a UTF-8 character and a byte order mark.
 const GARBAGE: &[&[u8]] = &[
     b"0",

@@ -229,18 +229,35 @@ fn of_toml(text: &str, reading: &Reading) -> Option<Node> {
 
 fn not_toml(text: &str, error: &toml::de::Error) -> Problem {
     let span = error.span().unwrap_or_default();
+    let start = span.start;
     let (line, column) = line_and_column(text, span.start);
     let named = match text.get(span) {
         Some(key) if error.message() == "duplicate key" => format!(" `{}`", cut(key, LONGEST)),
         _ => String::new(),
     };
+    let place = format!("{named} at line {line} column {column}");
+    if is_bare_word(error.message(), text.get(start..).unwrap_or_default()) {
+        return Problem::of_file(
+            format!("not TOML: a word without quotes{place}"),
+            "write a number in digits, text in quotes",
+        );
+    }
     Problem::of_file(
-        format!(
-            "not TOML: {}{named} at line {line} column {column}",
-            cut(error.message(), LONGEST_MESSAGE)
-        ),
+        format!("not TOML: {}{place}", cut(error.message(), LONGEST_MESSAGE)),
         "fix it there (use a decimal point, quote strings), or give JSON a name that ends in .json",
     )
+}
+
+/// Whether the parser's `message` is about a word in place of a value, with which `rest` begins. A word like `true` or `inf` is taken
+/// for a mistyped one of these.
+fn is_bare_word(message: &str, rest: &str) -> bool {
+    let is_begun = ["invalid boolean", "invalid float"]
+        .iter()
+        .any(|of| message.starts_with(of));
+    let is_word = rest
+        .trim_start_matches(['+', '-'])
+        .starts_with(|c: char| c.is_alphabetic());
+    message.starts_with("string values must be quoted") || is_begun && is_word
 }
 
 /// Line and column, from 1, of the byte `offset` of `text`.

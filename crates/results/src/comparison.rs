@@ -131,14 +131,14 @@ impl ComparedPair<'_> {
             ],
             warnings: self.file.warnings.clone(),
             remarks: self.file.remarks.clone(),
-            text: self.text(&lines.to_string(), screen),
+            text: self.text(&lines.to_string(), verdict.requirement, screen),
             markdown: self.markdown(),
             json: self.record(&verdict, agrees && kept),
             verdict: lines,
         }
     }
 
-    fn text(&self, verdict: &str, screen: &Screen) -> String {
+    fn text(&self, verdict: &str, requirement: Requirement, screen: &Screen) -> String {
         let tone = match self.agreement() {
             Agreement::Agrees => Tone::Good,
             Agreement::Disagrees => Tone::Bad,
@@ -178,7 +178,27 @@ impl ComparedPair<'_> {
                 );
             }
         }
+        for reason in self.other_failures(requirement) {
+            let _ = writeln!(text, "\nExit code 1: {reason}.");
+        }
         screen.fold(&text)
+    }
+
+    /// The reasons why the pair fails although every run passes.
+    fn other_failures(&self, requirement: Requirement) -> Vec<&'static str> {
+        let mut reasons = Vec::new();
+        if self.agreement() != Agreement::Agrees {
+            return reasons;
+        }
+        if !self.is_proven {
+            reasons.push("the two methods disagree");
+        }
+        match requirement {
+            Requirement::NotMet => reasons.push("a limit of [require] is not met"),
+            Requirement::NotProven => reasons.push("a limit of [require] is not proven"),
+            Requirement::None | Requirement::Met => {}
+        }
+        reasons
     }
 
     /// Why a run fails; `None` where it passes.

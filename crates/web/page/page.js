@@ -259,7 +259,7 @@
   }
 
   // ---- live: one pose and the whole cycle at another centre distance; the newest request wins
-  const fields = { a: byId("a"), number: byId("a-number"), turn: byId("turn"), wheel: byId("wheel"), pinion: byId("pinion"), flank: byId("flank") };
+  const fields = { a: byId("a"), number: byId("a-number"), turn: byId("turn"), wheel: byId("wheel"), pinion: byId("pinion"), flank: byId("flank"), material: byId("material") };
   let wanted = false;
   let busy = false;
   let resting = null;
@@ -272,6 +272,10 @@
     fields.a.value = fields.number.value = place.distance_mm;
     [fields.wheel.value, fields.pinion.value] = [place.wheel, place.pinion];
     fields.flank.value = place.left ? "left" : "right";
+    byId("marks").replaceChildren(...opened.distances_mm.map((mm) => make("option", undefined, { value: mm })));
+    fields.material.replaceChildren(...opened.materials.map((name, i) => make("option", name, { value: i })));
+    fields.material.value = Math.max(0, opened.materials.indexOf(place.material));
+    byId("material-label").hidden = opened.materials.length < 2;
     const half = Math.max(0.5, Math.ceil(2 * Math.abs(place.fraction)) / 2);
     [fields.turn.min, fields.turn.max, fields.turn.value] = [-half, half, place.fraction];
     live();
@@ -288,7 +292,7 @@
       while (wanted) {
         wanted = false;
         const a = distance();
-        const pose = await answer("live", "live", a, counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value));
+        const pose = await answer("live", "live", a, Number(fields.material.value), counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value));
         showPose(pose);
         const band = await answer("live", "live_band", a);
         showBand(band);
@@ -357,7 +361,7 @@
     fields.number.value = fields.a.value = (distance() + um / 1000).toFixed(3);
     live();
   });
-  for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank]) field.addEventListener("input", live);
+  for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);
 
   byId("keep").addEventListener("click", () => {
     const key = /^(\s*center_distance_mm\s*=\s*)(\[[^\]]*\]|\{[^}]*\}|[^#\n]*?)(\s*(?:#.*)?)$/m;

@@ -186,13 +186,20 @@ impl Page {
         found().unwrap_or_else(|failed| failed)
     }
 
-    /// One pose at another centre distance, with its picture.
-    pub fn live(&self, a: f64, teeth: [u32; 2], left: bool, fraction: f64) -> Value {
+    /// One pose at another centre distance, with its picture. `material` is an index of the `materials` of [`Page::open`].
+    pub fn live(
+        &self,
+        a: f64,
+        material: usize,
+        teeth: [u32; 2],
+        left: bool,
+        fraction: f64,
+    ) -> Value {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
         let study = &pair.study;
-        let assembly = study.pairs(a).map(|pairs| pairs.into_iter().next());
+        let assembly = study.pairs(a).map(|pairs| pairs.into_iter().nth(material));
         let (material, assembly) = match assembly {
             Ok(Some(found)) => found,
             Ok(None) => return nothing_open(),

@@ -60,10 +60,19 @@ impl Gearlash {
         self.page.report(date, &progress).to_string()
     }
 
-    /// One pose at the centre distance `a`, mm, with its picture.
-    pub fn live(&self, a: f64, wheel: u32, pinion: u32, left: bool, fraction: f64) -> String {
+    /// One pose at the centre distance `a`, mm, with its picture. `material` counts the materials of the pair.
+    pub fn live(
+        &self,
+        a: f64,
+        material: usize,
+        wheel: u32,
+        pinion: u32,
+        left: bool,
+        fraction: f64,
+    ) -> String {
+        let teeth = [wheel, pinion];
         self.page
-            .live(a, [wheel, pinion], left, fraction)
+            .live(a, material, teeth, left, fraction)
             .to_string()
     }
 

@@ -87,7 +87,7 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     let (page, _) = opened(&[name]);
     let study = read_any(&path(name)).unwrap().study;
     let a = study.center_distances[0] + 0.3;
-    let live = page.live(a, [1, 1], true, 0.25);
+    let live = page.live(a, 0, [1, 1], true, 0.25);
     let (_, assembly) = study.pairs(a).unwrap().remove(0);
     let mating = Mating {
         wheel_tooth: 1,
@@ -105,7 +105,7 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     let verdict = analysis.verdict();
     let least = verdict.least().unwrap().1.low * 1e3;
     assert_eq!(band["least_um"].as_f64(), Some(least));
-    let wrong = page.live(a, [0, 1], false, 0.0);
+    let wrong = page.live(a, 0, [0, 1], false, 0.0);
     assert!(
         wrong["failed"].as_str().unwrap().contains("teeth 1"),
         "{wrong}"

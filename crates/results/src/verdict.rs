@@ -273,9 +273,9 @@ pub(crate) fn status(all: &[Place]) -> [String; 2] {
         ("Jammed", all.to_vec())
     } else {
         let each: [(&str, &[State]); 3] = [
-            ("Does not assemble", &[State::Jammed, State::Interferes]),
+            (FAILS, &[State::Jammed, State::Interferes]),
             ("Out of mesh", &[State::OutOfMesh]),
-            ("Not proven to assemble", &[State::NotProven]),
+            (UNPROVEN, &[State::NotProven]),
         ];
         let found = each.iter().map(|(words, states)| (*words, of(states)));
         let found = found.into_iter().find(|(_, here)| !here.is_empty());
@@ -289,8 +289,33 @@ pub(crate) fn status(all: &[Place]) -> [String; 2] {
         };
         found.unwrap_or((words, all.to_vec()))
     };
-    [true, false].map(|in_full| format!("{words} {}.", places(all, &here, in_full)))
+    let count = |places: &[Place]| distinct(places.iter().map(|place| place.distance)).len();
+    let is_at_all = count(all) > 1 && count(&here) == count(all);
+    // "not … at all 3 distances" could be read as "at some of them".
+    let at_none = match words {
+        FAILS => Some("Assembles"),
+        UNPROVEN => Some("Proven to assemble"),
+        _ => None,
+    };
+    match at_none.filter(|_| is_at_all) {
+        Some(words) => {
+            let at = match count(all) {
+                2 => "at neither distance".to_owned(),
+                all => format!("at none of the {all} distances"),
+            };
+            let only = only_material(all, &here);
+            let only = only.map_or(String::new(), |material| format!(" ({})", material.words()));
+            let phases = some_phases(all, &here);
+            [(); 2].map(|()| format!("{words} {at}{only}{phases}."))
+        }
+        None => [true, false].map(|in_full| format!("{words} {}.", places(all, &here, in_full))),
+    }
 }
+
+/// The state of a pair that does not assemble.
+const FAILS: &str = "Does not assemble";
+/// The state of a pair that may assemble.
+const UNPROVEN: &str = "Not proven to assemble";
 
 /// The centre distances, the material and the phases of the places `here`, where they are not all.
 fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
@@ -309,19 +334,36 @@ fn places(all: &[Place], here: &[Place], in_full: bool) -> String {
             }
         }
     };
-    let is_here = |place: &&Place| distances.contains(&place.distance);
-    let within = || all.iter().filter(is_here);
-    if let [material] = distinct(here.iter().map(|place| place.material))[..]
-        && distinct(within().map(|place| place.material)).len() > 1
-    {
+    if let Some(material) = only_material(all, here) {
         text += &format!(", {}", material.words());
     }
-    let phases = distinct(here.iter().filter_map(|place| place.phase));
-    let possible = distinct(within().filter_map(|place| place.phase)).len();
-    if phases.len() < possible {
-        text += &format!(" in {} of {possible} phases", phases.len());
+    text + &some_phases(all, here)
+}
+
+/// The places of `all` at the distances of `here`.
+fn at_distances_of<'a>(all: &'a [Place], here: &'a [Place]) -> impl Iterator<Item = &'a Place> {
+    let is_here = |place: &&Place| here.iter().any(|of| of.distance == place.distance);
+    all.iter().filter(is_here)
+}
+
+/// The material of all places `here`, where there are two at their distances.
+fn only_material(all: &[Place], here: &[Place]) -> Option<Material> {
+    let [material] = distinct(here.iter().map(|place| place.material))[..] else {
+        return None;
+    };
+    let materials = distinct(at_distances_of(all, here).map(|place| place.material));
+    (materials.len() > 1).then_some(material)
+}
+
+/// ` in 2 of 6 phases`; empty where `here` has all phases of its distances.
+fn some_phases(all: &[Place], here: &[Place]) -> String {
+    let phases = distinct(here.iter().filter_map(|place| place.phase)).len();
+    let possible = distinct(at_distances_of(all, here).filter_map(|place| place.phase)).len();
+    if phases < possible {
+        format!(" in {phases} of {possible} phases")
+    } else {
+        String::new()
     }
-    text
 }
 
 pub(crate) fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {

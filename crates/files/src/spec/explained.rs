@@ -151,7 +151,14 @@ impl<'s> Words<'s> {
             if !self.used.insert(format!("{name}: {description}")) {
                 continue;
             }
-            words.push(as_clause(description));
+            let default = node.get("default");
+            let is_default = default == Some(value);
+            let clause = as_clause(description);
+            words.push(if is_default && !clause.is_empty() {
+                format!("(default) {clause}")
+            } else {
+                clause
+            });
             let choices: Vec<(&str, &str)> = members(node, "oneOf")
                 .filter_map(|one| Some((one["const"].as_str()?, one["description"].as_str()?)))
                 .collect();
@@ -164,10 +171,8 @@ impl<'s> Words<'s> {
                     each.map(|(choice, meaning)| format!("\"{choice}\": {}", as_clause(meaning))),
                 );
             }
-            match node.get("default") {
-                Some(default) if default == value => words.push("the default".to_owned()),
-                Some(default) if !default.is_object() => words.push(format!("default: {default}")),
-                _ => {}
+            if let Some(default) = default.filter(|default| !is_default && !default.is_object()) {
+                words.push(format!("default: {default}"));
             }
         }
         words.retain(|words| !words.is_empty());

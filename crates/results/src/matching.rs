@@ -15,12 +15,20 @@ pub(crate) struct AssignmentRow {
     pinion: String,
     found: PairFit,
     is_assigned: bool,
+    /// Whether the pair has several assembly phases, so that teeth must be marked.
+    has_phases: bool,
 }
 
 impl AssignmentRow {
     /// The tooth to mark on the wheel.
     fn wheel_tooth(&self) -> u32 {
         1
+    }
+
+    /// The teeth to mark on wheel and pinion; none in a pair with one assembly phase.
+    fn marks(&self) -> Value {
+        let teeth = || format!("{} · {}", self.wheel_tooth(), self.found.best.pinion_tooth);
+        Value::optional(self.has_phases.then(teeth))
     }
 }
 
@@ -33,7 +41,7 @@ impl Row for AssignmentRow {
                 "pinion" Plain [heading(shown("pinion").left())] => row.pinion.clone();
                 "wheel_tooth" Plain [no_csv] => row.wheel_tooth();
                 "pinion_tooth" Plain => row.found.best.pinion_tooth;
-                "" Plain [people(shown("teeth to mark").left())] => format!("{} · {}", row.wheel_tooth(), row.found.best.pinion_tooth);
+                "" Plain [people(shown("teeth to mark").left())] => row.marks();
                 "least_um" Hundredths [heading(shown("least µm"))] => Value::um(row.found.best.outcome.least);
                 "greatest_um" Hundredths [heading(shown("greatest µm"))] => Value::um(row.found.best.outcome.greatest);
                 "status" Plain [no_json] => row.found.best.outcome.kind.name();
@@ -55,6 +63,7 @@ fn rows(result: &MatchResult) -> impl Iterator<Item = AssignmentRow> {
             wheel: wheels[wheel].clone(),
             pinion: pinions[pinion].clone(),
             found: *result.matrix.pair_fit(wheel, pinion)?,
+            has_phases: result.matrix.phases() > 1,
             is_assigned: result.places.binary_search(&(wheel, pinion)).is_ok(),
         })
     })
@@ -108,10 +117,19 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
     let mut text = screen.paragraphs(&format!("{}.", result.sentence()));
     text.push('\n');
     let pairs = pairs(result);
+    let has_phases = result.matrix.phases() > 1;
     if !pairs.is_empty() {
         text += &AssignmentRow::columns().text(&pairs, screen);
-        text += &screen.fold("Mark these teeth. Their right flanks meet.\n");
+        text += &screen.fold(if has_phases {
+            "Mark these teeth. Their right flanks meet.\n"
+        } else {
+            "No teeth to mark: the tooth numbers have no common divisor.\n"
+        });
     }
+    text += &screen.fold(&format!(
+        "Target of the backlash: {} µm (--target-um sets another).\n",
+        fixed(1e3 * result.wanted, 2)
+    ));
     for (kind, names) in ["Wheels", "Pinions"].iter().zip(&result.left_over) {
         if !names.is_empty() {
             let names: Vec<String> = names.iter().map(|name| plain(name)).collect();
@@ -119,9 +137,12 @@ pub fn text(result: &MatchResult, screen: &Screen) -> String {
             text += &screen.fold(&format!("{kind} left over: {}.\n", names.join(", ")));
         }
     }
-    text.push('\n');
-    text + &screen.fold(&format!(
-        "At random, with teeth marked: {} pairs to be expected.\n",
-        fixed(result.at_random.best_phase, 1)
-    ))
+    if has_phases {
+        text.push('\n');
+        text += &screen.fold(&format!(
+            "At random, with teeth marked: {} pairs to be expected.\n",
+            fixed(result.at_random.best_phase, 1)
+        ));
+    }
+    text
 }

@@ -329,6 +329,20 @@ pub enum OutlineError {
         /// Tip minus root radius.
         depth_mm: f64,
     },
+    /// A flank offset that closes spaces, removes teeth or leaves too little of them.
+    #[error(
+        "moved {} by {} mm, the outline does not keep half the depth of its {teeth} teeth: at most {greatest_mm:.3} mm is possible",
+        if *offset_mm > 0.0 { "out" } else { "in" },
+        offset_mm.abs()
+    )]
+    Offset {
+        /// Given; out of the metal positive.
+        offset_mm: f64,
+        /// Teeth of the outline as drawn.
+        teeth: u32,
+        /// Greatest possible in this direction, rounded down.
+        greatest_mm: f64,
+    },
     /// Two outlines that are not of one gear.
     #[error(
         "{} and {} teeth are found: two outlines of one gear have as many",

@@ -3,7 +3,7 @@
 //! Backlash grows with the centre distance and falls with the thickness of the teeth, so each change has one threshold.
 //! `threshold`, which also finds the distance from which a pair assembles, finds it on the worst run. Every run is then
 //! checked with the value rounded to a micrometre towards the safe side. Bounds decide: without a bound of an extreme
-//! there is no remedy. A drawn gear has no thickness to change.
+//! there is no remedy. The thickness of drawn gears is changed by their flank offset alone.
 
 use super::assembles_from::threshold;
 use super::cycles::{Planned, plans, proven_width};
@@ -14,7 +14,7 @@ use super::verdict::Verdict;
 use crate::contact::{Effort, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Deviations, thickness};
-use crate::outline::AssembledPair;
+use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{GearPair, Member};
 
 /// Increase of a drawn pair's backlash with the distance, from which its search starts: `2 tan α_wt` of 14°.
@@ -89,7 +89,7 @@ pub enum NoRemedy {
     OutOfMesh,
     /// The centre distance: the runs are measured rows.
     MeasuredRows,
-    /// The thickness: a drawn gear has no flank offset.
+    /// The thickness: one gear is drawn, the other given by data.
     Drawn,
     /// The thickness: a gear has flanks that no rack generates.
     NotGenerated,
@@ -152,16 +152,25 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     } else {
         found.missing.push(NoRemedy::MeasuredRows);
     }
-    match pair.data() {
-        None => found.missing.push(NoRemedy::Drawn),
-        Some(pair) => {
+    const EACH: [Gears; 3] = [
+        Gears::Both,
+        Gears::One(Member::Wheel),
+        Gears::One(Member::Pinion),
+    ];
+    match pair {
+        AssembledPair::Drawn(pair) => match search.flank_offsets() {
+            Some(own) => {
+                for gears in EACH {
+                    let offset = search.flank_offset(pair, own, gears, &effort())?;
+                    found.changes.extend(offset);
+                }
+            }
+            None => found.missing.push(NoRemedy::Drawn),
+        },
+        AssembledPair::Data(pair) => {
             let generated = |member| pair.gear(member).gear().is_generated();
             if Member::BOTH.into_iter().all(generated) {
-                for gears in [
-                    Gears::Both,
-                    Gears::One(Member::Wheel),
-                    Gears::One(Member::Pinion),
-                ] {
+                for gears in EACH {
                     found
                         .changes
                         .extend(search.thickness(pair, gears, &effort())?);
@@ -311,6 +320,58 @@ impl Search<'_> {
             }));
         }
         Ok(remedies)
+    }
+
+    /// The flank offsets, mm, of the drawn gears with most material; `None` if a gear is given by data.
+    fn flank_offsets(&self) -> Option<[f64; 2]> {
+        let (_, wheel, pinion) = self.study.drawn.first()?;
+        Some([wheel.flank_offset()?, pinion.flank_offset()?])
+    }
+
+    /// The remedy by the flank offset of `gears` of a drawn pair; `own` are the offsets with most material.
+    fn flank_offset(
+        &self,
+        pair: &OutlinePair,
+        own: [f64; 2],
+        gears: Gears,
+        effort: &Effort,
+    ) -> Result<Option<Remedy>, Error> {
+        // The search variable is the distance by which the outlines are moved in, so that backlash grows with it.
+        let moved = |planned: &Planned, at: f64| {
+            let pair = planned.run.assembly.drawn()?;
+            let [wheel, pinion] = Member::BOTH.map(|member| {
+                let gear = pair.gear(member);
+                if gears.members().any(|chosen| chosen == member) {
+                    let thinner = gear.flank_offset()? - own[member as usize];
+                    gear.with_flank_offset(thinner - at).ok()
+                } else {
+                    Some(gear.clone())
+                }
+            });
+            let moved = OutlinePair::new(wheel?, pinion?, pair.center_distance(), pair.locked());
+            Some(AssembledPair::from(moved.ok()?))
+        };
+        let of_each = gears
+            .members()
+            .map(|member| -own[member as usize] * self.sign);
+        let start = self.sign * of_each.fold(f64::INFINITY, f64::min);
+        // Flank offsets of both sides change a tooth's thickness.
+        let wheel = pair.gear(Member::Wheel);
+        let farthest =
+            start + self.sign * 0.25 * MOST_THICKNESS * wheel.pitch() * wheel.root_radius();
+        let slope = 4.0 * DRAWN_SLOPE * gears.members().count() as f64;
+        let Some([fails, fits]) = self.between([start, farthest], &moved, &|_| slope, effort)?
+        else {
+            return Ok(None);
+        };
+        let found = self.rounded(0.0, fits, STEP, &moved, effort)?;
+        Ok(found.map(|found| Remedy {
+            what: Change::FlankOffset,
+            gears,
+            value: to_step(-found, STEP),
+            present: own,
+            bracket: [-fails.max(fits), -fails.min(fits)],
+        }))
     }
 
     /// The gear with most material.

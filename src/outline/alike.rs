@@ -2,8 +2,9 @@
 
 use super::gear::OutlineGear;
 use super::half::{HalfOutline, HalfPiece};
-use crate::gear::Side;
+use crate::gear::{PartCurve, Side};
 use nalgebra::{Complex, Point2};
+use std::f64::consts::FRAC_PI_2;
 
 /// Greatest distance of equal teeth, mm: two such gears change a backlash by a hundredth of a micrometre.
 const EQUAL: f64 = 2e-6;
@@ -44,6 +45,11 @@ fn apart(one: &HalfOutline, other: &HalfOutline, turn: Complex<f64>) -> Option<f
     })
 }
 
+fn is_short_arc(piece: &HalfPiece) -> bool {
+    let (low, high) = piece.range();
+    matches!(piece.curve, PartCurve::Circle(_)) && high - low <= FRAC_PI_2
+}
+
 fn pieces_apart(one: &HalfPiece, other: &HalfPiece, turn: Complex<f64>) -> Option<f64> {
     if one.corners != other.corners {
         return None;
@@ -55,6 +61,10 @@ fn pieces_apart(one: &HalfPiece, other: &HalfPiece, turn: Complex<f64>) -> Optio
     let (own, others) = (places(one), places(other));
     let off = own.iter().zip(&others).map(|(a, b)| (turn * a - b).norm());
     let ends = off.fold(0.0, f64::max);
+    // Between arcs of up to a quarter turn it is at most 1.3 times that of ends and middles.
+    if [one, other].iter().all(|piece| is_short_arc(piece)) {
+        return Some(1.3 * ends);
+    }
     let (Some((points, radius)), Some((other_points, other_radius))) =
         (one.curve.moved_by(), other.curve.moved_by())
     else {

@@ -1,16 +1,24 @@
 //! A gear given by its outline: its teeth and its axis of rotation.
 
 use super::half::HalfOutline;
+use super::offset::moved_out;
 use super::path::{ClosedPath, PathSegment};
 use super::teeth::{FoundTooth, find};
 use crate::error::OutlineError;
 use crate::gear::{Face, Side};
+use crate::numeric::bisect;
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
 /// A tooth that points past +y by at most this share of a pitch counts as pointing there: pitch deviations and eccentricities are less.
 const UPRIGHT: f64 = 0.1;
+
+/// Steps of 1 mm to which the greatest possible flank offset is rounded down.
+const STEPS_PER_MM: f64 = 1000.0;
+
+/// Least depth of moved teeth, as a part of the depth drawn: less are waves of a rim.
+const LEAST_DEPTH: f64 = 0.5;
 
 /// Greatest distance of a tooth from its even place, in pitches. Contact relies on it for the choice of teeth in reach.
 const UNEVEN: f64 = 0.5;
@@ -45,6 +53,18 @@ pub struct OutlineGear {
     pub(super) root_radius: f64,
     pub(super) displacement: Complex<f64>,
     pub(super) bound: f64,
+    /// The path before it is moved by a flank offset; `None` of a gear given by data.
+    pub(super) drawing: Option<Drawing>,
+}
+
+/// A path as drawn, in the frame of [`OutlineGear::path`], and the flank offset by which the gear differs from it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Drawing {
+    path: Arc<[PathSegment]>,
+    bound: f64,
+    /// Depth of the teeth, mm.
+    depth: f64,
+    flank_offset: f64,
 }
 
 impl OutlineGear {
@@ -72,7 +92,7 @@ impl OutlineGear {
         let radii = path.radii();
         let middle = 0.5 * (radii.0 + radii.1);
         let directions: Vec<f64> = found.iter().map(|tooth| direction(tooth, middle)).collect();
-        let in_drawing = |tooth: usize| {
+        let tip_in_drawing = |tooth: usize| {
             let (sin, cos) = directions[tooth].sin_cos();
             let tip = Point2::new(radii.1 * cos, radii.1 * sin) + centre.coords;
             match reading.face {
@@ -84,7 +104,7 @@ impl OutlineGear {
         let off = off_even_places(&directions);
         if let Some(tooth) = (0..off.len()).find(|&tooth| off[tooth].abs() > UNEVEN * pitch) {
             return Err(OutlineError::Uneven {
-                tip: in_drawing(tooth),
+                tip: tip_in_drawing(tooth),
                 pitches: off[tooth] / pitch,
             });
         }
@@ -96,7 +116,7 @@ impl OutlineGear {
             return Err(OutlineError::OtherTeeth {
                 found: found.len(),
                 stated,
-                first: in_drawing(first),
+                first: tip_in_drawing(first),
             });
         }
         let (sin, cos) = directions[first].sin_cos();
@@ -117,9 +137,16 @@ impl OutlineGear {
             (0..count).map(tooth).collect()
         });
         let about = drawn.iter().map(|segment| segment.moved(-centre.coords));
+        let path: Arc<[PathSegment]> = about.collect();
         Ok(OutlineGear {
             face: reading.face,
-            path: about.collect(),
+            drawing: Some(Drawing {
+                path: Arc::clone(&path),
+                bound: reading.bound,
+                depth: radii.1 - radii.0,
+                flank_offset: 0.0,
+            }),
+            path,
             turned: directions[first],
             halves,
             tip_radius: radii.1,
@@ -150,6 +177,56 @@ impl OutlineGear {
             displacement,
             ..self
         })
+    }
+
+    /// This gear with its drawn outline moved out by `offset`, mm, along its normal (negative: in). It replaces an earlier offset.
+    ///
+    /// # Errors
+    /// [`OutlineError::Offset`]: the moved outline falls apart, keeps less than half the depth of its teeth, or the gear is given by data.
+    pub fn with_flank_offset(&self, offset: f64) -> Result<OutlineGear, OutlineError> {
+        self.moved_out(offset).ok_or_else(|| {
+            let [most, _] = bisect(0.0, offset.abs(), 0.1 / STEPS_PER_MM, |most| {
+                self.moved_out(most.copysign(offset)).is_some()
+            });
+            OutlineError::Offset {
+                offset_mm: offset,
+                teeth: self.teeth(),
+                greatest_mm: (most * STEPS_PER_MM).floor() / STEPS_PER_MM,
+            }
+        })
+    }
+
+    fn moved_out(&self, offset: f64) -> Option<OutlineGear> {
+        let drawing = self.drawing.as_ref()?;
+        let (path, error) = moved_out(&drawing.path, offset)?;
+        let path: Vec<PathSegment> = match self.face {
+            Face::Front => path,
+            Face::Back => path.iter().map(PathSegment::mirrored).collect(),
+        };
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: self.face,
+            teeth: Some(self.teeth()),
+            first_tooth: Some(in_drawing(self.face, self.turned)),
+            bound: drawing.bound + error,
+        };
+        let gear = OutlineGear::new(&path, &reading).ok()?;
+        if gear.tip_radius - gear.root_radius < LEAST_DEPTH * drawing.depth {
+            return None;
+        }
+        Some(OutlineGear {
+            displacement: self.displacement,
+            drawing: Some(Drawing {
+                flank_offset: offset,
+                ..drawing.clone()
+            }),
+            ..gear
+        })
+    }
+
+    /// The distance by which the drawn outline is moved out, mm; `None` of a gear given by data.
+    pub fn flank_offset(&self) -> Option<f64> {
+        Some(self.drawing.as_ref()?.flank_offset)
     }
 
     /// Direction of tooth 1 in the picture as drawn, about the geometric centre, rad counter-clockwise from +x.
@@ -268,16 +345,19 @@ fn off_even_places(directions: &[f64]) -> Vec<f64> {
     off.iter().map(|off| off - 0.5 * (most + least)).collect()
 }
 
-/// Index of tooth 1 among the teeth in these directions (rad, in the picture).
-fn first_tooth(directions: &[f64], reading: &OutlineReading) -> usize {
-    // From the drawing to the picture.
-    let seen = |angle: f64| match reading.face {
+/// A direction of the picture in the drawing, or of the drawing in the picture, rad.
+fn in_drawing(face: Face, angle: f64) -> f64 {
+    match face {
         Face::Front => angle,
         Face::Back => PI - angle,
-    };
+    }
+}
+
+/// Index of tooth 1 among the teeth in these directions (rad, in the picture).
+fn first_tooth(directions: &[f64], reading: &OutlineReading) -> usize {
     let beyond = |direction: f64| match reading.first_tooth {
         Some(wanted) => {
-            let off = (direction - seen(wanted)).rem_euclid(TAU);
+            let off = (direction - in_drawing(reading.face, wanted)).rem_euclid(TAU);
             off.min(TAU - off)
         }
         None => {

@@ -46,6 +46,7 @@ mod fitted;
 mod gear;
 mod half;
 mod of_gear;
+mod offset;
 mod pair;
 mod path;
 pub mod polygon;

@@ -131,6 +131,7 @@ impl From<&AsBuilt> for OutlineGear {
             root_radius: gear.root_radius(),
             displacement: Complex::new(displacement.x, displacement.y),
             bound: 0.0,
+            drawing: None,
         }
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn repeated(teeth: u32, tooth: &[PathSegment]) -> Vec<PathSegment> {
 }
 
 /// A tooth with a round head of radius `head` about a point at `radius`, its sides straight down to `root`.
-fn pin(radius: f64, head: f64, root: f64) -> Vec<PathSegment> {
+pub(super) fn pin(radius: f64, head: f64, root: f64) -> Vec<PathSegment> {
     let foot = (root * root - head * head).sqrt();
     let side = |x: f64| [Point2::new(x, foot), Point2::new(x, radius)];
     let [left, right] = [side(-head), side(head)];

@@ -274,7 +274,7 @@ fn basic_data(
 }
 
 /// The result of `of` for the gear in each material.
-pub fn materials<T>(built: &Toleranced<AsBuilt>, of: impl Fn(&AsBuilt) -> T) -> Vec<(Material, T)> {
+pub fn materials<S, T>(built: &Toleranced<S>, of: impl Fn(&S) -> T) -> Vec<(Material, T)> {
     match built {
         Toleranced::Single(gear) => vec![(Material::AsMeasured, of(gear))],
         Toleranced::Band { least, most } => {

@@ -366,7 +366,8 @@ impl LengthSpec {
 }
 
 impl Either<f64, BandSpec> {
-    fn toleranced(self) -> Toleranced<f64> {
+    /// One value, or the least and the greatest.
+    pub(crate) fn toleranced(self) -> Toleranced<f64> {
         match self {
             Either::One(value) => Toleranced::Single(value),
             Either::Other(BandSpec { min, max }) => Toleranced::Band {

@@ -94,9 +94,9 @@ impl RemedyRecords {
             };
         }
         let mut missing: Vec<&str> = missing.iter().map(|reason| sentence(*reason)).collect();
-        let gears = file.spec.by_data();
         // A file states the thickness before scaling.
-        let is_scaled = gears.is_some_and(|gears| gears.iter().any(|gear| gear.scale.is_some()));
+        let gears = [&file.spec.wheel, &file.spec.pinion];
+        let is_scaled = gears.iter().any(|gear| gear.scale().is_some());
         let kept = |remedy: &&Remedy| !is_scaled || remedy.what == Change::CenterDistance;
         if changes.iter().any(|remedy| !kept(&remedy)) {
             missing.push("The thickness is not changed: a gear has a scale.");
@@ -143,7 +143,9 @@ fn sentence(reason: NoRemedy) -> &'static str {
         NoRemedy::MeasuredRows => {
             "The centre distance is not changed: measured rows state their own."
         }
-        NoRemedy::Drawn => "The thickness is not changed: a drawn gear has no flank offset.",
+        NoRemedy::Drawn => {
+            "The thickness is not changed: one gear is drawn and the other given by its data."
+        }
         NoRemedy::NotGenerated => {
             "The thickness is not changed: a gear has flanks that are no generated involutes."
         }

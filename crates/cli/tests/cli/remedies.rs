@@ -163,8 +163,8 @@ fn unfolded(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A drawn pair gets the distance of the gears that were drawn, within the 0.1 µm of each drawing and the step of 1 µm.
-/// Its thickness cannot be changed.
+/// A drawn pair gets the distance of the gears that were drawn, within the 0.1 µm of each drawing and the step of 1 µm. They were drawn with flanks
+/// 0.1 mm out: moved in by that on both gears, or by twice that on one, they have no backlash at the nominal distance.
 #[test]
 fn a_drawn_pair_gets_the_distance_of_its_data() {
     let folder = empty_folder();
@@ -195,7 +195,7 @@ fn a_drawn_pair_gets_the_distance_of_its_data() {
     let (code, json) = at("48.0", "");
     assert_eq!(code, Some(1));
     let found = remedies(&json);
-    let [(what, gear, value)] = &found[..] else {
+    let [(what, gear, value), offsets @ ..] = &found[..] else {
         panic!("{found:?}");
     };
     assert_eq!((&what[..], &gear[..]), ("center_distance_mm", "both"));
@@ -203,20 +203,58 @@ fn a_drawn_pair_gets_the_distance_of_its_data() {
     assert!((value - of_data[0].2).abs() < 1.5e-3, "{value} {of_data:?}");
     assert!(fits(&at(&format!("{value:.3}"), "").1));
     assert!(!fits(&at(&format!("{:.3}", value - 2e-3), "").1));
-    let missing = json["remedies_missing"][0].as_str().unwrap();
-    assert_eq!(
-        missing,
-        "The thickness is not changed: a drawn gear has no flank offset."
-    );
+    assert!(json["remedies_missing"].is_null(), "{json}");
+    for (found, (gear, expected)) in
+        offsets
+            .iter()
+            .zip([("both", -0.1), ("wheel", -0.2), ("pinion", -0.2)])
+    {
+        assert_eq!((&found.0[..], &found.1[..]), ("flank_offset_mm", gear));
+        assert!((found.2 - expected).abs() < 1.5e-3, "{found:?}");
+    }
+    assert_eq!(offsets.len(), 3);
     // With too much backlash the axes come nearer.
     let limit = "[require]\nj_wt_um = { max = 200 }\n";
     let (code, json) = at("48.9", limit);
     assert_eq!(code, Some(1));
-    let [(_, _, value)] = &remedies(&json)[..] else {
-        panic!("{json}");
-    };
+    let found = remedies(&json);
+    let (_, _, value) = &found[0];
     assert!(fits(&at(&format!("{value:.3}"), limit).1));
     assert!(!fits(&at(&format!("{:.3}", value + 2e-3), limit).1));
+}
+
+/// The pair lacks 15.61 µm of `j_wt` on its flanks: `15.61 cos 20° / 4` = 3.7 µm on each of four flanks, 7.3 µm on each of two. Each
+/// remedy makes it assemble, and 2 µm less does not.
+#[test]
+fn a_drawn_jam_says_which_offset_fits() {
+    let folder = empty_folder();
+    for name in ["wheel_20.dxf", "pinion_20.svg"] {
+        std::fs::copy(fixture("outlines").join(name), folder.path().join(name)).unwrap();
+    }
+    let stated = std::fs::read_to_string(fixture("outlines/drawn_20x20.toml")).unwrap();
+    let (_, json) = checked(folder.path(), &stated);
+    let mut found = remedies(&json);
+    assert_eq!(found.remove(0).0, "center_distance_mm");
+    let values: Vec<(&str, f64)> = found.iter().map(|found| (&found.1[..], found.2)).collect();
+    assert_eq!(
+        values,
+        [("both", -0.004), ("wheel", -0.008), ("pinion", -0.008)]
+    );
+    for (gears, value) in values {
+        for (offset, fits) in [(value, true), (value + 0.002, false)] {
+            let mut text = stated.clone();
+            for gear in ["wheel", "pinion"] {
+                if gears == gear || gears == "both" {
+                    text += &format!("\n[{gear}.thickness]\nflank_offset_mm = {offset:?}\n");
+                }
+            }
+            std::fs::write(folder.path().join("offset.toml"), text).unwrap();
+            let words = ["simulate", "offset.toml", "--format", "json"];
+            let (_, json, message) = run(folder.path(), &words);
+            let json: Value = serde_json::from_str(&json).expect(&message);
+            assert_eq!(json["verdict"]["assembles"], fits, "{gears} {offset}");
+        }
+    }
 }
 
 /// A file states the thickness before its scale, and a remedy is the gear's own: it has the distance alone.

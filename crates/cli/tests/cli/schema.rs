@@ -75,7 +75,9 @@ fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
         }
         // An outline replaces the gear's data.
         if let Some((gear, _)) = path.split_once('.').or(Some((&path, "")))
-            && (path.contains(".outline") || keys.contains("outline"))
+            && (path.contains(".outline")
+                || keys.contains("outline")
+                || keys.iter().eq(["flank_offset_mm"]))
         {
             pair[gear] = json!({ "outline": {} });
         }

@@ -54,7 +54,8 @@ impl TwoDrawings<'_> {
         let file = Checked::new(&DRAWINGS, tree.table());
         let [a, b] = NAMES.map(|name| gear::read(&file, name));
         let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
-        let difference = OutlineDifference::new(&a.gear, &b.gear, CHORD_MM);
+        let gears = [&a, &b].map(|part| part.gears.most().clone());
+        let difference = OutlineDifference::new(&gears[0], &gears[1], CHORD_MM);
         let difference = difference.map_err(|error| {
             let help = gear::help(&error);
             file.table().problem("b.outline.file", error, help)
@@ -63,7 +64,7 @@ impl TwoDrawings<'_> {
             difference: tree.reading.keep(difference)?,
             files: self.paths.map(|path| path.display().to_string()),
             centres: [a.read.centre, b.read.centre],
-            gears: [a.gear, b.gear],
+            gears,
             remarks: [a.remarks, b.remarks],
             sources: tree.reading.sources(),
         })

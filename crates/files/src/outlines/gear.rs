@@ -4,11 +4,14 @@ use super::paths::{Choice, Path, chosen, coordinates, whole_circle};
 use crate::check::Checked;
 use crate::data_file::DataFile;
 use crate::drawing::{self, Format, Options, Repeat};
-use crate::numbers::{fixed, um};
+use crate::numbers::{fixed, shortest, um};
 use crate::runout::Runout;
-use crate::spec::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
+use crate::spec::{
+    CentreName, CentreSpec, Either, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
+};
 use crate::table::Table;
 use gearlash::gear::Face;
+use gearlash::metrology::Toleranced;
 use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
 use nalgebra::Point2;
 
@@ -32,7 +35,8 @@ pub struct DrawingRead {
 
 /// A gear given by an outline.
 pub(super) struct OutlinePart {
-    pub gear: OutlineGear,
+    /// One, or those with least and most material.
+    pub gears: Toleranced<OutlineGear>,
     pub read: DrawingRead,
     pub spec: OutlineGearSpec,
     pub remarks: Vec<String>,
@@ -45,13 +49,14 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     let spec = file.read(&table.path_of("outline")).flatten();
     let stated_scale = file.read::<f64>(&table.path_of("scale")).flatten();
     let scale = stated_scale.unwrap_or(1.0);
+    let thickness = file.read::<OutlineThicknessSpec>(&table.path_of("thickness"));
     let drawn = spec.and_then(|spec| drawn(&table, spec, scale));
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
     let runout = file.read(&table.path_of("runout"));
     let runout = runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth));
     file.is_good(name).then_some(())?;
     let (spec, path, data) = drawn?;
-    let (face, runout) = (face?.unwrap_or_default(), runout?);
+    let (face, runout, thickness) = (face?.unwrap_or_default(), runout?, thickness?);
     if runout.header.is_some() {
         return table.refuse(
             "runout.file",
@@ -102,12 +107,26 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     }
     let turned = gear.with_runout(scale * runout.total_um / 2000.0, high_tooth);
     let gear = table.keep("runout.total_um", turned, "give the runout in µm")?;
+    let offset = thickness.and_then(|thickness| thickness.flank_offset_mm);
+    let offset = offset.map_or(Toleranced::Single(0.0), Either::toleranced);
+    let gears = offset.try_map(|mm| gear.with_flank_offset(scale * mm));
+    let gears =
+        gears.map_err(|error| table.problem("thickness.flank_offset_mm", &error, help(&error)));
+    let gears = data.reading().keep(gears)?;
+    let gear = gears.most();
+    let moved = match offset {
+        Toleranced::Single(0.0) => String::new(),
+        Toleranced::Single(mm) => format!(", moved out by {} mm", shortest(mm)),
+        Toleranced::Band { least, most } => {
+            format!(", moved out by {} … {} mm", shortest(least), shortest(most))
+        }
+    };
     let kinks = match spec.kind {
         PointsKind::Smooth if !segments.is_empty() => kinks(segments),
         _ => String::new(),
     };
     remarks.push(format!(
-        "{name}: {} teeth between diameters {} and {} mm{}{kinks}{}",
+        "{name}: {} teeth between diameters {} and {} mm{moved}{}{kinks}{}",
         gear.teeth(),
         fixed(2.0 * gear.root_radius(), 4),
         fixed(2.0 * gear.tip_radius(), 4),
@@ -122,7 +141,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     ));
     let count = |of: fn(&PathSegment) -> bool| segments.iter().filter(|part| of(part)).count();
     Some(OutlinePart {
-        gear,
+        gears,
         read: DrawingRead {
             unit_mm: path.unit_mm,
             centre,
@@ -136,6 +155,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
         },
         spec: OutlineGearSpec {
             outline: spec,
+            thickness,
             reference_face: face,
             runout,
             scale: stated_scale,
@@ -289,6 +309,9 @@ pub(super) fn help(error: &OutlineError) -> &'static str {
         OutlineError::Uneven { .. } => "mend the drawing there, and check the centre",
         OutlineError::Eccentric { .. } => "give the runout in µm",
         OutlineError::TooNear { .. } => "give a greater centre distance",
+        OutlineError::Offset { .. } => {
+            "give a smaller offset, or a drawing with stronger teeth or wider spaces"
+        }
         OutlineError::OtherGear { .. } => "give two drawings of the same gear",
     }
 }

@@ -4,10 +4,11 @@ use super::gear::{self, OutlinePart};
 use super::pair::{OutlineOptions, outline_table};
 use crate::Tree;
 use crate::check::Checked;
+use crate::gear::materials;
 use crate::pair_file::names;
 use crate::read::{AnyGears, GearEntry};
 use crate::spec::{EitherGearSpec, GEAR};
-use gearlash::analysis::study::Material;
+use gearlash::outline::OutlineGear;
 use std::path::Path;
 
 /// Reads a gear file with an outline.
@@ -15,7 +16,7 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyGears> {
     let file = Checked::new(&GEAR, tree.table());
     let (stem, title) = names(&file, tree.path);
     let OutlinePart {
-        gear,
+        gears,
         spec,
         remarks,
         ..
@@ -26,7 +27,7 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyGears> {
         gears: vec![GearEntry {
             name: "gear",
             materials: Vec::new(),
-            drawn: vec![(Material::AsMeasured, gear)],
+            drawn: materials(&gears, OutlineGear::clone),
             spec: EitherGearSpec::Outline(Box::new(spec)),
         }],
         temperature_c: None,

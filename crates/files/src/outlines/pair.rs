@@ -166,13 +166,13 @@ fn required(file: &Checked) -> Option<Option<RequireSpec>> {
 fn part(file: &Checked, name: &str) -> Option<Part> {
     if file.table().has(&format!("{name}.outline")) {
         let OutlinePart {
-            gear,
+            gears,
             read,
             spec,
             remarks,
         } = gear::read(file, name)?;
         return Some(Part {
-            gears: vec![(Material::AsMeasured, gear)],
+            gears: crate::gear::materials(&gears, OutlineGear::clone),
             read: Some(read),
             spec: EitherGearSpec::Outline(Box::new(spec)),
             warnings: Vec::new(),

@@ -29,7 +29,9 @@ pub(crate) use explained::as_clause;
 pub use explained::explained;
 pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
-pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
+pub use outline::{
+    CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
+};
 pub use pair::{EitherGearSpec, GearFileSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};

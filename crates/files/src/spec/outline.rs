@@ -2,28 +2,39 @@
 
 use super::RunoutSpec;
 use super::rules::{whole, within};
-use super::value::Either;
+use super::value::{BandSpec, Either};
 use crate::drawing::{JOIN_MM, Unit};
 use gearlash::gear::Face;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
 
-/// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
+/// A gear by its outline, in place of teeth, module, pressure angle and rack.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OutlineGearSpec {
-    /// The gear as drawn, in place of all its data but reference_face, runout and scale.
+    /// The gear as drawn, in place of all its data but thickness.flank_offset_mm, reference_face, runout and scale.
     pub outline: OutlineSpec,
+    /// How the part differs from the drawing.
+    pub thickness: Option<OutlineThicknessSpec>,
     /// Which face the picture shows; the drawing shows the reference face, on which teeth are numbered clockwise.
     #[serde(default)]
     pub reference_face: Face,
     /// Radial runout; none: 0.
     #[serde(default)]
     pub runout: RunoutSpec,
-    /// Multiplies every length of the drawing and the runout, as shrinkage does; default: 1.
+    /// Multiplies every length of the drawing, the flank offset and the runout, as shrinkage does; default: 1.
     #[schemars(transform = within(0.5, 2.0))]
     pub scale: Option<f64>,
+}
+
+/// How a part differs from its outline.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OutlineThicknessSpec {
+    /// How far the outline is moved out along its normal, mm; negative: in, as by a kerf; none: 0.
+    #[schemars(transform = within(-100.0, 100.0))]
+    pub flank_offset_mm: Option<Either<f64, BandSpec>>,
 }
 
 /// A drawing of a gear: DXF, SVG, or a list of points.

@@ -92,6 +92,14 @@ impl EitherGearSpec {
         }
     }
 
+    /// The factor of its lengths, where one is stated.
+    pub fn scale(&self) -> Option<f64> {
+        match self {
+            EitherGearSpec::Data(spec) => spec.scale,
+            EitherGearSpec::Outline(spec) => spec.scale,
+        }
+    }
+
     /// The face from which its data and deviations are stated.
     pub fn reference_face(&self) -> Face {
         match self {

@@ -3,7 +3,7 @@
 use super::input::assembly;
 use super::page::Page;
 use super::phrases::{plain, sentence};
-use super::stated::{high_tooth, runout, thickness};
+use super::stated::{high_tooth, runout, single_or_band, thickness};
 use super::table::{Table, cells, columns};
 use gearlash::outline::OutlineGear;
 use gearlash_files::numbers::{bound_um, shortest, trimmed};
@@ -77,6 +77,7 @@ fn rows(page: &Page, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String;
             "closed paths inside",
             drawn(&|_, read| read.inside.to_string()),
         ),
+        ("moved out by, mm", specs.map(offset)),
         ("teeth", gears(|gear| f64::from(gear.teeth()))),
         ("tip diameter, mm", gears(|gear| 2.0 * gear.tip_radius())),
         ("root diameter, mm", gears(|gear| 2.0 * gear.root_radius())),
@@ -99,6 +100,16 @@ fn by_its_data(spec: &GearSpec) -> String {
         shortest(spec.profile_shift),
         thickness(&spec.thickness)
     )
+}
+
+/// The flank offset of an outline.
+fn offset(spec: &EitherGearSpec) -> String {
+    let thickness = match spec {
+        EitherGearSpec::Outline(spec) => spec.thickness,
+        EitherGearSpec::Data(_) => None,
+    };
+    let stated = thickness.and_then(|thickness| thickness.flank_offset_mm);
+    stated.map_or("–".to_owned(), |stated| single_or_band(&stated))
 }
 
 fn selection(spec: &OutlineSpec) -> String {

@@ -8,7 +8,7 @@ use gearlash_files::spec::{
 };
 
 /// A single value, or `min … max`.
-fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
+pub(super) fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
     match stated {
         Either::One(value) => shortest(*value),
         Either::Other(band) => format!("{} … {}", shortest(band.min), shortest(band.max)),

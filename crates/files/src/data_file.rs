@@ -2,6 +2,7 @@
 
 use super::node::{LONGEST, Node};
 use super::reading::Reading;
+use super::source;
 use super::table::Table;
 use crate::characters::cut;
 use crate::error::Problem;
@@ -64,7 +65,10 @@ impl DataFile {
 
     /// Its bytes; `None` where they cannot be read.
     pub fn bytes(&self) -> Option<Vec<u8>> {
-        let bytes = self.reading.bytes(&self.path);
+        let bytes = match self.reading.files() {
+            Some(files) => files.bytes(&self.path),
+            None => source::bytes(&self.path),
+        };
         let bytes = bytes.map_err(|problem| self.problem(problem.reason, problem.help));
         self.reading.keep(bytes)
     }

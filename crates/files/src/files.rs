@@ -63,20 +63,3 @@ fn plain_name(path: &Path) -> String {
     let parts = parts.map(|part| part.as_os_str().to_string_lossy().into_owned());
     parts.collect::<Vec<_>>().join("/")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_is_found_by_its_path_or_its_name_alone() {
-        let mut files = Files::new();
-        files.add("wheel.csv", vec![1]);
-        files.add("data\\pinion.csv", vec![2]);
-        let read = |name: &str| files.bytes(Path::new(name)).ok();
-        assert_eq!(read("./wheel.csv"), Some(vec![1]));
-        assert_eq!(read("sheets/wheel.csv"), Some(vec![1]));
-        assert_eq!(read("data/pinion.csv"), Some(vec![2]));
-        assert_eq!(read("pinion.csv"), None);
-    }
-}

@@ -4,7 +4,6 @@ use crate::error::Problem;
 use crate::files::Files;
 use crate::inches::Inches;
 use crate::node::Node;
-use crate::source;
 use crate::sources::Sources;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -64,15 +63,9 @@ impl Reading {
         }
     }
 
-    /// The bytes of the file at `path`.
-    ///
-    /// # Errors
-    /// As [`source::bytes`]; a problem where it is not among the given files.
-    pub fn bytes(&self, path: &Path) -> Result<Vec<u8>, Problem> {
-        match &self.files {
-            Some(files) => files.bytes(path),
-            None => source::bytes(path),
-        }
+    /// The files that it names, where they are given by name and bytes.
+    pub fn files(&self) -> Option<&Files> {
+        self.files.as_deref()
     }
 
     /// Whether the real place of `path`, links followed, is not below its folder. A file that does not exist is outside.

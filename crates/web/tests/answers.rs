@@ -143,3 +143,14 @@ fn a_table_is_understood() {
     let none = page.understand("pinion.csv");
     assert!(none["failed"].is_string());
 }
+
+/// A table that was given without its folder.
+#[test]
+fn a_table_is_found_by_its_name_alone() {
+    let (mut page, _) = opened(&["docs/files/wheel.csv"]);
+    let text = std::fs::read_to_string(path("docs/files/sheet.toml")).unwrap();
+    let text = text.replace("\"wheel.csv\"", "\"./sheets/wheel.csv\"");
+    page.files.add("pair.toml", text.into_bytes());
+    let found = page.open("pair.toml");
+    assert!(found["title"].is_string(), "{found}");
+}

@@ -321,3 +321,17 @@ fn no_json_schema_is_written_by_hand() {
         assert!(!by_hand, "{file:?}");
     }
 }
+
+/// Cargo does not build the library of gearlash-files for tests (`test = false`): one beside its code would never run.
+#[test]
+fn the_files_package_has_its_tests_in_a_folder_of_their_own() {
+    let mut files = Vec::new();
+    sources(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/files/src"),
+        &mut files,
+    );
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(!text.contains("#[test]"), "{}", path.display());
+    }
+}

@@ -93,7 +93,11 @@ pub enum NoRemedy {
     Drawn,
     /// The thickness: a gear has flanks that no rack generates.
     NotGenerated,
-    /// No value of any single change suffices.
+    /// The centre distance: none was found that suffices.
+    NoDistance,
+    /// The thickness of these gears: none was found that suffices.
+    NoThickness(Gears),
+    /// No single change was found that suffices.
     NotEnough,
 }
 
@@ -148,7 +152,10 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     };
     let mut found = Remedies::default();
     if study.sweep.is_some() {
-        found.changes.extend(search.distance(&effort())?);
+        match search.distance(&effort())? {
+            Some(change) => found.changes.push(change),
+            None => found.missing.push(NoRemedy::NoDistance),
+        }
     } else {
         found.missing.push(NoRemedy::MeasuredRows);
     }
@@ -162,6 +169,9 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
             Some(own) => {
                 for gears in EACH {
                     let offset = search.flank_offset(pair, own, gears, &effort())?;
+                    if offset.is_none() {
+                        found.missing.push(NoRemedy::NoThickness(gears));
+                    }
                     found.changes.extend(offset);
                 }
             }
@@ -171,9 +181,11 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
             let generated = |member| pair.gear(member).gear().is_generated();
             if Member::BOTH.into_iter().all(generated) {
                 for gears in EACH {
-                    found
-                        .changes
-                        .extend(search.thickness(pair, gears, &effort())?);
+                    let changes = search.thickness(pair, gears, &effort())?;
+                    if changes.is_empty() {
+                        found.missing.push(NoRemedy::NoThickness(gears));
+                    }
+                    found.changes.extend(changes);
                 }
             } else {
                 found.missing.push(NoRemedy::NotGenerated);
@@ -181,6 +193,9 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
         }
     }
     if found.changes.is_empty() {
+        let is_found =
+            |reason: &NoRemedy| !matches!(reason, NoRemedy::NoDistance | NoRemedy::NoThickness(_));
+        found.missing.retain(is_found);
         found.missing.push(NoRemedy::NotEnough);
     }
     Ok(found)

@@ -20,24 +20,24 @@ use std::process::ExitCode;
 /// where it does not; of a pair with an outline they are those of the whole mesh cycle (--kind revolution or map). Legible at 800 px, on A4, in black and white, and for colour-blind readers.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON), - for standard input
+    /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// Kind of chart
     #[arg(long, value_enum)]
     kind: Kind,
-    /// The gear, for --kind inspection [default: wheel]
+    /// Gear, for --kind inspection [default: wheel]
     #[arg(long, value_enum)]
     gear: Option<GearName>,
-    /// Centre distance in mm, for --kind revolution, difference and field [default: the least of the pair file; of a field that which binds]
+    /// Centre distance, mm, for --kind revolution, difference and field [default: the least; of a field that which binds]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
-    /// One end of the thickness tolerances, for --kind revolution, difference and field [default: both]
+    /// End of the thickness tolerance, for --kind revolution, difference and field [default: both]
     #[arg(long, value_enum)]
     material: Option<MaterialName>,
-    /// Wheel tooth and pinion tooth, for --kind distance [default: the pose that binds]
+    /// Wheel and pinion tooth, for --kind distance [default: the pose that binds]
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
-    /// The chart [default: out/<file stem>/chart_….svg]; - for standard output
+    /// Chart, - for standard output [default: in out/<file stem>]
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
     #[command(flatten)]

@@ -32,21 +32,21 @@ const NOT_FOUND: &str = "two drawings need their centre distance, as none is fou
 /// Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv, .txt), of the wheel and of the pinion
+    /// Pair files, - for standard input; or drawings (.dxf, .svg, .csv, .txt) of wheel and pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Centre distance of two drawings, mm [default: the one at which they mesh without play]
+    /// Centre distance of drawings, mm [default: without play]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     #[command(flatten)]
     drawn: DrawnArgs,
-    /// Print the names of the files that the pair files read, themselves included, one a line, and check nothing
+    /// Only print the names of all files that are read, one a line
     #[arg(long)]
     inputs: bool,
     /// Output format
     #[arg(long, value_enum, default_value_t = JudgedFormat::Text)]
     format: JudgedFormat,
-    /// Also map the contact (of outlines the backlash) over centre distance and mesh phase, as map_<material>.svg and .csv; of one pair file
+    /// Also map contact (of outlines backlash) over centre distance and mesh phase, as map_<material>.svg and .csv
     #[arg(long)]
     map: bool,
     /// Folder for the map [default: out/<file stem>]

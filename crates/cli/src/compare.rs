@@ -21,7 +21,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Compare simulated with analytic backlash, or two outlines of one gear; exit 1 when they disagree or a [require] is not met
+/// Compare simulated with analytic backlash, or two outlines of one gear
 ///
 /// Model 3 (line of action) decides: a pose fails when |simulated − model 3| exceeds tolerance + error
 /// bound. Contact off the line of action (tip corner, fillet, root) leaves less backlash than the formula
@@ -32,10 +32,10 @@ use std::process::ExitCode;
 /// turned to fit best. With --tolerance-um, exit 1 where that is more than tolerance + error bound.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv, .txt) of one gear
+    /// Pair files, - for standard input; or two drawings (.dxf, .svg, .csv, .txt) of one gear
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Tolerance in µm, of j_wt [default: the pair file's, or 0.1] or between two drawings [default: none]
+    /// Tolerance, µm [default: the pair file's, or 0.1; of drawings none]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance_um: Option<f64>,
     /// Output format
@@ -46,7 +46,7 @@ pub(super) struct Args {
     markdown: Option<PathBuf>,
     #[command(flatten)]
     drawn: DrawnArgs,
-    /// Also draw the difference of two drawings
+    /// Also draw the difference of drawings
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     #[command(flatten)]

@@ -189,7 +189,7 @@ fn streams() -> [(&'static str, Option<std::fs::File>); 0] {
 /// Options of the commands that print tables.
 #[derive(clap::Args)]
 pub(super) struct ScreenArgs {
-    /// Print tables in full on a terminal that is too narrow for them
+    /// Print tables in full on a narrow terminal
     #[arg(long)]
     wide: bool,
 }

@@ -32,8 +32,7 @@ use std::process::ExitCode;
 /// and no files are written: an outline has no involute for the rest.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input; or a drawing
-    /// (.dxf, .svg, .csv, .txt)
+    /// Pair file, gear file, or drawing (.dxf, .svg, .csv, .txt); - for standard input
     file: PathBuf,
     /// Only this gear of a pair
     #[arg(long, value_enum)]
@@ -41,25 +40,25 @@ pub(super) struct Args {
     /// Only this end of the thickness tolerance
     #[arg(long, value_enum)]
     material: Option<MaterialName>,
-    /// Teeth spanned [default: as the file states the thickness, else contact near mid-height]
+    /// Teeth spanned [default: as stated, else contact near mid-height]
     #[arg(long, visible_alias = "span", value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     span_teeth: Option<u32>,
-    /// Diameter of the pins, mm [default: as the file states the thickness, else contact near mid-height]
+    /// Diameter of the pins, mm [default: as stated, else contact near mid-height]
     #[arg(long, visible_alias = "pin", value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     pin_mm: Option<f64>,
-    /// Diameter of the ball for the runout, mm [default: the pin's]
+    /// Diameter of the runout ball, mm [default: the pin's]
     #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     ball_mm: Option<f64>,
-    /// Teeth of the master gear [default: 30, or as many as the gear's tips need]
+    /// Teeth of the master gear [default: 30, or as the tips need]
     #[arg(long, value_name = "Z", value_parser = clap::value_parser!(u32).range(3..=10_000))]
     master_teeth: Option<u32>,
     /// Roll test poses per pitch
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
     steps_per_pitch: u32,
-    /// Also print every reading tooth by tooth (--format csv always does)
+    /// Also print every reading (--format csv always does)
     #[arg(long)]
     positions: bool,
-    /// Draw all charts of a gear on one page, gauge_<gear>.html, in place of a file each
+    /// Draw all charts of a gear on one page, gauge_<gear>.html
     #[arg(long, conflicts_with = "no_files")]
     page: bool,
     #[command(flatten)]

@@ -11,7 +11,7 @@ use gearlash_results::text::{self, imported};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Show what is understood of an inspection table, workbook or protocol, and the lines of a pair file that name it
+/// Show what is read of a table, protocol, drawing or gearbox model, and the lines of a pair file that name it
 ///
 /// Reads every table of the file as a pair file does: pitch, runout, thickness, spans and pins by tooth, profile traces. Prints
 /// their numbers, the parts of the file that were left out, and the TOML to paste into a pair file or gear file; writes nothing
@@ -24,36 +24,36 @@ use std::process::ExitCode;
 /// else.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// CSV, workbook (.xlsx), text protocol or curve file (.mka) of a measuring machine, drawing (.dxf, .svg), or gearbox model (.rexs, .rexsj, .rexsz; - for one on standard input)
+    /// CSV, workbook (.xlsx), text protocol, curve file (.mka), drawing (.dxf, .svg) or gearbox model (.rexs, .rexsj, .rexsz; - for standard input)
     file: PathBuf,
-    /// The data to read [default: all that it has]
+    /// Data to read [default: all]
     #[arg(long, value_enum)]
     only: Option<Only>,
-    /// Sheet of a workbook that has several with such a table
+    /// Sheet of a workbook
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
-    /// Line of the header, from 1; 0: the file has none [default: found by its names]
+    /// Line of the header; 0: none [default: found by its names]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_048_576))]
     header_row: Option<u32>,
     /// Column of tooth numbers, by heading or letter
     #[arg(long, value_name = "COLUMN")]
     tooth_column: Option<String>,
-    /// Column of left flanks, by heading or letter
+    /// Column of left flanks
     #[arg(long, value_name = "COLUMN")]
     left: Option<String>,
-    /// Column of right flanks, by heading or letter
+    /// Column of right flanks
     #[arg(long, value_name = "COLUMN")]
     right: Option<String>,
-    /// Column of the values that --only names, by heading or letter
+    /// Column of the values that --only names
     #[arg(long, value_name = "COLUMN", requires = "only")]
     column: Option<String>,
-    /// Decimal sign of a text table, where nothing in it tells
+    /// Decimal sign of a text table
     #[arg(long, value_name = "SIGN")]
     decimal: Option<String>,
-    /// Unit of a drawing, where it states none
+    /// Unit of drawings that state none
     #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Option<String>,
-    /// The gear of the TOML
+    /// Gear of the TOML
     #[arg(long, value_enum, default_value_t = GearTable::Wheel)]
     gear: GearTable,
     /// Output format

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 /// overwritten.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file to write, - for standard output
+    /// Pair file to write, - for standard output
     #[arg(default_value = "pair.toml")]
     pair: PathBuf,
     #[command(flatten)]

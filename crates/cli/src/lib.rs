@@ -59,10 +59,10 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// Print only results and errors: no progress, notes, warnings or file names
+    /// Print only results and errors
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Print notes, too: what was found in order, and what follows from the input
+    /// Print notes, too
     #[arg(short, long, global = true, conflicts_with = "quiet")]
     verbose: bool,
 }

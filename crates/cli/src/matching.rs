@@ -21,15 +21,15 @@ const FILES: [&str; 3] = ["match.json", "matrix.csv", "match.svg"];
 /// matrix.csv and match.svg to DIR. Exit code 1 where a gear is left over that had a mate.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON) of centre distance, bearings and [require]
+    /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
-    /// Folder of the wheels' gear files, one a gear
+    /// Folder of the wheels' gear files
     #[arg(long, value_name = "DIR")]
     wheels: PathBuf,
     /// Folder of the pinions' gear files
     #[arg(long, value_name = "DIR")]
     pinions: PathBuf,
-    /// Wanted backlash in µm, from which a pair is to stray least over its mesh cycle [default: the middle of [require], or its one limit]
+    /// Wanted backlash, µm [default: the middle of [require], or its one limit]
     #[arg(long, value_name = "UM", value_parser = target, allow_negative_numbers = true)]
     target_um: Option<f64>,
     #[command(flatten)]

@@ -20,24 +20,24 @@ use std::process::ExitCode;
 /// helical gear it is a transverse section, turned with the helix.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
+    /// Pair file or gear file, - for standard input
     file: PathBuf,
-    /// Which gear of a pair
+    /// Gear of a pair
     #[arg(long, value_enum)]
     gear: Option<GearName>,
-    /// Which end of the thickness tolerance, where there is one
+    /// End of the thickness tolerance
     #[arg(long, value_enum, default_value = "most")]
     material: MaterialName,
     /// File format
     #[arg(long, value_enum)]
     format: Format,
-    /// Greatest distance of a chord from its curve, µm, 0.001 to 1000
+    /// Greatest distance of a chord from its curve, µm
     #[arg(long, value_name = "T", default_value_t = 1.0, value_parser = tolerance, allow_negative_numbers = true)]
     tolerance_um: f64,
-    /// Transverse section of a helical gear, mm from its measuring plane as face_mm counts [default: 0, or the end of the teeth nearest to it]
+    /// Section of a helical gear, mm from the measuring plane [default: 0, or the nearest end of the teeth]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     section: Option<f64>,
-    /// The file [default: out/<file stem>/outline_….<format>]; - for standard output
+    /// File, - for standard output [default: in out/<file stem>]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

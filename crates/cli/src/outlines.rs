@@ -8,22 +8,22 @@ use std::path::Path;
 /// Options for reading drawings.
 #[derive(clap::Args)]
 pub(super) struct DrawnArgs {
-    /// Unit of the drawings, where they state none
+    /// Unit of drawings that state none
     #[arg(long, value_name = "UNIT", value_parser = Unit::NAMED.map(|(name, _)| name))]
     units: Option<String>,
-    /// Where the axes of the drawings are: of the circle through the tips, or of the one circle inside [default: 0,0]
+    /// Axes of drawings: of the circle through the tips, or of the one circle inside [default: 0,0]
     #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
     center: Option<String>,
-    /// The layer of a DXF to read; of two drawings A,B
+    /// DXF layer to read; of two drawings A,B
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     layer: Vec<String>,
-    /// The element of an SVG to read; of two drawings A,B
+    /// SVG element to read; of two drawings A,B
     #[arg(long, value_name = "ID", value_delimiter = ',')]
     id: Vec<String>,
-    /// Which of several outlines to read, from 1 in the order of the file; of two drawings A,B
+    /// Outline to read, from 1 in the order of the file; of two drawings A,B
     #[arg(long, value_name = "N", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=10_000))]
     number: Vec<u32>,
-    /// A point inside the outline to read, mm; of two drawings twice, for A and for B
+    /// A point inside the outline to read, mm; of two drawings twice
     #[arg(long, value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     at_mm: Vec<[f64; 2]>,
 }

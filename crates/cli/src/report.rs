@@ -13,7 +13,7 @@ use gearlash_results::grades::grades;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Write a report: one HTML page with verdict, input, checks, curves, formulas and the mesh itself
+/// Write one HTML page with verdict, input, checks, curves, formulas and the mesh
 ///
 /// The page needs no network and no other file, and prints on A4. In addition to the poses of the pair file it
 /// shows whole revolutions at each centre distance. It is dated today, or by the environment variable
@@ -21,12 +21,12 @@ use std::process::ExitCode;
 /// Up to 2 million poses, revolutions included (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON), - for standard input
+    /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
-    /// The page [default: out/<file stem>.html]; - for standard output
+    /// Page, - for standard output [default: out/<file stem>.html]
     #[arg(short, long, value_name = "FILE.html")]
     output: Option<PathBuf>,
-    /// Write the page that runs the program in the browser, with this pair and its tables in it
+    /// Write the page for the browser, with this pair and its tables in it
     #[arg(long)]
     live: bool,
     /// The page without a pair [default: gearlash.html beside the program]

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 pub(super) struct ResultsArgs {
-    /// Output format; json and csv print nothing else, and write no files without -o
+    /// Output format; json and csv write files only with -o
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// Folder for results and pictures [default: out/<file stem>]

@@ -11,10 +11,10 @@ use std::process::ExitCode;
 /// Options for a gearbox model.
 #[derive(clap::Args)]
 pub(super) struct RexsArgs {
-    /// The stage of a gearbox model, by its id, where several can be read
+    /// Stage of a gearbox model, by its id
     #[arg(long, value_name = "ID", allow_negative_numbers = true)]
     stage: Option<i32>,
-    /// Also write the pair file; - for standard output, and nothing else there
+    /// Also write the pair file, - for standard output alone
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

@@ -31,12 +31,12 @@ use std::process::ExitCode;
 /// json or csv and without -o the result is streamed: it is complete only if the exit code is 0 or 1.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON), - for standard input
+    /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
-    /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
+    /// Other centre distances, mm: one, or a scan FROM..TO:STEP
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
-    /// Also draw each run's pose with the least (a…_min.svg) and with the greatest backlash (a…_max.svg)
+    /// Also draw the least (a…_min.svg) and greatest (a…_max.svg) pose of each run
     #[arg(long, conflicts_with = "no_files")]
     snapshots: bool,
     #[command(flatten)]

@@ -25,22 +25,21 @@ use std::process::ExitCode;
 /// contacts with their normals, the gap or overlap, and an enlarged inset of each contact.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON), - for standard input
+    /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
-    /// Wheel tooth and pinion tooth that mate, such as 11,11
+    /// Wheel and pinion tooth that mate, such as 11,11
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
-    /// Flank, seen from the front, that passes through the operating pitch point
+    /// Flank at the pitch point, seen from the front
     #[arg(long, value_enum)]
     flank: Option<Flank>,
-    /// The pose with the least backlash of the whole mesh cycle, instead of --mating and --flank; with KIND of the poses of the pair file that
-    /// such a contact bounds
+    /// Pose with the least backlash of the mesh cycle; with a kind, of the poses that such a contact bounds
     #[arg(long, value_name = "KIND", value_enum, num_args = 0..=1, require_equals = true, conflicts_with_all = ["mating", "flank", "fraction"])]
     worst: Option<Option<Binding>>,
-    /// The pose with the greatest backlash of the whole mesh cycle
+    /// Pose with the greatest backlash of the mesh cycle
     #[arg(long, conflicts_with_all = ["mating", "flank", "fraction", "worst"])]
     greatest: bool,
-    /// Turn on from that pose by this many pitches
+    /// Pitches to turn on from that pose
     #[arg(
         long,
         value_name = "F",
@@ -48,22 +47,22 @@ pub(super) struct Args {
         allow_negative_numbers = true
     )]
     fraction: f64,
-    /// Centre distance in mm [default: the least of the pair file; with --worst or --greatest all]
+    /// Centre distance, mm [default: the least; with --worst or --greatest all]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
-    /// Which end of the thickness tolerances [default: most, where there are two; with --worst or --greatest both]
+    /// End of the thickness tolerance [default: most; with --worst or --greatest both]
     #[arg(long, value_enum)]
     material: Option<MaterialName>,
-    /// The transverse section of helical gears to draw, mm along the axis from the measuring plane [default: where the flank of the pose touches]
+    /// Section of helical gears, mm from the measuring plane [default: where the flank touches]
     #[arg(long, value_name = "Z_MM", allow_negative_numbers = true)]
     section: Option<f64>,
-    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, in front of perfect teeth
+    /// Enlarge thickness, pitch and eccentricity, on perfect teeth
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
-    /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser; of helical gears in the section drawn
+    /// Turn the gears through a pitch: an animated SVG for a browser
     #[arg(long, conflicts_with = "exaggerate")]
     animate: bool,
-    /// The picture [default: out/<file stem>/snapshot_….svg, worst_….svg or greatest_….svg]; - for standard output
+    /// Picture, - for standard output [default: in out/<file stem>]
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
 }

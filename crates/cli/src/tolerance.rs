@@ -17,7 +17,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Draw assemblies as [tolerance] of the pair file says, and find the share of them that misses [require]
+/// Draw assemblies as [tolerance] says, and find the share that misses [require]
 ///
 /// The least and greatest backlash of each assembly are proven over its whole mesh cycle, and compared with all that [require] states. Prints shares of a
 /// million with their 95 % intervals, the spread, worst case and root sum of squares, and what each tolerance contributes. Writes result.json, result.csv,
@@ -26,21 +26,21 @@ use std::process::ExitCode;
 /// allows.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON) with [tolerance], - for standard input
+    /// Pair file (TOML or JSON), - for standard input
     pair: PathBuf,
-    /// Number of assemblies, in place of the pair file's
+    /// Another number of assemblies
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
     assemblies: Option<u64>,
-    /// Another seed than the pair file's
+    /// Another seed
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(0..=u64::from(u32::MAX)))]
     seed: Option<u64>,
-    /// Write a new file with a row for each assembly. An interrupted run leaves whole rows, and prints the command that goes on
+    /// Write a new file with a row for each assembly
     #[arg(long, value_name = "FILE.csv")]
     rows: Option<PathBuf>,
-    /// Compute the rows of M assemblies from number N on, and no statistics
+    /// Compute only rows, from assembly N on
     #[arg(long, value_name = "N", requires = "rows", conflicts_with_all = ["output", "format", "no_files"], value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
     first: Option<u64>,
-    /// Draw nothing: give the statistics of the rows in these files, which together have every assembly once. * and ? stand for letters of a name
+    /// Give the statistics of the rows in these files, which have every assembly once; * and ? stand for letters
     #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ["rows", "first"])]
     from_rows: Vec<PathBuf>,
     #[command(flatten)]

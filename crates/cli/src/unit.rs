@@ -11,7 +11,7 @@ pub(super) struct UnitArgs {
     /// Unit of backlash [default: um]
     #[arg(long, value_enum)]
     unit: Option<Name>,
-    /// The gear whose lost motion is shown, its mate locked, for --unit arcmin [default: the gear that turns]
+    /// Gear whose lost motion is shown, for --unit arcmin [default: the gear that turns]
     #[arg(long, value_enum)]
     at: Option<GearName>,
 }

@@ -26,6 +26,8 @@ const ANGLE_MATCH_WITHIN: f64 = 0.0005;
 const ANGLE_LEAST_DIFFERENCE: f64 = 0.01;
 /// Backlash of nominal teeth, in modules, above which a distance is questioned: more than gears are run with.
 const MOST_BACKLASH: f64 = 0.25;
+/// Difference of thicknesses that is rounding, mm.
+const ROUNDING_MM: f64 = 1e-9;
 /// Sums of profile shifts that are tried where none is stated, in tenths: from more than is used for backlash to more than racks
 /// allow.
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
@@ -108,7 +110,8 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
     ))
 }
 
-/// A warning of centre distances that all leave nominal teeth more backlash than usual gears have.
+/// A warning of centre distances that all leave nominal teeth more backlash than usual gears have. Teeth that are stated thicker
+/// count as stated; thinner teeth are no reason to doubt the distance.
 ///
 /// Exact for involutes: `j_t = 2 r_b (inv α_wt − inv α_w0)/cos α_t` with `r_b` the sum of both base radii, at the reference circles.
 fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
@@ -120,14 +123,17 @@ fn excessive_backlash(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) ->
     let data = wheel.basic_data();
     let base = wheel.base_radius() + pinion.base_radius();
     let nominal = |gear: &Gear| gear.design().nominal_base_thickness();
-    let inv_0 = (nominal(wheel) + nominal(pinion) - data.base_pitch()) / (2.0 * base);
+    let is_thick = |gear: &Gear| gear.base_thickness() > nominal(gear) + ROUNDING_MM;
+    let thickness = |gear: &Gear| gear.base_thickness().max(nominal(gear));
+    let inv_0 = (thickness(wheel) + thickness(pinion) - data.base_pitch()) / (2.0 * base);
     let at = inv_of_roll(roll_at(least, base));
     let backlash = 2.0 * base * (at - inv_0) / data.transverse_pressure_angle().cos();
     let modules = backlash / data.module();
     (modules > MOST_BACKLASH).then(|| {
         format!(
-            "assembly.center_distance_mm: {} mm leaves nominal teeth {} µm of backlash, {} of the module: check the distance, the teeth and the module",
+            "assembly.center_distance_mm: {} mm leaves {} teeth {} µm of backlash, {} of the module: check the distance, the teeth and the module",
             ascii(least, 4),
+            if is_thick(wheel) || is_thick(pinion) { "the stated" } else { "nominal" },
             um_ascii(backlash, 0),
             ascii(modules, 2)
         )

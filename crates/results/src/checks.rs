@@ -56,11 +56,7 @@ pub fn checked(
             },
         },
     ];
-    cases.extend(
-        governing(diagnosis)
-            .into_iter()
-            .map(|(_, check)| case(check)),
-    );
+    cases.extend(check_cases(diagnosis));
     let groups = || diagnosis.groups.iter();
     let checks = groups().flat_map(|group| {
         let checks = group.checks.iter();
@@ -100,6 +96,8 @@ pub fn checked(
         cases,
         warnings: file.warnings.to_vec(),
         remarks: file.remarks.to_vec(),
+        way_out: (!remedies.changes.is_empty())
+            .then(|| format!("Run gearlash check {name} for changes that make it fit.")),
         text: text(file, verdict, diagnosis, remedies, screen),
         markdown: String::new(),
         json,
@@ -107,11 +105,44 @@ pub fn checked(
     }
 }
 
-fn case(check: &Check) -> Case {
+/// A case for each check; one with a value for each gear has the worse outcome.
+fn check_cases(diagnosis: &Diagnosis) -> Vec<Case> {
+    let each = governing(diagnosis);
+    let cases = each
+        .chunk_by(|one, other| one.1.id == other.1.id)
+        .map(|of_check| {
+            let verdict = of_check.iter().map(|(_, check)| check.verdict).max();
+            let verdict = verdict.unwrap_or(diagnosis::Verdict::Pass);
+            // A gear that passes is not named beside one that does not.
+            let told = of_check.iter().filter(|(_, check)| {
+                check.verdict != diagnosis::Verdict::Pass || verdict == diagnosis::Verdict::Pass
+            });
+            let messages: Vec<String> = told.map(|(_, check)| message(check, verdict)).collect();
+            Case {
+                name: of_check
+                    .first()
+                    .map_or_else(String::new, |(_, check)| check.title.to_owned()),
+                verdict,
+                message: messages.join(";\n"),
+            }
+        });
+    cases.collect()
+}
+
+/// The numbers of `check`; its outcome only where it is not `verdict`, the case's.
+fn message(check: &Check, verdict: diagnosis::Verdict) -> String {
     let value = |value: Option<f64>| fixed(value, 4);
     let outlines = match (&check.unproven, check.outlines) {
         (Some(_), None) => "unproven".to_owned(),
         (_, outlines) => value(outlines),
+    };
+    let gear = check
+        .gear
+        .map_or(String::new(), |gear| format!("{}: ", gear.name()));
+    let outcome = if check.verdict == verdict {
+        String::new()
+    } else {
+        format!("{}: ", check.verdict.name())
     };
     let note = if check.note.is_empty() {
         String::new()
@@ -119,19 +150,12 @@ fn case(check: &Check) -> Case {
         format!("; {}", check.note)
     };
     let numbers = format!(
-        "formula {}, outlines {outlines}, limit {} {}",
+        "{gear}{outcome}formula {}, outlines {outlines}, limit {} {}",
         value(check.formula),
         value(check.limit),
         unit(check.unit)
     );
-    Case {
-        name: match check.gear {
-            Some(gear) => format!("{} ({})", check.title, gear.name()),
-            None => check.title.to_owned(),
-        },
-        verdict: check.verdict,
-        message: format!("{}{note}", numbers.trim_end()),
-    }
+    format!("{}{note}", numbers.trim_end())
 }
 
 /// `map` of a drawn pair as CSV, one row per cell with its pose.

@@ -131,6 +131,7 @@ impl ComparedPair<'_> {
             ],
             warnings: self.file.warnings.clone(),
             remarks: self.file.remarks.clone(),
+            way_out: None,
             text: self.text(&lines.to_string(), verdict.requirement, screen),
             markdown: self.markdown(),
             json: self.record(&verdict, agrees && kept),

@@ -29,6 +29,8 @@ pub struct Judged {
     pub warnings: Vec<String>,
     /// Notes on it.
     pub remarks: Vec<String>,
+    /// The command that shows how to mend the pair, where one is known.
+    pub way_out: Option<String>,
     /// The outcome as text for a terminal, if it is the only file.
     pub text: String,
     /// A table for Markdown; may be empty.
@@ -192,6 +194,9 @@ impl Outcome {
                         let _ =
                             writeln!(text, "  {}: {}: {message}", case.verdict.name(), case.name);
                     }
+                    if let Some(way_out) = &judged.way_out {
+                        let _ = writeln!(text, "  {}", plain(way_out));
+                    }
                     text.push('\n');
                 }
             }
@@ -293,8 +298,9 @@ impl Outcome {
                         .warnings
                         .iter()
                         .map(|words| ("warning", words.clone()));
-                    let remarks = judged.remarks.iter().map(|words| ("note", words.clone()));
-                    for (kind, words) in told.chain(warnings).chain(remarks) {
+                    let notes = judged.remarks.iter().chain(&judged.way_out);
+                    let notes = notes.map(|words| ("note", words.clone()));
+                    for (kind, words) in told.chain(warnings).chain(notes) {
                         let _ = writeln!(text, "- **{kind}** {}", escape_markdown(&words));
                     }
                 }

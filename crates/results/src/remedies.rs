@@ -93,12 +93,16 @@ impl RemedyRecords {
                 ],
             };
         }
-        let mut missing: Vec<&str> = missing.iter().map(|reason| sentence(*reason)).collect();
         // A file states the thickness before scaling.
         let gears = [&file.spec.wheel, &file.spec.pinion];
         let is_scaled = gears.iter().any(|gear| gear.scale().is_some());
         let kept = |remedy: &&Remedy| !is_scaled || remedy.what == Change::CenterDistance;
-        if changes.iter().any(|remedy| !kept(&remedy)) {
+        let is_told =
+            |reason: &&NoRemedy| !is_scaled || !matches!(reason, NoRemedy::NoThickness(_));
+        let told = missing.iter().filter(is_told);
+        let has_thickness = told.clone().count() < missing.len();
+        let mut missing: Vec<&str> = told.map(|reason| sentence(*reason)).collect();
+        if has_thickness || changes.iter().any(|remedy| !kept(&remedy)) {
             missing.push("The thickness is not changed: a gear has a scale.");
         }
         let changes = changes.iter().filter(kept);
@@ -148,6 +152,16 @@ fn sentence(reason: NoRemedy) -> &'static str {
         }
         NoRemedy::NotGenerated => {
             "The thickness is not changed: a gear has flanks that are no generated involutes."
+        }
+        NoRemedy::NoDistance => "No centre distance was found that is enough.",
+        NoRemedy::NoThickness(Gears::Both) => {
+            "No thickness of both gears was found that is enough."
+        }
+        NoRemedy::NoThickness(Gears::One(Member::Wheel)) => {
+            "No thickness of the wheel alone was found that is enough."
+        }
+        NoRemedy::NoThickness(Gears::One(Member::Pinion)) => {
+            "No thickness of the pinion alone was found that is enough."
         }
         NoRemedy::NotEnough => "No single change is enough.",
     }

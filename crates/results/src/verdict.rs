@@ -5,7 +5,7 @@
 //! first.
 
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::diagnosis;
+use gearlash::analysis::diagnosis::{self, CheckName};
 use gearlash::analysis::extremes::{BearingPlay, CoveredPhases, RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
@@ -662,16 +662,18 @@ pub(crate) fn limit(unmet: &Unmet) -> String {
 /// Ids of the checks that fail whenever the pair does not assemble.
 const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
 
-/// The failing checks, with as many titles as fit a line.
+/// The number of failing checks, with as many titles as fit a line; `None` where the first line implies all of them.
 fn checks(verdict: &Verdict) -> Option<String> {
-    let is_said = |id: &str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(&id);
-    let failed = verdict
-        .failed_checks
-        .iter()
-        .filter(|check| !is_said(check.id));
-    let titles: Vec<&str> = failed.map(|check| short_title(check.title)).collect();
+    let is_implied = |id: &str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(&id);
+    let failed = verdict.failed_checks.iter();
+    let (implied, others): (Vec<&CheckName>, Vec<&CheckName>) =
+        failed.partition(|check| is_implied(check.id));
+    if others.is_empty() {
+        return None;
+    }
+    let each = others.into_iter().chain(implied);
+    let titles: Vec<&str> = each.map(|check| short_title(check.title)).collect();
     let count = match titles.len() {
-        0 => return None,
         1 => "1 check fails".to_owned(),
         several => format!("{several} checks fail"),
     };

@@ -127,7 +127,7 @@ impl<'s> Keys<'s> {
                         allowed.push(format!("{{{}}}", names.join(",")));
                     } else if let Some(first) = self.tables.get(&names) {
                         if *first != place {
-                            like = format!(" Keys as `[{first}]`.");
+                            like = format!(" Keys: `[{first}]`.");
                         }
                     } else {
                         self.tables.insert(names, place.clone());
@@ -137,7 +137,11 @@ impl<'s> Keys<'s> {
                 allowed.extend(range(option));
             }
             if let Some(default) = node.get("default") {
-                allowed.push(format!("default {default}"));
+                allowed.push(format!("={default}"));
+            }
+            // A number without bounds has a unit in its name.
+            if matches!(&allowed[..], [only] if only == "number" || only == "text") {
+                allowed.clear();
             }
             let mut once = BTreeSet::new();
             allowed.retain(|each| once.insert(each.clone()));
@@ -256,12 +260,6 @@ fn explained(argument: &Arg) -> String {
         None => String::new(),
     };
     let takes_value = matches!(argument.get_action(), ArgAction::Set | ArgAction::Append);
-    let value = argument.get_value_names().filter(|_| takes_value);
-    let value = value.map_or("", |names| names[0].as_str());
-    name += &match argument.get_long() {
-        Some(long) => format!("--{long} {value}"),
-        None => value.to_owned(),
-    };
     let choices: Vec<String> = argument
         .get_possible_values()
         .iter()
@@ -273,12 +271,19 @@ fn explained(argument: &Arg) -> String {
     } else {
         format!(" ({})", choices.join("/"))
     };
+    let value = argument.get_value_names().filter(|_| takes_value);
+    let value = value.map_or("", |names| names[0].as_str());
+    name += &match argument.get_long() {
+        Some(long) if choices.is_empty() => format!("--{long} {value}"),
+        Some(long) => format!("--{long}"),
+        None => value.to_owned(),
+    };
     // Markdown takes <…> for HTML.
     let help = argument.get_help().unwrap().to_string();
-    let help = help.replace('<', "\\<");
+    let help = help.replace('<', "\\<").replace("[default: ", "[");
     let default = match argument.get_default_values() {
         [default] if takes_value && !argument.is_hide_default_value_set() => {
-            format!(" [default: {}]", default.to_string_lossy())
+            format!(" [{}]", default.to_string_lossy())
         }
         _ => String::new(),
     };

@@ -257,6 +257,31 @@ fn a_drawn_jam_says_which_offset_fits() {
     }
 }
 
+/// Flanks of both gears 60 µm out raise both roots by 0.06/sin 20° = 0.175 mm, more than the clearance of the tips: no thickness of
+/// one gear alone lowers the root of the other.
+#[test]
+fn a_gear_that_is_not_enough_alone_is_named() {
+    let gear = |teeth| {
+        format!(
+            "teeth = {teeth}\nmodule_mm = 1\npressure_angle_deg = 20\nthickness.flank_offset_mm = 0.06\n"
+        )
+    };
+    let pair = format!(
+        "[wheel]\n{}[pinion]\n{}[assembly]\ncenter_distance_mm = 20.9\n",
+        gear(12),
+        gear(30)
+    );
+    let folder = empty_folder();
+    let (_, json) = checked(folder.path(), &pair);
+    assert!(
+        remedies(&json).iter().all(|(_, gear, _)| gear == "both"),
+        "{json}"
+    );
+    let alone = ["wheel", "pinion"]
+        .map(|gear| format!("No thickness of the {gear} alone was found that is enough."));
+    assert_eq!(json["remedies_missing"], json!(alone));
+}
+
 /// A file states the thickness before its scale, and a remedy is the gear's own: it has the distance alone.
 #[test]
 fn a_scaled_pair_gets_the_distance_alone() {

@@ -291,6 +291,6 @@ fn runout_of_a_wider_book() {
         .check("runout = { at = \"tooth\", file = \"r.xlsx\" }", "")
         .unwrap();
     assert_eq!(found, expected);
-    let toml = shop.import(&[])["toml"].as_str().unwrap().to_owned() + "at = \"tooth\"\n";
+    let toml = super::completed(shop.import(&[])["toml"].as_str().unwrap(), "at = \"tooth\"");
     assert_eq!(shop.check("", &toml).unwrap().0, expected, "{toml}");
 }

@@ -56,6 +56,14 @@ fn gearlash(folder: &Path) -> Command {
     command
 }
 
+/// The lines of `import` that are in comments for want of a key, with the line `added` in its place.
+fn completed(toml: &str, added: &str) -> String {
+    let (_, lines) = toml.split_once("remove their #:\n").unwrap();
+    let lines = lines.lines().map(|line| line.strip_prefix("# ").unwrap());
+    let completed = lines.map(|line| if line.contains("= …") { added } else { line });
+    completed.collect::<Vec<_>>().join("\n")
+}
+
 /// A table in a folder of its own.
 struct Shop {
     folder: TempDir,
@@ -107,7 +115,11 @@ impl Shop {
         let (listed, _) = self.check(expected, "").unwrap();
         assert!(found == listed, "{keys}");
         let toml = self.import(options)["toml"].as_str().unwrap().to_owned();
-        let pasted = format!("{toml}{added}\n");
+        let pasted = if added.is_empty() {
+            toml.clone()
+        } else {
+            completed(&toml, added)
+        };
         let (pasted, _) = self
             .check("", &pasted)
             .unwrap_or_else(|told| panic!("{toml}{told}"));

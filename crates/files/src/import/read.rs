@@ -86,6 +86,10 @@ pub(super) fn tables(
             "say what it holds and where, by letter or heading: --only pitch --header-row 1 --tooth-column A --left B --right C",
         );
     }
+    let all = tables.clone();
+    for table in &mut tables {
+        table.tell_columns_of(&all);
+    }
     Some(tables)
 }
 

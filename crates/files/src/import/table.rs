@@ -1,6 +1,6 @@
 //! One table of a file: its content, place and columns.
 
-use crate::sheet::{Column, Row, Sheet};
+use crate::sheet::{Column, Row, Sheet, Unread};
 use serde::Serialize;
 
 /// The content of a table.
@@ -43,6 +43,12 @@ pub struct ImportedTable {
     /// Parts of the file that are not part of the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
+    /// Columns that are part of another table of the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub in_other_table: Option<String>,
+    /// Parts of the file that are not part of this table.
+    #[serde(skip)]
+    pub(super) unread: Unread,
     /// Its columns, all with the same number of values.
     pub columns: Vec<ImportedColumn>,
 }
@@ -159,10 +165,27 @@ impl ImportedTable {
             sheet: origin.and_then(|origin| origin.sheet.clone()),
             header_row: origin.map(|origin| origin.header_row),
             left_out: match origin {
-                Some(origin) => origin.left_out.clone(),
+                Some(origin) => origin.left_out.words(&[]),
                 None => sheet.header.unused().map(str::to_owned),
             },
+            in_other_table: None,
+            unread: origin.map_or_else(Unread::default, |origin| origin.left_out.clone()),
             columns,
         }
+    }
+
+    /// Tells columns of other `tables` from those that are left out.
+    pub(super) fn tell_columns_of(&mut self, tables: &[ImportedTable]) {
+        if self.header_row.is_none() {
+            return;
+        }
+        let place = |table: &ImportedTable| (table.sheet.clone(), table.header_row);
+        let own = place(self);
+        let same = tables.iter().filter(|table| place(table) == own);
+        let headings = same.flat_map(|table| &table.columns);
+        let letters = headings.filter_map(|column| Some(&column.heading.as_ref()?.1[..]));
+        let letters: Vec<&str> = letters.collect();
+        self.left_out = self.unread.words(&letters);
+        self.in_other_table = self.unread.elsewhere(&letters);
     }
 }

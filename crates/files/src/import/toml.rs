@@ -3,7 +3,33 @@
 use super::table::{ImportedTable, Kind};
 use std::path::Path;
 
-/// The lines of a pair file that name the tables, and the keys that they need.
+/// A key that a table needs, and that the file does not state.
+struct OpenKey {
+    /// Its meaning, after "The file does not say".
+    what: &'static str,
+    /// The line to complete.
+    line: &'static str,
+}
+
+const PITCH_KIND: OpenKey = OpenKey {
+    what: "which pitch it has",
+    line: "kind = …  # \"single\" (fp) or \"cumulative\" (Fp)",
+};
+const READING_PLACE: OpenKey = OpenKey {
+    what: "where the probe stood",
+    line: "at = …  # \"tooth\" (fork) or \"space\" (ball, between it and the next)",
+};
+const SPANNED: OpenKey = OpenKey {
+    what: "how many teeth are spanned",
+    line: "teeth = …",
+};
+const PIN: OpenKey = OpenKey {
+    what: "the diameter of the pins, mm",
+    line: "pin_mm = …",
+};
+
+/// The lines of a pair file that name the tables, and the keys that they need. A table that lacks a key is in comments, so that the
+/// lines can be pasted as they are.
 pub(super) fn lines(
     tables: &[ImportedTable],
     path: &Path,
@@ -23,60 +49,69 @@ pub(super) fn lines(
             lines += &format!("# The file has the other kind, too: kind = \"{kind}\"\n");
             continue;
         }
-        let (below, unsaid) = match table.kind {
-            Kind::Runout if table.by_space => ("runout", ""),
-            Kind::Pitch => ("pitch", "kind = \"single\" (fp) or \"cumulative\" (Fp)"),
-            Kind::Runout => (
-                "runout",
-                "at = \"tooth\" (fork) or \"space\" (ball, between it and the next)",
+        let by_space = table.by_space && table.kind == Kind::Runout;
+        let (below, open) = match table.kind {
+            Kind::Runout if by_space => ("runout", None),
+            Kind::Pitch => ("pitch", table.pitch_kind.is_none().then_some(PITCH_KIND)),
+            Kind::Runout => ("runout", Some(READING_PLACE)),
+            Kind::Thickness => ("thickness.per_tooth_um", None),
+            Kind::Span => (
+                "thickness.span",
+                table.spanned().is_none().then_some(SPANNED),
             ),
-            Kind::Thickness => ("thickness.per_tooth_um", ""),
-            Kind::Span => ("thickness.span", "teeth = …, the teeth spanned"),
             // A second statement is compared with the first.
-            Kind::OverPins if written.contains(&Kind::Span) => (
-                "thickness.cross_check.over_pins",
-                "pin_mm = …, the diameter of the pins",
-            ),
-            Kind::OverPins => (
-                "thickness.over_pins",
-                "pin_mm = …, the diameter of the pins",
-            ),
-            Kind::Trace => ("profile.trace", ""),
+            Kind::OverPins if written.contains(&Kind::Span) => {
+                ("thickness.cross_check.over_pins", Some(PIN))
+            }
+            Kind::OverPins => ("thickness.over_pins", Some(PIN)),
+            Kind::Trace => ("profile.trace", None),
         };
-        lines += &format!("[{}.{below}]\nfile = {}\n", gear, text(&name));
         if table.kind == Kind::Runout && written.contains(&Kind::Pitch) {
             lines += &format!(
-                "# Pitch measured about the bore holds the eccentricity, too: leave this table out,\n\
-                 # or add eccentricity = \"pitch\" or \"runout\" to [{gear}.pitch]\n"
+                "# Pitch measured about the bore (axis = \"datum\") holds the eccentricity, too. Then leave [{gear}.runout] out,\n\
+                 # or add eccentricity = \"pitch\" or \"runout\" to [{gear}.pitch].\n"
             );
         }
-        let spanned = table.spanned().filter(|_| table.kind == Kind::Span);
-        if table.by_space && table.kind == Kind::Runout {
-            lines += "at = \"space\"\n";
+        if let Some(open) = &open {
+            lines += &format!(
+                "# The file does not say {}. Complete these lines and remove their #:\n",
+                open.what
+            );
         }
-        match (table.pitch_kind, spanned) {
-            (Some(kind), _) => lines += &format!("kind = \"{kind}\"\n"),
-            (None, Some(teeth)) => lines += &format!("teeth = {teeth}\n"),
-            (None, None) if unsaid.is_empty() => {}
-            (None, None) => {
-                lines += &format!("# To be added, for the file does not say it: {unsaid}\n")
+        let mut block = format!("[{gear}.{below}]\nfile = {}\n", text(&name));
+        if by_space {
+            block += "at = \"space\"\n";
+        }
+        match (&open, table.pitch_kind, table.spanned()) {
+            (Some(open), ..) => block += &format!("{}\n", open.line),
+            (None, Some(kind), _) => block += &format!("kind = \"{kind}\"\n"),
+            (None, None, Some(teeth)) if table.kind == Kind::Span => {
+                block += &format!("teeth = {teeth}\n");
             }
+            (None, None, _) => {}
         }
         if table.kind == Kind::Pitch {
-            lines += "# axis = \"datum\"  # where it was measured about the bore, as machines do\n";
+            block += "# axis = \"datum\"  # where it was measured about the bore, as machines do\n";
         }
         let is_said = |key: &str| keys.iter().any(|(known, _)| *known == key);
         if let Some(sheet) = table.sheet.as_ref().filter(|_| !is_said("sheet")) {
-            lines += &format!("sheet = {}\n", text(sheet));
+            block += &format!("sheet = {}\n", text(sheet));
         }
         for (key, value) in keys {
             let is_pitch = table.kind == Kind::Pitch;
             match *key {
                 "left" | "right" if !is_pitch => {}
                 "column" if is_pitch => {}
-                "header_row" => lines += &format!("{key} = {value}\n"),
-                _ => lines += &format!("{key} = {}\n", text(value)),
+                "header_row" => block += &format!("{key} = {value}\n"),
+                _ => block += &format!("{key} = {}\n", text(value)),
             }
+        }
+        for line in block.lines() {
+            lines += &if open.is_some() {
+                format!("# {line}\n")
+            } else {
+                format!("{line}\n")
+            };
         }
         written.push(table.kind);
     }

@@ -31,7 +31,7 @@ pub use header::{Header, StatedGear};
 use heading::Quantity;
 use number::Decimal;
 pub use request::{Coverage, Request, Wanted};
-pub use rows::{Found, Row};
+pub use rows::{Found, Row, Unread};
 
 /// Formats that are not read: their first bytes and names.
 const NOT_READ: [(&[u8], &str); 2] = [
@@ -70,8 +70,8 @@ pub struct Origin {
     pub kind: Option<PitchKind>,
     /// Whether the rows are numbered by spaces.
     pub by_space: bool,
-    /// Parts of the file that are not part of the table, in words.
-    pub left_out: Option<String>,
+    /// Parts of the file that are not part of the table.
+    pub left_out: Unread,
 }
 
 impl Sheet {
@@ -191,7 +191,8 @@ impl Origin {
 
     /// A remark on it; `None` where the table is the whole file.
     fn remark(&self, file: &DataFile) -> Option<String> {
-        if self.sheet.is_none() && self.left_out.is_none() {
+        let left_out = self.left_out.words(&[]);
+        if self.sheet.is_none() && left_out.is_none() {
             return None;
         }
         let sheet = self
@@ -200,10 +201,7 @@ impl Origin {
             .map(|name| format!("sheet {}, ", file.quote(name)));
         let columns = self.columns.iter();
         let columns = columns.map(|(name, letter)| format!("{} ({letter})", file.quote(name)));
-        let rest = self
-            .left_out
-            .as_ref()
-            .map(|words| format!("; left out: {words}"));
+        let rest = left_out.map(|words| format!("; left out: {words}"));
         Some(format!(
             "{}: {}: read from {}line {} on, columns {}{}",
             file.key(),

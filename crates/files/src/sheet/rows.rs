@@ -248,8 +248,8 @@ impl<'a> Found<'a> {
         })
     }
 
-    /// "lines 1–3, 50 (\"max\"); columns \"fu\" (D)"; `None` where nothing is left out.
-    pub fn left_out(&self, file: &DataFile) -> Option<String> {
+    /// The parts of the file that are not part of the table.
+    pub fn left_out(&self, file: &DataFile) -> Unread {
         let mut lines = self.left_out.lines.clone();
         lines.sort();
         let mut runs: Vec<[u64; 2]> = Vec::new();
@@ -266,30 +266,61 @@ impl<'a> Found<'a> {
                 format!("{first}–{last}")
             }
         };
-        let plural = |count: usize| if count == 1 { "" } else { "s" };
-        let mut words = Vec::new();
-        if !lines.is_empty() {
-            let labels = lines.iter().filter(|(_, label)| !label.is_empty());
-            let labels = first_words(labels.map(|(_, label)| file.quote(label)));
-            let labels = if labels.is_empty() {
-                labels
-            } else {
-                format!(" ({labels})")
-            };
-            let runs = first_words(runs.into_iter().map(run));
-            words.push(format!("line{} {runs}{labels}", plural(lines.len())));
+        let labels = lines.iter().filter(|(_, label)| !label.is_empty());
+        let labels = first_words(labels.map(|(_, label)| file.quote(label)));
+        let labels = if labels.is_empty() {
+            labels
+        } else {
+            format!(" ({labels})")
+        };
+        let shown = first_words(runs.into_iter().map(run));
+        let columns = self.left_out.columns.iter();
+        Unread {
+            lines: (!lines.is_empty())
+                .then(|| format!("line{} {shown}{labels}", plural(lines.len()))),
+            columns: columns
+                .map(|place| (letter(*place), self.head.shown_one(file, *place)))
+                .collect(),
         }
-        let columns = &self.left_out.columns;
-        if !columns.is_empty() {
-            let shown = first_words(
-                columns
-                    .iter()
-                    .map(|place| self.head.shown_one(file, *place)),
-            );
-            words.push(format!("column{} {shown}", plural(columns.len())));
-        }
+    }
+}
+
+/// The parts of a file that are not part of a table, in words.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Unread {
+    lines: Option<String>,
+    /// Letter and name of each column.
+    columns: Vec<(String, String)>,
+}
+
+impl Unread {
+    /// "lines 1–3, 50 (\"max\"); columns \"fu\" (D)", without the columns with the letters `elsewhere`; `None` for nothing.
+    pub fn words(&self, elsewhere: &[&str]) -> Option<String> {
+        let is_left = |letter: &str| !elsewhere.contains(&letter);
+        let words: Vec<String> = self
+            .lines
+            .clone()
+            .into_iter()
+            .chain(self.named(is_left))
+            .collect();
         (!words.is_empty()).then(|| words.join("; "))
     }
+
+    /// The columns with the letters `elsewhere`, as [`Unread::words`].
+    pub fn elsewhere(&self, elsewhere: &[&str]) -> Option<String> {
+        self.named(|letter| elsewhere.contains(&letter))
+    }
+
+    fn named(&self, is_named: impl Fn(&str) -> bool) -> Option<String> {
+        let names = self.columns.iter().filter(|(letter, _)| is_named(letter));
+        let names: Vec<String> = names.map(|(_, name)| name.clone()).collect();
+        let column = format!("column{}", plural(names.len()));
+        (!names.is_empty()).then(|| format!("{column} {}", first_words(names.into_iter())))
+    }
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
 }
 
 /// Whether a line is a statistic: its first cell names one, in the column of teeth or with an empty tooth.

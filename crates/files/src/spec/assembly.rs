@@ -26,23 +26,23 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
-    /// Centre distance a, mm; with measured and no sweep its rows decide.
+    /// Centre distance a; with measured and no sweep its rows decide.
     #[serde(default = "of_rows", alias = "centre_distance_mm")]
     pub center_distance_mm: CenterDistanceSpec,
-    /// The gear that stands still, "wheel" or "pinion"; the other is turned.
+    /// The gear that stands still, "wheel" or "pinion".
     #[serde(default)]
     pub locked: Member,
-    /// Radial play of each gear on its axis, mm.
+    /// Radial play of each gear on its axis.
     #[serde(default, deserialize_with = "both_or_each")]
     #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
-    /// Axial offset of the pinion's measuring plane from the wheel's, mm away from the viewer, for helical gears; none: 0.
+    /// Axial offset of the pinion's measuring plane from the wheel's, away from the viewer; none: 0.
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_offset_mm: Option<f64>,
-    /// Temperature of gears and housing, °C; all lengths but bearing play are stated at 20 °C.
+    /// Temperature of gears and housing; all lengths but bearing play are stated at 20 °C.
     #[schemars(transform = within(-200.0, 400.0))]
     pub temperature_c: Option<f64>,
-    /// Coefficient of thermal expansion of the housing, 1/K: 23e-6 for aluminium.
+    /// Thermal expansion of the housing: 23e-6 of aluminium.
     #[schemars(transform = within(0.0, 3e-4))]
     pub housing_expansion_per_k: Option<f64>,
 }
@@ -54,7 +54,7 @@ fn both_spellings(schema: &mut Schema) {
         && let Some(distance) = properties.get(american).cloned()
     {
         let mut distance = distance;
-        distance["description"] = "Centre distance a, mm: the same key in British spelling.".into();
+        distance["description"] = "The same key in British spelling.".into();
         properties.insert(british.to_owned(), distance);
     }
     at_most_one(schema, &[&[american], &[british]]);
@@ -259,17 +259,17 @@ pub struct MeasuredSpec {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = sweep_keys)]
 pub struct SweepSpec {
-    /// In place of revolutions wheel tooth and pinion tooth: a pose at right and one at left flank each.
+    /// Wheel and pinion tooth, in place of revolutions: a right-flank and a left-flank pose each.
     #[schemars(length(min = 1), transform = whole(1, 10_000))]
     pub mating: Option<Vec<[u32; 2]>>,
     /// Pitches beyond each mating.
     #[schemars(length(min = 1), transform = within(-1000.0, 1000.0))]
     pub fraction: Option<Vec<f64>>,
-    /// How far the gears turn.
+    /// How far the gears turn: one revolution of the "wheel", or "hunting", until the same teeth meet again.
     pub revolutions: Option<Revolutions>,
-    /// In place of revolutions every way to put the two together.
+    /// Every assembly phase, in place of revolutions.
     pub phases: Option<Phases>,
-    /// Assembly phases of verdict and extremes; without it those of the listed poses, without `sweep` all.
+    /// Assembly phases of verdict and extremes; none: those of the listed poses.
     pub extremes: Option<ExtremePhases>,
     /// Poses a pitch.
     #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(1, 1000))]
@@ -312,7 +312,7 @@ pub enum ExtremePhases {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct AccuracySpec {
-    /// Chordal error of the polygons, µm.
+    /// Chordal error of the polygons.
     #[schemars(transform = within(1e-5, 100.0))]
     pub chord_um: f64,
 }
@@ -327,7 +327,7 @@ impl Default for AccuracySpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct CompareSpec {
-    /// Tolerance of j_wt, µm.
+    /// Tolerance of j_wt.
     #[schemars(transform = at_least(0.0))]
     pub tolerance_um: f64,
     /// Whether contact off the line of action passes.

@@ -14,21 +14,21 @@ use serde_with::skip_serializing_none;
 /// Radial runout.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(transform = runout_keys, transform = columns("tooth, runout (µm); their first harmonic is taken"))]
+#[schemars(transform = runout_keys, transform = columns("tooth, runout (µm); the first harmonic counts"))]
 pub struct RunoutSpec {
-    /// Runout F_r, µm: twice the eccentricity.
+    /// Runout F_r, twice the eccentricity.
     #[serde(default)]
     #[schemars(transform = at_least(0.0))]
     pub total_um: f64,
-    /// Tooth that stands farthest out, towards which all are displaced; fractions allowed. Without it the verdict is over every direction.
+    /// Tooth that stands farthest out; fractions allowed. Without it the verdict covers every direction.
     #[schemars(transform = at_least(1.0))]
     pub high_tooth: Option<f64>,
     /// Readings all round from a table.
     #[serde(flatten)]
     pub table: Option<TableFileSpec>,
-    /// Where a reading of the table belongs: the tooth (a fork astride it), or the space after it (a ball).
+    /// Place of a reading: its tooth (a fork), or the space after it (a ball).
     pub at: Option<ReadingPlace>,
-    /// Diameter of the ball that was read with, mm; without it one that touches at the reference circle.
+    /// Diameter of the ball; default: one that touches at the reference circle.
     #[schemars(transform = length())]
     pub ball_mm: Option<f64>,
 }
@@ -49,24 +49,24 @@ pub enum ReadingPlace {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = pitch_keys, transform = columns("tooth, left, right (µm)"))]
 pub struct PitchSpec {
-    /// The kind of the values.
+    /// Kind of the values.
     #[serde(default)]
     pub kind: PitchKind,
-    /// "own": the values are free of eccentricity; "datum": measured about the datum axis (the bore), they contain it.
+    /// "own": values free of eccentricity; "datum": measured about the datum axis (the bore), with it.
     #[serde(default)]
     pub axis: PitchAxis,
-    /// The meaning of +: along ascending numbers, or more material.
+    /// Meaning of +: along ascending numbers, or more material.
     #[serde(default)]
     pub sense: PitchSense,
-    /// Right flanks, µm, tooth 1 first.
+    /// Right flanks, tooth 1 first.
     #[schemars(transform = deviation())]
     pub right_um: Option<Vec<f64>>,
-    /// Left flanks, µm, tooth 1 first.
+    /// Left flanks, tooth 1 first.
     #[schemars(transform = deviation())]
     pub left_um: Option<Vec<f64>>,
-    /// Column of the left flanks in the table, by heading or letter, where it is not found.
+    /// Column of the left flanks, by heading or letter.
     pub left: Option<String>,
-    /// Column of the right flanks in the table, by heading or letter, where it is not found.
+    /// Column of the right flanks, by heading or letter.
     pub right: Option<String>,
     /// With axis = "datum" and a runout: which of them counts.
     pub eccentricity: Option<EccentricitySource>,

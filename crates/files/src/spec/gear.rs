@@ -20,29 +20,29 @@ pub struct GearSpec {
     /// Number of teeth z.
     #[schemars(transform = whole(3, 10_000))]
     pub teeth: u32,
-    /// Module m, mm: the normal module m_n of a helical gear.
+    /// Module m; m_n of a helical gear.
     #[serde(default)]
     #[schemars(transform = within(0.01, 1000.0))]
     pub module_mm: f64,
-    /// Diametral pitch, teeth per inch, in place of module_mm: 25.4 mm over the module.
+    /// Diametral pitch, teeth per inch, in place of module_mm.
     // The echo has module_mm, and a transverse system as the normal one.
     #[schemars(transform = within(0.0254, 2540.0))]
     pub diametral_pitch: Option<f64>,
-    /// Pressure angle α, degrees: α_n in the normal section of a helical gear.
+    /// Pressure angle α; α_n of a helical gear.
     #[schemars(transform = within(5.0, 45.0))]
     pub pressure_angle_deg: f64,
-    /// Section in which module, pressure angle, profile shift, rack and allowance_um are stated; a spur gear has but one.
+    /// Section in which module, pressure angle, profile shift, rack and allowance_um are stated.
     #[schemars(extend("default" = "normal"))]
     pub system: Option<System>,
-    /// Helix angle β at the reference circle, degrees; none: 0, a spur gear.
+    /// Helix angle β at the reference circle; none: a spur gear.
     #[schemars(transform = within(0.0, 60.0))]
     pub helix_angle_deg: Option<f64>,
-    /// Which way helical teeth wind, "left" or "right"; the mate's wind the other way.
+    /// Hand of helical teeth, "left" or "right"; the mate has the other.
     pub hand: Option<Hand>,
-    /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
+    /// Both ends of the teeth, away from the viewer from the plane in which tooth 1, pitch and runout are stated.
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_mm: Option<[f64; 2]>,
-    /// Face width, mm, centred on the measuring plane: in place of face_mm.
+    /// Face width, centred on the measuring plane; in place of face_mm.
     // The echo has face_mm.
     #[schemars(transform = length())]
     pub face_width_mm: Option<f64>,
@@ -50,26 +50,26 @@ pub struct GearSpec {
     #[serde(default)]
     #[schemars(transform = within(-100.0, 100.0))]
     pub profile_shift: f64,
-    /// Required accuracy grade, ISO 1328-1; the report sets it beside the one achieved.
+    /// Required accuracy grade, ISO 1328-1, shown in the report.
     #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
-    /// "front": you look at the face on which teeth are numbered clockwise; "back": at the other one, on which they run the other way. Two gears face to face have one front and one back: consecutive numbers mate.
+    /// Side of the face on which teeth are numbered clockwise: "front", towards you, or "back". Gears face to face have one of each: consecutive numbers mate.
     #[serde(default)]
     pub reference_face: Face,
-    /// Tip diameter d_a, mm; default from addendum and profile shift.
+    /// Tip diameter d_a; default from addendum and profile shift.
     #[serde(default)]
     #[schemars(transform = length())]
     pub tip_diameter_mm: f64,
-    /// Multiplies every length and deviation of the gear as stated, as shrinkage does; default: 1. The gears may differ by 2 %.
+    /// Multiplies every length and deviation, as shrinkage does; default: 1. The gears may differ by 2 %.
     #[schemars(transform = within(0.5, 2.0))]
     pub scale: Option<f64>,
-    /// Coefficient of thermal expansion, 1/K: 11.5e-6 of steel; with assembly.temperature_c.
+    /// Thermal expansion: 11.5e-6 of steel; with assembly.temperature_c.
     #[schemars(transform = within(0.0, 3e-4))]
     pub expansion_per_k: Option<f64>,
     /// Basic rack, in modules; default: ISO 53, profile A.
     #[serde(default)]
     pub rack: RackSpec,
-    /// Mean tooth thickness: one statement; none: nominal. Least and greatest in place of one value make two runs, at least and at most material.
+    /// Mean tooth thickness: one statement; none: nominal. Least and greatest make two runs, at least and at most material.
     #[serde(default)]
     pub thickness: ThicknessSpec,
     /// Radial runout; none: 0.
@@ -77,7 +77,7 @@ pub struct GearSpec {
     pub runout: RunoutSpec,
     /// Pitch deviation of both flanks at the reference circle, one value a tooth.
     pub pitch: Option<PitchSpec>,
-    /// How the profiles deviate from the involute, plus = more material; what is given adds up. A span, pins and pitch are of the flanks where they touch, other thicknesses of their involutes.
+    /// Deviations of the profiles from the involute, plus = more material; what is given adds up.
     pub profile: Option<ProfileSpec>,
 }
 
@@ -146,7 +146,7 @@ pub struct RackSpec {
     /// Dedendum h_fP*.
     #[schemars(transform = above_zero(10.0))]
     pub dedendum: f64,
-    /// Root radius ρ_fP*, the tool's tip round.
+    /// Root radius ρ_fP*.
     #[schemars(transform = at_least(0.0))]
     pub root_radius: f64,
 }

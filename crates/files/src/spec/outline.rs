@@ -41,35 +41,35 @@ pub struct OutlineThicknessSpec {
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OutlineSpec {
-    /// A .dxf, .svg, .csv or .txt file (the last two: points x, y in order) beside the pair file.
+    /// A .dxf, .svg, .csv or .txt file, the last two with points x, y in order.
     pub file: String,
-    /// Unit of the drawing, mm, inch, cm, m or um; needed where it states none.
+    /// Unit of the drawing, mm, inch, cm, m or um, where it states none.
     pub units: Option<Unit>,
-    /// The axis in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
+    /// Axis in the drawing; "bore": of the one circle inside; "fit": of the circle through the tips.
     #[serde(default)]
     #[schemars(with = "Either<[f64; 2], CentreName>", transform = within(-1e6, 1e6))]
     pub center_mm: CentreSpec,
-    /// Teeth there should be; none: as many as are found.
+    /// Teeth there should be; none: as found.
     #[schemars(transform = whole(3, 10_000))]
     pub teeth: Option<u32>,
-    /// The layer of a DXF to read; none: all.
+    /// DXF layer to read; none: all.
     pub layer: Option<String>,
-    /// The element of an SVG to read; none: all.
+    /// SVG element to read; none: all.
     pub id: Option<String>,
-    /// A point inside the outline to read, mm in the drawing as it is drawn; none: the only outline, or the one round the centre.
+    /// A point inside the outline to read; none: the only outline, or the one round the centre.
     #[schemars(with = "Option<[f64; 2]>", transform = within(-1e6, 1e6))]
     pub at_mm: Option<[f64; 2]>,
-    /// The outline to read by its number, from 1 in the order of the file; paths inside another do not count.
+    /// The outline to read, from 1 in the order of the file; paths inside another do not count.
     #[schemars(transform = whole(1, 10_000))]
     pub number: Option<u32>,
-    /// Ends of lines nearer than this are one point, mm.
+    /// Ends of lines nearer than this are one point.
     #[serde(default = "join_mm")]
     #[schemars(transform = within(0.0, 10.0))]
     pub join_mm: f64,
-    /// Direction of tooth 1 in the drawing, degrees counter-clockwise from +x; none: the first at or clockwise of +y.
+    /// Direction of tooth 1, counter-clockwise from +x; none: the first at or clockwise of +y.
     #[schemars(transform = within(-360.0, 360.0))]
     pub first_tooth_deg: Option<f64>,
-    /// How a list of points is joined: "polygon", or "smooth", a cubic spline through them.
+    /// How points are joined: "polygon", or "smooth", a cubic spline.
     #[serde(default)]
     pub kind: PointsKind,
 }

@@ -22,7 +22,7 @@ pub struct PairSpec<G = GearSpec> {
     /// Gear 1, left in the picture.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub wheel: G,
-    /// Gear 2, right in the picture: the same keys.
+    /// Gear 2, right in the picture.
     #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub pinion: G,
     /// How the gears are put together.
@@ -30,17 +30,17 @@ pub struct PairSpec<G = GearSpec> {
     pub assembly: AssemblySpec,
     /// Measured backlash to set beside the simulation.
     pub measured: Option<MeasuredSpec>,
-    /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
+    /// Poses; default: the rows of measured, or one wheel revolution.
     pub sweep: Option<SweepSpec>,
     /// Settings of the polygon method.
     pub accuracy: Option<AccuracySpec>,
     /// Settings of gearlash compare.
     pub compare: Option<CompareSpec>,
-    /// Limits that the pair must keep over its whole mesh cycle; exit code 1 where it does not.
+    /// Limits that the pair must keep; exit code 1 where it does not.
     pub require: Option<RequireSpec>,
-    /// Standard uncertainties of what was measured, µm; least and greatest backlash are shown with theirs.
+    /// Standard uncertainties of what was measured.
     pub uncertainty: Option<UncertaintySpec>,
-    /// Scatter from one assembly to the next, for gearlash tolerance.
+    /// Scatter of assemblies, for gearlash tolerance.
     pub tolerance: Option<ToleranceSpec>,
 }
 

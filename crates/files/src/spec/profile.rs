@@ -15,9 +15,9 @@ pub struct ProfileSpec {
     /// Values for both flanks.
     #[serde(flatten)]
     pub both: FlankProfileSpec,
-    /// Values for the gear's own right flanks, in place of those for both.
+    /// Values of right flanks, in place of those of both.
     pub right: Option<FlankProfileSpec>,
-    /// Values for its left flanks, in place of those for both.
+    /// Values of left flanks, in place of those of both.
     pub left: Option<FlankProfileSpec>,
 }
 
@@ -25,33 +25,33 @@ pub struct ProfileSpec {
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FlankProfileSpec {
-    /// Profile slope f_Hα, µm: 0 at the start of the evaluation range, this much at its end.
+    /// Profile slope f_Hα at the end of the evaluation range, 0 at its start.
     #[schemars(transform = deviation())]
     pub slope_um: Option<f64>,
-    /// Profile crowning C_α, µm: a parabola of this height in the middle of the evaluation range, 0 at its ends; negative: hollow.
+    /// Profile crowning C_α in the middle of the evaluation range, 0 at its ends; negative: hollow.
     #[schemars(transform = deviation())]
     pub crowning_um: Option<f64>,
     /// Taken off towards the tip.
     pub tip_relief: Option<ReliefSpec>,
     /// Taken off towards the root.
     pub root_relief: Option<ReliefSpec>,
-    /// Evaluation range, diameters, mm; default: root form circle to tip circle.
+    /// Evaluation range, diameters; default: root form circle to tip circle.
     #[schemars(transform = length(), transform = list_length(2, Some(2)))]
     pub range_mm: Option<Vec<f64>>,
-    /// Measured profiles: one, or a list; teeth without one take the mean.
+    /// Measured profiles; teeth without one take the mean.
     pub trace: Option<Either<TraceSpec, Vec<TraceSpec>>>,
 }
 
 /// Material taken off a flank.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefSpec {
-    /// Taken off at the tip circle, or at the root form circle, µm.
+    /// Taken off at the tip circle, or at the root form circle.
     #[schemars(transform = within(0.0, 1e7))]
     pub um: f64,
-    /// Diameter at which it begins, mm.
+    /// Diameter at which it begins.
     #[schemars(transform = length())]
     pub from_diameter_mm: f64,
-    /// How it grows with the roll: "linear", with an edge where it begins, or "parabolic", without.
+    /// Growth with the roll: "linear", with an edge, or "parabolic".
     #[serde(default)]
     pub shape: ReliefShape,
 }
@@ -76,16 +76,16 @@ pub enum ReliefShape {
     transform = columns("roll_length_mm or diameter_mm, deviation_um; tooth, flank where needed")
 )]
 pub struct TraceSpec {
-    /// The tooth it was measured on; none: it stands for all.
+    /// Tooth it was measured on; none: all.
     #[schemars(transform = whole(1, 10_000))]
     pub tooth: Option<u32>,
-    /// Roll lengths r_b ξ from the base circle on, mm, ascending.
+    /// Roll lengths r_b ξ from the base circle, ascending.
     #[schemars(transform = within(0.0, 1e9), transform = list_length(2, None))]
     pub roll_length_mm: Option<Vec<f64>>,
-    /// Diameters in place of roll lengths, mm, ascending.
+    /// Diameters in place of roll lengths, ascending.
     #[schemars(transform = length(), transform = list_length(2, None))]
     pub diameter_mm: Option<Vec<f64>>,
-    /// Deviation at each, µm, plus = more material.
+    /// Deviation at each.
     #[schemars(transform = deviation(), transform = list_length(2, None))]
     pub deviation_um: Option<Vec<f64>>,
     /// Traces from a table.

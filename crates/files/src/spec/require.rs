@@ -11,22 +11,22 @@ use serde_with::skip_serializing_none;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(extend("minProperties" = 1))]
 pub struct RequireSpec {
-    /// Circumferential backlash on the operating pitch circle, µm.
+    /// Circumferential backlash on the operating pitch circle.
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_wt_um: Option<LimitsSpec>,
-    /// Normal backlash, µm.
+    /// Normal backlash.
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_bn_um: Option<LimitsSpec>,
-    /// Circumferential backlash on the reference circle of the gear that turns, µm.
+    /// Circumferential backlash on the reference circle of the gear that turns.
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_t_um: Option<LimitsSpec>,
-    /// Radial backlash, µm.
+    /// Radial backlash.
     #[schemars(transform = within(-1e6, 1e6))]
     pub j_r_um: Option<LimitsSpec>,
-    /// Lost motion of a gear, minutes of arc.
+    /// Lost motion of a gear.
     #[schemars(transform = within(-10_800.0, 10_800.0))]
     pub lost_motion_arcmin: Option<AngleLimitsSpec>,
-    /// Radial clearance of the tips of either gear, mm.
+    /// Radial clearance of the tips.
     #[schemars(transform = within(-1000.0, 1000.0))]
     pub radial_clearance_mm: Option<LimitsSpec>,
 }
@@ -36,9 +36,9 @@ pub struct RequireSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, extend("minProperties" = 1))]
 pub struct LimitsSpec {
-    /// No less than this.
+    /// Least allowed.
     pub min: Option<f64>,
-    /// No more than this.
+    /// Greatest allowed.
     pub max: Option<f64>,
 }
 
@@ -47,10 +47,10 @@ pub struct LimitsSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, extend("minProperties" = 2))]
 pub struct AngleLimitsSpec {
-    /// No less than this.
+    /// Least allowed.
     pub min: Option<f64>,
-    /// No more than this.
+    /// Greatest allowed.
     pub max: Option<f64>,
-    /// The gear whose lost motion it is, wheel or pinion, its mate locked.
+    /// The gear that turns, wheel or pinion.
     pub at: Member,
 }

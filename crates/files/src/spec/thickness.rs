@@ -34,7 +34,7 @@ pub struct ThicknessSpec {
     /// The statement that counts.
     #[serde(flatten)]
     pub statement: StatementSpec,
-    /// Added to it tooth by tooth, µm at the reference circle: empty or one value a tooth.
+    /// Added tooth by tooth at the reference circle.
     #[serde(default, deserialize_with = "listed")]
     #[schemars(with = "Option<Either<Vec<f64>, TableFileSpec>>")]
     #[schemars(transform = deviation(), transform = columns("tooth, thickness (µm)"))]
@@ -70,25 +70,25 @@ pub struct StatementSpec {
     pub span: Option<SpanSpec>,
     /// Dimension over two pins, or balls.
     pub over_pins: Option<OverPinsSpec>,
-    /// Tolerance field of the tooth thickness, DIN 3967, such as 25cd: allowance and tolerance by reference diameter.
+    /// Tolerance field of the tooth thickness, DIN 3967, such as 25cd.
     #[schemars(regex(
         pattern = r"^(DIN 3967 *)?((2[1-9]|30) ?(ab?|bc?|cd?|[defgh])|(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30))$"
     ))]
     pub designation: Option<String>,
-    /// Thickness allowance A_sn, µm, in the normal section at the reference circle.
+    /// Thickness allowance A_sn, in the normal section at the reference circle.
     #[schemars(transform = deviation())]
     #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
     pub allowance_um: Option<Either<f64, BandSpec>>,
-    /// How far both flanks are beyond nominal, mm along their normals: for printed and cut gears.
+    /// Distance of both flanks beyond nominal along their normals, of printed and cut gears.
     #[schemars(transform = within(-100.0, 100.0))]
     pub flank_offset_mm: Option<Either<f64, BandSpec>>,
-    /// Base tooth thickness s_b, mm; for helical gears s_bn, normal to the teeth: s_bt cos β_b.
+    /// Base tooth thickness s_b; of helical gears s_bn = s_bt cos β_b.
     #[schemars(transform = length())]
     pub base_thickness_mm: Option<Either<f64, BandSpec>>,
-    /// Tooth thickness s_n along the reference circle, mm, in the normal section.
+    /// Tooth thickness s_n along the reference circle, in the normal section.
     #[schemars(transform = length())]
     pub arc_thickness_mm: Option<Either<f64, BandSpec>>,
-    /// Chordal tooth thickness in the normal section, as a tooth caliper reads it.
+    /// Chordal tooth thickness in the normal section, by caliper.
     pub chordal_thickness: Option<ChordSpec>,
 }
 
@@ -100,7 +100,7 @@ pub struct CrossCheckSpec {
     /// The statement.
     #[serde(flatten)]
     pub statement: StatementSpec,
-    /// Allowed difference of the two as base thickness, µm.
+    /// Allowed difference of the two as base thickness.
     #[schemars(extend("default" = CROSS_CHECK_UM), transform = at_least(0.0))]
     pub tolerance_um: Option<f64>,
 }
@@ -116,10 +116,10 @@ pub struct SpanSpec {
     /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
-    /// First tooth of each reading; absent: tooth 1, 2, ….
+    /// First tooth of each reading; default: 1, 2, ….
     #[schemars(inner(range(min = 1)))]
     pub first_tooth: Option<Vec<u32>>,
-    /// Take per-tooth thickness from spans all round where they determine it.
+    /// Take thickness by tooth from spans all round where they determine it.
     #[schemars(extend("default" = true))]
     pub per_tooth: Option<bool>,
     /// Readings all round from a table.
@@ -131,13 +131,13 @@ pub struct SpanSpec {
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LengthSpec {
-    /// Measured, mm: one value, or one a place.
+    /// Measured: one value, or one a place.
     #[schemars(transform = length(), transform = list_length(1, None))]
     pub mm: Option<Either<f64, Vec<f64>>>,
-    /// Least measured, mm.
+    /// Least measured.
     #[schemars(transform = length())]
     pub min_mm: Option<f64>,
-    /// Greatest measured, mm.
+    /// Greatest measured.
     #[schemars(transform = length())]
     pub max_mm: Option<f64>,
 }
@@ -147,16 +147,16 @@ pub struct LengthSpec {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(transform = chord_keys)]
 pub struct ChordSpec {
-    /// Measured, mm.
+    /// Measured.
     #[schemars(transform = length())]
     pub mm: Option<f64>,
-    /// Least measured, mm.
+    /// Least measured.
     #[schemars(transform = length())]
     pub min_mm: Option<f64>,
-    /// Greatest measured, mm.
+    /// Greatest measured.
     #[schemars(transform = length())]
     pub max_mm: Option<f64>,
-    /// Depth of the chord below the tip circle, mm; default: the chordal addendum of the nominal tooth.
+    /// Depth of the chord below the tip circle; default: the nominal chordal addendum.
     #[schemars(transform = length())]
     pub height_mm: Option<f64>,
 }
@@ -164,17 +164,17 @@ pub struct ChordSpec {
 /// Dimension over two pins, or balls.
 #[skip_serializing_none]
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
+#[schemars(transform = over_pins_keys, transform = columns("tooth (before the space), pins (mm)"))]
 pub struct OverPinsSpec {
-    /// Diameter D_M of the pins or balls, mm.
+    /// Diameter D_M of the pins or balls.
     #[schemars(transform = length())]
     pub pin_mm: f64,
-    /// The measuring body; needed for an odd number of teeth with a helix angle, elsewhere both give one dimension.
+    /// Measuring body; needed for an odd number of helical teeth.
     pub kind: Option<MeasuringBody>,
     /// The measured length.
     #[serde(flatten)]
     pub length: LengthSpec,
-    /// Tooth before the space of each reading (the other pin lies in the most opposite space); absent: tooth 1, 2, ….
+    /// Tooth before the space of each reading, opposite to which the other pin lies; default: 1, 2, ….
     #[schemars(inner(range(min = 1)))]
     pub space: Option<Vec<u32>>,
     /// Readings all round from a table.

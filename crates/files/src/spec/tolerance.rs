@@ -7,38 +7,38 @@ use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
 
-/// Scatter from one assembly to the next, for gearlash tolerance.
+/// Scatter of assemblies, for gearlash tolerance.
 #[skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ToleranceSpec {
-    /// Assemblies that are drawn.
+    /// Assemblies drawn.
     #[schemars(transform = whole(1, 1_000_000_000))]
     pub assemblies: u32,
-    /// Another seed, other assemblies.
+    /// Seed of the draws.
     #[schemars(transform = whole(0, u32::MAX))]
     pub seed: u32,
-    /// How many of a million assemblies may miss the requirement; exit code 1 where more do.
+    /// Assemblies of a million that may miss the requirement; exit code 1 where more do.
     #[schemars(transform = within(0.0, 1e6))]
     pub max_ppm: Option<f64>,
-    /// Allowed share of draws that give no gear, as with pointed teeth; above it there is no result.
+    /// Allowed share of draws that give no gear, as with pointed teeth.
     #[schemars(transform = within(0.0, 1.0))]
     pub max_impossible: f64,
-    /// Rows of the samples for the contributions; 0: no contributions.
+    /// Rows of the samples for the contributions; 0: none.
     #[schemars(transform = whole(0, 10_000_000))]
     pub contribution_rows: u32,
-    /// Amount by which the centre distance is greater than stated.
+    /// Amount beyond the stated centre distance.
     pub center_distance: Option<ScatterSpec>,
     /// Radial play of both bearings together, in place of the assembly's.
     pub bearing_play: Option<ScatterSpec>,
-    /// How the gears are put together, where numbers of teeth have a common divisor.
+    /// Assembly phase: "any", or "marked", that of the start of the sweep, or of tooth 1 with tooth 1.
     pub phase: PhaseName,
     /// Correlation of both thicknesses; 1: both gears from one batch.
     #[schemars(transform = within(-1.0, 1.0))]
     pub thickness_correlation: f64,
     /// How the wheel scatters.
     pub wheel: Option<GearToleranceSpec>,
-    /// How the pinion scatters: the same keys.
+    /// How the pinion scatters.
     pub pinion: Option<GearToleranceSpec>,
 }
 
@@ -77,15 +77,15 @@ pub enum PhaseName {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = gear_keys)]
 pub struct GearToleranceSpec {
-    /// Amount by which all teeth are thicker than stated (than the middle of a band), at the reference circle.
+    /// Amount by which all teeth are thicker than stated (than the middle of a band).
     pub thickness: Option<ScatterSpec>,
-    /// Runout F_r in place of the gear's; its direction is any.
+    /// Runout F_r in place of the gear's, in any direction.
     pub runout: Option<ScatterSpec>,
-    /// Single pitch deviations of every tooth, on top of the gear's.
+    /// Single pitch deviations, on top of the gear's.
     pub pitch: Option<PitchScatterSpec>,
     /// Amount by which each tooth is thicker, on top of the gear's.
     pub per_tooth: Option<ScatterSpec>,
-    /// Measured gears, one of which is drawn: gear files or pair files, by name; * stands for any letters of a file's name.
+    /// Gear or pair files of measured gears, one of which is drawn; * stands for any letters.
     #[serde(default, deserialize_with = "names")]
     #[schemars(with = "Option<Either<String, Vec<String>>>", transform = list_length(1, None))]
     pub gears: Option<Vec<String>>,
@@ -96,33 +96,33 @@ pub struct GearToleranceSpec {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct ScatterSpec {
-    /// The distribution, and with it the keys: fixed: value_um; uniform: lower_um, upper_um; triangular: and mode_um; normal: sigma_um and mean_um, or lower_um, upper_um, mean_um and cpk; rayleigh: scale_um or upper_um; table: values_um. Limits that the pair file states as a band may be left out.
+    /// Distribution and its keys: fixed (value_um), uniform (lower_um, upper_um), triangular (also mode_um), normal (sigma_um, mean_um; or limits, mean_um, cpk), rayleigh (scale_um or upper_um), table (values_um). Limits that the pair file states as a band may be left out.
     pub scatter: ScatterName,
-    /// Lower limit, µm.
+    /// Lower limit.
     #[schemars(transform = deviation())]
     pub lower_um: Option<f64>,
-    /// Upper limit, µm; of a rayleigh one that 99.73 % lie below.
+    /// Upper limit; of rayleigh 99.73 % lie below.
     #[schemars(transform = deviation())]
     pub upper_um: Option<f64>,
-    /// Mean of a normal one, µm; default: the middle of the limits, or 0.
+    /// Mean; default: the middle of the limits, or 0.
     #[schemars(transform = deviation())]
     pub mean_um: Option<f64>,
-    /// Standard deviation of a normal one, µm.
+    /// Standard deviation.
     #[schemars(transform = above_zero(1e7))]
     pub sigma_um: Option<f64>,
-    /// Process capability of a normal one between its limits; default: 1.
+    /// Process capability between the limits; default: 1.
     #[schemars(transform = above_zero(100.0))]
     pub cpk: Option<f64>,
-    /// The most frequent of a triangular one, µm; default: the middle of the limits.
+    /// Most frequent value; default: the middle of the limits.
     #[schemars(transform = deviation())]
     pub mode_um: Option<f64>,
-    /// Scale of a rayleigh one, µm: the standard deviation of either component.
+    /// Standard deviation of either component.
     #[schemars(transform = above_zero(1e7))]
     pub scale_um: Option<f64>,
-    /// Value of a fixed one, µm.
+    /// The value.
     #[schemars(transform = deviation())]
     pub value_um: Option<f64>,
-    /// Values of a table, µm, drawn with replacement.
+    /// Values, drawn with replacement.
     #[schemars(transform = deviation(), transform = list_length(1, None))]
     pub values_um: Option<Vec<f64>>,
 }
@@ -152,10 +152,10 @@ pub enum ScatterName {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = pitch_keys)]
 pub struct PitchScatterSpec {
-    /// Standard deviation of the single pitch deviation f_p, µm.
+    /// Standard deviation of f_p.
     #[schemars(transform = above_zero(1e7))]
     pub sigma_um: Option<f64>,
-    /// Accuracy grade, ISO 1328-1, whose tolerance of f_p is three standard deviations.
+    /// Grade of ISO 1328-1 whose tolerance of f_p is three standard deviations.
     #[schemars(transform = whole(*GRADES.start(), *GRADES.end()))]
     pub grade: Option<u32>,
 }

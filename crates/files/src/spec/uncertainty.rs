@@ -8,25 +8,25 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct UncertaintySpec {
-    /// Uncertainty of a span, µm.
+    /// Uncertainty of a span.
     #[schemars(transform = within(0.0, 1e6))]
     pub span_um: f64,
-    /// Uncertainty of a dimension over pins, µm.
+    /// Uncertainty of a dimension over pins.
     #[schemars(transform = within(0.0, 1e6))]
     pub over_pins_um: f64,
-    /// Uncertainty of a thickness stated in any other way, µm.
+    /// Uncertainty of a thickness stated in any other way.
     #[schemars(transform = within(0.0, 1e6))]
     pub allowance_um: f64,
-    /// Uncertainty of the thickness of a single tooth against the others, µm.
+    /// Uncertainty of a tooth against the others.
     #[schemars(transform = within(0.0, 1e6))]
     pub per_tooth_um: f64,
-    /// Uncertainty of the pitch deviation of a flank, µm.
+    /// Uncertainty of the pitch deviation of a flank.
     #[schemars(transform = within(0.0, 1e6))]
     pub pitch_um: f64,
-    /// Uncertainty of the runout of each gear, µm.
+    /// Uncertainty of the runout of each gear.
     #[schemars(transform = within(0.0, 1e6))]
     pub runout_um: f64,
-    /// Uncertainty of the centre distance, µm.
+    /// Uncertainty of the centre distance.
     #[schemars(transform = within(0.0, 1e6))]
     pub center_distance_um: f64,
     /// Coverage factor of the expanded uncertainty.

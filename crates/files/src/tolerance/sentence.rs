@@ -13,6 +13,9 @@ pub fn sentence(result: &ToleranceResult) -> String {
     let least = in_words(about.min_mm, &about.others, false);
     let most = in_words(about.max_mm, &about.others, true);
     let mut text = shares(result);
+    if most.is_some() {
+        text = format!("{}: {text}", share(&result.statistics.outside, "outside"));
+    }
     // The limited extreme: the least, or the greatest where only that is limited.
     let greatest = least.is_none() && most.is_some();
     if let Some(most) = largest(&result.contributions[usize::from(greatest)]) {
@@ -58,7 +61,7 @@ pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
     })
 }
 
-/// The shares of `result` that miss the requirement on each side: the beginning of its sentence.
+/// The shares of `result` that miss the requirement on each side.
 pub fn shares(result: &ToleranceResult) -> String {
     let (about, statistics) = (&result.about, &result.statistics);
     let least = in_words(about.min_mm, &about.others, false);

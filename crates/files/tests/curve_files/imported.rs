@@ -41,16 +41,19 @@ fn all_that_a_curve_file_has() {
     assert!(!found.toml.contains("thickness"), "{}", found.toml);
 }
 
-/// A pair file accepts the offered lines.
+/// A pair file accepts the offered lines as they stand, and with the runout completed.
 #[test]
 fn the_lines_are_good() {
     let made = Made::new(17);
     let toml = import(&made.text(), None).unwrap().toml;
-    let keys = toml
-        .replacen("[wheel.runout]", "[wheel.runout]\nat = \"space\"", 1)
-        .replace("kind = \"single\"", "");
-    let good = super::read_with(made.text().as_bytes(), &super::pair(17, &keys));
-    assert!(good.is_ok(), "{keys}: {:#?}", good.err());
+    let completed = toml
+        .replace("# [wheel.runout]\n# file", "[wheel.runout]\nfile")
+        .replace("# at = …", "at = \"space\"");
+    assert_ne!(completed, toml);
+    for keys in [toml, completed] {
+        let good = super::read_with(made.text().as_bytes(), &super::pair(17, &keys));
+        assert!(good.is_ok(), "{keys}: {:#?}", good.err());
+    }
 }
 
 /// Thickness is stated, not taken from positions.

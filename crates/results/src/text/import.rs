@@ -53,6 +53,9 @@ fn origin(table: &ImportedTable) -> String {
     if let Some(words) = &table.left_out {
         let _ = writeln!(text, "  left out: {}", line(words));
     }
+    if let Some(words) = &table.in_other_table {
+        let _ = writeln!(text, "  in another table: {}", line(words));
+    }
     text
 }
 

@@ -126,7 +126,8 @@ def test_a_pair_with_drawn_gears_is_a_pair(fixtures) -> None:
     assert np.isnan(poses.j_bn_um).all() and pair.lost_motion(1, 1).j_bn_um is None
     checked = pair.check()
     assert checked.assembles is False and not checked.checks
-    (remedy,) = checked.record["remedies"]
+    remedy, *offsets = checked.record["remedies"]
+    assert len(offsets) == 3
     assert remedy["what"] == "center_distance_mm"
     assert pair.at(remedy["value"]).check().assembles
     assert "<svg" in pair.snapshot(7, 7).svg and "<svg" in pair.chart().svg

@@ -50,6 +50,13 @@ pub enum Gears {
 }
 
 impl Gears {
+    /// Each way to choose them.
+    const EACH: [Gears; 3] = [
+        Gears::Both,
+        Gears::One(Member::Wheel),
+        Gears::One(Member::Pinion),
+    ];
+
     /// `both`, `wheel` or `pinion`, as results name them.
     pub fn name(self) -> &'static str {
         match self {
@@ -159,28 +166,12 @@ pub fn remedies(study: &Study, verdict: &Verdict) -> Result<Remedies, Error> {
     } else {
         found.missing.push(NoRemedy::MeasuredRows);
     }
-    const EACH: [Gears; 3] = [
-        Gears::Both,
-        Gears::One(Member::Wheel),
-        Gears::One(Member::Pinion),
-    ];
     match pair {
-        AssembledPair::Drawn(pair) => match search.flank_offsets() {
-            Some(own) => {
-                for gears in EACH {
-                    let offset = search.flank_offset(pair, own, gears, &effort())?;
-                    if offset.is_none() {
-                        found.missing.push(NoRemedy::NoThickness(gears));
-                    }
-                    found.changes.extend(offset);
-                }
-            }
-            None => found.missing.push(NoRemedy::Drawn),
-        },
+        AssembledPair::Drawn(pair) => search.of_drawn(pair, &effort, &mut found)?,
         AssembledPair::Data(pair) => {
             let generated = |member| pair.gear(member).gear().is_generated();
             if Member::BOTH.into_iter().all(generated) {
-                for gears in EACH {
+                for gears in Gears::EACH {
                     let changes = search.thickness(pair, gears, &effort())?;
                     if changes.is_empty() {
                         found.missing.push(NoRemedy::NoThickness(gears));
@@ -337,13 +328,49 @@ impl Search<'_> {
         Ok(remedies)
     }
 
+    /// Adds the remedies by the flank offsets of a drawn pair, or why there are none.
+    #[cfg(feature = "offset")]
+    fn of_drawn(
+        &self,
+        pair: &OutlinePair,
+        effort: &dyn Fn() -> Effort,
+        found: &mut Remedies,
+    ) -> Result<(), Error> {
+        let Some(own) = self.flank_offsets() else {
+            found.missing.push(NoRemedy::Drawn);
+            return Ok(());
+        };
+        for gears in Gears::EACH {
+            let offset = self.flank_offset(pair, own, gears, &effort())?;
+            if offset.is_none() {
+                found.missing.push(NoRemedy::NoThickness(gears));
+            }
+            found.changes.extend(offset);
+        }
+        Ok(())
+    }
+
+    /// Without the feature `offset` no outline is moved.
+    #[cfg(not(feature = "offset"))]
+    fn of_drawn(
+        &self,
+        _: &OutlinePair,
+        _: &dyn Fn() -> Effort,
+        found: &mut Remedies,
+    ) -> Result<(), Error> {
+        found.missing.push(NoRemedy::Drawn);
+        Ok(())
+    }
+
     /// The flank offsets, mm, of the drawn gears with most material; `None` if a gear is given by data.
+    #[cfg(feature = "offset")]
     fn flank_offsets(&self) -> Option<[f64; 2]> {
         let (_, wheel, pinion) = self.study.drawn.first()?;
         Some([wheel.flank_offset()?, pinion.flank_offset()?])
     }
 
     /// The remedy by the flank offset of `gears` of a drawn pair; `own` are the offsets with most material.
+    #[cfg(feature = "offset")]
     fn flank_offset(
         &self,
         pair: &OutlinePair,

@@ -46,6 +46,7 @@ mod fitted;
 mod gear;
 mod half;
 mod of_gear;
+#[cfg(feature = "offset")]
 mod offset;
 mod pair;
 mod path;

@@ -12,6 +12,7 @@ mod drawn;
 mod extremes;
 mod face_width;
 mod field;
+#[cfg(feature = "offset")]
 mod flank_offset;
 mod grazing;
 mod hard;

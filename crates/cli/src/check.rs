@@ -155,12 +155,11 @@ fn given(args: &Args) -> Result<Option<Drawings<'_>>, Error> {
 
 /// The least centre distance, mm, at which the gears of two drawings assemble, and a warning that names it. `drawings`
 /// are apart. The search begins where a tip touches a root.
-fn without_play(args: &Args, mut drawings: Drawings) -> Result<(f64, String), Error> {
+fn without_play(args: &Args, drawings: Drawings) -> Result<(f64, String), Error> {
     let not_found = || Error::Usage(NOT_FOUND.to_owned());
     let apart = gearlash_files::read_drawings(&drawings)?;
     let nearest = tips_on_roots(&apart.study)?.ok_or_else(not_found)?;
-    drawings.center_distance_mm = nearest;
-    let tight = gearlash_files::read_drawings(&drawings)?;
+    let tight = apart.at(vec![nearest])?;
     let plan = Plan::new(&tight.study, args.method.of(&tight.study)?).with_extremes();
     let analysis = run_under_bar(&plan)?;
     let found = WithoutPlay::of(&analysis.verdict(), nearest).ok_or_else(not_found)?;

@@ -10,6 +10,7 @@ use gearlash::contact::Method;
 use gearlash::gear::Side;
 use gearlash::pair::{Mating, Member};
 use gearlash_files::numbers::um;
+use gearlash_files::outlines::{Drawings, OutlineOptions};
 use gearlash_files::{AnyPair, Files, InputError, import, read_files};
 use gearlash_render::chart::{self, Heading};
 use gearlash_render::{Report, pose_picture};
@@ -163,25 +164,31 @@ impl Page {
     /// `unit` is that of drawings without one, or empty.
     pub fn of_drawings(&self, drawings: [&str; 2], unit: &str) -> Value {
         const NAME: &str = "pair.toml";
-        let read = |a: f64| {
-            let text = text_of_drawings(drawings, a, unit);
-            let mut files = self.files.clone();
-            files.add(NAME, text.clone().into_bytes());
-            Ok::<_, Value>((
-                text,
-                read_files(Rc::new(files), NAME).map_err(|error| problems(&error))?,
-            ))
+        let [wheel, pinion] = drawings.map(Path::new);
+        let options = OutlineOptions {
+            units: Some(unit).filter(|unit| !unit.is_empty()),
+            ..OutlineOptions::default()
+        };
+        let text = |center_distance_mm: f64| {
+            let drawings = Drawings {
+                wheel,
+                pinion,
+                center_distance_mm,
+                options: [options; 2],
+            };
+            drawings.pair_file()
         };
         let found = || -> Result<Value, Value> {
-            let (_, apart) = read(APART_MM)?;
+            let mut files = self.files.clone();
+            files.add(NAME, text(APART_MM).into_bytes());
+            let apart = read_files(Rc::new(files), NAME).map_err(|error| problems(&error))?;
             let nearest = tips_on_roots(&apart.study).map_err(failed)?;
             let nearest = nearest.ok_or_else(|| failed("these files are no drawings"))?;
-            let (_, tight) = read(nearest)?;
+            let tight = apart.at(vec![nearest]).map_err(failed)?;
             let plan = Plan::new(&tight.study, METHOD).with_extremes();
             let analysis = Analysis::silently(&plan).map_err(failed)?;
             let found = WithoutPlay::of(&analysis.verdict(), nearest);
-            let (text, _) = read(found.map_or(nearest, |found| found.distance))?;
-            Ok(json!({ "text": text }))
+            Ok(json!({ "text": text(found.map_or(nearest, |found| found.distance)) }))
         };
         found().unwrap_or_else(|failed| failed)
     }
@@ -281,20 +288,6 @@ fn limits(study: &Study) -> [Option<f64>; 2] {
 
 /// A distance at which no two gears touch, mm.
 const APART_MM: f64 = 1e6;
-
-/// A pair file of two drawings, as text.
-fn text_of_drawings([wheel, pinion]: [&str; 2], a: f64, unit: &str) -> String {
-    let unit = if unit.is_empty() {
-        String::new()
-    } else {
-        format!(", units = {unit:?}")
-    };
-    format!(
-        "title = {:?}\n\n[wheel]\noutline = {{ file = {wheel:?}{unit} }}\n\n[pinion]\noutline = {{ file = {pinion:?}{unit} }}\n\n\
-         [assembly]\ncenter_distance_mm = {a}\n\n[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 16\n",
-        format!("{wheel} with {pinion}")
-    )
-}
 
 /// The work of `plan`; its steps go to `report`.
 fn analysed<'a>(plan: &Plan<'a>, report: &OnStep) -> Result<Analysis<'a>, gearlash::error::Error> {

@@ -239,7 +239,7 @@ pub struct OutlineOptions<'a> {
 
 impl Drawings<'_> {
     /// The text of the pair file for both drawings.
-    pub(crate) fn pair_file(&self) -> String {
+    pub fn pair_file(&self) -> String {
         let name = |path: &Path| {
             path.file_stem()
                 .unwrap_or_default()

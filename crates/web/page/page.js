@@ -327,7 +327,7 @@
       return;
     }
     const rows = band.verdict.rows.map(({ name, value }) => `${name} ${value}`).join(", ");
-    byId("cycle").textContent = rows || band.verdict.status;
+    byId("cycle").textContent = rows ? `${rows}. ${band.verdict.proof}` : band.verdict.status;
     byId("cycle").title = band.verdict.text;
     scale(band);
   }

@@ -47,7 +47,10 @@ impl Proof {
     /// The first contradiction to the proof.
     pub fn verify(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
         for side in Side::BOTH {
-            if !self.sides.iter().any(|proven| proven.side == side) {
+            let of_side = || self.sides.iter().filter(|proven| proven.side == side);
+            let is_free = of_side().all(|proven| proven.open.is_none());
+            let touches = of_side().any(|proven| proven.touch.is_some());
+            if of_side().count() == 0 || touches == is_free {
                 return Err(format!("nothing is said of the {} side", side.name()));
             }
         }

@@ -663,7 +663,15 @@ impl<'a> Proving<'a> {
             _ => (mate, &land),
         };
         let need = self.prover.need;
-        let apart = pair.at.separated(locked, free, nu, need, &mut self.looks);
+        // A tip may face the middle of the land, a right angle and more from the direction that keeps the tops apart.
+        let (low, high) = pair.placed[owner].range(ProfilePart::Root);
+        let across = pair.at.out_of_locked(owner, turn(-0.5 * (low + high)));
+        let apart = [nu, across.im.atan2(across.re)]
+            .into_iter()
+            .find_map(|start| {
+                pair.at
+                    .separated(locked, free, start, need, &mut self.looks)
+            });
         let apart = apart.ok_or("a root land is not shown to be apart from the mate's tip")?;
         self.tell_apart(
             pair.step,

@@ -34,16 +34,24 @@ use watch::Watch;
 ///
 /// The process ends if a pose takes longer than `longest`: an endless search is a fault that would hide all others.
 pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Duration) -> Tally {
-    run_of(Teeth::Spur, depth, seed, first..first + poses, longest)
+    run_of(
+        Teeth::Spur,
+        depth,
+        seed,
+        first..first + poses,
+        longest,
+        true,
+    )
 }
 
-/// [`run`] for spur or helical gears.
+/// [`run`] for spur or helical gears; without the polygon method, certificate and proof alone judge spur poses.
 pub fn run_of(
     kind: Teeth,
     depth: Option<Depth>,
     seed: u64,
     indices: Range<u64>,
     longest: Duration,
+    has_polygon_method: bool,
 ) -> Tally {
     let Range { start: first, end } = indices;
     let watch = Watch::new(seed, longest);
@@ -59,7 +67,7 @@ pub fn run_of(
             for index in poses.filter(|index| (first..end).contains(index)) {
                 let drawn = pair.pose(index % POSES_A_PAIR, depth);
                 let running = watch.running(index);
-                let outcome = Outcome::new(&drawn, &cut);
+                let outcome = Outcome::new(&drawn, &cut, has_polygon_method);
                 drop(running);
                 tally.add(index, &drawn, outcome);
             }

@@ -51,7 +51,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    pub fn new(drawn: &Drawn, cut: &CutPair) -> Outcome {
+    /// The results for a pose; without the polygon method, certificate and proof alone judge a spur pose.
+    pub fn new(drawn: &Drawn, cut: &CutPair, has_polygon_method: bool) -> Outcome {
         if drawn.assembly.is_helical() {
             return over_face::outcome(drawn, cut);
         }
@@ -63,11 +64,12 @@ impl Outcome {
         let exact_took = start.elapsed();
         let effort = kernel.effort(&pose);
         let start = Instant::now();
-        let polygon = cut.refined_kernel(assembly).lost_motion(&pose);
+        let polygon = has_polygon_method.then(|| cut.refined_kernel(assembly).lost_motion(&pose));
         let polygon_took = start.elapsed();
         let start = Instant::now();
+        let certifier = Certifier::new(cut.kernel(assembly));
         let certificate = match &exact {
-            Ok(exact) => Certifier::new(cut.kernel(assembly)).check(&pose, exact),
+            Ok(exact) => certifier.check(&pose, exact),
             Err(_) => Ok(()),
         };
         let certificate_took = start.elapsed();
@@ -78,17 +80,22 @@ impl Outcome {
         let moved = exact
             .as_ref()
             .ok()
-            .and_then(|exact| accepts_moved(&prover, &pose, exact));
+            .and_then(|exact| accepts_moved(&drawn.assembly, &certifier, &prover, &pose, exact));
         let verdict = match (&exact, &polygon, certificate) {
             _ if moved.is_some() => Verdict::Fault(moved.unwrap_or_default()),
             (_, _, Err(error @ Error::CertificateFailed { .. })) => {
-                let both = seen(&exact, &polygon);
+                let both = format!("exact   {exact:?}\npolygon {polygon:?}");
                 Verdict::Fault(format!("{error}\n{both}"))
             }
-            (Ok(exact), Ok(polygon), Ok(())) => judge(drawn, cut, exact, polygon),
             (Err(error), ..) => Verdict::Unproven(format!("exact: {error}")),
-            (_, Err(error), _) => Verdict::Unproven(format!("polygon: {error}")),
+            (_, Some(Err(error)), _) => Verdict::Unproven(format!("polygon: {error}")),
             (_, _, Err(error)) => Verdict::Unproven(format!("certificate: {error}")),
+            (Ok(exact), Some(Ok(polygon)), Ok(())) => judge(drawn, cut, exact, polygon),
+            (Ok(_), None, Ok(())) => Verdict::Confirmed(Agreement {
+                difference_um: 0.0,
+                bound_um: 0.0,
+                border: None,
+            }),
         };
         Outcome {
             exact: exact.ok(),
@@ -100,8 +107,14 @@ impl Outcome {
     }
 }
 
-/// A rotation of a result that `prover` proves, and also proves after a move by [`MOVED`] bounds.
-fn accepts_moved(prover: &Prover, pose: &Pose, found: &LostMotion) -> Option<String> {
+/// The name of the certificate or the prover if it confirms a result that `prover` proves also after a move by [`MOVED`] of its own bounds.
+fn accepts_moved(
+    assembly: &GearPair,
+    certifier: &Certifier,
+    prover: &Prover,
+    pose: &Pose,
+    found: &LostMotion,
+) -> Option<String> {
     if found.solid {
         return None;
     }
@@ -110,27 +123,42 @@ fn accepts_moved(prover: &Prover, pose: &Pose, found: &LostMotion) -> Option<Str
         let Some((open, touch)) = side.open.zip(side.touch) else {
             continue;
         };
-        let by = 0.5 * MOVED * (open - touch.closed);
-        for by in [by, -by] {
-            let mut moved = *found;
-            let contact = match side.side {
-                Side::Right => &mut moved.right,
-                Side::Left => &mut moved.left,
-            };
-            contact.as_mut()?.rotation += by;
-            if prover.check(pose, &moved).is_ok() {
-                let name = side.side.name();
-                return Some(format!(
-                    "the prover accepts the {name} contact moved by {by:e} rad: {found:?}, open {open}, {touch:?}"
-                ));
+        let contact = match side.side {
+            Side::Right => found.right?,
+            Side::Left => found.left?,
+        };
+        let arm = contact.point - assembly.axis(assembly.free());
+        let lever = arm.perp(&contact.normal).abs();
+        let turned = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
+        // Above the polygons' resolution and rounding.
+        let resolution = 400.0 * f64::EPSILON * assembly.center_distance() * turned / lever;
+        let bounds = [
+            0.5 * (open - touch.closed).abs(),
+            contact.error + resolution,
+        ];
+        for (judge, bound) in ["prover", "certificate"].into_iter().zip(bounds) {
+            for by in [MOVED * bound, -MOVED * bound] {
+                let mut moved = *found;
+                let contact = match side.side {
+                    Side::Right => &mut moved.right,
+                    Side::Left => &mut moved.left,
+                };
+                contact.as_mut()?.rotation += by;
+                let accepted = match judge {
+                    "prover" => prover.check(pose, &moved).is_ok(),
+                    // A certificate of a jam passes if the polygons find a jam too.
+                    _ => found.status() != Status::Jammed && certifier.check(pose, &moved).is_ok(),
+                };
+                if accepted {
+                    let name = side.side.name();
+                    return Some(format!(
+                        "the {judge} accepts the {name} contact moved by {by:e} rad: {found:?}, open {open}, {touch:?}"
+                    ));
+                }
             }
         }
     }
     None
-}
-
-fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) -> String {
-    format!("exact   {exact:?}\npolygon {polygon:?}")
 }
 
 /// Both rotations of both methods must be within the sum of both bounds, also for jammed poses. Statuses must be equal,

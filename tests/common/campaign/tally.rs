@@ -3,6 +3,7 @@
 use super::draw::{Depth, Drawn, Pair};
 use super::gear::{RackKind, Tip};
 use super::outcome::{METHODS, Outcome, Verdict, combination, reaches_the_centre};
+use gearlash::contact::{LostMotion, Status};
 use gearlash::gear::Face;
 use gearlash::pair::Member;
 use std::collections::BTreeMap;
@@ -57,6 +58,8 @@ pub struct Tally {
     pub border: Vec<(u64, &'static str)>,
     /// Poses that the prover leaves to the polygons.
     pub left: Vec<u64>,
+    /// Those of them with seven teeth or more on both gears, and no jam.
+    pub ordinary_left: Vec<u64>,
     /// For each method: total time, slowest pose, and its index.
     pub times: [(Duration, Duration, u64); 4],
     /// Effort of the exact method: the greatest of a pose, its limit, and the pose's index.
@@ -81,6 +84,10 @@ impl Tally {
             let class = ("left to the polygons", reason.to_owned());
             *self.classes.entry(class).or_default() += 1;
             self.left.push(index);
+            let is_jammed = |found: &LostMotion| found.status() == Status::Jammed;
+            let is_ordinary = drawn.gears.iter().all(|gear| gear.teeth >= 7)
+                && !outcome.exact.as_ref().is_some_and(is_jammed);
+            self.ordinary_left.extend(is_ordinary.then_some(index));
         }
         if outcome.effort[0] > self.effort.0[0] {
             self.effort = (outcome.effort, index);
@@ -116,6 +123,7 @@ impl Tally {
         self.unproven.extend(other.unproven);
         self.border.extend(other.border);
         self.left.extend(other.left);
+        self.ordinary_left.extend(other.ordinary_left);
         for (ours, theirs) in self.times.iter_mut().zip(other.times) {
             ours.0 += theirs.0;
             if theirs.1 > ours.1 {

@@ -27,7 +27,7 @@ fn both_methods_and_the_certificate_agree_on_random_poses() {
 #[test]
 fn both_methods_and_the_certificate_agree_on_random_helical_poses() {
     let poses = 400;
-    let tally = run_of(Teeth::Helical, None, SEED, 0..poses, LONGEST);
+    let tally = run_of(Teeth::Helical, None, SEED, 0..poses, LONGEST, true);
     println!("{}", tally.report());
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
     assert_eq!(tally.empty(None), Vec::<String>::new());
@@ -54,7 +54,7 @@ fn a_jam_between_the_sections_is_seen_by_both_methods() {
             found.unwrap().status() == Status::Jammed
         };
         assert!((0..=2000).into_par_iter().any(is_jammed), "pose {index}");
-        let tally = run_of(Teeth::Helical, None, 1, index..index + 1, LONGEST);
+        let tally = run_of(Teeth::Helical, None, 1, index..index + 1, LONGEST, true);
         assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
         assert!(tally.unproven.is_empty() && tally.border.is_empty());
     }
@@ -65,7 +65,7 @@ fn a_jam_between_the_sections_is_seen_by_both_methods() {
 #[test]
 fn a_far_flank_on_a_root_land_is_seen_by_both_methods() {
     for index in [18_468, 18_812] {
-        let tally = run_of(Teeth::Spur, None, 1, index..index + 1, LONGEST);
+        let tally = run_of(Teeth::Spur, None, 1, index..index + 1, LONGEST, true);
         assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
         assert!(tally.unproven.is_empty() && tally.border.is_empty());
     }

@@ -72,7 +72,7 @@ fn complaints(indices: &[u64], of: impl Fn(u64) -> Vec<String> + Sync) -> Vec<(u
 
 /// Faults of both methods and the certificate, and unproven poses.
 fn by_both_methods(depth: Option<Depth>, index: u64) -> Vec<String> {
-    let tally = run_of(Teeth::Spur, depth, SEED, index..index + 1, LONGEST);
+    let tally = run_of(Teeth::Spur, depth, SEED, index..index + 1, LONGEST, true);
     let found = tally.faults.into_iter().chain(tally.unproven);
     found.map(|(_, what)| what).collect()
 }

@@ -232,7 +232,7 @@ impl Planned {
         }
         // A pair that needs no search has as much effort once more: with a share of the rest, what can be proven would not be.
         let own = &self.effort(pair);
-        let is_short = !pair.is_helical() && ExactKernel::new(pair).is_direct();
+        let is_short = !pair.varies_along_face() && ExactKernel::new(pair).is_direct();
         let effort = if is_short { own } else { effort };
         let over = (self.first, self.distinct);
         let from = AssemblesFrom::new(pair, over, least, 0.1 * WIDTH, effort)?;

@@ -27,7 +27,7 @@
 //! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
 
-use crate::gear::{AsBuilt, RollCurve, Side};
+use crate::gear::{AsBuilt, DeviationCurve, Side};
 use crate::numeric::wrap_angle;
 use crate::pair::{GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
@@ -282,7 +282,7 @@ impl<'a> OneSide<'a> {
 const DEVIATION_STEPS: u32 = 6;
 
 /// A flank's deviation at a roll, mm.
-fn deviation(flank: Option<&RollCurve>, roll: f64) -> f64 {
+fn deviation(flank: Option<&DeviationCurve>, roll: f64) -> f64 {
     flank.map_or(0.0, |flank| flank.at(roll))
 }
 

@@ -33,7 +33,7 @@ impl Effort {
     /// The budget of the extremes of a pair over one mesh cycle. It includes the distance up to which the pair is in mesh, and for helical
     /// pairs the distance from which it assembles (tuned: about 2 s for spur pairs, 5 to 10 s for helical ones).
     pub fn of_extremes(assembly: &GearPair) -> Effort {
-        Effort::new(if assembly.is_helical() {
+        Effort::new(if assembly.varies_along_face() {
             9_000_000
         } else {
             6_000_000

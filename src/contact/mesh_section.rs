@@ -81,7 +81,7 @@ impl MeshSection {
     /// # Errors
     /// None: the section is on the common face.
     pub fn binding(assembly: &GearPair, pose: &PoseResult) -> Result<Option<MeshSection>, Error> {
-        if !assembly.is_helical() {
+        if !assembly.varies_along_face() {
             return Ok(None);
         }
         let found = pose.proven();

@@ -113,7 +113,7 @@ impl<'a> Solver<'a> {
         let certify = method.proves();
         let exact = method != Method::Polygon;
         let polygon = matches!(method, Method::Polygon | Method::Both);
-        let spur = !assembly.is_helical();
+        let spur = !assembly.varies_along_face();
         let kernel = (exact || !spur).then(|| ExactKernel::new(assembly));
         let sections = (polygon || certify) && !spur;
         let places = kernel.as_ref().filter(|_| sections);

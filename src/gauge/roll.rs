@@ -5,7 +5,7 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::roll_extremes::{RollCurve, RollPose, RollRange, RollSample, bracketed};
+use super::roll_extremes::{DeviationCurve, RollPose, RollRange, RollSample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
 use crate::contact::PairAtDistance;
@@ -96,7 +96,7 @@ pub(super) fn roll(
         let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
         sample(&bench, guess, &mating)
     };
-    let curve = RollCurve {
+    let curve = DeviationCurve {
         steps: matings.len(),
         steps_per_pitch: steps_per_pitch as usize,
         step: gear.gear().basic_data().angular_pitch() / f64::from(steps_per_pitch),

@@ -61,7 +61,7 @@ pub struct RollRange {
 }
 
 /// The even poses of a curve.
-pub(super) struct RollCurve {
+pub(super) struct DeviationCurve {
     /// Even poses of one revolution.
     pub steps: usize,
     pub steps_per_pitch: usize,
@@ -111,7 +111,7 @@ impl Piece {
 ///
 /// `None` if a pose has no distance.
 pub(super) fn bracketed(
-    curve: &RollCurve,
+    curve: &DeviationCurve,
     more: &dyn Fn(usize),
     take: &(dyn Fn(usize, f64) -> Result<Option<RollSample>, Error> + Sync),
 ) -> Result<Option<Bracketed>, Error> {
@@ -159,7 +159,7 @@ pub(super) fn bracketed(
     Ok(None)
 }
 
-fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Piece> {
+fn pieces(curve: &DeviationCurve, samples: &BTreeMap<u64, RollSample>) -> Vec<Piece> {
     let round = curve.steps as u64 * PARTS;
     let first = samples.first_key_value();
     let next = samples
@@ -194,7 +194,7 @@ struct Ranges {
 }
 
 impl Ranges {
-    fn of(curve: &RollCurve, pieces: &[Piece]) -> Ranges {
+    fn of(curve: &DeviationCurve, pieces: &[Piece]) -> Ranges {
         let all = Span::of(pieces.iter());
         let mut within = vec![false; pieces.len()];
         let total: Vec<bool> = pieces

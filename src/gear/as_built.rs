@@ -1,9 +1,10 @@
 //! A gear as built: the place of every flank, and the axis of rotation.
 
+use super::lead::Leads;
 use super::modified_flanks::{ModifiedHalves, end_at};
 use super::{
-    BasicGearData, Face, Flank, Gear, Modification, PartCurve, Pitch, Profile, ProfilePart,
-    RollCurve, Side, involute, thickness,
+    BasicGearData, DeviationCurve, Face, Flank, Gear, Lead, Modification, PartCurve, Pitch,
+    Profile, ProfilePart, Side, involute, thickness,
 };
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
@@ -25,6 +26,8 @@ pub struct Deviations {
     pub any_direction: bool,
     /// Profile deviation of the gear's own right flanks, and of its left ones.
     pub profiles: [Modification; 2],
+    /// Lead deviation of the gear's own right flanks, and of its left ones.
+    pub leads: [Lead; 2],
 }
 
 impl Deviations {
@@ -82,24 +85,30 @@ pub struct AsBuilt {
     any_direction: bool,
     /// Right and left half teeth; `None` without profile deviations.
     modified: Option<Arc<[ModifiedHalves; 2]>>,
+    /// `None` without lead deviations. The offsets contain their values at `height`.
+    leads: Option<Arc<Leads>>,
+    /// Height of this section above the measuring plane, mm, away from the reference face; it matters to leads alone.
+    height: f64,
 }
 
 impl AsBuilt {
     /// A `gear` with `deviations`, its reference face turned to `face`.
     ///
     /// A thickness `δ_s` turns each flank outwards by `δ_s/(2 r)`. A pitch deviation `F` turns it by `F/r` along ascending
-    /// numbers. The fillet turns with its flank about the geometric centre (design section 4).
+    /// numbers. The fillet turns with its flank about the geometric centre (design section 4). A lead turns it further in each section.
     ///
     /// # Errors
     /// Lists without one value per tooth; a pitch deviation of half a pitch; a runout of the tooth depth or more; a high tooth outside
     /// `1 ≤ … < z + 1`. Profile deviations as in [`Modification::curves`], on straight flanks, or too large for any flank.
-    /// Deviations that leave a tooth without a tip or close a space.
+    /// Lead deviations as in [`Lead::curves`]. Deviations that leave a tooth without a tip or close a space.
     pub fn new(gear: Gear, face: Face, deviations: &Deviations) -> Result<AsBuilt, GearError> {
         let teeth = gear.basic_data().teeth() as usize;
         let offsets = Side::BOTH.map(|_| vec![0.0; teeth]);
         let offsets = deviations.offsets(gear.basic_data(), face, offsets)?;
         let as_built = AsBuilt {
             modified: modified(&gear, face, &deviations.profiles)?.map(Arc::new),
+            leads: Leads::new(&deviations.leads, gear.basic_data().teeth())?.map(Arc::new),
+            height: 0.0,
             offsets: offsets.map(Arc::from),
             face,
             eccentricity: deviations.eccentricity,
@@ -107,6 +116,12 @@ impl AsBuilt {
             any_direction: deviations.any_direction,
             gear,
         };
+        let as_built = as_built.with_leads_turned(|curve| curve.at(0.0));
+        if as_built.has_leads() {
+            for which in [0, 1] {
+                as_built.at_lead_bound(which, None).check_teeth()?;
+            }
+        }
         as_built.checked()
     }
 
@@ -129,6 +144,8 @@ impl AsBuilt {
             high_tooth: 1.0,
             any_direction: false,
             modified: None,
+            leads: None,
+            height: 0.0,
         }
     }
 
@@ -181,6 +198,7 @@ impl AsBuilt {
         };
         let exaggerated = AsBuilt {
             modified: self.modified_of(&gear, factor)?,
+            leads: self.leads_by(|curve| curve.scaled(factor)),
             offsets: Side::BOTH.map(enlarged),
             eccentricity: factor * self.eccentricity,
             gear,
@@ -197,6 +215,8 @@ impl AsBuilt {
         let gear = self.gear.expanded(factor)?;
         Ok(AsBuilt {
             modified: self.modified_of(&gear, factor)?,
+            leads: self.leads_by(|curve| curve.enlarged(factor)),
+            height: factor * self.height,
             eccentricity: factor * self.eccentricity,
             gear,
             ..self.clone()
@@ -431,7 +451,7 @@ impl AsBuilt {
     }
 
     /// Profile deviation of the flank on `side` of `tooth` over the roll; `None` without profile deviations.
-    pub fn modification(&self, side: Side, tooth: u32) -> Option<&RollCurve> {
+    pub fn modification(&self, side: Side, tooth: u32) -> Option<&DeviationCurve> {
         match &self.profile(side, tooth).part(ProfilePart::Involute).curve {
             PartCurve::Modified(flank) => Some(flank.deviation()),
             _ => None,
@@ -453,15 +473,17 @@ impl AsBuilt {
         self.modified.is_none() && self.gear.is_generated()
     }
 
-    /// Two gears without profile deviations: one that encloses this gear and one that this gear encloses.
+    /// Two gears without profile and lead deviations: one that encloses this gear and one that this gear encloses.
     ///
-    /// Their flanks are turned by the greatest and by the least deviation of each flank. An involute with the constant deviation `D`
-    /// is an involute turned by `D/r_b`. The last value is the greatest range of deviations on one flank, mm.
+    /// Their flanks are turned by the greatest and by the least deviation of each flank, over the face `from` to `to`, mm from this section.
+    /// An involute with the constant deviation `D` is an involute turned by `D/r_b`. The last value is the greatest range of profile
+    /// deviations on one flank, mm.
     ///
     /// # Errors
     /// As [`AsBuilt::new`] of thickness.
-    pub(crate) fn enclosing(&self) -> Result<([AsBuilt; 2], f64), GearError> {
-        let mut enclosing = [self.unmodified(), self.unmodified()];
+    pub(crate) fn enclosing(&self, face: [f64; 2]) -> Result<([AsBuilt; 2], f64), GearError> {
+        let bound = |which: usize| self.at_lead_bound(which, Some(face)).unmodified();
+        let mut enclosing = [bound(1), bound(0)];
         let mut range = 0.0f64;
         let base = self.gear.base_radius();
         for side in Side::BOTH {
@@ -482,6 +504,105 @@ impl AsBuilt {
             other.check_teeth()?;
         }
         Ok((enclosing, range))
+    }
+
+    /// Whether the gear has lead deviations.
+    pub fn has_leads(&self) -> bool {
+        self.leads.is_some()
+    }
+
+    /// Heights over the measuring plane of both ends of a stretch, mm from this section away from the viewer, the lesser first.
+    fn heights(&self, stretch: [f64; 2]) -> [f64; 2] {
+        let [one, other] = stretch.map(|b| self.height + self.inwards() * b);
+        [one.min(other), one.max(other)]
+    }
+
+    /// Sense of the heights along the axis: +1 away from the viewer, where the reference face is in front.
+    fn inwards(&self) -> f64 {
+        -self.face.ascending()
+    }
+
+    /// Lead deviation of a tooth's flank, mm, `b` mm from this section away from the viewer.
+    pub fn lead(&self, side: Side, tooth: u32, b: f64) -> f64 {
+        let height = self.height + self.inwards() * b;
+        self.lead_curve(side, tooth)
+            .map_or(0.0, |curve| curve.at(height))
+    }
+
+    /// The lead deviation of a tooth's flank over the height; `None` without lead deviations.
+    pub(crate) fn lead_curve(&self, side: Side, tooth: u32) -> Option<&DeviationCurve> {
+        let leads = self.leads.as_deref()?;
+        let flank = self.face.flank_of(side);
+        Some(leads.shape(flank, leads.shape_of(flank, tooth)))
+    }
+
+    /// Places, mm from this section away from the viewer and in no order, between which the lead of a tooth's flank is one cubic.
+    pub(crate) fn lead_knots(&self, side: Side, tooth: u32) -> impl Iterator<Item = f64> {
+        let curve = self.lead_curve(side, tooth).into_iter();
+        let knots = curve.flat_map(|curve| curve.knots().iter());
+        knots.map(|knot| self.inwards() * (knot - self.height))
+    }
+
+    /// Rate of the lead of a tooth's flank, mm per mm, `b` mm from this section away from the viewer.
+    pub(crate) fn lead_rate(&self, side: Side, tooth: u32, b: f64) -> f64 {
+        let height = self.height + self.inwards() * b;
+        let rate = self
+            .lead_curve(side, tooth)
+            .map_or(0.0, |curve| curve.slope(height));
+        self.inwards() * rate
+    }
+
+    /// Whether all teeth have one lead on each flank.
+    pub(crate) fn has_one_lead(&self) -> bool {
+        let one = |leads: &Leads| {
+            Flank::BOTH
+                .into_iter()
+                .all(|flank| leads.shapes(flank) == 1)
+        };
+        self.leads.as_deref().is_none_or(one)
+    }
+
+    /// This gear with every flank turned by `more` of its lead, mm.
+    fn with_leads_turned(&self, more: impl Fn(&DeviationCurve) -> f64) -> AsBuilt {
+        let Some(leads) = &self.leads else {
+            return self.clone();
+        };
+        let base = self.gear.base_radius();
+        let turned = |side: Side| {
+            let flank = self.face.flank_of(side);
+            let curves = (0..leads.shapes(flank)).map(|shape| leads.shape(flank, shape));
+            let more: Vec<f64> = curves
+                .map(|curve| side.sense() * more(curve) / base)
+                .collect();
+            let offsets = (1..).zip(self.offsets[side.index()].iter());
+            let turned = offsets.map(|(tooth, offset)| offset + more[leads.shape_of(flank, tooth)]);
+            turned.collect()
+        };
+        AsBuilt {
+            offsets: Side::BOTH.map(turned),
+            ..self.clone()
+        }
+    }
+
+    /// This gear without leads, every flank turned to the least (0) or the greatest (1) value of its lead over `face`, mm from this section;
+    /// `None`: over its own length.
+    fn at_lead_bound(&self, which: usize, face: Option<[f64; 2]>) -> AsBuilt {
+        let bound = |curve: &DeviationCurve| {
+            let knots = curve.knots();
+            let own = [knots[0], knots[knots.len() - 1]];
+            let [from, to] = face.map_or(own, |face| self.heights(face));
+            curve.bounds(from, to)[0][which] - curve.at(self.height)
+        };
+        AsBuilt {
+            leads: None,
+            ..self.with_leads_turned(bound)
+        }
+    }
+
+    /// The leads with `change` applied to every curve.
+    fn leads_by(&self, change: impl Fn(&DeviationCurve) -> DeviationCurve) -> Option<Arc<Leads>> {
+        let leads = self.leads.as_deref()?;
+        Some(Arc::new(leads.map(change)))
     }
 
     /// Least and greatest deviation, mm, of each shape on a side.
@@ -543,24 +664,21 @@ impl AsBuilt {
         varied.checked()
     }
 
-    /// The transverse section of this helical gear at `b`, mm along the axis from the measuring plane away from the viewer.
+    /// The transverse section of this gear at `b`, mm along the axis from this plane away from the viewer.
     ///
-    /// See [`crate::pair::GearPair::section`].
+    /// The teeth keep their places of the measuring plane. The eccentricity is constant along the axis, so it turns back by the twist. Leads
+    /// turn the flanks. See [`crate::pair::GearPair::section`].
     #[must_use]
     pub fn section_at(&self, b: f64) -> AsBuilt {
-        self.section(b * self.gear.basic_data().twist())
-    }
-
-    /// The transverse section in which the teeth are turned by `angle`, rad, counter-clockwise as seen from the front.
-    ///
-    /// The teeth keep their places of the measuring plane. The eccentricity is constant along the axis, so it turns back by `angle`.
-    pub(crate) fn section(&self, angle: f64) -> AsBuilt {
-        let teeth = self.face.ascending() * angle / self.gear.basic_data().angular_pitch();
-        let count = f64::from(self.gear.basic_data().teeth());
-        let high_tooth = 1.0 + (self.high_tooth - 1.0 - teeth).rem_euclid(count);
+        let basic_data = self.gear.basic_data();
+        let angle = b * basic_data.twist();
+        let teeth = self.face.ascending() * angle / basic_data.angular_pitch();
+        let count = f64::from(basic_data.teeth());
+        let height = self.height + self.inwards() * b;
         AsBuilt {
-            high_tooth,
-            ..self.clone()
+            high_tooth: 1.0 + (self.high_tooth - 1.0 - teeth).rem_euclid(count),
+            height,
+            ..self.with_leads_turned(|curve| curve.at(height) - curve.at(self.height))
         }
     }
 

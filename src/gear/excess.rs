@@ -14,7 +14,9 @@
 //! To first order each excess is `δ` at the contact. The greatest sample is refined by golden section.
 
 use super::modified_flanks::end_at;
-use super::{Deviations, Flank, FlankShifts, Gear, Modification, RollCurve, involute, thickness};
+use super::{
+    DeviationCurve, Deviations, Flank, FlankShifts, Gear, Modification, involute, thickness,
+};
 use crate::error::GearError;
 use crate::numeric::golden_section;
 use std::collections::HashMap;
@@ -28,7 +30,7 @@ const SUMMIT: f64 = 1e-9;
 /// A flank that a gauge touches.
 struct GaugedFlank<'a> {
     base: f64,
-    deviation: &'a RollCurve,
+    deviation: &'a DeviationCurve,
     /// Rolls of its lower and upper end.
     ends: [f64; 2],
 }
@@ -92,7 +94,7 @@ impl GaugedFlank<'_> {
 pub(crate) struct Excess<'a> {
     gear: &'a Gear,
     /// Curves of the gear's own right and left flanks: one per tooth, or one for all teeth.
-    curves: [Vec<Arc<RollCurve>>; 2],
+    curves: [Vec<Arc<DeviationCurve>>; 2],
 }
 
 impl<'a> Excess<'a> {
@@ -122,7 +124,7 @@ impl<'a> Excess<'a> {
     ) -> FlankShifts {
         let gear = self.gear;
         let cos = gear.basic_data().transverse_pressure_angle().cos();
-        let mut known: HashMap<(*const RollCurve, u64), f64> = HashMap::new();
+        let mut known: HashMap<(*const DeviationCurve, u64), f64> = HashMap::new();
         let mut of_side = |own: Flank| -> Vec<f64> {
             let curves = &self.curves[own.index()];
             let teeth = 1..=gear.basic_data().teeth();

@@ -3,10 +3,10 @@
 //! Deviations are mm along the involute's normal, plus = more material. Slope and crowning are a straight line and a parabola of
 //! the roll over the evaluation range and continue beyond it. A trace is constant beyond its ends.
 //!
-//! The deviation is a curve of the roll (`roll_curve`) on a flank (`part::modified`).
+//! The deviation is a curve of the roll (`deviation_curve`) on a flank (`part::modified`).
 //! [`AsBuilt::profile`](super::AsBuilt::profile) is the half tooth of one tooth.
 
-use super::{Gear, RollCurve, involute};
+use super::{DeviationCurve, Gear, involute};
 use crate::error::GearError;
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ pub struct Relief {
     pub parabolic: bool,
 }
 
-/// A measured profile: points of roll, rad, strictly ascending, and deviation, mm.
+/// A measured profile or lead: points of roll, rad, or height, mm, strictly ascending, and deviation, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
     /// The measured tooth; `None`: the trace holds for all teeth.
@@ -71,44 +71,14 @@ impl Modification {
     /// # Errors
     /// An evaluation range or a relief beyond the flank or without length; a relief below 0; a trace with fewer than two points or not
     /// ascending; a second trace of a tooth, or one of a tooth that does not exist.
-    pub fn curves(&self, gear: &Gear) -> Result<Vec<Arc<RollCurve>>, GearError> {
+    pub fn curves(&self, gear: &Gear) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
         let designed = self.designed(gear)?;
         let teeth = gear.basic_data().teeth();
-        let mut own: Vec<Option<RollCurve>> = vec![None; teeth as usize];
-        let mut all = None;
-        for trace in &self.traces {
-            let curve = trace.curve()?;
-            let taken = match trace.tooth {
-                None => all.replace(curve).is_some() || self.traces.len() > 1,
-                Some(tooth) if (1..=teeth).contains(&tooth) => {
-                    own[tooth as usize - 1].replace(curve).is_some()
-                }
-                Some(tooth) => return Err(GearError::NoSuchTooth { tooth, teeth }),
-            };
-            if taken {
-                return Err(GearError::Readings(
-                    "a tooth has two profile traces, or one stands for all teeth beside others",
-                ));
-            }
-        }
-        let total = |trace: &RollCurve| Arc::new(RollCurve::sum(&[(1.0, &designed), (1.0, trace)]));
-        if let Some(trace) = all {
-            return Ok(vec![total(&trace)]);
-        }
-        let measured: Vec<&RollCurve> = own.iter().flatten().collect();
-        if measured.is_empty() {
-            return Ok(vec![Arc::new(designed)]);
-        }
-        let share = 1.0 / measured.len() as f64;
-        let weighed: Vec<(f64, &RollCurve)> =
-            measured.iter().map(|curve| (share, *curve)).collect();
-        let mean = total(&RollCurve::sum(&weighed));
-        let curve = |own: &Option<RollCurve>| own.as_ref().map_or_else(|| Arc::clone(&mean), total);
-        Ok(own.iter().map(curve).collect())
+        of_teeth(&designed, &self.traces, teeth, Trace::curve)
     }
 
     /// Slope, crowning and reliefs.
-    fn designed(&self, gear: &Gear) -> Result<RollCurve, GearError> {
+    fn designed(&self, gear: &Gear) -> Result<DeviationCurve, GearError> {
         let [form, tip] = [gear.form_roll(), gear.tip_roll()];
         let [start, end] = self.evaluated(gear);
         GearError::require(
@@ -123,7 +93,7 @@ impl Modification {
         // Slope and parabola in powers of ξ.
         let rise = self.slope / length;
         let bulge = 4.0 * self.crowning / (length * length);
-        let mut parts = vec![RollCurve::polynomial(
+        let mut parts = vec![DeviationCurve::polynomial(
             whole,
             [
                 -rise * start - bulge * start * end,
@@ -169,9 +139,9 @@ impl Modification {
                 0.0,
             ];
             let curve = if beyond > from {
-                RollCurve::polynomial([from, beyond], cubic)
+                DeviationCurve::polynomial([from, beyond], cubic)
             } else {
-                RollCurve::polynomial([beyond, from], cubic).zero_until(2.0 * tip)
+                DeviationCurve::polynomial([beyond, from], cubic).zero_until(2.0 * tip)
             };
             parts.push(if relief.parabolic {
                 curve
@@ -179,24 +149,70 @@ impl Modification {
                 curve.with_edge(from)
             });
         }
-        let parts: Vec<(f64, &RollCurve)> = parts.iter().map(|part| (1.0, part)).collect();
-        Ok(RollCurve::sum(&parts))
+        let parts: Vec<(f64, &DeviationCurve)> = parts.iter().map(|part| (1.0, part)).collect();
+        Ok(DeviationCurve::sum(&parts))
     }
 }
 
 impl Trace {
-    fn curve(&self) -> Result<RollCurve, GearError> {
+    fn curve(&self) -> Result<DeviationCurve, GearError> {
         let finite =
             |point: &(f64, f64)| point.0.is_finite() && point.0 >= 0.0 && point.1.is_finite();
         let ascends = self.points.windows(2).all(|pair| pair[1].0 > pair[0].0);
         if self.points.len() >= 2 && ascends && self.points.iter().all(finite) {
-            Ok(RollCurve::through(&self.points))
+            Ok(DeviationCurve::through(&self.points))
         } else {
             Err(GearError::Readings(
                 "a profile trace needs two points or more, of ascending roll from the base circle on",
             ))
         }
     }
+}
+
+/// The deviation of every tooth's flank, tooth 1 first: `designed` plus its trace, or plus the mean of all traces. A single curve if all
+/// teeth share it.
+///
+/// # Errors
+/// A second trace of a tooth, or one of a tooth that does not exist; errors of `curve`.
+pub(super) fn of_teeth(
+    designed: &DeviationCurve,
+    traces: &[Trace],
+    teeth: u32,
+    curve: impl Fn(&Trace) -> Result<DeviationCurve, GearError>,
+) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
+    let mut own: Vec<Option<DeviationCurve>> = vec![None; teeth as usize];
+    let mut all = None;
+    for trace in traces {
+        let curve = curve(trace)?;
+        let taken = match trace.tooth {
+            None => all.replace(curve).is_some() || traces.len() > 1,
+            Some(tooth) if (1..=teeth).contains(&tooth) => {
+                own[tooth as usize - 1].replace(curve).is_some()
+            }
+            Some(tooth) => return Err(GearError::NoSuchTooth { tooth, teeth }),
+        };
+        if taken {
+            return Err(GearError::Readings(
+                "a tooth has two traces, or one stands for all teeth beside others",
+            ));
+        }
+    }
+    let total =
+        |trace: &DeviationCurve| Arc::new(DeviationCurve::sum(&[(1.0, designed), (1.0, trace)]));
+    if let Some(trace) = all {
+        return Ok(vec![total(&trace)]);
+    }
+    let measured: Vec<&DeviationCurve> = own.iter().flatten().collect();
+    if measured.is_empty() {
+        return Ok(vec![Arc::new(designed.clone())]);
+    }
+    let share = 1.0 / measured.len() as f64;
+    let weighed: Vec<(f64, &DeviationCurve)> =
+        measured.iter().map(|curve| (share, *curve)).collect();
+    let mean = total(&DeviationCurve::sum(&weighed));
+    let curve =
+        |own: &Option<DeviationCurve>| own.as_ref().map_or_else(|| Arc::clone(&mean), total);
+    Ok(own.iter().map(curve).collect())
 }
 
 #[cfg(test)]
@@ -211,7 +227,7 @@ mod tests {
         }
     }
 
-    fn curves(traces: &[(Option<u32>, f64)]) -> Result<Vec<Arc<RollCurve>>, GearError> {
+    fn curves(traces: &[(Option<u32>, f64)]) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
         let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
         let traces = traces.iter().map(|&(tooth, value)| trace(tooth, value));
         let modification = Modification {

@@ -4,7 +4,7 @@
 //! base circle have the involute's lengths. Fillet and root land turn with the lower end of the flank.
 
 use super::part::ModifiedFlank;
-use super::{Gear, Part, PartCurve, ProfilePart, RollCurve};
+use super::{DeviationCurve, Gear, Part, PartCurve, ProfilePart};
 use crate::error::GearError;
 use crate::numeric::bisect;
 use std::collections::HashMap;
@@ -23,7 +23,7 @@ impl ModifiedHalves {
     ///
     /// # Errors
     /// As [`half_tooth`].
-    pub fn new(gear: &Gear, curves: &[Arc<RollCurve>]) -> Result<ModifiedHalves, GearError> {
+    pub fn new(gear: &Gear, curves: &[Arc<DeviationCurve>]) -> Result<ModifiedHalves, GearError> {
         let mut shapes = Vec::new();
         let mut known = HashMap::new();
         let mut of_tooth = Vec::with_capacity(curves.len());
@@ -73,7 +73,7 @@ impl ModifiedHalves {
 ///
 /// # Errors
 /// [`GearError::Profile`] if the flank is irregular or leaves no tip land.
-fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], GearError> {
+fn half_tooth(gear: &Gear, deviation: &Arc<DeviationCurve>) -> Result<[Part; 4], GearError> {
     let base = gear.base_radius();
     let [tip, form] = [gear.tip_roll(), gear.form_roll()];
     let fault = |what| GearError::Profile { what };
@@ -111,7 +111,7 @@ fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], Gear
 ///
 /// It is exactly `ξ_0` without a deviation there. A steep deviation may have more solutions at a greater distance, so growing steps
 /// from `ξ_0` find the first.
-pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
+pub(super) fn end_at(base: f64, roll: f64, deviation: &DeviationCurve) -> Option<f64> {
     let excess = |xi: f64| base * (xi - roll) + deviation.at(xi);
     let here = excess(roll);
     if here == 0.0 {

@@ -134,4 +134,12 @@ impl Face {
             (Face::Front, Flank::Left) | (Face::Back, Flank::Right) => Side::Left,
         }
     }
+
+    /// The gear's own flank on a side of the picture.
+    pub fn flank_of(self, side: Side) -> Flank {
+        match (self, side) {
+            (Face::Front, Side::Right) | (Face::Back, Side::Left) => Flank::Right,
+            (Face::Front, Side::Left) | (Face::Back, Side::Right) => Flank::Left,
+        }
+    }
 }

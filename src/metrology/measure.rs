@@ -8,7 +8,7 @@ use super::settle::{FlankStatements, Flanks, StatedTooth};
 use super::thickness_statement::{ThicknessStatement, Toleranced};
 use super::{contradictions, outliers, plausibility, profile};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Modification, Pitch};
+use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Lead, Modification, Pitch};
 
 /// The measurements of one gear.
 ///
@@ -34,6 +34,8 @@ pub struct Measurements {
     ///
     /// A span, a dimension over pins and a pitch belong to the flanks at the contacts; other thickness statements to the involutes.
     pub profiles: [Modification; 2],
+    /// Lead deviations of the gear's own right flanks and of its left ones.
+    pub leads: [Lead; 2],
 }
 
 /// A second statement of the tooth thickness.
@@ -78,6 +80,7 @@ impl Measurements {
             pitch: None,
             runout: RunoutStatement::None,
             profiles: Default::default(),
+            leads: Default::default(),
         }
     }
 
@@ -106,6 +109,7 @@ impl Measurements {
             pitch: own,
             high_tooth: 1.0,
             profiles: self.profiles.clone(),
+            leads: self.leads.clone(),
             ..Deviations::default()
         };
         let gears = self.tooth().gears(&stated).map_err(|error| vec![error])?;

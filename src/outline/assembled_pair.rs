@@ -69,6 +69,11 @@ impl AssembledPair {
         self.data().is_some_and(GearPair::is_helical)
     }
 
+    /// Whether transverse sections differ along the face: helical teeth, or lead deviations.
+    pub fn varies_along_face(&self) -> bool {
+        self.data().is_some_and(GearPair::varies_along_face)
+    }
+
     /// The gear that stands still.
     pub fn locked(&self) -> Member {
         ToothNumbers::locked(self)

@@ -176,6 +176,16 @@ impl GearPair {
         self.wheel.gear().basic_data().hand().is_some()
     }
 
+    /// Whether either gear has lead deviations.
+    pub fn has_leads(&self) -> bool {
+        self.wheel.has_leads() || self.pinion.has_leads()
+    }
+
+    /// Whether transverse sections differ along the face: helical teeth, or lead deviations.
+    pub fn varies_along_face(&self) -> bool {
+        self.is_helical() || self.has_leads()
+    }
+
     /// Whether either gear has profile deviations.
     pub fn is_modified(&self) -> bool {
         self.wheel.is_modified() || self.pinion.is_modified()
@@ -246,11 +256,11 @@ impl GearPair {
         b * self.gear(member).gear().basic_data().twist()
     }
 
-    /// The transverse section of this helical pair at `b`, mm along the axis, as a plane pair with the tooth numbers of the measuring plane.
+    /// The transverse section at `b`, mm along the axis, as a plane pair with the tooth numbers of the measuring plane.
     ///
-    /// The teeth wind about the axis and the eccentricity does not: relative to the teeth it turns by `−τ(b)`.
+    /// Helical teeth wind about the axis and the eccentricity does not: relative to the teeth it turns by `−τ(b)`. Leads turn each flank.
     pub fn section(&self, b: f64) -> GearPair {
-        let at = |member| self.gear(member).section(self.twist(member, b));
+        let at = |member| self.gear(member).section_at(b);
         GearPair {
             wheel: at(Member::Wheel),
             pinion: at(Member::Pinion),

@@ -21,6 +21,7 @@ mod helical_extremes;
 mod helical_pairs;
 mod helical_sections;
 mod helical_warm;
+mod leads;
 mod modified;
 mod odd_teeth;
 mod outline_extremes;

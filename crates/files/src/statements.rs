@@ -37,6 +37,7 @@ impl Statements<'_> {
             pitch: self.pitch.as_ref().map(PitchSheet::measured),
             runout: self.runout.measured(),
             profiles: self.profiles.measured(&self.design.basic_data),
+            leads: Default::default(),
         }
     }
 

@@ -261,7 +261,7 @@ pub struct ContactRow {
     contact: Contact,
     /// `None` for a drawn pair.
     class: Option<ContactClass>,
-    is_helical: bool,
+    varies_along_face: bool,
 }
 
 impl ContactRow {
@@ -270,7 +270,7 @@ impl ContactRow {
         ContactRow {
             contact: *contact,
             class: pair.map(|pair| ContactClass::of(pair, side, contact)),
-            is_helical: pair.is_some_and(GearPair::is_helical),
+            varies_along_face: pair.is_some_and(GearPair::varies_along_face),
         }
     }
 
@@ -311,7 +311,7 @@ impl Row for ContactRow {
                 "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
                 "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
                 "section_mm" Plain [no_csv] => row.contact.section;
-                "" Plain [only_page("section_mm")] => Value::optional(row.is_helical.then_some(row.contact.section));
+                "" Plain [only_page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
                 "normal.0" Plain [no_csv] => row.contact.normal.x;
                 "normal.1" Plain [no_csv] => row.contact.normal.y;
                 "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);

@@ -1,6 +1,6 @@
 //! Bounds of a flank's deviation between two rolls, from a table.
 
-use crate::gear::{Part, PartCurve, RollCurve};
+use crate::gear::{DeviationCurve, Part, PartCurve};
 
 /// Stretches of roll in the table of a flank (tuned: about as many as a dense trace has points).
 const STRETCHES: usize = 256;
@@ -90,7 +90,7 @@ impl FlankHeights {
 }
 
 /// The deviation of a flank; `None` for an involute without any.
-pub(super) fn deviation(flank: &Part) -> Option<&RollCurve> {
+pub(super) fn deviation(flank: &Part) -> Option<&DeviationCurve> {
     match &flank.curve {
         PartCurve::Modified(flank) => Some(flank.deviation()),
         _ => None,

@@ -61,11 +61,24 @@ impl FlankProblem {
         FlankProblem::of(assembly, self.side, teeth)
     }
 
-    /// The problem of these teeth in another section of a helical pair, `pair`, whose eccentricities have turned.
+    /// The problem in another section, `pair`, of the pair whose measuring plane this is. Its eccentricities have turned, and leads have
+    /// turned its flanks.
     pub fn turned(&self, pair: &GearPair) -> FlankProblem {
+        let teeth = |teeth: &Arc<Teeth>, gear: &AsBuilt| {
+            if gear.has_leads() {
+                Arc::new(Teeth::new(gear, self.side))
+            } else {
+                Arc::clone(teeth)
+            }
+        };
+        let (locked, free) = (pair.gear(pair.locked()), pair.gear(pair.free()));
+        if pair.has_leads() {
+            let teeth = (teeth(&self.locked, locked), teeth(&self.free, free));
+            return FlankProblem::of(pair, self.side, teeth);
+        }
         FlankProblem {
-            locked_off: displacement(pair.gear(pair.locked()), self.side),
-            free_off: displacement(pair.gear(pair.free()), self.side),
+            locked_off: displacement(locked, self.side),
+            free_off: displacement(free, self.side),
             ..self.clone()
         }
     }

@@ -38,6 +38,7 @@ mod report;
 mod search;
 mod search_free_proof;
 mod section;
+mod separation;
 mod shape;
 mod tangent;
 mod teeth;
@@ -87,7 +88,7 @@ impl ExactKernel {
 
     fn of(assembly: &GearPair, section: Section) -> ExactKernel {
         let helical = assembly
-            .is_helical()
+            .varies_along_face()
             .then(|| Box::new(Helical::new(assembly, &section)));
         ExactKernel { section, helical }
     }

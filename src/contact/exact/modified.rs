@@ -79,7 +79,7 @@ impl OuterGears {
         }
         let convex =
             |problem: &FlankProblem| problem.locked.is_convex() && problem.free.is_convex();
-        let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
+        let enclosing = |member: Member| assembly.gear(member).enclosing([0.0; 2]).ok();
         let ([wheel, _], one) = enclosing(Member::Wheel)?;
         let ([pinion, _], other) = enclosing(Member::Pinion)?;
         let distance = assembly.center_distance();

@@ -81,8 +81,13 @@ impl Section {
         Section::of(assembly, problems, self.envelopes.clone(), outer)
     }
 
-    /// Another section of the helical pair whose measuring plane this is; [`GearPair::section`] made `pair`.
+    /// Another section of the pair whose measuring plane this is; [`GearPair::section`] made `pair`.
     pub fn turned(&self, pair: &GearPair) -> Section {
+        if pair.has_leads() {
+            let problems = [&self.right, &self.left].map(|problem| problem.turned(pair));
+            let outer = OuterGears::new(pair, &problems);
+            return Section::of(pair, problems, self.envelopes.clone(), outer);
+        }
         Section {
             right: self.right.turned(pair),
             left: self.left.turned(pair),

@@ -56,7 +56,7 @@ impl Proof {
         }
         self.verify_play(assembly, pose)?;
         for side in &self.sides {
-            if !assembly.is_helical() {
+            if !assembly.varies_along_face() {
                 verify_side(assembly, pose, side)?;
                 continue;
             }

@@ -9,7 +9,7 @@
 //! The normal is the involute's `−iE` turned by `−atan(δ'/a)`. The curvature is `κ = (1 − (δ'' a − δ' (r_b + δ'))/h²)/h`.
 
 use super::Osculating;
-use crate::gear::RollCurve;
+use crate::gear::DeviationCurve;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -21,7 +21,7 @@ pub struct ModifiedFlank {
     base: f64,
     /// `ψ_b`, rad.
     half_base: f64,
-    deviation: Arc<RollCurve>,
+    deviation: Arc<DeviationCurve>,
     /// [`ModifiedFlank::bend`] over the whole flank, without the term `r_b ξ`.
     bend: (f64, f64),
 }
@@ -33,7 +33,7 @@ impl ModifiedFlank {
     pub(in crate::gear) fn new(
         base: f64,
         half_base: f64,
-        deviation: Arc<RollCurve>,
+        deviation: Arc<DeviationCurve>,
         [low, high]: [f64; 2],
     ) -> Option<ModifiedFlank> {
         let mut flank = ModifiedFlank {
@@ -55,7 +55,7 @@ impl ModifiedFlank {
     }
 
     /// The deviation.
-    pub fn deviation(&self) -> &RollCurve {
+    pub fn deviation(&self) -> &DeviationCurve {
         &self.deviation
     }
 
@@ -244,7 +244,7 @@ mod tests {
     /// Flanks of 40 mm base radius: 20 µm of crowning, and a hollow of 30 µm.
     fn flanks() -> [ModifiedFlank; 2] {
         [[-0.02, 0.08, -0.08, 0.0], [0.01, -0.12, 0.12, 0.02]].map(|coefficients| {
-            let curve = Arc::new(RollCurve::polynomial([0.0, 1.0], coefficients));
+            let curve = Arc::new(DeviationCurve::polynomial([0.0, 1.0], coefficients));
             ModifiedFlank::new(40.0, 0.03, curve, [0.02, 0.9]).unwrap()
         })
     }
@@ -277,7 +277,8 @@ mod tests {
     /// The radius is 0 across an edge and positive beside it.
     #[test]
     fn an_edge_bends_with_no_radius() {
-        let curve = RollCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]).with_edge(0.4);
+        let curve =
+            DeviationCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]).with_edge(0.4);
         let flank = ModifiedFlank::new(40.0, 0.03, Arc::new(curve), [0.02, 0.9]).unwrap();
         assert_eq!(flank.least_bend_radius(0.3, 0.5), 0.0);
         assert!(flank.least_bend_radius(0.2, 0.3) > 0.0);

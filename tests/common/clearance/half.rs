@@ -3,7 +3,7 @@
 //! Frame: the gear's centre is the origin, and the tooth's centre line, turned with the flank, is on +x. The flank is
 //! at negative angles. Left half teeth are mirrored into this frame.
 
-use gearlash::gear::{AsBuilt, Gear, RollCurve, Side};
+use gearlash::gear::{AsBuilt, DeviationCurve, Gear, Side};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Parameters of the fillet that are stored as starts of its inversion.
@@ -30,7 +30,7 @@ pub struct Half {
     /// Radii at `γ` in equal steps.
     table: Vec<f64>,
     /// The profile deviation from the involute, along its normal.
-    deviation: Option<RollCurve>,
+    deviation: Option<DeviationCurve>,
 }
 
 /// The two ends of one tooth's half: angles from its centre line.
@@ -108,7 +108,7 @@ impl Half {
     }
 
     /// The half tooth with a profile deviation, its fillet turned to meet the end of the flank.
-    pub fn deviating(self, deviation: &RollCurve) -> Half {
+    pub fn deviating(self, deviation: &DeviationCurve) -> Half {
         let nominal = self.involute(self.form);
         let mut half = Half {
             deviation: Some(deviation.clone()),

@@ -13,13 +13,13 @@
 
 use super::super::deepest::deepest;
 use super::super::line::Line;
+use super::super::separation::Separation;
 use super::super::shape::{C, HalfToothShape};
 use super::super::teeth::reduced;
 use super::course::Posed;
 use super::dip::{Dip, Tip};
 use super::over::Over;
 use super::room::PairRoom;
-use super::separation::Separation;
 use super::table::OpenStep;
 
 /// Rounds in which the free gear's own eccentricity converges: each leaves at most a hundredth.

@@ -1,26 +1,25 @@
-//! Bounds of gears whose profiles deviate, from enclosing gears without deviations.
+//! Bounds of gears whose profiles or leads deviate, from enclosing gears without such deviations.
 //!
 //! Every half tooth lies within that of an outer gear and contains that of an inner one. These have the greatest and the least deviation of
-//! its flank everywhere. Additional metal never adds play, so at any pose the lost motion is between those of the outer and of the inner
+//! its flank everywhere, over its profile and over the common face. Additional metal never adds play, so at any pose the lost motion is between those of the outer and of the inner
 //! gears.
 
 use super::course::Course;
 use super::extreme::{Doubt, End, Extreme, Proof, UNKNOWN};
 use crate::contact::ExactKernel;
 use crate::error::Error;
-use crate::pair::{GearPair, Member};
+use crate::pair::Member;
 
 /// Lower bound of the least and upper bound of the greatest.
 pub(super) fn bounds(course: &Course, width: f64, of: &[End]) -> Result<[Proof; 2], Error> {
     let assembly = course.assembly;
-    let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
+    let enclosing = |member: Member| assembly.gear(member).enclosing(assembly.face()).ok();
     let Some((wheels, pinions)) = enclosing(Member::Wheel).zip(enclosing(Member::Pinion)) else {
         return Ok([UNKNOWN; 2]);
     };
-    let (distance, locked) = (assembly.center_distance(), assembly.locked());
     let extremes = |which: usize| {
         let (wheel, pinion) = (wheels.0[which].clone(), pinions.0[which].clone());
-        let pair = GearPair::with_locked(wheel, pinion, distance, locked)?;
+        let pair = assembly.with_gears(wheel, pinion, assembly.center_distance())?;
         let over = (course.first, course.matings);
         ExactKernel::new(&pair).extremes_within(&pair, over, width, course.effort)
     };

@@ -2,7 +2,7 @@
 //!
 //! Each side has room until its tightest pair of half teeth touches; the lost motion is the sum of both. Two bounds hold over a stretch of
 //! a mating. The lower bound treats each pair as nothing but involutes and their ends, and adds what fillets leave below the form circle
-//! ([`separation`], [`dip`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly every mating of a long cycle.
+//! ([`separation`](super::separation), [`dip`]). The upper bound is the room of any one pair. Tables ([`table`]) rule out nearly every mating of a long cycle.
 //! The rest is cut where its bound is worst, until no stretch can beat the best known pose by more than the requested width. So the bracket
 //! covers every rotation of every mating, and one of its ends is a pose of the exact method.
 //!
@@ -24,7 +24,6 @@ mod rolls;
 mod room;
 mod sample;
 mod search;
-mod separation;
 mod shift;
 mod side_table;
 mod table;
@@ -117,6 +116,7 @@ impl ExactKernel {
     /// distance. Then involutes, their ends and tip lands touch first.
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
         if assembly.is_modified()
+            || assembly.has_leads()
             || self.section.blocked
             || self.section.bodies.is_some()
             || !self.is_direct()
@@ -155,7 +155,7 @@ impl ExactKernel {
             _ => Until::End,
         };
         let mut found = PosesSeen::default();
-        if course.assembly.is_modified() {
+        if course.assembly.is_modified() || course.assembly.has_leads() {
             sample::sample(course, &mut found, until)?;
             let bounds = enclosed::bounds(course, width, of)?;
             return Ok(found.extremes(course, bounds));

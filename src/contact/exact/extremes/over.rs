@@ -1,5 +1,6 @@
 //! Bounds of the room of one side over a stretch of a mating, pair by pair of half teeth.
 
+use super::super::separation::{Separation, lowest_roll};
 use super::clearance::{HALVINGS, Lines};
 use super::corner_path;
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
@@ -7,7 +8,6 @@ use super::dip::Dip;
 use super::fillet::{self, OnFillet, Reached};
 use super::rolls::PIECE;
 use super::room::{self, PairRoom, Piece};
-use super::separation::{Separation, lowest_roll};
 use super::table::{BesideLine, OpenStep};
 use crate::contact::Effort;
 

@@ -1,9 +1,9 @@
 //! Rolls of the half teeth of a step in a part of a pitch, and their room beside the line of action.
 
 use super::super::line::Line;
+use super::super::separation::lowest_roll;
 use super::clearance::{HALVINGS, Lines};
 use super::course::{PARTS, SideCourse};
-use super::separation::lowest_roll;
 
 /// Part of a turn that is examined together over a face of helical gears (tuned: no tip of 44 standard teeth seems to reach a fillet).
 pub(super) const PIECE: f64 = 0.25;

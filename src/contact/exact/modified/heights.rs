@@ -28,7 +28,7 @@ mod settle;
 use crate::contact::exact::flank_heights::{FlankHeights, deviation};
 use crate::contact::exact::placed::Placed;
 use crate::contact::exact::shape::{C, turn};
-use crate::gear::{ProfilePart, RollCurve};
+use crate::gear::{DeviationCurve, ProfilePart};
 
 /// Two flanks with the free gear held at a gap.
 struct Heights<'a> {
@@ -43,7 +43,7 @@ struct Heights<'a> {
 struct Flank<'a> {
     base: f64,
     half_base: f64,
-    deviation: Option<&'a RollCurve>,
+    deviation: Option<&'a DeviationCurve>,
     heights: &'a FlankHeights,
     range: (f64, f64),
 }
@@ -66,7 +66,7 @@ impl<'a> Flank<'a> {
     }
 
     fn bounds(&self, from: f64, to: f64) -> [[f64; 2]; 3] {
-        let bounds = |curve: &RollCurve| curve.bounds(from, to);
+        let bounds = |curve: &DeviationCurve| curve.bounds(from, to);
         self.deviation.map_or([[0.0; 2]; 3], bounds)
     }
 }

@@ -1,11 +1,12 @@
-//! A profile deviation `δ` over the roll `ξ`: a piecewise cubic.
+//! A deviation `δ` of a flank, plus = more material: a piecewise cubic.
 //!
-//! The deviation counts along the involute's normal, plus = more material. It is constant before the first knot and after the last.
-//! Value and slope are continuous, except the slope at the *edges* where a straight relief begins.
+//! A profile deviation counts along the involute's normal, over the roll `ξ`. A lead deviation counts along the transverse base tangent,
+//! over the height along the axis. Both are constant before the first knot and after the last. The value is continuous. A profile's slope
+//! is continuous except at the *edges* where a straight relief begins; a lead's may jump at any knot.
 
-/// `δ(ξ)`, mm, of the roll, rad.
+/// `δ(ξ)`, mm, of the roll, rad, or of the height, mm.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RollCurve {
+pub struct DeviationCurve {
     /// Rolls, ascending; at least two.
     knots: Vec<f64>,
     /// Cubic after each knot but the last: coefficients of the powers of `ξ − knot`.
@@ -24,10 +25,10 @@ const BLOCK: usize = 16;
 /// Least and greatest value over an interval.
 pub(super) type Interval = [f64; 2];
 
-impl RollCurve {
+impl DeviationCurve {
     /// The polynomial in powers of `ξ − from` between two rolls, constant beyond.
-    pub(super) fn polynomial([from, to]: [f64; 2], cubic: [f64; 4]) -> RollCurve {
-        RollCurve {
+    pub(super) fn polynomial([from, to]: [f64; 2], cubic: [f64; 4]) -> DeviationCurve {
+        DeviationCurve {
             knots: vec![from, to],
             cubics: vec![cubic],
             edges: Vec::new(),
@@ -37,14 +38,14 @@ impl RollCurve {
     }
 
     /// This curve, extended by exactly 0 from its end to `to`.
-    pub(super) fn zero_until(mut self, to: f64) -> RollCurve {
+    pub(super) fn zero_until(mut self, to: f64) -> DeviationCurve {
         self.knots.push(to);
         self.cubics.push([0.0; 4]);
         self
     }
 
     /// This curve with an edge at `edge`, one of its ends.
-    pub(super) fn with_edge(mut self, edge: f64) -> RollCurve {
+    pub(super) fn with_edge(mut self, edge: f64) -> DeviationCurve {
         self.edges.push(edge);
         self
     }
@@ -54,7 +55,7 @@ impl RollCurve {
     /// It interpolates by monotone cubics (Fritsch and Carlson). The slope at a point is the harmonic mean of the neighbouring chords'
     /// slopes, or 0 if their signs differ. The curve never leaves the range of the two points beside it: `2 s t/(s + t) ≤ 2 min(s, t)`
     /// keeps each end slope within three times the chord's, which makes the cubic monotone.
-    pub(super) fn through(points: &[(f64, f64)]) -> RollCurve {
+    pub(super) fn through(points: &[(f64, f64)]) -> DeviationCurve {
         let chords: Vec<f64> = points
             .windows(2)
             .map(|pair| (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0))
@@ -71,7 +72,7 @@ impl RollCurve {
             let third = (from + to - 2.0 * chord) / (width * width);
             [points[k].1, from, second, third]
         };
-        RollCurve {
+        DeviationCurve {
             knots: points.iter().map(|point| point.0).collect(),
             cubics: (0..chords.len()).map(cubic).collect(),
             edges: Vec::new(),
@@ -80,9 +81,56 @@ impl RollCurve {
         }
     }
 
+    /// The straight lines between points of strictly ascending place, at least two.
+    pub(super) fn linear(points: &[(f64, f64)]) -> DeviationCurve {
+        let lines = points.windows(2).map(|pair| {
+            let [(from, start), (to, end)] = [pair[0], pair[1]];
+            [start, (end - start) / (to - from), 0.0, 0.0]
+        });
+        DeviationCurve {
+            knots: points.iter().map(|point| point.0).collect(),
+            cubics: lines.collect(),
+            edges: Vec::new(),
+            blocks: Vec::new(),
+            before: Vec::new(),
+        }
+        .with_blocks()
+    }
+
+    /// This curve with all values `more` greater.
+    pub(super) fn raised(mut self, more: f64) -> DeviationCurve {
+        for cubic in &mut self.cubics {
+            cubic[0] += more;
+        }
+        for block in &mut self.blocks {
+            block[0] = block[0].map(|value| value + more);
+        }
+        self
+    }
+
+    /// This curve with places and values multiplied by `factor`.
+    pub(super) fn enlarged(&self, factor: f64) -> DeviationCurve {
+        let times = [factor, 1.0, 1.0 / factor, 1.0 / (factor * factor)];
+        DeviationCurve {
+            knots: self.knots.iter().map(|knot| knot * factor).collect(),
+            cubics: (self.cubics.iter())
+                .map(|cubic| std::array::from_fn(|k| cubic[k] * times[k]))
+                .collect(),
+            edges: self.edges.iter().map(|edge| edge * factor).collect(),
+            blocks: Vec::new(),
+            before: Vec::new(),
+        }
+        .with_blocks()
+    }
+
+    /// The places between its cubics, ascending, with both ends.
+    pub(crate) fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
     /// The sum of curves multiplied by their factors; 0 without curves.
-    pub(super) fn sum(curves: &[(f64, &RollCurve)]) -> RollCurve {
-        let of = |list: fn(&RollCurve) -> &Vec<f64>| {
+    pub(super) fn sum(curves: &[(f64, &DeviationCurve)]) -> DeviationCurve {
+        let of = |list: fn(&DeviationCurve) -> &Vec<f64>| {
             let all = curves.iter().flat_map(|(_, curve)| list(curve).iter());
             let mut all: Vec<f64> = all.copied().collect();
             all.sort_by(f64::total_cmp);
@@ -99,8 +147,8 @@ impl RollCurve {
             })
         };
         match knots.len() {
-            0 => RollCurve::polynomial([0.0, 1.0], [0.0; 4]),
-            _ => RollCurve {
+            0 => DeviationCurve::polynomial([0.0, 1.0], [0.0; 4]),
+            _ => DeviationCurve {
                 cubics: knots.windows(2).map(cubic).collect(),
                 knots,
                 edges,
@@ -112,7 +160,7 @@ impl RollCurve {
     }
 
     /// This curve with the bounds of its blocks and the index of its knots.
-    fn with_blocks(mut self) -> RollCurve {
+    fn with_blocks(mut self) -> DeviationCurve {
         let count = self.cubics.len() / BLOCK;
         if count > 1 {
             let block = |k: usize| {
@@ -223,8 +271,8 @@ impl RollCurve {
     }
 
     /// This curve multiplied by `factor`.
-    pub(super) fn scaled(&self, factor: f64) -> RollCurve {
-        RollCurve::sum(&[(factor, self)])
+    pub(super) fn scaled(&self, factor: f64) -> DeviationCurve {
+        DeviationCurve::sum(&[(factor, self)])
     }
 
     /// Intervals in which `δ`, `δ'` and `δ''` lie over the rolls from `low` to `high`.
@@ -253,7 +301,7 @@ impl RollCurve {
         bounds
     }
 
-    /// [`RollCurve::bounds`] over those of `stretches` that lie between the rolls.
+    /// [`DeviationCurve::bounds`] over those of `stretches` that lie between the rolls.
     fn bounds_of(&self, stretches: std::ops::Range<usize>, low: f64, high: f64) -> [Interval; 3] {
         let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         let mut take = |which: usize, value: f64| {
@@ -329,7 +377,7 @@ mod tests {
         /// Source: the points, and Fritsch and Carlson's condition: a value between two points is within their range.
         #[test]
         fn goes_through_its_points_and_never_beyond(points in points()) {
-            let curve = RollCurve::through(&points);
+            let curve = DeviationCurve::through(&points);
             for pair in points.windows(2) {
                 let [(from, a), (to, b)] = [pair[0], pair[1]];
                 for k in 0..=40 {
@@ -345,9 +393,9 @@ mod tests {
         /// Values, slopes (by differences) and second derivatives of a sum within the bounds of any interval.
         #[test]
         fn lies_within_its_bounds(points in points(), more in points(), low in 0.0f64..4.0, width in 0.0f64..6.0) {
-            let ramp = RollCurve::polynomial([0.3, 0.7], [0.0, -0.02, 0.01, 0.3]).with_edge(0.3);
-            let [one, two] = [points, more].map(|points| RollCurve::through(&points));
-            let curve = RollCurve::sum(&[(1.0, &one), (-0.5, &two), (2.0, &ramp)]);
+            let ramp = DeviationCurve::polynomial([0.3, 0.7], [0.0, -0.02, 0.01, 0.3]).with_edge(0.3);
+            let [one, two] = [points, more].map(|points| DeviationCurve::through(&points));
+            let curve = DeviationCurve::sum(&[(1.0, &one), (-0.5, &two), (2.0, &ramp)]);
             prop_assert_eq!(curve.edges(), &[0.3]);
             let found = |xi: f64| curve.knots_before(xi) == curve.knots.partition_point(|&knot| knot <= xi);
             prop_assert!(curve.knots.iter().all(|&knot| found(knot) && found(knot.next_up()) && found(knot.next_down())));

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! A tip land contributes nothing in the relevant directions: its normals are a right angle less `α_a` past those of the corner. With the
-//! centres `B` apart ([`super::super::line`]) the arcs are on different sides of a line of the direction `β` if
+//! centres `B` apart ([`super::line`]) the arcs are on different sides of a line of the direction `β` if
 //!
 //! ```text
 //! s(β) = Im(e^{iβ} B*) − r_bL q_L(β − λ_b) − r_bF q_F(β − μ − μ_b) ≥ 0,
@@ -21,10 +21,10 @@
 //! `μ_β`, and their least, the rotation of the touch, are concave up to that small constant ([`Separation::bend`]). A tangent bounds it
 //! from above between poses, a chord from below.
 
-use super::super::flank_problem::PosedFlanks;
-use super::super::line::Line;
-use super::super::path::Pair;
-use super::super::shape::{C, HalfToothShape, turn};
+use super::flank_problem::PosedFlanks;
+use super::line::Line;
+use super::path::Pair;
+use super::shape::{C, HalfToothShape, turn};
 
 /// Limit of Newton steps (3 to 6 are usual).
 const STEPS: usize = 24;
@@ -97,8 +97,10 @@ pub(super) fn lowest_roll(shape: &HalfToothShape) -> f64 {
 /// The touch of a pair of half teeth, with each represented by its involute.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Separation {
-    /// The gap, as [`super::super::candidate::CandidateContact::gap`].
+    /// The gap, as [`super::candidate::CandidateContact::gap`].
     pub gap: f64,
+    /// Derivatives of the gap by the turn of the locked tooth and of the free tooth about their own centres.
+    pub by_turn: [f64; 2],
     /// Its derivative by the rotation of the locked gear.
     pub slope: f64,
     /// Whether it is the touch itself; otherwise only a rotation at which they are apart.
@@ -130,11 +132,13 @@ impl Separation {
             gap += step;
             // After such a step only rounding is left.
             if step.abs() < SETTLED.0 || rate == C::ZERO {
-                return Separation::at(posed, &pair, (gap, beta), (turning, 1.0), arcs, true);
+                let found = (turning, [1.0; 2]);
+                return Separation::at(posed, &pair, (gap, beta), found, arcs, true);
             }
         }
         Separation {
             gap: f64::INFINITY,
+            by_turn: [f64::NAN; 2],
             slope: 0.0,
             touches: false,
             rolls: [f64::NAN; 2],
@@ -144,8 +148,22 @@ impl Separation {
 
     /// The pair at `step`, found from about the gap `near`.
     pub fn new(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
+        Separation::turned(posed, step, near, [0.0; 2])
+    }
+
+    /// Like [`Separation::new`], with the locked and the free tooth turned by `turns`, rad, about their own centres.
+    pub fn turned(
+        posed: &PosedFlanks,
+        step: i64,
+        near: f64,
+        [locked_turn, free_turn]: [f64; 2],
+    ) -> Separation {
         let problem = posed.problem;
         let pair = posed.pair(step);
+        let pair = Pair {
+            locked_base: pair.locked_base + locked_turn,
+            free_base: pair.free_base + free_turn,
+        };
         let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::new);
         let sum = problem.sum();
         let mut gap = near;
@@ -184,26 +202,27 @@ impl Separation {
             posed,
             &pair,
             (gap, beta),
-            (state.turning, slopes[0]),
+            (state.turning, slopes),
             arcs,
             touches,
         )
     }
 
-    /// The separation at a gap in the direction `beta`, of which the locked arc has `q'` there and the free gear turns by `turning`.
+    /// The separation at a gap in the direction `beta`, where the arcs have the `slopes` `q'` and the free gear turns by `turning`.
     fn at(
         posed: &PosedFlanks,
         pair: &Pair,
         (gap, beta): (f64, f64),
-        (turning, slope): (f64, f64),
+        (turning, slopes): (f64, [f64; 2]),
         arcs: [Arc; 2],
         touches: bool,
     ) -> Separation {
         let offset = posed.centre - C::from(posed.problem.distance);
         let moving = C::i() * offset;
-        let along = (turn(beta) * moving.conj()).im + arcs[0].base * slope;
+        let along = (turn(beta) * moving.conj()).im + arcs[0].base * slopes[0];
         Separation {
             gap,
+            by_turn: [0, 1].map(|k| -arcs[k].base * slopes[k] / turning),
             slope: -along / turning,
             touches,
             rolls: [beta - pair.locked_base, beta - gap - pair.free_base],
@@ -293,6 +312,7 @@ mod tests {
     fn separation(bases: [f64; 2], rolls: [f64; 2]) -> Separation {
         Separation {
             gap: 0.0,
+            by_turn: [0.0; 2],
             slope: 0.0,
             touches: true,
             rolls,

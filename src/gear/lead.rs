@@ -1,0 +1,364 @@
+//! Lead deviations of flanks: slope, crowning, end relief, measured traces (ISO 1328-1, ISO 21771).
+//!
+//! A lead deviation `δ(h)` counts along the transverse base tangent, plus = more material. It turns the flank of the section at the height
+//! `h`, with its fillet, by `δ/r_b` about the gear's own centre: right flanks clockwise, left ones counter-clockwise. A reading square to
+//! the surface is `δ cos β_b`. Heights count along the axis from the gear's measuring plane, away from the reference face.
+//!
+//! Pitch and thickness hold at the height where they were measured, so every deviation is 0 there ([`Lead::zero`]).
+
+use super::modification::of_teeth;
+use super::{DeviationCurve, Flank, Hand, Trace};
+use crate::error::GearError;
+use std::sync::Arc;
+
+/// Material removed towards an end of the teeth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndRelief {
+    /// Relief at the end of the teeth, mm; at least 0.
+    pub amount: f64,
+    /// Length over which it grows, mm.
+    pub length: f64,
+    /// Whether it is at the far end of the teeth; otherwise at the end of the reference face.
+    pub at_far_end: bool,
+    /// Whether it is a parabola that joins the flank smoothly; otherwise a straight line.
+    pub parabolic: bool,
+}
+
+/// Lead deviations of the flanks of one side of a gear. What is stated adds up.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lead {
+    /// Both ends of the teeth, mm: the end at the reference face, then the far end.
+    pub face: [f64; 2],
+    /// Evaluation range `L_β`, heights, mm, between the ends.
+    pub range: [f64; 2],
+    /// Material added over the evaluation range from its start to its end, mm: a straight line that continues beyond it.
+    pub slope: f64,
+    /// Crowning `C_β`, mm: a parabola, 0 in the middle of the teeth, this much less material at both ends.
+    pub crowning: f64,
+    /// Reliefs of both ends.
+    pub end_reliefs: Vec<EndRelief>,
+    /// Measured leads: straight lines between points (height, mm; deviation, mm). Teeth without a trace take the mean of all traces.
+    pub traces: Vec<Trace>,
+    /// Height, mm, at which pitch and thickness were measured.
+    pub zero: f64,
+}
+
+impl Lead {
+    /// The slope, mm, of a helix slope deviation `f_Hβ`, mm, which is positive where the helix angle is greater (ISO 1328-1). A spur gear's
+    /// deviates as if it had this `hand`.
+    pub fn slope_of_helix(f_h_beta: f64, hand: Hand, flank: Flank) -> f64 {
+        match (hand, flank) {
+            (Hand::Right, Flank::Right) | (Hand::Left, Flank::Left) => f_h_beta,
+            _ => -f_h_beta,
+        }
+    }
+
+    /// Whether there is no deviation.
+    pub fn is_none(&self) -> bool {
+        self.slope == 0.0
+            && self.crowning == 0.0
+            && self.end_reliefs.iter().all(|relief| relief.amount == 0.0)
+            && self.traces.is_empty()
+    }
+
+    /// The deviation of every tooth's flank of a gear with `teeth`, tooth 1 first; a single curve if all teeth share it.
+    ///
+    /// # Errors
+    /// Ends or an evaluation range without length; a range or a zero beyond the ends; a relief below 0, longer than the teeth or without
+    /// length; traces as in [`super::Modification::curves`].
+    pub fn curves(&self, teeth: u32) -> Result<Vec<Arc<DeviationCurve>>, GearError> {
+        let designed = self.designed()?;
+        let curve = |trace: &Trace| {
+            let is_good = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
+            let ascends = trace.points.windows(2).all(|pair| pair[1].0 > pair[0].0);
+            if trace.points.len() >= 2 && ascends && trace.points.iter().all(is_good) {
+                Ok(DeviationCurve::linear(&trace.points))
+            } else {
+                Err(GearError::Readings(
+                    "a lead trace needs two points or more, of ascending height",
+                ))
+            }
+        };
+        let curves = of_teeth(&designed, &self.traces, teeth, curve)?;
+        let raised = |curve: Arc<DeviationCurve>| {
+            let more = -curve.at(self.zero);
+            Arc::new((*curve).clone().raised(more))
+        };
+        // Teeth without a trace of their own share one curve, before and after.
+        let mut last: Option<(Arc<DeviationCurve>, Arc<DeviationCurve>)> = None;
+        let mut shared = Vec::with_capacity(curves.len());
+        for curve in curves {
+            let known = last.as_ref().filter(|(own, _)| Arc::ptr_eq(own, &curve));
+            let zeroed = known.map(|(_, zeroed)| Arc::clone(zeroed));
+            let zeroed = zeroed.unwrap_or_else(|| raised(Arc::clone(&curve)));
+            shared.push(Arc::clone(&zeroed));
+            last = Some((curve, zeroed));
+        }
+        Ok(shared)
+    }
+
+    /// Slope, crowning and end reliefs.
+    fn designed(&self) -> Result<DeviationCurve, GearError> {
+        let ([near, far], [start, end]) = (self.face, self.range);
+        GearError::require(
+            near < far && near.is_finite() && far.is_finite(),
+            "length of the teeth with lead deviations (mm)",
+            far - near,
+            "above 0",
+        )?;
+        GearError::require(
+            near <= start && start < end && end <= far,
+            "start of the lead's evaluation range (mm from the measuring plane)",
+            start,
+            "before its end, both on the teeth",
+        )?;
+        GearError::require(
+            (near..=far).contains(&self.zero),
+            "height at which pitch and thickness were measured (mm from the measuring plane)",
+            self.zero,
+            "on the teeth",
+        )?;
+        let rate = self.slope / (end - start);
+        let (middle, half) = (0.5 * (near + far), 0.5 * (far - near));
+        let bend = -self.crowning / (half * half);
+        // In powers of h − near.
+        let off = near - middle;
+        let smooth = [
+            rate * (near - start) + bend * off * off,
+            rate + 2.0 * bend * off,
+            bend,
+            0.0,
+        ];
+        let mut parts = vec![DeviationCurve::polynomial(self.face, smooth)];
+        for relief in &self.end_reliefs {
+            GearError::require(
+                relief.amount >= 0.0 && relief.amount.is_finite(),
+                "end relief (mm)",
+                relief.amount,
+                "0 or more: what is taken off",
+            )?;
+            GearError::require(
+                relief.length > 0.0 && relief.length <= far - near,
+                "length of an end relief (mm)",
+                relief.length,
+                "above 0, up to the length of the teeth",
+            )?;
+            let (linear, square) = if relief.parabolic {
+                (0.0, -relief.amount / (relief.length * relief.length))
+            } else {
+                (-relief.amount / relief.length, 0.0)
+            };
+            parts.push(if relief.at_far_end {
+                let ends = [far - relief.length, far];
+                DeviationCurve::polynomial(ends, [0.0, linear, square, 0.0])
+            } else {
+                // In powers of h − near, which is the length less the distance from the relief's start.
+                let length = relief.length;
+                let at_end = length * (linear + length * square);
+                let cubic = [at_end, -linear - 2.0 * length * square, square, 0.0];
+                DeviationCurve::polynomial([near, near + length], cubic)
+            });
+        }
+        let parts: Vec<(f64, &DeviationCurve)> = parts.iter().map(|part| (1.0, part)).collect();
+        Ok(DeviationCurve::sum(&parts))
+    }
+}
+
+/// The leads of a gear's own right and left flanks.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Leads([FlankLeads; 2]);
+
+/// The leads of one flank of all teeth: few curves, and the curve of each tooth.
+#[derive(Debug, Clone, PartialEq)]
+struct FlankLeads {
+    curves: Vec<Arc<DeviationCurve>>,
+    /// Index of each tooth's curve, tooth 1 first; empty: all teeth have the first curve.
+    of_tooth: Vec<u32>,
+}
+
+impl Leads {
+    /// The leads stated for the right and the left flanks of a gear with `teeth`; `None` without any deviation.
+    ///
+    /// # Errors
+    /// As [`Lead::curves`].
+    pub fn new(leads: &[Lead; 2], teeth: u32) -> Result<Option<Leads>, GearError> {
+        if leads.iter().all(Lead::is_none) {
+            return Ok(None);
+        }
+        let [right, left] = leads.each_ref().map(|lead| {
+            // A flank without deviations has no face of its own to check.
+            if lead.is_none() {
+                let none = Arc::new(DeviationCurve::polynomial([0.0, 1.0], [0.0; 4]));
+                return Ok(FlankLeads::of(vec![none]));
+            }
+            Ok(FlankLeads::of(lead.curves(teeth)?))
+        });
+        Ok(Some(Leads([right?, left?])))
+    }
+
+    /// Number of different leads on a flank.
+    pub fn shapes(&self, flank: Flank) -> usize {
+        self.0[flank.index()].curves.len()
+    }
+
+    /// Index of a tooth's lead on a flank.
+    pub fn shape_of(&self, flank: Flank, tooth: u32) -> usize {
+        let own = self.0[flank.index()].of_tooth.get(tooth as usize - 1);
+        own.map_or(0, |&shape| shape as usize)
+    }
+
+    /// A lead of a flank, by its index.
+    pub fn shape(&self, flank: Flank, shape: usize) -> &DeviationCurve {
+        &self.0[flank.index()].curves[shape]
+    }
+
+    /// These leads with `change` applied to every curve.
+    pub fn map(&self, change: impl Fn(&DeviationCurve) -> DeviationCurve) -> Leads {
+        Leads(self.0.each_ref().map(|flank| {
+            FlankLeads {
+                curves: (flank.curves.iter())
+                    .map(|curve| Arc::new(change(curve)))
+                    .collect(),
+                of_tooth: flank.of_tooth.clone(),
+            }
+        }))
+    }
+}
+
+impl FlankLeads {
+    fn of(all: Vec<Arc<DeviationCurve>>) -> FlankLeads {
+        let mut curves: Vec<Arc<DeviationCurve>> = Vec::new();
+        let mut of_tooth = Vec::with_capacity(all.len());
+        for curve in all {
+            let known = curves.iter().position(|known| Arc::ptr_eq(known, &curve));
+            of_tooth.push(known.unwrap_or(curves.len()) as u32);
+            if known.is_none() {
+                curves.push(curve);
+            }
+        }
+        if curves.len() == 1 {
+            of_tooth.clear();
+        }
+        FlankLeads { curves, of_tooth }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lead() -> Lead {
+        Lead {
+            face: [-20.0, 20.0],
+            range: [-18.0, 18.0],
+            ..Lead::default()
+        }
+    }
+
+    /// Source: the definitions: a slope over the evaluation range, a parabola of height C over the teeth, reliefs over their lengths, and
+    /// zero where pitch and thickness were measured.
+    #[test]
+    fn what_is_stated_adds_up_from_the_zero() {
+        let at = |lead: &Lead, height: f64| lead.curves(20).unwrap()[0].at(height);
+        let slope = Lead {
+            slope: 0.009,
+            ..lead()
+        };
+        assert!((at(&slope, 18.0) - 0.0045).abs() < 1e-15);
+        assert!((at(&slope, -20.0) + 0.005).abs() < 1e-15);
+        let crowned = Lead {
+            crowning: 0.008,
+            zero: 20.0,
+            ..lead()
+        };
+        assert!((at(&crowned, 0.0) - 0.008).abs() < 1e-15);
+        assert!((at(&crowned, 10.0) - 0.006).abs() < 1e-15);
+        for (at_far_end, parabolic) in [(false, false), (false, true), (true, false), (true, true)]
+        {
+            let relief = EndRelief {
+                amount: 0.012,
+                length: 6.0,
+                at_far_end,
+                parabolic,
+            };
+            let relieved = Lead {
+                end_reliefs: vec![relief],
+                ..lead()
+            };
+            let sign = if at_far_end { 1.0 } else { -1.0 };
+            let middle = if parabolic { 0.003 } else { 0.006 };
+            for (height, expected) in [(0.0, 0.0), (14.0, 0.0), (17.0, -middle), (20.0, -0.012)] {
+                let found = at(&relieved, sign * height);
+                assert!(
+                    (found - expected).abs() < 1e-15,
+                    "{relief:?} {height} {found}"
+                );
+                assert!(at(&relieved, -sign * height).abs() < 1e-15);
+            }
+        }
+    }
+
+    /// Teeth without a trace take the mean of those measured, each zeroed where pitch was measured.
+    #[test]
+    fn teeth_without_a_trace_take_the_mean() {
+        let trace = |tooth, end| Trace {
+            tooth: Some(tooth),
+            points: vec![(-20.0, 0.0), (20.0, end)],
+        };
+        let measured = Lead {
+            traces: vec![trace(1, 0.008), trace(3, 0.004)],
+            ..lead()
+        };
+        let curves = measured.curves(4).unwrap();
+        let ends: Vec<f64> = curves.iter().map(|curve| curve.at(20.0)).collect();
+        for (found, expected) in ends.into_iter().zip([0.004, 0.003, 0.002, 0.003]) {
+            assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+        }
+        assert!(Arc::ptr_eq(&curves[1], &curves[3]) || curves[1] == curves[3]);
+    }
+
+    /// Nothing without a length, beyond the teeth, or with a negative relief.
+    #[test]
+    fn impossible_leads_are_refused() {
+        let slope = Lead {
+            slope: 0.01,
+            ..lead()
+        };
+        for wrong in [
+            Lead {
+                face: [5.0, 5.0],
+                ..slope.clone()
+            },
+            Lead {
+                range: [-25.0, 18.0],
+                ..slope.clone()
+            },
+            Lead {
+                range: [18.0, -18.0],
+                ..slope.clone()
+            },
+            Lead {
+                zero: 21.0,
+                ..slope.clone()
+            },
+            Lead {
+                end_reliefs: vec![EndRelief {
+                    amount: -0.001,
+                    length: 5.0,
+                    at_far_end: true,
+                    parabolic: false,
+                }],
+                ..slope.clone()
+            },
+            Lead {
+                traces: vec![Trace {
+                    tooth: None,
+                    points: vec![(1.0, 0.0), (1.0, 0.0)],
+                }],
+                ..slope
+            },
+        ] {
+            assert!(wrong.curves(20).is_err(), "{wrong:?}");
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Lead deviations against an independent 3-D program, dense sections and closed forms.
+
+use gearlash::contact::ExactKernel;
+use gearlash::gear::{
+    AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, GearDesign, Hand, Lead, Pitch, Side,
+    Trace, thickness,
+};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
+use serde_json::Value;
+
+/// Poses and extremes of rigid bodies found without sections; right to 1e-6 µm for parallel axes.
+const REFERENCE: &str = include_str!("../../fixtures/reference/lead.json");
+
+/// Points of the reference's crowning, which its leads state as straight lines here: the sag between them is below 1e-9 µm.
+const CROWN_POINTS: usize = 4000;
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or(0.0)
+}
+
+/// The lead of a flank in the picture, over heights from the measuring plane.
+fn lead_curve(stated: &Value, face: [f64; 2]) -> impl Fn(f64) -> f64 {
+    let slope = number(stated, "slope_um_per_mm");
+    let crown = &stated["crowning"];
+    let (bend, centre) = (number(crown, "um_per_mm2"), number(crown, "center_b_mm"));
+    let points: Vec<[f64; 2]> = serde_json::from_value(stated["trace_b_mm_um"].clone())
+        .ok()
+        .unwrap_or_else(|| face.map(|end| [end, 0.0]).to_vec());
+    move |b| {
+        let k = points
+            .partition_point(|point| point[0] <= b)
+            .clamp(1, points.len() - 1);
+        let [from, to] = [points[k - 1], points[k]];
+        let share = (b - from[0]) / (to[0] - from[0]);
+        let trace = from[1] + share * (to[1] - from[1]);
+        1e-3 * (slope * b + bend * (b - centre).powi(2) + trace)
+    }
+}
+
+fn lead(stated: &Value, face: [f64; 2], turn: f64, teeth: u32) -> Lead {
+    let Some(by_tooth) = stated.as_object() else {
+        return Lead::default();
+    };
+    let zero = by_tooth
+        .values()
+        .map(|own| number(own, "zero_at_b_mm"))
+        .next();
+    let own_face = [turn * face[0], turn * face[1]];
+    let own_face = [own_face[0].min(own_face[1]), own_face[0].max(own_face[1])];
+    let trace = |tooth: Option<u32>, own: &Value| {
+        let curve = lead_curve(own, face);
+        let crowned = own.get("crowning").is_some();
+        let mut places: Vec<f64> = if crowned {
+            (0..=CROWN_POINTS)
+                .map(|k| face[0] + (face[1] - face[0]) * k as f64 / CROWN_POINTS as f64)
+                .collect()
+        } else {
+            let knots = own["trace_b_mm_um"].as_array();
+            let knots = knots
+                .into_iter()
+                .flatten()
+                .map(|point| point[0].as_f64().unwrap());
+            let inside = knots.filter(|b| *b > face[0] && *b < face[1]);
+            face.into_iter().chain(inside).collect()
+        };
+        places.sort_by(f64::total_cmp);
+        let mut points: Vec<(f64, f64)> = places.iter().map(|&b| (turn * b, curve(b))).collect();
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Trace { tooth, points }
+    };
+    let flat = serde_json::json!({});
+    let traces = match by_tooth.get("all") {
+        Some(all) => vec![trace(None, all)],
+        None => (1..=teeth)
+            .map(|tooth| {
+                let own = by_tooth.get(&tooth.to_string()).unwrap_or(&flat);
+                trace(Some(tooth), own)
+            })
+            .collect(),
+    };
+    Lead {
+        face: own_face,
+        range: own_face,
+        traces,
+        zero: turn * zero.unwrap_or(0.0),
+        ..Lead::default()
+    }
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().into_iter().flatten();
+    list.map(|um| um.as_f64().unwrap() / 1000.0).collect()
+}
+
+fn gear(stated: &Value) -> AsBuilt {
+    let teeth = number(stated, "teeth") as u32;
+    let angle = number(stated, "pressure_angle_deg").to_radians();
+    let data = BasicGearData::new(teeth, number(stated, "module_mm"), angle).unwrap();
+    let hand = match stated["teeth_wind"].as_str() {
+        Some("right") => Some(Hand::Right),
+        Some("left") => Some(Hand::Left),
+        _ => None,
+    };
+    let data = match hand {
+        Some(hand) => {
+            let helix = number(stated, "helix_angle_deg").to_radians();
+            data.with_helix(helix, hand).unwrap()
+        }
+        None => data,
+    };
+    let design = GearDesign {
+        profile_shift: number(stated, "profile_shift"),
+        ..GearDesign::standard(data)
+    };
+    let allowance = number(stated, "allowance_um") / 1000.0;
+    let base = thickness::base_from_allowance(&data, design.nominal_base_thickness(), allowance);
+    let face = match stated["reference_face"].as_str() {
+        Some("back") => Face::Back,
+        _ => Face::Front,
+    };
+    let ends: [f64; 2] = serde_json::from_value(stated["face_mm"].clone()).unwrap();
+    let turn = if face == Face::Front { 1.0 } else { -1.0 };
+    let own = |flank: Flank| {
+        let side = match face.seen_from_front(flank) {
+            Side::Right => "front_right",
+            Side::Left => "front_left",
+        };
+        lead(&stated["lead"][side], ends, turn, teeth)
+    };
+    let axis = &stated["axis"]["center_at_measuring_plane_um"];
+    let centre = numbers(axis);
+    let (eccentricity, high_tooth) = match &centre[..] {
+        &[x, y] if x != 0.0 || y != 0.0 => {
+            let pitch = std::f64::consts::TAU / f64::from(teeth);
+            // Direction of the displacement at rotation 0, when tooth 1 points at the mate.
+            let towards = match face {
+                Face::Front => y.atan2(x),
+                Face::Back => y.atan2(x) - std::f64::consts::PI,
+            };
+            let steps = face.ascending() * towards / pitch;
+            let high = 1.0 + steps.rem_euclid(f64::from(teeth));
+            (x.hypot(y), high)
+        }
+        _ => (0.0, 1.0),
+    };
+    let pitch = &stated["pitch"];
+    let deviations = Deviations {
+        pitch: pitch.is_object().then(|| {
+            let [right, left] = ["right_um", "left_um"].map(|side| numbers(&pitch[side]));
+            Pitch::from_cumulative(&right, &left)
+        }),
+        eccentricity,
+        high_tooth,
+        leads: [own(Flank::Right), own(Flank::Left)],
+        ..Deviations::default()
+    };
+    AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+}
+
+fn pair(case: &Value) -> GearPair {
+    let [wheel, pinion] = ["wheel", "pinion"].map(|member| &case[member]);
+    let faces: [[f64; 2]; 2] =
+        [wheel, pinion].map(|gear| serde_json::from_value(gear["face_mm"].clone()).unwrap());
+    let face = [faces[0][0].max(faces[1][0]), faces[0][1].min(faces[1][1])];
+    let distance = number(&case["assembly"], "center_distance_mm");
+    let locked = match case["assembly"]["locked"].as_str() {
+        Some("pinion") => Member::Pinion,
+        _ => Member::Wheel,
+    };
+    let pair = GearPair::with_locked(gear(wheel), gear(pinion), distance, locked).unwrap();
+    pair.with_face(face).unwrap()
+}
+
+fn leans(case: &Value) -> bool {
+    let assembly = &case["assembly"];
+    let skew = ["pinion_axis_x_per_mm", "pinion_axis_y_per_mm"];
+    let tilted = |member: &str| {
+        let tilt = numbers(&case[member]["axis"]["tilt_um_per_mm"]);
+        tilt.iter().any(|tilt| *tilt != 0.0)
+    };
+    skew.iter().any(|key| number(assembly, key) != 0.0)
+        || ["wheel", "pinion"].into_iter().any(tilted)
+}
+
+fn mating(stated: &Value) -> Mating {
+    let side = match stated["flank"].as_str() {
+        Some("left") => Side::Left,
+        _ => Side::Right,
+    };
+    let tooth = |key: &str| number(stated, key) as u32;
+    Mating {
+        fraction: number(stated, "fraction"),
+        ..Mating::at(tooth("wheel_tooth"), tooth("pinion_tooth"), side)
+    }
+}
+
+/// Source: fixtures/reference/lead.json, rigid bodies without sections, right to 1e-6 µm.
+#[test]
+fn reference_poses_of_parallel_axes() {
+    let reference: Value = serde_json::from_str(REFERENCE).unwrap();
+    let mut compared = 0;
+    for case in reference["poses"].as_array().unwrap() {
+        let name = case["name"].as_str().unwrap();
+        let has_bias = case["wheel"]["lead"].to_string().contains("bias");
+        if leans(case) || has_bias {
+            continue;
+        }
+        let pair = pair(case);
+        let pose = Pose::new(&pair, mating(&case["mating"]));
+        let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+        let j_wt = found.angle().unwrap() * pair.operating_pitch_radius(pair.free()) * 1000.0;
+        let expected = number(&case["expected"], "j_wt_um");
+        assert!((j_wt - expected).abs() < 1e-6, "{name}: {j_wt} {expected}");
+        compared += 1;
+    }
+    assert_eq!(compared, 15);
+}
+
+/// Rotations beyond nominal, rad, at which the tightest of `count` sections stop the free gear on the right and on the left, with their places.
+fn dense(pair: &GearPair, pose: &Pose, count: u32) -> [(f64, f64); 2] {
+    let [from, to] = pair.face();
+    let mut found = [(f64::NEG_INFINITY, 0.0), (f64::INFINITY, 0.0)];
+    for k in 0..=count {
+        let b = from + (to - from) * f64::from(k) / f64::from(count);
+        let (section, here) = (pair.section(b), pose.in_section(pair, b));
+        let lost = ExactKernel::new(&section).lost_motion(&here).unwrap();
+        let beyond = |rotation: f64| {
+            let off = rotation - here.free_rotation();
+            off - std::f64::consts::TAU * (off / std::f64::consts::TAU).round()
+        };
+        let right = beyond(lost.right.unwrap().rotation);
+        let left = right + lost.angle().unwrap();
+        if right > found[0].0 {
+            found[0] = (right, b);
+        }
+        if left < found[1].0 {
+            found[1] = (left, b);
+        }
+    }
+    found
+}
+
+/// No section of a pose is tighter than what was found over the whole face. Source: 400 sections, each a pair of spur gears.
+#[test]
+fn no_section_is_tighter() {
+    let reference: Value = serde_json::from_str(REFERENCE).unwrap();
+    for case in reference["poses"].as_array().unwrap() {
+        if leans(case) {
+            continue;
+        }
+        let pair = pair(case);
+        let kernel = ExactKernel::new(&pair);
+        for fraction in [0.0, 0.17, 0.41, 0.63, 0.88] {
+            let pose = Pose::new(&pair, mating(&case["mating"]).onward(&pair, fraction));
+            let found = kernel.lost_motion(&pose).unwrap();
+            let [right, left] = dense(&pair, &pose, 400).map(|(beyond, _)| beyond);
+            let beyond = found.right.unwrap().rotation - pose.free_rotation();
+            let own = [beyond, beyond + found.angle().unwrap()];
+            let name = &case["name"];
+            assert!(
+                right <= own[0] + 1e-12,
+                "{name} {fraction}: {right} {own:?}"
+            );
+            assert!(left >= own[1] - 1e-12, "{name} {fraction}: {left} {own:?}");
+        }
+    }
+}

@@ -100,6 +100,16 @@ pub enum MeasurementError {
         /// The cause.
         error: GearError,
     },
+    /// A lead that no flank of the gear can have.
+    #[error("{error}")]
+    Lead {
+        /// The own flank.
+        flank: Flank,
+        /// The key at fault.
+        key: LeadKey,
+        /// The cause.
+        error: GearError,
+    },
     /// Deviations that leave a tooth without tip or neck, or a space without room.
     #[error("{error}")]
     Deviations {
@@ -125,6 +135,19 @@ pub enum ProfileKey {
     RootRelief,
     /// Evaluation range.
     Range,
+    /// Measured traces.
+    Trace,
+    /// All keys together.
+    All,
+}
+
+/// A key of a lead statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeadKey {
+    /// Evaluation range, or the height at which pitch and thickness were measured.
+    Range,
+    /// Reliefs of the ends.
+    EndRelief,
     /// Measured traces.
     Trace,
     /// All keys together.
@@ -162,4 +185,6 @@ pub enum DeviationCause {
     Pitch,
     /// The profiles.
     Profile,
+    /// The leads.
+    Lead,
 }

@@ -59,6 +59,15 @@ pub enum Finding {
         /// `z`.
         teeth: u32,
     },
+    /// Leads were measured on some teeth; the others use their mean.
+    LeadOfSomeTeeth {
+        /// The own flank.
+        flank: Flank,
+        /// Number of measured teeth.
+        measured: u32,
+        /// `z`.
+        teeth: u32,
+    },
     /// Spans give the mean thickness only.
     SpansGiveMeanOnly {
         /// `k`.
@@ -166,6 +175,7 @@ impl Finding {
             Finding::ThicknessStatedTwice(compared) => compared.agree(),
             Finding::RunoutWithoutDirection { .. }
             | Finding::ProfileOfSomeTeeth { .. }
+            | Finding::LeadOfSomeTeeth { .. }
             | Finding::ThicknessField { .. } => true,
             _ => false,
         }

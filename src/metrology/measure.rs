@@ -6,7 +6,7 @@ use super::pitch_statement::PitchStatement;
 use super::runout::{Runout, RunoutStatement};
 use super::settle::{FlankStatements, Flanks, StatedTooth};
 use super::thickness_statement::{ThicknessStatement, Toleranced};
-use super::{contradictions, outliers, plausibility, profile};
+use super::{contradictions, lead, outliers, plausibility, profile};
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Lead, Modification, Pitch};
 
@@ -96,6 +96,7 @@ impl Measurements {
                 return Err(errors);
             }
         };
+        self.check_leads()?;
         let of_involutes = self.check_profiles(pitch.as_ref())?;
         let (own, datum) = match (&self.pitch, of_involutes.as_ref()) {
             (Some(statement), Some(curves)) if statement.is_datum() => {
@@ -174,6 +175,24 @@ impl Measurements {
         let of_involutes = |pitch| profile::of_involutes(pitch, gears.most(), &self.profiles);
         let pitch = measured.map(of_involutes).transpose();
         pitch.map_err(|error| vec![MeasurementError::Pitch(error)])
+    }
+
+    /// Checks the leads.
+    fn check_leads(&self) -> Result<(), Vec<MeasurementError>> {
+        if self.leads.iter().all(Lead::is_none) {
+            return Ok(());
+        }
+        // An impossible gear is an error of the thickness.
+        let gears = self.tooth().gears(&Deviations::default());
+        let errors = gears.map_or_else(
+            |_| Vec::new(),
+            |gears| lead::check(gears.most(), self.face, &self.leads),
+        );
+        if errors.is_empty() {
+            Ok(())
+        } else {
+            Err(errors)
+        }
     }
 
     fn tooth(&self) -> StatedTooth<'_> {
@@ -272,6 +291,7 @@ impl Measurements {
             });
         }
         findings.extend(profile::findings(basic_data.teeth(), &self.profiles));
+        findings.extend(lead::findings(basic_data.teeth(), &self.leads));
         findings.extend(plausibility::readings_all_round(&self.thickness, flanks));
         findings.extend(contradictions::findings(
             &self.thickness,

@@ -37,6 +37,7 @@ mod contradictions;
 mod error;
 mod finding;
 mod flank_correlation;
+mod lead;
 mod measure;
 mod outliers;
 mod pitch_statement;
@@ -46,7 +47,7 @@ mod runout;
 mod settle;
 mod thickness_statement;
 
-pub use error::{DeviationCause, Fits, MeasurementError, ProfileKey, StatementRole};
+pub use error::{DeviationCause, Fits, LeadKey, MeasurementError, ProfileKey, StatementRole};
 pub use finding::{
     AllRoundNote, Eccentricity, EccentricityNote, Finding, FittedReadings, FlankKnowledge,
     GearNotes, MeanOnly, Outlier, PitchOutlier, Quantity, ReadingOutlier, RunoutContradiction,

@@ -3,7 +3,7 @@
 use super::error::{MeasurementError, ProfileKey};
 use super::finding::Finding;
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Deviations, Excess, Face, Flank, Gear, Modification, Pitch};
+use crate::gear::{AsBuilt, Deviations, Excess, Face, Flank, Gear, Modification, Pitch, Trace};
 
 /// Greatest excess of an evaluation range over the flank, mm: diameters are rounded to 1 µm.
 const ROUNDED: f64 = 1e-3;
@@ -86,9 +86,8 @@ fn check_range(gear: &Gear, profile: &Modification) -> Result<(), GearError> {
 /// Flanks with traces of some teeth only.
 pub(super) fn findings(teeth: u32, profiles: &[Modification; 2]) -> Vec<Finding> {
     let of_flank = |(flank, profile): (Flank, &Modification)| {
-        let traces = profile.traces.iter();
-        let measured = traces.filter(|trace| trace.tooth.is_some()).count() as u32;
-        (measured > 0 && measured < teeth).then_some(Finding::ProfileOfSomeTeeth {
+        let measured = measured_teeth(&profile.traces, teeth)?;
+        Some(Finding::ProfileOfSomeTeeth {
             flank,
             measured,
             teeth,
@@ -99,6 +98,12 @@ pub(super) fn findings(teeth: u32, profiles: &[Modification; 2]) -> Vec<Finding>
         .zip(profiles)
         .filter_map(of_flank)
         .collect()
+}
+
+/// The number of teeth with a trace of their own; `None` for all or none of the `teeth`.
+pub(super) fn measured_teeth(traces: &[Trace], teeth: u32) -> Option<u32> {
+    let traces = traces.iter().filter(|trace| trace.tooth.is_some());
+    Some(traces.count() as u32).filter(|count| (1..teeth).contains(count))
 }
 
 /// The pitch of the involutes, from the `pitch` of the flanks measured on the reference circle.

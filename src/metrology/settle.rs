@@ -64,10 +64,17 @@ impl StatedTooth<'_> {
                     profiles: deviations.profiles.clone(),
                     ..Deviations::default()
                 };
+                let leads_alone = Deviations {
+                    leads: deviations.leads.clone(),
+                    ..Deviations::default()
+                };
                 let by_spans = matches!(self.statement, ThicknessStatement::SpanReadings { .. });
                 let profiles = AsBuilt::new(gear.clone(), face, &profiles_alone);
                 let cause = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
                     Err(_) if profiles.is_err() => DeviationCause::Profile,
+                    Err(_) if AsBuilt::new(gear.clone(), face, &leads_alone).is_err() => {
+                        DeviationCause::Lead
+                    }
                     Err(_) if by_spans => DeviationCause::Spans,
                     Err(_) => DeviationCause::PerTooth,
                     Ok(_) => DeviationCause::Pitch,

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 /// Show what is read of a table, protocol, drawing or gearbox model, and the lines of a pair file that name it
 ///
-/// Reads every table of the file as a pair file does: pitch, runout, thickness, spans and pins by tooth, profile traces. Prints
+/// Reads every table of the file as a pair file does: pitch, runout, thickness, spans and pins by tooth, profile and lead traces. Prints
 /// their numbers, the parts of the file that were left out, and the TOML to paste into a pair file or gear file; writes nothing
 /// else.
 /// The options are the keys that a pair file may have beside `file`; errors name them so.
@@ -73,6 +73,7 @@ enum Only {
     Span,
     OverPins,
     Trace,
+    Lead,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -208,6 +209,7 @@ impl Only {
             Only::Span => Kind::Span,
             Only::OverPins => Kind::OverPins,
             Only::Trace => Kind::Trace,
+            Only::Lead => Kind::Lead,
         }
     }
 }

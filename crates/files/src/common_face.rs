@@ -1,10 +1,10 @@
-//! The face that two helical gears have in common.
+//! The face that two gears have in common.
 
 use super::gear::GearPart;
 use super::table::Table;
 
-/// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears. `offset` is the place of the
-/// pinion's measuring plane.
+/// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears without leads. `offset` is the place
+/// of the pinion's measuring plane.
 ///
 /// The lengths of wheel and pinion are `factors` times those stated.
 /// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.
@@ -26,9 +26,20 @@ pub fn common_face(
         );
     }
     if one.angle_deg == 0.0 {
-        return Some([0.0; 2]);
-    }
-    if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
+        let mut gears = [wheel, pinion].into_iter();
+        if !gears.any(GearPart::has_leads) {
+            return Some([0.0; 2]);
+        }
+        for (name, helix) in [("wheel", one), ("pinion", other)] {
+            if helix.face_mm.is_none() {
+                return file.refuse(
+                    &format!("{name}.face_width_mm"),
+                    "missing, expected the face width, or face_mm = [from, to] from the measuring plane: the mate has leads",
+                    "give the length of the teeth along the axis: leads matter where both gears have teeth",
+                );
+            }
+        }
+    } else if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
         return file.refuse(
             "pinion.hand",
             format!(

@@ -1,6 +1,7 @@
 //! Finds the key of a gear's table for a [`MeasurementError`], and a remedy.
 
 use super::findings::suspected;
+use super::lead;
 use super::numbers::ascii;
 use super::pitch::PitchSheet;
 use super::profile;
@@ -12,7 +13,8 @@ use crate::error::Problem;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{
-    DeviationCause, Fits, MeasurementError, Outlier, ProfileKey, StatementRole, chord_height,
+    DeviationCause, Fits, LeadKey, MeasurementError, Outlier, ProfileKey, StatementRole,
+    chord_height,
 };
 
 /// Adds each of `errors`, with the key it comes from.
@@ -86,6 +88,7 @@ fn of_flanks(
                 DeviationCause::PerTooth => "thickness.per_tooth_um",
                 DeviationCause::Pitch => "pitch",
                 DeviationCause::Profile => "profile",
+                DeviationCause::Lead => "lead",
             };
             let suspected: String = suspects.iter().map(suspected).collect();
             let help = format!("check unit (µm) and sign of the values{suspected}");
@@ -100,6 +103,14 @@ fn of_flanks(
                 _ => "check unit (µm) and sign of the profile deviations",
             };
             return table.problem(&profile::key_of(table, flank, key), reason, help);
+        }
+        MeasurementError::Lead { flank, key, .. } => {
+            let help = match key {
+                LeadKey::Range => "give two heights on the teeth",
+                LeadKey::EndRelief => "check unit (µm) and length of the relief",
+                _ => "check unit (µm) and sign of the lead deviations",
+            };
+            return table.problem(&lead::key_of(table, flank, key), reason, help);
         }
         MeasurementError::PitchOffHalf { flank, .. } => (
             pitch.map_or("pitch", |sheet| sheet.key(flank)),

@@ -6,11 +6,11 @@ mod runout;
 mod thickness;
 
 use super::numbers::{ascii, rounded, shortest};
-use super::profile;
 use super::statements::Statements;
 use super::thickness::CROSS_CHECK;
+use super::{lead, profile};
 use gearlash::gear::DIN_3967_SOURCE;
-use gearlash::metrology::{Finding, ProfileKey, Quantity, SameKind};
+use gearlash::metrology::{Finding, LeadKey, ProfileKey, Quantity, SameKind};
 
 pub use outlier::suspected;
 
@@ -52,6 +52,15 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         } => format!(
             "{}: traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
             key(&profile::key_of(of.table, *flank, ProfileKey::Trace)),
+            flank.name()
+        ),
+        Finding::LeadOfSomeTeeth {
+            flank,
+            measured,
+            teeth,
+        } => format!(
+            "{}: traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
+            key(&lead::key_of(of.table, *flank, LeadKey::Trace)),
             flank.name()
         ),
         Finding::PinsGiveMeanOnly {

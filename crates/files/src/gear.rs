@@ -3,6 +3,7 @@
 use super::check::Checked;
 use super::helix::Helix;
 use super::inches::MM_PER_INCH;
+use super::lead::{self, Leads};
 use super::pitch::PitchSheet;
 use super::profile::{self, Profiles};
 use super::runout::Runout;
@@ -114,6 +115,10 @@ impl GearPart {
                 let spec = spec.unwrap_or_default();
                 Profiles::read(table, spec, teeth, self.basic_data.as_ref())
             });
+        let leads = lead::check(table)
+            .and_then(|()| file.read(&table.path_of("lead")))
+            .zip(face)
+            .and_then(|(spec, face)| Leads::read(table, spec, self, face.unwrap_or_default()));
 
         let pitch = match (&sheet, &self.basic_data, &runout) {
             (Some(None), ..) => Some(()),
@@ -142,6 +147,8 @@ impl GearPart {
         let mut header_warnings = Vec::new();
         let runout_header = runout.iter().filter_map(|runout| runout.header.as_ref());
         let trace_headers = profiles.iter().flat_map(Profiles::headers);
+        let lead_headers = leads.iter().flatten().flat_map(Leads::headers);
+        let trace_headers = trace_headers.chain(lead_headers);
         for header in pitch_header.chain(runout_header).chain(trace_headers) {
             header.check(&drawn);
             header_warnings.extend_from_slice(header.warnings());
@@ -154,6 +161,7 @@ impl GearPart {
             pitch: sheet.flatten(),
             runout: runout?,
             profiles: profiles?,
+            leads: leads?,
         };
         let measurements = statements.measurements(face.unwrap_or_default());
         if pitch.is_none() || statements.thickness.per_tooth_um.is_none() {
@@ -166,6 +174,9 @@ impl GearPart {
         let gear = measurements.measure().map_err(errors).ok()?;
         let mut spec = file.read::<GearSpec>(name)??;
         self.describe(&statements, &gear.findings, header_warnings);
+        let leads = statements.leads.as_ref();
+        self.warnings
+            .extend(leads.into_iter().flat_map(Leads::warnings).cloned());
         self.notes = gear.notes;
         self.beside_helix(&statements, gear.as_built.most())?;
         let scale = self.scale;
@@ -189,6 +200,7 @@ impl GearPart {
         spec.tip_diameter_mm = statements.design.tip_diameter?;
         spec.runout = statements.runout.settled(gear.runout);
         spec.profile = statements.profiles.spec();
+        spec.lead = statements.leads.as_ref().map(Leads::spec);
         spec.pitch = statements.pitch.map(|sheet| sheet.spec);
         spec.thickness = statements.thickness;
         if spec.thickness.statement.key().is_none() {
@@ -198,6 +210,13 @@ impl GearPart {
         self.warnings.extend(unit_slips::warnings(name, &spec));
         self.spec = Some(spec);
         Some(())
+    }
+
+    /// Whether it has lead deviations.
+    pub fn has_leads(&self) -> bool {
+        self.as_built
+            .as_ref()
+            .is_some_and(|gear| gear.most().has_leads())
     }
 
     /// Base radius, mm.

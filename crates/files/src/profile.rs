@@ -1,25 +1,16 @@
 //! `[profile]`: deviations of the flanks from the involute, for both flanks or each.
 
-mod trace;
-
+use super::flanks;
 use super::sheet::Header;
-use super::spec::{Either, FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
+use super::spec::{FlankProfileSpec, FlanksSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 use super::table::Table;
+use super::traces::{Along, Measured};
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
 use serde::Deserialize;
-use std::cell::RefCell;
-use trace::FlankTraces;
 
-/// The keys of one flank.
-const FLANK_KEYS: [&str; 6] = [
-    "slope_um",
-    "crowning_um",
-    "tip_relief",
-    "root_relief",
-    "range_mm",
-    "trace",
-];
+/// Name of the table.
+const NAME: &str = "profile";
 
 /// The profiles of the right and left flanks of one gear, as in the pair file; traces are lists of roll lengths.
 #[derive(Debug, Clone, Default)]
@@ -36,42 +27,11 @@ impl Profiles {
         teeth: Option<u32>,
         basic_data: Option<&BasicGearData>,
     ) -> Option<Profiles> {
-        let table = gear.below("profile");
-        let gear = Measured {
-            teeth,
-            basic_data,
-            headers: RefCell::default(),
-        };
-        let both = flank(&table, spec.both, None, &gear);
-        let mut own = Vec::new();
-        for (side, spec) in Flank::BOTH.into_iter().zip([spec.right, spec.left]) {
-            let below = table.below(side.name());
-            let spec = spec.unwrap_or_default();
-            own.push(flank(&below, spec, Some(side), &gear));
-        }
-        let own: Vec<(FlankProfileSpec, FlankTraces)> = own.into_iter().collect::<Option<_>>()?;
-        let (both, traces) = both?;
-        let mut flanks = [both.clone(), both];
-        for (index, (mut own, own_traces)) in own.into_iter().enumerate() {
-            let flank = &mut flanks[index];
-            let of = |traces: &FlankTraces| match &traces[index][..] {
-                [] => None,
-                [one] => Some(Either::One(one.clone())),
-                list => Some(Either::Other(list.to_vec())),
-            };
-            own.trace = of(&own_traces).or_else(|| of(&traces));
-            *flank = FlankProfileSpec {
-                slope_um: own.slope_um.or(flank.slope_um),
-                crowning_um: own.crowning_um.or(flank.crowning_um),
-                tip_relief: own.tip_relief.or(flank.tip_relief),
-                root_relief: own.root_relief.or(flank.root_relief),
-                range_mm: own.range_mm.or_else(|| flank.range_mm.take()),
-                trace: own.trace,
-            };
-        }
+        let measured = Measured::new(teeth, Along::Profile(basic_data));
+        let flanks = flanks::read(&gear.below(NAME), spec, &measured)?;
         Some(Profiles {
             flanks,
-            headers: gear.headers.into_inner(),
+            headers: measured.into_headers(),
         })
     }
 
@@ -99,22 +59,8 @@ impl Profiles {
 
     /// As in the pair file; `None` where it states nothing.
     pub fn spec(&self) -> Option<ProfileSpec> {
-        let [right, left] = &self.flanks;
-        if self.flanks == <[FlankProfileSpec; 2]>::default() {
-            return None;
-        }
-        Some(if right == left {
-            ProfileSpec {
-                both: right.clone(),
-                ..ProfileSpec::default()
-            }
-        } else {
-            ProfileSpec {
-                right: Some(right.clone()),
-                left: Some(left.clone()),
-                ..ProfileSpec::default()
-            }
-        })
+        let is_stated = self.flanks != <[FlankProfileSpec; 2]>::default();
+        is_stated.then(|| FlanksSpec::new(self.flanks.clone()))
     }
 }
 
@@ -127,45 +73,16 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
         ProfileKey::RootRelief => "root_relief",
         ProfileKey::Range => "range_mm",
         ProfileKey::Trace => "trace",
-        ProfileKey::All => return "profile".to_owned(),
+        ProfileKey::All => return NAME.to_owned(),
     };
-    let own = format!("profile.{}.{name}", flank.name());
-    if gear.has(&own) {
-        own
-    } else {
-        format!("profile.{name}")
-    }
-}
-
-/// The gear that the traces were measured on, as far as known.
-struct Measured<'a> {
-    teeth: Option<u32>,
-    basic_data: Option<&'a BasicGearData>,
-    /// Statements about it in the files that were read.
-    headers: RefCell<Vec<Header>>,
+    flanks::key_of(gear, NAME, flank, name)
 }
 
 /// Reports keys that are given for both flanks and again for one, and ranges that descend.
 pub fn check(gear: &Table) -> Option<()> {
-    let both = gear.below("profile");
-    let mut good = Some(());
-    let own = Flank::BOTH.map(|side| (side, both.below(side.name())));
-    for (side, own) in &own {
-        let is_in_both = |key: &&str| both.has(key) && own.has(key);
-        for key in FLANK_KEYS.into_iter().filter(is_in_both) {
-            let [of_both, of_own] = [&both, own].map(|table| table.path_of(""));
-            let reason = format!("given together with {of_both}{key}, allowed is one of them");
-            let help = format!(
-                "remove one: what stands in [{}] is of both flanks, what stands in [{}] of the {} flanks alone",
-                of_both.trim_end_matches('.'),
-                of_own.trim_end_matches('.'),
-                side.name()
-            );
-            own.add(key, reason, help);
-            good = None;
-        }
-    }
-    for table in own.iter().map(|(_, own)| own).chain([&both]) {
+    let mut good = flanks::check::<FlankProfileSpec>(gear, NAME);
+    for name in ["profile.right", "profile.left", NAME] {
+        let table = gear.below(name);
         let range = table.get("range_mm").map(<[f64; 2]>::deserialize);
         if let Some(Ok([start, end])) = range
             && start >= end
@@ -179,18 +96,6 @@ pub fn check(gear: &Table) -> Option<()> {
         }
     }
     good
-}
-
-/// The keys of a flank, or of both, without its traces; and the traces of each.
-fn flank(
-    table: &Table,
-    mut spec: FlankProfileSpec,
-    own: Option<Flank>,
-    gear: &Measured,
-) -> Option<(FlankProfileSpec, FlankTraces)> {
-    let stated = spec.trace.take();
-    let traces = trace::read(table, stated, own, gear);
-    Some((spec, traces?))
 }
 
 fn relief(spec: ReliefSpec) -> Relief {

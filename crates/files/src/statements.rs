@@ -1,5 +1,6 @@
 //! The tables of one gear, and their keys.
 
+use super::lead::Leads;
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
 use super::runout::Runout;
@@ -19,6 +20,7 @@ pub struct Statements<'a> {
     pub pitch: Option<PitchSheet>,
     pub runout: Runout,
     pub profiles: Profiles,
+    pub leads: Option<Leads>,
 }
 
 impl Statements<'_> {
@@ -37,7 +39,7 @@ impl Statements<'_> {
             pitch: self.pitch.as_ref().map(PitchSheet::measured),
             runout: self.runout.measured(),
             profiles: self.profiles.measured(&self.design.basic_data),
-            leads: Default::default(),
+            leads: self.leads.as_ref().map(Leads::measured).unwrap_or_default(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Names of keys in formulas, drawings and other programs.
 
 /// A key and its other names, in small letters and without underscores.
-const SYNONYMS: [(&str, &str); 14] = [
+const SYNONYMS: [(&str, &str); 15] = [
     ("teeth", "z z1 z2 n numberofteeth numteeth zaehnezahl"),
     ("module_mm", "m mn module modul normalmodule"),
     (
@@ -25,6 +25,7 @@ const SYNONYMS: [(&str, &str); 14] = [
     ("total_um", "fr um"),
     ("over_pins", "overballs mdk mdr pins"),
     ("mm", "w wk"),
+    ("helix_slope_um", "fhbeta fhb fhbetaum fhbum helixslope"),
 ];
 
 /// The key of `known` that is also called `name`.

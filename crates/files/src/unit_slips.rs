@@ -1,6 +1,7 @@
 //! Warnings about numbers that look like another unit, by one rule per unit. Nothing is changed.
 
 use super::numbers::ascii;
+use super::spec::SpurSlopeSpec;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -52,8 +53,12 @@ fn greatest_numbers(path: &str, unit: &str, value: &Value, found: &mut Vec<(Stri
                 greatest_numbers(path, unit, value, found);
             }
         }
-        Value::Number(number) => {
-            let number = number.as_f64().unwrap_or_default();
+        Value::Number(_) | Value::String(_) => {
+            let slope = value.as_str().map(SpurSlopeSpec::of_text);
+            let slope = slope.and_then(|slope| slope.parsed());
+            let Some(number) = value.as_f64().or(slope.map(|(um, _)| um)) else {
+                return;
+            };
             match found
                 .iter_mut()
                 .find(|(known, of, _)| known == path && of == unit)

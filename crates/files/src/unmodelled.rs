@@ -4,12 +4,15 @@ use crate::node::Node;
 
 const INTERNAL: &str = "internal gears are not modelled yet: both gears are external";
 
+/// Parts of a key's words that mean a deviation of the lead; its reason and the remedy outside its table.
+const LEAD: (&str, &str, &str) = (
+    "lead helix_slope helix_form f_h_beta f_hb crown",
+    "deviations of the lead have a table of their own",
+    "write it in [lead] below the gear: slope_um, helix_slope_um, crowning_um, end_relief or trace",
+);
+
 /// Parts of a key's words, and the reason for no such key.
-const UNSUPPORTED: [(&str, &str); 3] = [
-    (
-        "lead helix_slope helix_form f_h_beta f_hb crown",
-        "deviations and modifications of the lead are not modelled: flanks wind as their helix angle says",
-    ),
+const UNSUPPORTED: [(&str, &str); 2] = [
     (
         "shaft_angle axis_angle axes_angle crossed tilt skew misalign wobble",
         "the axes are parallel: crossed and tilted ones are not modelled",
@@ -52,7 +55,13 @@ pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, 
         name.match_indices(part)
             .any(|(at, _)| at == 0 || name[..at].ends_with('_'))
     };
+    let is_one_of = |parts: &str| parts.split(' ').any(starts);
+    let (parts, reason, help) = LEAD;
+    // A gear's own key, not a slip in one of its tables.
+    if is_one_of(parts) && path.matches('.').count() == 1 {
+        return Some((reason, help));
+    }
     let mut taken = UNSUPPORTED.iter();
-    let (_, reason) = taken.find(|(parts, _)| parts.split(' ').any(starts))?;
+    let (_, reason) = taken.find(|(parts, _)| is_one_of(parts))?;
     Some((reason, "remove it"))
 }

@@ -67,11 +67,16 @@ pub(super) fn tables(
             tables.extend(sheet.map(table));
         }
     }
-    let columns = [Column::RollLength, Column::Deviation];
-    let request = from.request(&columns, Coverage::Points { base_radius: None });
-    if is_asked(Kind::Trace) && (only.is_some() || content.has(&request)) {
-        let traces = Sheet::of(&content, &request);
-        tables.extend(traces.as_ref().map(ImportedTable::of_traces));
+    for (kind, place) in [
+        (Kind::Trace, Column::RollLength),
+        (Kind::Lead, Column::Height),
+    ] {
+        let columns = [place, Column::Deviation];
+        let request = from.request(&columns, Coverage::Points { base_radius: None });
+        if is_asked(kind) && (only.is_some() || content.has(&request)) {
+            let traces = Sheet::of(&content, &request);
+            tables.extend(traces.map(|traces| ImportedTable::of_traces(kind, &traces)));
+        }
     }
     if tables.is_empty() && reading.is_good() && content.is_p40() {
         content.check_p40(&file)?;
@@ -82,7 +87,7 @@ pub(super) fn tables(
     }
     if tables.is_empty() && reading.is_good() && not_read.is_empty() {
         file.add(
-            "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile",
+            "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile or lead",
             "say what it holds and where, by letter or heading: --only pitch --header-row 1 --tooth-column A --left B --right C",
         );
     }

@@ -19,6 +19,8 @@ pub enum Kind {
     OverPins,
     /// Profile traces.
     Trace,
+    /// Lead traces.
+    Lead,
 }
 
 /// One table.
@@ -120,17 +122,17 @@ impl ImportedTable {
     }
 
     /// The traces of `sheet`.
-    pub(super) fn of_traces(sheet: &Sheet) -> ImportedTable {
+    pub(super) fn of_traces(kind: Kind, sheet: &Sheet) -> ImportedTable {
         let tooth = |row: &Row| row.tooth.map_or(Value::None, Value::Whole);
         let flank = |row: &Row| {
             row.flank
                 .map_or(Value::None, |flank| Value::Word(flank.name()))
         };
         let numbers = |place| sheet.values(place).into_iter().map(Value::Number).collect();
-        let at = if sheet.columns.first() == Some(&Column::Diameter) {
-            "diameter_mm"
-        } else {
-            "roll_length_mm"
+        let at = match sheet.columns.first() {
+            Some(Column::Diameter) => "diameter_mm",
+            Some(Column::Height) => "from_reference_face_mm",
+            _ => "roll_length_mm",
         };
         let columns: [(&str, Vec<Value>); 4] = [
             ("tooth", sheet.rows.iter().map(tooth).collect()),
@@ -146,8 +148,11 @@ impl ImportedTable {
             heading: None,
             values,
         });
-        let title = "Profile traces, mm and µm".to_owned();
-        ImportedTable::with_columns(Kind::Trace, title, columns.collect(), sheet)
+        let title = match kind {
+            Kind::Lead => "Lead traces, mm and µm",
+            _ => "Profile traces, mm and µm",
+        };
+        ImportedTable::with_columns(kind, title.to_owned(), columns.collect(), sheet)
     }
 
     fn with_columns(

@@ -65,6 +65,7 @@ pub(super) fn lines(
             }
             Kind::OverPins => ("thickness.over_pins", Some(PIN)),
             Kind::Trace => ("profile.trace", None),
+            Kind::Lead => ("lead.trace", None),
         };
         if table.kind == Kind::Runout && written.contains(&Kind::Pitch) {
             lines += &format!(

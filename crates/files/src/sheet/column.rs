@@ -24,7 +24,9 @@ pub enum Column {
     RollLength,
     /// Diameter of a point of a trace, mm.
     Diameter,
-    /// Deviation of the flank from its involute at a point of a trace, µm.
+    /// Height of a point of a trace from an end of the teeth, mm.
+    Height,
+    /// Deviation of the flank at a point of a trace, µm.
     Deviation,
     /// Centre distance of a rig's result, mm.
     CenterDistance,
@@ -58,7 +60,7 @@ const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     range: (Excluded(0.0), Included(1e9)),
 };
-const ROLL_LENGTH: Limits = Limits {
+const FROM_ZERO: Limits = Limits {
     allowed: "a number of mm, 0 … 1e9",
     range: (Included(0.0), Included(1e9)),
 };
@@ -82,8 +84,9 @@ impl Column {
             Column::Runout => ("runout", "column", "µm", &DEVIATION, Q::Runout),
             Column::Span => ("span", "column", "mm", &LENGTH, Q::Span),
             Column::OverPins => ("over pins", "column", "mm", &LENGTH, Q::OverPins),
-            Column::RollLength => ("roll length", "", "mm", &ROLL_LENGTH, Q::RollLength),
+            Column::RollLength => ("roll length", "", "mm", &FROM_ZERO, Q::RollLength),
             Column::Diameter => ("diameter", "", "mm", &LENGTH, Q::Diameter),
+            Column::Height => ("height", "", "mm", &FROM_ZERO, Q::Height),
             Column::Deviation => ("deviation", "column", "µm", &DEVIATION, Q::Deviation),
             Column::CenterDistance => ("center_distance_mm", "", "mm", &LENGTH, Q::CenterDistance),
             Column::WheelTooth => ("wheel_tooth", "", "", &LENGTH, Q::WheelTooth),

@@ -32,6 +32,8 @@ pub enum Quantity {
     OverThreePins,
     RollLength,
     Diameter,
+    /// Height from an end of the teeth.
+    Height,
     Deviation,
     /// The name of a flank in each row.
     Flank,

@@ -131,7 +131,7 @@ impl Sheet {
             Content::Protocol(_) if wanted.is_points() => {
                 return file.refuse(
                     "is a protocol of pitch, expected is a table of traces",
-                    "name the columns roll_length_mm or diameter_mm, deviation_um, and tooth and flank where needed",
+                    "name a table with a row a point",
                 );
             }
             Content::Protocol(text) => {
@@ -291,7 +291,9 @@ impl Content {
     pub fn has(&self, request: &Request) -> bool {
         match self {
             Content::Cells(grids) => request.is_there(grids),
-            Content::P40(text) if request.wanted.is_points() => p40::has_profiles(text),
+            Content::P40(text) if request.wanted.is_points() => {
+                !request.wanted.columns.contains(&Column::Height) && p40::has_profiles(text)
+            }
             Content::Protocol(text) | Content::P40(text) => {
                 let mut columns = request.wanted.columns.iter();
                 columns.any(|column| protocol::has(text, *column))

@@ -109,7 +109,7 @@ impl Request<'_> {
         self.file.reading().refuse(problem)
     }
 
-    /// Points can have a tooth and a flank, and have a roll length or a diameter.
+    /// Points can have a tooth and a flank, and have one column of their place.
     fn places_of_points(&self, head: &Head) -> Option<Places> {
         let optional = |name: &str, places: Vec<usize>| match *places {
             [] => Some(None),
@@ -122,24 +122,22 @@ impl Request<'_> {
         let tooth = optional("tooth", head.teeth(&[], self.choice));
         let is_flank = |heading: &Heading| heading.quantity() == Some(Quantity::Flank);
         let flank = optional("flank", head.places(is_flank));
-        let [roll, diameter] = [Column::RollLength, Column::Diameter]
-            .map(|column| head.places_of(column, self.choice));
-        if !roll.is_empty() && !diameter.is_empty() {
+        let columns = self.wanted.places_of_points().iter();
+        let places = columns.map(|column| (*column, head.places_of(*column, self.choice)));
+        let places: Vec<(Column, Vec<usize>)> = places.collect();
+        let there = || places.iter().filter(|(_, at)| !at.is_empty());
+        if there().count() > 1 {
             let reason = "columns roll length and diameter, allowed is one of them".to_owned();
             return self.refuse(head, reason, "remove one: they say the same");
         }
-        let (by, at) = if diameter.is_empty() {
-            (Column::RollLength, roll)
-        } else {
-            (Column::Diameter, diameter)
-        };
+        let (by, at) = there().next().or(places.first())?;
         let deviation = head.places_of(Column::Deviation, self.choice);
-        let at = self.file.reading().keep(self.one(head, by, &at));
+        let at = self.file.reading().keep(self.one(head, *by, at));
         let deviation = self
             .file
             .reading()
             .keep(self.one(head, Column::Deviation, &deviation));
-        let values = vec![(by, at?), (Column::Deviation, deviation?)];
+        let values = vec![(*by, at?), (Column::Deviation, deviation?)];
         Some(Places {
             tooth: tooth?,
             flank: flank?,

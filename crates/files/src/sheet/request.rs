@@ -25,7 +25,7 @@ pub enum Coverage {
     EveryTooth,
     /// Some teeth, each at most once.
     SomeTeeth,
-    /// Points of profile traces. Tooth and flank are optional; [`Column::RollLength`] also accepts a diameter. A curve file needs
+    /// Points of traces. Tooth and flank are optional; [`Column::RollLength`] also accepts a diameter. A curve file of profiles needs
     /// the radius of the base circle, mm, where its header does not state the gear.
     Points { base_radius: Option<f64> },
     /// Results of a rig, in the order of their lines. `teeth` are the teeth of wheel and pinion, where known.
@@ -33,9 +33,18 @@ pub enum Coverage {
 }
 
 impl Wanted<'_> {
-    /// Whether the rows are points of profile traces.
+    /// Whether the rows are points of traces.
     pub fn is_points(&self) -> bool {
         matches!(self.coverage, Coverage::Points { .. })
+    }
+
+    /// The columns that can state the place of a point.
+    pub fn places_of_points(&self) -> &'static [Column] {
+        if self.columns.contains(&Column::Height) {
+            &[Column::Height]
+        } else {
+            &[Column::RollLength, Column::Diameter]
+        }
     }
 
     /// Whether the rows are results of a rig.
@@ -80,7 +89,8 @@ impl Request<'_> {
     fn is_head(&self, head: &Head, wanted: &[Column]) -> bool {
         let has = |column: Column| !head.places_of(column, self.choice).is_empty();
         if self.wanted.is_points() {
-            return has(Column::Deviation) && (has(Column::RollLength) || has(Column::Diameter));
+            let mut places = self.wanted.places_of_points().iter();
+            return has(Column::Deviation) && places.any(|column| has(*column));
         }
         if self.wanted.is_results() {
             return wanted.iter().filter(|column| has(**column)).count() > 1;

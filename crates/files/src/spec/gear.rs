@@ -1,6 +1,7 @@
 //! One gear by its data.
 
 use super::flanks::{PitchSpec, RunoutSpec};
+use super::lead::{LeadSpec, SpurSlopeSpec};
 use super::profile::ProfileSpec;
 use super::rules::{
     above_zero, at_least, at_most_one, exactly_one, length, no_default, whole, within,
@@ -79,6 +80,8 @@ pub struct GearSpec {
     pub pitch: Option<PitchSpec>,
     /// Deviations of the profiles from the involute, plus = more material; what is given adds up.
     pub profile: Option<ProfileSpec>,
+    /// Lead deviations, plus = more material; heights count from the reference face's end of the teeth.
+    pub lead: Option<LeadSpec>,
 }
 
 impl GearSpec {
@@ -188,6 +191,11 @@ fn multiply(value: &mut Value, factor: f64, is_length: bool) {
             *value = number
                 .as_f64()
                 .map_or(Value::Null, |number| (factor * number).into());
+        }
+        Value::String(text) if is_length => {
+            if let Some((um, hand)) = SpurSlopeSpec::of_text(text).parsed() {
+                *value = serde_json::json!(SpurSlopeSpec::new(factor * um, hand));
+            }
         }
         _ => {}
     }

@@ -8,6 +8,7 @@ mod assembly;
 mod explained;
 mod flanks;
 mod gear;
+mod lead;
 mod outline;
 mod pair;
 mod profile;
@@ -29,6 +30,10 @@ pub(crate) use explained::as_clause;
 pub use explained::explained;
 pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
+pub use lead::{
+    EndReliefSpec, FlankLeadSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd, SlopeLength,
+    SpurSlopeSpec, TraceDirection, TraceStart,
+};
 pub use outline::{
     CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,
 };
@@ -45,7 +50,7 @@ pub use tolerance::{
     GearToleranceSpec, PhaseName, PitchScatterSpec, ScatterName, ScatterSpec, ToleranceSpec,
 };
 pub use uncertainty::UncertaintySpec;
-pub use value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
+pub use value::{AllowanceBandSpec, BandSpec, Either, FlankSpec, FlanksSpec, TableFileSpec};
 
 use gearlash::error::GearError;
 use gearlash::gear::ThicknessField;
@@ -54,6 +59,12 @@ use serde_json::Value;
 /// The fault of a designation, which `schema` describes by its pattern.
 pub(crate) fn designation_fault(schema: &Value, text: &str) -> Option<String> {
     let fault: GearError = match schema["pattern"].as_str()? {
+        lead::SPUR_SLOPE => {
+            let fault =
+                "no helix slope of a spur gear, allowed is µm and a hand: \"10 r\" or \"10 l\"";
+            let is_good = SpurSlopeSpec::of_text(text).parsed().is_some();
+            return (!is_good).then(|| fault.to_owned());
+        }
         assembly::DISTANCE_FIELD => {
             let stated = text
                 .parse()

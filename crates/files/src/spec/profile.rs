@@ -3,23 +3,13 @@
 use super::rules::{
     beside, columns, deviation, exactly_one, length, list_length, not_beside, whole, within,
 };
-use super::value::{Either, TableFileSpec};
+use super::value::{Either, FlankSpec, FlanksSpec, TableFileSpec};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 use serde_with::skip_serializing_none;
 
-/// Profile deviations, µm, plus = more material: of both flanks, or of each in a table of its own.
-#[skip_serializing_none]
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ProfileSpec {
-    /// Values for both flanks.
-    #[serde(flatten)]
-    pub both: FlankProfileSpec,
-    /// Values of right flanks, in place of those of both.
-    pub right: Option<FlankProfileSpec>,
-    /// Values of left flanks, in place of those of both.
-    pub left: Option<FlankProfileSpec>,
-}
+/// Profile deviations, µm, plus = more material.
+pub type ProfileSpec = FlanksSpec<FlankProfileSpec>;
 
 /// Profile deviations of a flank, µm, plus = more material; they add.
 #[skip_serializing_none]
@@ -96,24 +86,48 @@ pub struct TraceSpec {
 impl FlankProfileSpec {
     /// The traces.
     pub fn traces(&self) -> &[TraceSpec] {
-        match &self.trace {
-            None => &[],
-            Some(Either::One(trace)) => std::slice::from_ref(trace),
-            Some(Either::Other(list)) => list,
-        }
+        self.trace.as_ref().map_or(&[], Either::as_list)
     }
 }
 
-impl ProfileSpec {
-    /// The values for the right flanks, and for the left ones.
-    pub fn flanks(&self) -> [&FlankProfileSpec; 2] {
-        [&self.right, &self.left].map(|own| own.as_ref().unwrap_or(&self.both))
+impl FlankSpec for FlankProfileSpec {
+    type Trace = TraceSpec;
+    const KEYS: &'static [&'static str] = &[
+        "slope_um",
+        "crowning_um",
+        "tip_relief",
+        "root_relief",
+        "range_mm",
+        "trace",
+    ];
+
+    fn or(self, both: FlankProfileSpec) -> FlankProfileSpec {
+        FlankProfileSpec {
+            slope_um: self.slope_um.or(both.slope_um),
+            crowning_um: self.crowning_um.or(both.crowning_um),
+            tip_relief: self.tip_relief.or(both.tip_relief),
+            root_relief: self.root_relief.or(both.root_relief),
+            range_mm: self.range_mm.or(both.range_mm),
+            trace: self.trace.or(both.trace),
+        }
+    }
+
+    fn trace(&mut self) -> &mut Option<Either<TraceSpec, Vec<TraceSpec>>> {
+        &mut self.trace
     }
 }
 
 fn trace_keys(schema: &mut Schema) {
-    exactly_one(schema, &[&["roll_length_mm"], &["diameter_mm"], &["file"]]);
-    beside(schema, "roll_length_mm", &[&["deviation_um"]]);
-    beside(schema, "diameter_mm", &[&["deviation_um"]]);
+    trace_rules(schema, &["roll_length_mm", "diameter_mm"]);
+}
+
+/// The points of a trace stand in one of the lists `places` beside their deviations, or in a file.
+pub(super) fn trace_rules(schema: &mut Schema, places: &[&str]) {
+    let lists: Vec<[&str; 1]> = places.iter().chain([&"file"]).map(|key| [*key]).collect();
+    let groups: Vec<&[&str]> = lists.iter().map(|keys| &keys[..]).collect();
+    exactly_one(schema, &groups);
+    for place in places {
+        beside(schema, place, &[&["deviation_um"]]);
+    }
     not_beside(schema, "file", &["deviation_um"]);
 }

@@ -197,7 +197,7 @@ pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member)
         Member::Wheel => (&pair.spec.wheel, "wheel"),
         Member::Pinion => (&pair.spec.pinion, "pinion"),
     };
-    if !own.is_helical() {
+    if !own.is_helical() && own.lead.is_none() && gear.lead.is_none() {
         return None;
     }
     let other = match (gear.hand == own.hand, gear.face_mm == own.face_mm) {
@@ -210,10 +210,12 @@ pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member)
     ))
 }
 
-/// A gear placed as the pair's `member`. The teeth of a helical pinion are counted in the wheel's measuring plane.
+/// A gear placed as the pair's `member`. The teeth of a pinion that varies along its face are counted in the wheel's measuring plane.
 pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt {
     match pair.spec.assembly.face_offset_mm {
-        Some(offset) if member == Member::Pinion && pair.study.is_helical() => {
+        Some(offset)
+            if member == Member::Pinion && (pair.study.is_helical() || gear.has_leads()) =>
+        {
             gear.section_at(-offset)
         }
         _ => gear,

@@ -101,7 +101,7 @@ impl ToleranceFile {
         // Its teeth are counted in the wheel's measuring plane.
         let pinion = pair.gear(Member::Pinion);
         let pinion = match own.assembly.face_offset_mm {
-            Some(offset) if pair.is_helical() => &pinion.section_at(offset),
+            Some(offset) if pair.is_helical() || pinion.has_leads() => &pinion.section_at(offset),
             _ => pinion,
         };
         spec.pinion = self.gear_spec(pinion, Member::Pinion);

@@ -2,6 +2,7 @@
 
 mod deviations;
 mod helical;
+mod leads;
 mod mutations;
 mod poses;
 mod published;

@@ -82,6 +82,12 @@ fn is_of_kind(text: &str, kind: &str) -> bool {
 /// The rows that are wanted, and the header lines.
 pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
     let (file, wanted) = (request.file, request.wanted);
+    if wanted.columns.contains(&Column::Height) {
+        return file.refuse(
+            "is a curve file, whose leads are not read yet",
+            "name a table with the columns from_reference_face_mm and deviation_um",
+        );
+    }
     let p40 = parse(file, text)?;
     if let Coverage::Points { base_radius } = wanted.coverage {
         return profiles::read(file, &p40, (wanted.teeth, base_radius));

@@ -1,0 +1,347 @@
+//! `[lead]`: deviations of the flanks along the face, for both flanks or each.
+//!
+//! Heights of the file count from the reference face's end of the teeth. Those of a [`Lead`] count from the measuring plane, away from the
+//! reference face.
+
+use super::flanks;
+use super::gear::GearPart;
+use super::numbers::shortest;
+use super::sheet::Header;
+use super::spec::{
+    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd,
+    ReliefShape, SlopeLength, SpurSlopeSpec, TraceStart,
+};
+use super::table::Table;
+use super::traces::{Along, Measured};
+use gearlash::gear::{EndRelief, Face, Flank, Hand, Lead, Trace};
+use gearlash::metrology::LeadKey;
+
+/// Name of the table.
+const NAME: &str = "lead";
+/// Share of the face width that the evaluation range leaves out at each end, unless one module is less; ISO 1328-1.
+const END_SHARE: f64 = 0.05;
+
+/// The leads of a gear, as in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
+#[derive(Debug, Clone)]
+pub struct Leads {
+    flanks: [FlankLeadSpec; 2],
+    zero_mm: f64,
+    range_mm: [f64; 2],
+    over: SlopeLength,
+    /// Both ends of the teeth, mm from the measuring plane away from the reference face.
+    face: [f64; 2],
+    hand: Hand,
+    headers: Vec<Header>,
+    /// Conventions that the file leaves open.
+    warnings: Vec<String>,
+}
+
+impl Leads {
+    /// Reads the leads `spec` of the gear's table `gear`; `Some(None)` without any.
+    pub fn read(
+        gear: &Table,
+        spec: Option<LeadSpec>,
+        part: &GearPart,
+        face: Face,
+    ) -> Option<Option<Leads>> {
+        let Some(mut spec) = spec else {
+            return Some(None);
+        };
+        let table = gear.below(NAME);
+        let helix = part.helix?;
+        let Some([from, to]) = helix.face_mm else {
+            return gear.refuse(
+                "face_width_mm",
+                format!(
+                    "missing, expected the face width, or face_mm = [from, to] from the measuring plane, beside [{}]",
+                    gear.path_of(NAME)
+                ),
+                "give the length of the teeth along the axis: leads run over all of it",
+            );
+        };
+        if spec.axis == LeadAxis::Datum {
+            return table.refuse(
+                "axis",
+                "not modelled yet: leads about the bore contain the wobble of the teeth, allowed is \"own\"",
+                "subtract the wobble (the slope that runs as a sine about the gear), and write axis = \"own\"",
+            );
+        }
+        let basic_data = part.basic_data.as_ref()?;
+        let face = match face {
+            Face::Front => [from, to],
+            Face::Back => [-to, -from],
+        };
+        let width = to - from;
+        let mut warnings = Vec::new();
+        let is_helical = helix.angle_deg != 0.0;
+        let teeth_hand = helix.hand.filter(|_| is_helical);
+        let hand = hand(&table, &mut spec.flanks, teeth_hand, &mut warnings)?;
+        let plane = 0.0 - face[0];
+        open_conventions(&table, &spec, plane, is_helical, &mut warnings);
+
+        let zero_mm = spec.zero_mm.unwrap_or(plane);
+        if !(0.0..=width).contains(&zero_mm) {
+            let missing = if spec.zero_mm.is_none() {
+                "missing: the measuring plane is at "
+            } else {
+                ""
+            };
+            return table.refuse(
+                "zero_mm",
+                format!("{missing}height {zero_mm} mm, off the teeth: allowed is 0 … {width} mm"),
+                "give the height at which pitch and thickness were measured, from the reference face's end of the teeth",
+            );
+        }
+        let margin = (END_SHARE * width).min(part.module_mm?);
+        let range_mm = spec.range_mm.unwrap_or([margin, width - margin]);
+        if !(0.0 <= range_mm[0] && range_mm[0] < range_mm[1] && range_mm[1] <= width) {
+            return table.refuse(
+                "range_mm",
+                format!(
+                    "no evaluation range, allowed are two heights, 0 … {width} mm, the lesser first"
+                ),
+                "write range_mm = [start, end], from the reference face's end of the teeth",
+            );
+        }
+        let along = Along::Face {
+            width,
+            helix_cos: basic_data.base_helix_angle().cos(),
+        };
+        let measured = Measured::new(part.teeth, along);
+        let mut flanks = flanks::read(&table, spec.flanks, &measured)?;
+        if spec.from == TraceStart::Far {
+            for flank in &mut flanks {
+                flank.trace = flank.trace.take().map(|traces| match traces {
+                    Either::One(one) => Either::One(turned(one, width)),
+                    Either::Other(list) => {
+                        Either::Other(list.into_iter().map(|one| turned(one, width)).collect())
+                    }
+                });
+            }
+        }
+        Some(Some(Leads {
+            flanks,
+            zero_mm,
+            range_mm,
+            over: spec.over,
+            face,
+            hand,
+            headers: measured.into_headers(),
+            warnings,
+        }))
+    }
+
+    /// Statements about the gear in the files of traces.
+    pub fn headers(&self) -> &[Header] {
+        &self.headers
+    }
+
+    /// Warnings of conventions that the file leaves open.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// The leads of right flanks and of left ones.
+    pub fn measured(&self) -> [Lead; 2] {
+        let [near, far] = self.face;
+        let at = |height: f64| (near + height).clamp(near, far);
+        let range = self.range_mm.map(at);
+        let share = match self.over {
+            SlopeLength::Range => 1.0,
+            SlopeLength::Face => (range[1] - range[0]) / (far - near),
+        };
+        let lead = |(own, flank): (Flank, &FlankLeadSpec)| {
+            let turn = helix_slope(flank).map_or(0.0, |(um, hand)| {
+                Lead::slope_of_helix(um, hand.unwrap_or(self.hand), own)
+            });
+            let reliefs = flank.end_relief.iter().flat_map(Either::as_list);
+            let traces = flank.trace.iter().flat_map(Either::as_list);
+            let point = |(height, um): (&f64, &f64)| (at(*height), um / 1000.0);
+            let heights = |trace: &LeadTraceSpec| -> Vec<(f64, f64)> {
+                let heights = trace.from_reference_face_mm.iter().flatten();
+                let points = heights.zip(trace.deviation_um.iter().flatten());
+                points.map(point).collect()
+            };
+            Lead {
+                face: self.face,
+                range,
+                slope: share * (flank.slope_um.unwrap_or(0.0) + turn) / 1000.0,
+                crowning: flank.crowning_um.unwrap_or(0.0) / 1000.0,
+                end_reliefs: reliefs.flat_map(end_reliefs).collect(),
+                traces: traces
+                    .map(|trace| Trace {
+                        tooth: trace.tooth,
+                        points: heights(trace),
+                    })
+                    .collect(),
+                zero: at(self.zero_mm),
+            }
+        };
+        let [right, left] = &self.flanks;
+        [(Flank::Right, right), (Flank::Left, left)].map(lead)
+    }
+
+    /// As in the pair file.
+    pub fn spec(&self) -> LeadSpec {
+        LeadSpec {
+            flanks: FlanksSpec::new(self.flanks.clone()),
+            zero_mm: Some(self.zero_mm),
+            range_mm: Some(self.range_mm),
+            over: self.over,
+            from: TraceStart::Reference,
+            axis: LeadAxis::Own,
+        }
+    }
+}
+
+/// The key, below the gear's table, that states `key` of a flank.
+pub fn key_of(gear: &Table, flank: Flank, key: LeadKey) -> String {
+    match key {
+        LeadKey::EndRelief => flanks::key_of(gear, NAME, flank, "end_relief"),
+        LeadKey::Trace => flanks::key_of(gear, NAME, flank, "trace"),
+        LeadKey::Range => format!("{NAME}.range_mm"),
+        LeadKey::All => NAME.to_owned(),
+    }
+}
+
+/// Reports keys that are given for both flanks and again for one.
+pub fn check(gear: &Table) -> Option<()> {
+    flanks::check::<FlankLeadSpec>(gear, NAME)
+}
+
+/// The hand of the teeth, or that of the helix slopes of a spur gear. A number on a spur gear gets the right hand where it is positive.
+fn hand(
+    table: &Table,
+    flanks: &mut FlanksSpec<FlankLeadSpec>,
+    helix: Option<Hand>,
+    warnings: &mut Vec<String>,
+) -> Option<Hand> {
+    const KEY: &str = "helix_slope_um";
+    let tables = [
+        (table.clone(), Some(&mut flanks.both)),
+        (table.below(Flank::Right.name()), flanks.right.as_mut()),
+        (table.below(Flank::Left.name()), flanks.left.as_mut()),
+    ];
+    let mut read_as = None;
+    for (table, flank) in tables {
+        let Some(slope) = flank.and_then(|flank| flank.helix_slope_um.as_mut()) else {
+            continue;
+        };
+        match (&*slope, helix) {
+            (Either::Other(_), Some(hand)) => {
+                return table.refuse(
+                    KEY,
+                    format!(
+                        "the gear is {}-hand, allowed is a number of µm, + = greater helix angle",
+                        hand.name()
+                    ),
+                    "write a number",
+                );
+            }
+            (Either::One(um), None) => {
+                let hand = if *um < 0.0 { Hand::Left } else { Hand::Right };
+                let stated = SpurSlopeSpec::new(um.abs(), hand);
+                read_as.get_or_insert((table.path_of(KEY), *um, hand));
+                *slope = Either::Other(stated);
+            }
+            _ => {}
+        }
+    }
+    warnings.extend(read_as.map(|(key, um, hand)| {
+        format!(
+            "{key}: {um} µm of a spur gear without a hand counts as {}-hand; write \"{size} r\" or \"{size} l\"",
+            hand.name(),
+            size = um.abs()
+        )
+    }));
+    Some(helix.unwrap_or(Hand::Right))
+}
+
+/// Warnings of conventions that values depend on and that `spec` does not state. `plane` is the height of the measuring plane, mm.
+fn open_conventions(
+    table: &Table,
+    spec: &LeadSpec,
+    plane: f64,
+    is_helical: bool,
+    warnings: &mut Vec<String>,
+) {
+    let FlanksSpec { both, right, left } = &spec.flanks;
+    let flanks = || {
+        [Some(both), right.as_ref(), left.as_ref()]
+            .into_iter()
+            .flatten()
+    };
+    let has = |is_stated: fn(&FlankLeadSpec) -> bool| flanks().any(is_stated);
+    let has_slopes = has(|flank| flank.slope_um.is_some() || flank.helix_slope_um.is_some());
+    let has_traces = has(|flank| flank.trace.is_some());
+    let has_crowning = has(|flank| flank.crowning_um.is_some());
+    let mut traces = flanks().flat_map(|flank| flank.trace.iter().flat_map(Either::as_list));
+    let lacks_direction = traces.any(|trace| trace.direction.is_none());
+    let conventions = [
+        (
+            "over",
+            has_slopes,
+            "slopes refer to the evaluation range; write over = \"range\", or \"face\" where they are over the whole width".to_owned(),
+        ),
+        (
+            "from",
+            has_traces,
+            "heights of traces count from the reference face; write from = \"reference\", or \"far\" where they begin at the other end".to_owned(),
+        ),
+        (
+            "zero_mm",
+            has_crowning || has_traces,
+            format!(
+                "pitch and thickness count as measured in the measuring plane, at height {height} mm; write zero_mm = {height}, or the height where they were",
+                height = shortest(plane)
+            ),
+        ),
+        (
+            "trace.direction",
+            is_helical && lacks_direction,
+            "deviations of traces count in the transverse section; write direction = \"transverse\", or \"normal\" where they are square to the teeth".to_owned(),
+        ),
+    ];
+    for (key, is_needed, words) in conventions {
+        if is_needed && !table.has(key) {
+            warnings.push(format!("{}: not stated, {words}", table.path_of(key)));
+        }
+    }
+}
+
+/// The helix slope of a flank, µm, and its hand where it states one.
+fn helix_slope(flank: &FlankLeadSpec) -> Option<(f64, Option<Hand>)> {
+    match flank.helix_slope_um.as_ref()? {
+        Either::One(um) => Some((*um, None)),
+        Either::Other(stated) => stated.parsed().map(|(um, hand)| (um, Some(hand))),
+    }
+}
+
+fn end_reliefs(spec: &EndReliefSpec) -> Vec<EndRelief> {
+    let ends: &[bool] = match spec.end {
+        ReliefEnd::Reference => &[false],
+        ReliefEnd::Far => &[true],
+        ReliefEnd::Both => &[false, true],
+    };
+    let relief = |at_far_end: &bool| EndRelief {
+        amount: spec.um / 1000.0,
+        length: spec.length_mm,
+        at_far_end: *at_far_end,
+        parabolic: spec.shape == ReliefShape::Parabolic,
+    };
+    ends.iter().map(relief).collect()
+}
+
+/// A trace whose heights count from the other end of teeth of this `width`.
+fn turned(mut trace: LeadTraceSpec, width: f64) -> LeadTraceSpec {
+    if let Some(heights) = &mut trace.from_reference_face_mm {
+        for height in heights.iter_mut() {
+            *height = width - *height;
+        }
+        heights.reverse();
+    }
+    if let Some(deviations) = &mut trace.deviation_um {
+        deviations.reverse();
+    }
+    trace
+}

@@ -1,0 +1,227 @@
+//! Deviations of the flanks along the face width.
+
+use super::profile::{ReliefShape, trace_rules};
+use super::rules::{columns, deviation, length, list_length, whole, within};
+use super::value::{Either, FlankSpec, FlanksSpec, TableFileSpec};
+use gearlash::gear::Hand;
+use schemars::{JsonSchema, Schema};
+use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
+
+/// Lead deviations, µm, plus = more material, in the transverse section along the base tangent. Heights count from the reference face's
+/// end of the teeth.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LeadSpec {
+    /// Values of the flanks.
+    #[serde(flatten)]
+    pub flanks: FlanksSpec<FlankLeadSpec>,
+    /// Height where pitch and thickness were measured; default: the measuring plane.
+    #[schemars(transform = within(0.0, 1e6))]
+    pub zero_mm: Option<f64>,
+    /// Evaluation range L_β, heights; default: without 5 % of the width, at most one module, at both ends.
+    #[schemars(transform = within(0.0, 1e6))]
+    pub range_mm: Option<[f64; 2]>,
+    /// Length that slopes refer to: the evaluation range (ISO 1328-1), or the whole face.
+    #[serde(default)]
+    pub over: SlopeLength,
+    /// End from which heights of traces count.
+    #[serde(default)]
+    pub from: TraceStart,
+    /// Axis of the measurement; "datum" is not modelled yet.
+    #[serde(default)]
+    pub axis: LeadAxis,
+}
+
+/// Lead deviations of a flank, µm, plus = more material; they add.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FlankLeadSpec {
+    /// Growth from the reference face to the far end.
+    #[schemars(transform = deviation())]
+    pub slope_um: Option<f64>,
+    /// Helix slope f_Hβ, plus = greater helix angle; of spur gears "10 r" or "10 l".
+    #[schemars(transform = deviation())]
+    pub helix_slope_um: Option<Either<f64, SpurSlopeSpec>>,
+    /// Lead crowning C_β, taken off at both ends; negative: hollow.
+    #[schemars(transform = deviation())]
+    pub crowning_um: Option<f64>,
+    /// Taken off towards the ends.
+    pub end_relief: Option<Either<EndReliefSpec, Vec<EndReliefSpec>>>,
+    /// Measured leads; teeth without one take the mean.
+    pub trace: Option<Either<LeadTraceSpec, Vec<LeadTraceSpec>>>,
+}
+
+/// Pattern of the helix slope of a spur gear.
+pub(crate) const SPUR_SLOPE: &str = r"^[0-9]+(\.[0-9]+)? ?[rl]$";
+
+/// The helix slope of a spur gear: a size and a hand.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(inline)]
+pub struct SpurSlopeSpec {
+    #[schemars(regex(pattern = SPUR_SLOPE))]
+    text: String,
+}
+
+impl SpurSlopeSpec {
+    /// The slope that makes flanks wind as those of this hand.
+    pub fn new(um: f64, hand: Hand) -> SpurSlopeSpec {
+        let letter = match hand {
+            Hand::Right => 'r',
+            Hand::Left => 'l',
+        };
+        SpurSlopeSpec {
+            text: format!("{um} {letter}"),
+        }
+    }
+
+    /// Size, µm, and hand; `None` for another text.
+    pub fn parsed(&self) -> Option<(f64, Hand)> {
+        let (um, hand) = match self.text.strip_suffix('r') {
+            Some(um) => (um, Hand::Right),
+            None => (self.text.strip_suffix('l')?, Hand::Left),
+        };
+        let is_size = |um: &f64| (0.0..=1e7).contains(um);
+        Some((um.trim_end().parse().ok().filter(is_size)?, hand))
+    }
+
+    /// The slope that a text states.
+    pub(crate) fn of_text(text: &str) -> SpurSlopeSpec {
+        SpurSlopeSpec {
+            text: text.to_owned(),
+        }
+    }
+}
+
+/// Material taken off towards an end of the teeth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EndReliefSpec {
+    /// Taken off at the end.
+    #[schemars(transform = within(0.0, 1e7))]
+    pub um: f64,
+    /// Length over which it grows.
+    #[schemars(transform = length())]
+    pub length_mm: f64,
+    /// Which end.
+    #[serde(default)]
+    pub end: ReliefEnd,
+    /// As of a tip relief.
+    #[serde(default)]
+    pub shape: ReliefShape,
+}
+
+/// A measured lead: heights, and the deviation at each; beyond its ends it stays as it is there.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(
+    transform = trace_keys,
+    transform = columns("from_reference_face_mm, deviation_um; tooth, flank where needed")
+)]
+pub struct LeadTraceSpec {
+    /// Tooth it was measured on; none: all.
+    #[schemars(transform = whole(1, 10_000))]
+    pub tooth: Option<u32>,
+    /// Heights, ascending.
+    #[schemars(transform = within(0.0, 1e6), transform = list_length(2, None))]
+    pub from_reference_face_mm: Option<Vec<f64>>,
+    /// Deviation at each.
+    #[schemars(transform = deviation(), transform = list_length(2, None))]
+    pub deviation_um: Option<Vec<f64>>,
+    /// In the transverse section, or normal to the teeth.
+    #[schemars(extend("default" = "transverse"))]
+    pub direction: Option<TraceDirection>,
+    /// Traces from a table.
+    #[serde(flatten)]
+    pub table: Option<TableFileSpec>,
+}
+
+fn trace_keys(schema: &mut Schema) {
+    trace_rules(schema, &["from_reference_face_mm"]);
+}
+
+/// The length that slopes refer to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum SlopeLength {
+    /// The evaluation range.
+    #[default]
+    Range,
+    /// The whole face.
+    Face,
+}
+
+/// The end of the teeth from which the heights of traces count.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum TraceStart {
+    /// The end of the reference face.
+    #[default]
+    Reference,
+    /// The other end.
+    Far,
+}
+
+/// The axis about which leads were measured.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum LeadAxis {
+    /// That of the teeth.
+    #[default]
+    Own,
+    /// That of the bore.
+    Datum,
+}
+
+/// The ends of the teeth with a relief.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum ReliefEnd {
+    /// The end of the reference face.
+    Reference,
+    /// The other end.
+    Far,
+    /// Both ends.
+    #[default]
+    Both,
+}
+
+/// The direction in which deviations of a trace count.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum TraceDirection {
+    /// Along the base tangent of the transverse section.
+    Transverse,
+    /// Normal to the teeth.
+    Normal,
+}
+
+impl FlankSpec for FlankLeadSpec {
+    type Trace = LeadTraceSpec;
+    const KEYS: &'static [&'static str] = &[
+        "slope_um",
+        "helix_slope_um",
+        "crowning_um",
+        "end_relief",
+        "trace",
+    ];
+
+    fn or(self, both: FlankLeadSpec) -> FlankLeadSpec {
+        FlankLeadSpec {
+            slope_um: self.slope_um.or(both.slope_um),
+            helix_slope_um: self.helix_slope_um.or(both.helix_slope_um),
+            crowning_um: self.crowning_um.or(both.crowning_um),
+            end_relief: self.end_relief.or(both.end_relief),
+            trace: self.trace.or(both.trace),
+        }
+    }
+
+    fn trace(&mut self) -> &mut Option<Either<LeadTraceSpec, Vec<LeadTraceSpec>>> {
+        &mut self.trace
+    }
+}

@@ -1,0 +1,177 @@
+//! Stated lead deviations: their checks and findings.
+
+use super::error::{LeadKey, MeasurementError};
+use super::finding::Finding;
+use super::profile::measured_teeth;
+use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, Lead};
+
+/// The keys of a lead that are checked alone, and all together last.
+const KEYS: [LeadKey; 4] = [
+    LeadKey::Range,
+    LeadKey::EndRelief,
+    LeadKey::Trace,
+    LeadKey::All,
+];
+
+/// The deviation of one key of `lead`, over its evaluation range from its zero.
+fn only(lead: &Lead, key: LeadKey) -> Lead {
+    let mut only = Lead {
+        face: lead.face,
+        range: lead.range,
+        zero: lead.zero,
+        ..Lead::default()
+    };
+    match key {
+        LeadKey::EndRelief => only.end_reliefs = lead.end_reliefs.clone(),
+        LeadKey::Trace => only.traces = lead.traces.clone(),
+        LeadKey::All => only = lead.clone(),
+        LeadKey::Range => {}
+    }
+    only
+}
+
+/// Errors of `leads` on `gear`, the first of each flank.
+pub(super) fn check(gear: &Gear, face: Face, leads: &[Lead; 2]) -> Vec<MeasurementError> {
+    let teeth = gear.basic_data().teeth();
+    let mut errors = Vec::new();
+    for (index, (flank, lead)) in Flank::BOTH.into_iter().zip(leads).enumerate() {
+        if lead.is_none() {
+            continue;
+        }
+        let fault = |key| {
+            let mut alone = Deviations::default();
+            alone.leads[index] = only(lead, key);
+            let built = alone.leads[index]
+                .curves(teeth)
+                .and_then(|_| AsBuilt::new(gear.clone(), face, &alone));
+            built
+                .err()
+                .map(|error| MeasurementError::Lead { flank, key, error })
+        };
+        errors.extend(KEYS.into_iter().find_map(fault));
+    }
+    errors
+}
+
+/// Flanks with traces of some teeth only.
+pub(super) fn findings(teeth: u32, leads: &[Lead; 2]) -> Vec<Finding> {
+    let of_flank = |(flank, lead): (Flank, &Lead)| {
+        let measured = measured_teeth(&lead.traces, teeth)?;
+        Some(Finding::LeadOfSomeTeeth {
+            flank,
+            measured,
+            teeth,
+        })
+    };
+    Flank::BOTH
+        .into_iter()
+        .zip(leads)
+        .filter_map(of_flank)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{BasicGearData, EndRelief, GearDesign, Trace};
+    use crate::metrology::Measurements;
+
+    /// A gear of module 3 with these leads of its left flanks.
+    fn measured(lead: Lead) -> Result<Vec<Finding>, Vec<MeasurementError>> {
+        let data = BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap();
+        let design = GearDesign::standard(data);
+        let measurements = Measurements {
+            leads: [Lead::default(), lead],
+            ..Measurements::nominal(design, Face::Back)
+        };
+        measurements.measure().map(|gear| gear.findings)
+    }
+
+    fn lead() -> Lead {
+        Lead {
+            face: [0.0, 40.0],
+            range: [2.0, 38.0],
+            crowning: 0.008,
+            ..Lead::default()
+        }
+    }
+
+    #[test]
+    fn errors_name_flank_and_key() {
+        let relief = |length| EndRelief {
+            amount: 0.01,
+            length,
+            at_far_end: true,
+            parabolic: false,
+        };
+        let one_point = Trace {
+            tooth: None,
+            points: vec![(1.0, 0.0)],
+        };
+        let cases = [
+            (
+                LeadKey::Range,
+                Lead {
+                    range: [-2.0, 38.0],
+                    ..lead()
+                },
+            ),
+            (
+                LeadKey::Range,
+                Lead {
+                    zero: 41.0,
+                    ..lead()
+                },
+            ),
+            (
+                LeadKey::EndRelief,
+                Lead {
+                    end_reliefs: vec![relief(50.0)],
+                    ..lead()
+                },
+            ),
+            (
+                LeadKey::Trace,
+                Lead {
+                    traces: vec![one_point],
+                    ..lead()
+                },
+            ),
+            // Thicker than the space at the far end.
+            (
+                LeadKey::All,
+                Lead {
+                    slope: 12.0,
+                    ..lead()
+                },
+            ),
+        ];
+        for (expected, lead) in cases {
+            match &measured(lead).unwrap_err()[..] {
+                [MeasurementError::Lead { flank, key, .. }] => {
+                    assert_eq!((*flank, *key), (Flank::Left, expected));
+                }
+                other => panic!("{expected:?}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn teeth_without_a_trace_are_reported() {
+        let trace = |tooth| Trace {
+            tooth: Some(tooth),
+            points: vec![(0.0, 0.0), (40.0, 0.005)],
+        };
+        let traces = vec![trace(1), trace(6), trace(11)];
+        let found = measured(Lead { traces, ..lead() }).unwrap();
+        let (flank, measured, teeth) = (Flank::Left, 3, 20);
+        assert_eq!(
+            found,
+            [Finding::LeadOfSomeTeeth {
+                flank,
+                measured,
+                teeth
+            }]
+        );
+    }
+}

@@ -76,6 +76,11 @@ impl SpurSlopeSpec {
         }
     }
 
+    /// The text as stated: "10 r".
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Size, µm, and hand; `None` for another text.
     pub fn parsed(&self) -> Option<(f64, Hand)> {
         let (um, hand) = match self.text.strip_suffix('r') {

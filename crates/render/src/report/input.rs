@@ -3,7 +3,7 @@
 use super::figures::inspections;
 use super::page::Page;
 use super::phrases::{plain, sentence, symbol};
-use super::stated::{high_tooth, pitch, profile, runout, thickness};
+use super::stated::{high_tooth, lead, pitch, profile, runout, thickness};
 use super::table::{Table, cells, columns};
 use super::{grades, notes};
 use crate::chart::PictureError;
@@ -96,6 +96,10 @@ pub(super) fn section(page: &Page, gears: [&GearSpec; 2]) -> Result<Markup, Pict
     if gears.iter().any(|gear| gear.profile.is_some()) {
         let name = "| profile deviations, + = more material |";
         rows.push((name, gears.map(|gear| profile(gear.profile.as_ref()))));
+    }
+    if gears.iter().any(|gear| gear.lead.is_some()) {
+        let name = "| lead deviations, + = more material |";
+        rows.push((name, gears.map(|gear| lead(gear.lead.as_ref()))));
     }
     let face = gears.map(|gear| gear.reference_face.name().to_owned());
     rows.push(("| reference face towards |", face));

@@ -3,8 +3,8 @@
 use gearlash::gear::MeasuringBody;
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::{
-    BandSpec, Either, FlankProfileSpec, LengthSpec, PitchSpec, ProfileSpec, ReliefShape,
-    RunoutSpec, ThicknessSpec,
+    BandSpec, Either, FlankLeadSpec, FlankProfileSpec, LeadSpec, LengthSpec, PitchSpec,
+    ProfileSpec, ReliefShape, RunoutSpec, ThicknessSpec,
 };
 
 /// A single value, or `min … max`.
@@ -132,11 +132,63 @@ pub(super) fn profile(stated: Option<&ProfileSpec>) -> String {
     let Some(stated) = stated else {
         return "not given".to_owned();
     };
-    let [right, left] = stated.flanks().map(flank_profile);
+    by_flank(stated.flanks().map(flank_profile))
+}
+
+/// Lead deviations as stated.
+pub(super) fn lead(stated: Option<&LeadSpec>) -> String {
+    let Some(stated) = stated else {
+        return "not given".to_owned();
+    };
+    let mut text = by_flank(stated.flanks.flanks().map(flank_lead));
+    if let Some(zero) = stated.zero_mm {
+        text += &format!("; 0 at {} mm from the reference face", shortest(zero));
+    }
+    text
+}
+
+fn by_flank([right, left]: [String; 2]) -> String {
     if right == left {
         format!("both flanks: {right}")
     } else {
         format!("right flanks: {right}; left flanks: {left}")
+    }
+}
+
+fn flank_lead(stated: &FlankLeadSpec) -> String {
+    let mut parts = Vec::new();
+    let um = [("slope", stated.slope_um), ("crowning", stated.crowning_um)];
+    for (name, um) in um {
+        parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));
+    }
+    parts.extend(stated.helix_slope_um.as_ref().map(|slope| match slope {
+        Either::One(um) => format!("helix slope f_Hβ {} µm", shortest(*um)),
+        Either::Other(slope) => format!("helix slope f_Hβ {} µm", slope.text()),
+    }));
+    for relief in stated.end_relief.iter().flat_map(Either::as_list) {
+        let [um, mm] = [relief.um, relief.length_mm].map(shortest);
+        parts.push(format!("end relief {um} µm over {mm} mm"));
+    }
+    parts.extend(traces(
+        stated
+            .trace
+            .iter()
+            .flat_map(Either::as_list)
+            .map(|trace| trace.tooth),
+    ));
+    if parts.is_empty() {
+        return "straight".to_owned();
+    }
+    parts.join(", ")
+}
+
+/// The teeth of measured traces, in words.
+fn traces(teeth: impl Iterator<Item = Option<u32>>) -> Option<String> {
+    match &teeth.collect::<Vec<_>>()[..] {
+        [] => None,
+        [Some(tooth)] => Some(format!("trace of tooth {tooth}")),
+        [None] => Some("a trace for all teeth".to_owned()),
+        several => Some(format!("traces of {} teeth", several.len())),
     }
 }
 
@@ -166,14 +218,7 @@ fn flank_profile(stated: &FlankProfileSpec) -> String {
             )
         }));
     }
-    match stated.traces() {
-        [] => {}
-        [one] => parts.push(match one.tooth {
-            Some(tooth) => format!("trace of tooth {tooth}"),
-            None => "a trace for all teeth".to_owned(),
-        }),
-        several => parts.push(format!("traces of {} teeth", several.len())),
-    }
+    parts.extend(traces(stated.traces().iter().map(|trace| trace.tooth)));
     if parts.is_empty() {
         return "involute".to_owned();
     }

@@ -9,7 +9,6 @@ use crate::gear::{Gear, Placed, Side};
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
-use std::f64::consts::TAU;
 
 /// The position in which the free gear is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -227,13 +226,7 @@ impl<'a> Scene<'a> {
 
     /// Module of the gears, mm; for a drawn pair that of its operating pitch circles.
     pub fn module(&self) -> f64 {
-        match self.assembly {
-            AssembledPair::Data(pair) => pair.gear(Member::Wheel).gear().basic_data().module(),
-            AssembledPair::Drawn(pair) => {
-                let pitch = pair.gear(Member::Wheel).pitch();
-                2.0 * pair.operating_pitch_radius(Member::Wheel) * pitch / TAU
-            }
-        }
+        self.assembly.module()
     }
 
     /// The position in which the free gear is drawn.

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::gear::Face;
 use crate::pair::{GearPair, Mating, Member, Pose, ToothNumbers};
 use nalgebra::Point2;
+use std::f64::consts::TAU;
 
 /// Two gears at a centre distance.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,11 +105,43 @@ impl AssembledPair {
 
     /// The centre distance, mm, from which tips pass each other.
     pub fn reach(&self) -> f64 {
-        let reach = |member| match self {
+        Member::BOTH
+            .map(|member| self.gear_reach(member))
+            .iter()
+            .sum()
+    }
+
+    /// Greatest distance of a gear's metal from its axis, mm.
+    pub fn gear_reach(&self, member: Member) -> f64 {
+        match self {
             AssembledPair::Data(pair) => pair.gear(member).reach(),
             AssembledPair::Drawn(pair) => pair.gear(member).reach(),
-        };
-        Member::BOTH.map(reach).iter().sum()
+        }
+    }
+
+    /// Module of the gears, mm; for a drawn pair that of its operating pitch circles.
+    pub fn module(&self) -> f64 {
+        match self {
+            AssembledPair::Data(pair) => pair.gear(Member::Wheel).gear().basic_data().module(),
+            AssembledPair::Drawn(pair) => {
+                let pitch = pair.gear(Member::Wheel).pitch();
+                2.0 * pair.operating_pitch_radius(Member::Wheel) * pitch / TAU
+            }
+        }
+    }
+
+    /// Whether the gears of `other` are these gears; centre distances may differ.
+    pub fn has_gears_of(&self, other: &AssembledPair) -> bool {
+        let mut members = Member::BOTH.into_iter();
+        match (self, other) {
+            (AssembledPair::Data(own), AssembledPair::Data(other)) => {
+                members.all(|member| own.gear(member) == other.gear(member))
+            }
+            (AssembledPair::Drawn(own), AssembledPair::Drawn(other)) => {
+                members.all(|member| own.gear(member) == other.gear(member))
+            }
+            _ => false,
+        }
     }
 
     /// Rotation axis, mm.

@@ -21,6 +21,7 @@ mod check;
 mod common_face;
 mod data_file;
 pub mod drawing;
+mod encoding;
 mod error;
 mod faults;
 mod files;

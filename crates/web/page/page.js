@@ -8,7 +8,7 @@
   const examples = JSON.parse(byId("example-files").textContent);
   const own = JSON.parse(byId("own").textContent);
 
-  // ---- the program, in two workers: long work, and answers while the slider moves
+  // ---- the program, in three workers: long work, poses and whole cycles while the slider moves
   const workers = {};
   let module = null;
   let calls = 0;
@@ -75,8 +75,9 @@
   function listFiles() {
     byId("files").replaceChildren(...[...files.keys()].map((name) => {
       const item = make("li", name, { className: name === main ? "now" : "" });
-      const out = make("button", "×", { type: "button", ariaLabel: `Remove ${name}` });
-      out.addEventListener("click", () => { files.delete(name); listFiles(); calculate(); });
+      const out = make("button", "×", { type: "button" });
+      out.setAttribute("aria-label", `Remove ${name}`);
+      out.addEventListener("click", () => { files.delete(name); calculate(); });
       item.append(" ", out);
       return item;
     }));
@@ -132,25 +133,37 @@
   }
 
   async function send(name) {
+    await ask(name, "clear");
     for (const [file, bytes] of files) await ask(name, "add", file, bytes);
   }
 
   // ---- calculate
   let run = 0;
   let opened = null;
+  // Time of the last run, ms: a short one follows the keys.
+  let took = Infinity;
+  const FOLLOWED = 1000;
+  const PAUSE = 400;
+  let typing = null;
+  text.addEventListener("input", () => {
+    number();
+    clearTimeout(typing);
+    if (took < FOLLOWED) typing = setTimeout(calculate, PAUSE);
+  });
+
   async function calculate() {
     const now = ++run;
     files.set(main, new TextEncoder().encode(text.value));
     listFiles();
+    clearTimeout(typing);
     byId("found").classList.add("old");
-    byId("working").hidden = false;
-    byId("stage").textContent = "Reading";
-    byId("progress").removeAttribute("value");
+    work("Reading");
     if (workers.long.waiting.size > 0) begin("long");
+    const since = performance.now();
     try {
-      for (const name of ["long", "live"]) await send(name);
+      for (const name of ["long", "live", "band"]) await send(name);
       const found = await answer("long", "open", main);
-      await ask("live", "open", main);
+      for (const name of ["live", "band"]) await ask(name, "open", main);
       if (now !== run) return;
       if (found.problems || found.failed) {
         showProblems(found.problems ?? [{ reason: found.failed }]);
@@ -160,8 +173,18 @@
       byId("problems").hidden = true;
       const result = await answer("long", "result");
       if (now !== run) return;
-      if (result.failed) showProblems([{ reason: result.failed }]);
-      else show(result);
+      if (result.failed) {
+        showProblems([{ reason: result.failed }]);
+        return;
+      }
+      show(result);
+      took = performance.now() - since;
+      byId("working").hidden = true;
+      for (const mark of ["mark_of_jam", "mark_of_mesh"]) {
+        opened.marks.push(...await answer("long", mark));
+        if (now !== run) return;
+        marks(opened.marks);
+      }
     } catch (fault) {
       if (now === run) showProblems([{ reason: `an internal fault: ${fault.message}`, help: "report it with this pair file" }]);
     } finally {
@@ -169,11 +192,31 @@
     }
   }
 
+  // ---- what is being done, and the time gone; a second without news is told
+  let begun = 0;
+  let heard = 0;
+
+  function work(stage) {
+    begun = heard = performance.now();
+    byId("working").hidden = false;
+    byId("stage").textContent = stage;
+    byId("silence").textContent = "";
+    byId("progress").removeAttribute("value");
+  }
+
   function showProgress({ done, of, stage }) {
+    heard = performance.now();
     byId("progress").max = of;
     byId("progress").value = Math.min(done, of);
     byId("stage").textContent = stage || "Poses";
   }
+
+  setInterval(() => {
+    if (byId("working").hidden) return;
+    const now = performance.now();
+    byId("gone").textContent = `${Math.floor((now - begun) / 1000)} s`;
+    byId("silence").textContent = now - heard > 1000 ? "This step takes longer." : "";
+  }, 250);
 
   function cancel() {
     run += 1;
@@ -229,7 +272,8 @@
   }
 
   function checks(table) {
-    const cell = (tag) => (value, i) => make(tag, value, { className: table.left[i] ? "left" : "" });
+    // A heading without words is no header.
+    const cell = (tag) => (value, i) => make(value ? tag : "td", value, { className: table.left[i] ? "left" : "" });
     const head = make("thead");
     const heads = make("tr");
     heads.append(...table.headings.map(cell("th")));
@@ -258,66 +302,113 @@
     startLive(result.start);
   }
 
-  // ---- live: one pose and the whole cycle at another centre distance; the newest request wins
+  // ---- live: one pose and the whole cycle at another centre distance, each in its own worker
   const fields = { a: byId("a"), number: byId("a-number"), turn: byId("turn"), wheel: byId("wheel"), pinion: byId("pinion"), flank: byId("flank"), material: byId("material") };
-  let wanted = false;
-  let busy = false;
+  const distance = () => Number(fields.number.value);
+  const counted = (field) => Math.min(Math.max(1, Math.round(Number(field.value) || 1)), Number(field.max));
+  const place = () => [distance(), Number(fields.material.value), counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value)];
+  let mesh = null;
   let resting = null;
+
+  // Of several requests the newest wins; one is on its way.
+  function newest(name, into, act) {
+    let wanted = false;
+    let busy = false;
+    return async () => {
+      wanted = true;
+      if (busy) return;
+      busy = true;
+      try {
+        while (wanted) {
+          wanted = false;
+          await act();
+        }
+      } catch (fault) {
+        byId(into).textContent = `an internal fault: ${fault.message}`;
+        await send(name);
+        await ask(name, "open", main);
+      } finally {
+        busy = false;
+      }
+    };
+  }
+
+  const livePose = newest("live", "here", async () => {
+    const at = place();
+    if (!mesh) await drawMesh(at);
+    showPose(await answer("live", "pose", "live", ...at));
+  });
+  const liveBand = newest("band", "cycle", async () => {
+    const a = distance();
+    showBand(await answer("band", "live_band", a));
+    byId("cycle").dataset.a = a;
+    clearTimeout(resting);
+    resting = setTimeout(() => {
+      byId("spoken").textContent = `At ${distance()} mm: this mating ${byId("here").textContent}, whole cycle ${byId("cycle").textContent}`;
+    }, 1000);
+  });
+
+  function live() {
+    livePose();
+    liveBand();
+  }
 
   function startLive(start) {
     const [low, high] = opened.range_mm;
     for (const field of [fields.a, fields.number]) [field.min, field.max] = [low, high];
     [fields.wheel.max, fields.pinion.max] = opened.teeth;
-    const place = start ?? { distance_mm: opened.distances_mm[0], wheel: 1, pinion: 1, left: false, fraction: 0 };
-    fields.a.value = fields.number.value = place.distance_mm;
-    [fields.wheel.value, fields.pinion.value] = [place.wheel, place.pinion];
-    fields.flank.value = place.left ? "left" : "right";
-    byId("marks").replaceChildren(...opened.distances_mm.map((mm) => make("option", undefined, { value: mm })));
+    const at = start ?? { distance_mm: opened.distances_mm[0], wheel: 1, pinion: 1, left: false, fraction: 0 };
+    fields.a.value = fields.number.value = at.distance_mm;
+    [fields.wheel.value, fields.pinion.value] = [at.wheel, at.pinion];
+    fields.flank.value = at.left ? "left" : "right";
     fields.material.replaceChildren(...opened.materials.map((name, i) => make("option", name, { value: i })));
-    fields.material.value = Math.max(0, opened.materials.indexOf(place.material));
+    fields.material.value = Math.max(0, opened.materials.indexOf(at.material));
     byId("material-label").hidden = opened.materials.length < 2;
-    const half = Math.max(0.5, Math.ceil(2 * Math.abs(place.fraction)) / 2);
-    [fields.turn.min, fields.turn.max, fields.turn.value] = [-half, half, place.fraction];
+    const half = Math.max(0.5, Math.ceil(2 * Math.abs(at.fraction)) / 2);
+    [fields.turn.min, fields.turn.max, fields.turn.value] = [-half, half, at.fraction];
+    mesh = null;
     live();
+    marks(opened.marks);
   }
 
-  const distance = () => Number(fields.number.value);
-  const counted = (field) => Math.min(Math.max(1, Math.round(Number(field.value) || 1)), Number(field.max));
-
-  async function live() {
-    wanted = true;
-    if (busy) return;
-    busy = true;
-    try {
-      while (wanted) {
-        wanted = false;
-        const a = distance();
-        const pose = await answer("live", "live", a, Number(fields.material.value), counted(fields.wheel), counted(fields.pinion), fields.flank.value === "left", Number(fields.turn.value));
-        showPose(pose);
-        const band = await answer("live", "live_band", a);
-        showBand(band);
-        byId("cycle").dataset.a = a;
-      }
-    } catch (fault) {
-      byId("here").textContent = `an internal fault: ${fault.message}`;
-      await begin("live");
-      await send("live");
-      await ask("live", "open", main);
-    } finally {
-      busy = false;
-    }
-    clearTimeout(resting);
-    resting = setTimeout(() => {
-      byId("spoken").textContent = `At ${distance()} mm: this mating ${byId("here").textContent}, whole cycle ${byId("cycle").textContent}`;
-    }, 1000);
+  // The picture is drawn once for two gears, then moved.
+  async function drawMesh(at) {
+    const drawn = await answer("live", "pose", "mesh", ...at);
+    const pose = await answer("live", "pose", "live", ...at);
+    if (drawn.failed || pose.failed) return;
+    byId("viewer").innerHTML = drawn.html;
+    byId("viewer-backlash").setAttribute("aria-live", "off");
+    mesh = gearlashMesh(pose.mesh, (by) => {
+      fields.turn.value = Number(fields.turn.value) + 0.02 * by;
+      live();
+    });
   }
 
   function showPose(pose) {
     const say = pose.failed ?? (pose.j_wt_um === null ? pose.status.replaceAll("_", " ") : `${pose.j_wt} µm`);
     byId("here").textContent = say;
-    if (pose.failed) return;
-    picture(byId("mesh"), pose.svg);
-    byId("mesh").setAttribute("aria-label", `Mesh of wheel tooth ${fields.wheel.value} and pinion tooth ${fields.pinion.value}, ${say}`);
+    byId("viewer").classList.toggle("old", Boolean(pose.failed));
+    if (pose.failed || !mesh) return;
+    mesh.show(pose.mesh.runs[0], 0, pose.mesh.words);
+    byId("viewer-picture").setAttribute("aria-label", `Mesh of wheel tooth ${fields.wheel.value} and pinion tooth ${fields.pinion.value}, ${say}`);
+  }
+
+  // Places on the slider: each has its distance and words; where the pair does not assemble is shaded.
+  function marks(each) {
+    const [low, high] = opened.range_mm;
+    const part = (mm) => (mm - low) / (high - low);
+    byId("ticks").replaceChildren(...each.filter(({ mm }) => mm >= low && mm <= high).map(({ mm, kind }) => {
+      const tick = make("span", "", { className: kind });
+      tick.style.setProperty("--at", part(mm));
+      return tick;
+    }));
+    byId("marks").replaceChildren(...each.map(({ mm, kind, words }) => {
+      const item = make("li", undefined, { className: kind });
+      const go = make("button", words, { type: "button" });
+      go.addEventListener("click", () => { fields.a.value = fields.number.value = mm; live(); });
+      item.append(go);
+      return item;
+    }));
   }
 
   function showBand(band) {
@@ -336,9 +427,9 @@
   function scale(band) {
     const drawing = byId("scale");
     drawing.replaceChildren();
+    byId("scale-words").replaceChildren();
     if (!band || band.least_um === null || band.greatest_um === null) return;
-    const limits = opened.limits_um.filter((limit) => limit !== null);
-    const ends = [0, band.least_um, band.greatest_um, ...limits];
+    const ends = [0, band.least_um, band.greatest_um, ...opened.limits.map(({ um }) => um)];
     const [low, high] = [Math.min(...ends), Math.max(...ends)];
     const x = (um) => 10 + (580 * (um - low)) / (high - low || 1);
     const add = (tag, attributes) => {
@@ -348,7 +439,12 @@
     };
     add("rect", { x: x(band.least_um), y: 8, width: Math.max(2, x(band.greatest_um) - x(band.least_um)), height: 18, fill: "var(--band)" });
     add("line", { x1: x(0), x2: x(0), y1: 2, y2: 32, stroke: "var(--ink)" });
-    for (const limit of limits) add("line", { x1: x(limit), x2: x(limit), y1: 2, y2: 32, stroke: "var(--fail)", "stroke-width": 3 });
+    for (const { um } of opened.limits) add("line", { x1: x(um), x2: x(um), y1: 2, y2: 32, stroke: "var(--fail)", "stroke-width": 3 });
+    byId("scale-words").replaceChildren(...[{ um: 0, words: "0" }, ...opened.limits].map(({ um, words }) => {
+      const label = make("span", words);
+      label.style.setProperty("--at", x(um) / 600);
+      return label;
+    }));
   }
 
   fields.a.addEventListener("input", () => { fields.number.value = fields.a.value; live(); });
@@ -380,13 +476,24 @@
   const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 
   byId("save-pair").addEventListener("click", () => save(main, "text/plain", text.value));
-  byId("save-picture").addEventListener("click", () => {
-    const svg = byId("mesh").querySelector("svg");
-    if (svg) save(`${opened.stem}.svg`, "image/svg+xml", new XMLSerializer().serializeToString(svg));
+  byId("save-picture").addEventListener("click", async () => {
+    const picture = await answer("live", "pose", "picture", ...place());
+    if (picture.svg) save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);
+  });
+  byId("save-zip").addEventListener("click", async () => {
+    files.set(main, new TextEncoder().encode(text.value));
+    await send("live");
+    save("gearlash.zip", "application/zip", await ask("live", "zip"));
   });
   byId("save-report").addEventListener("click", async () => {
-    byId("working").hidden = false;
+    work("Report");
     try {
+      // Marks that are still being found can wait no longer.
+      if (workers.long.waiting.size > 0) {
+        await begin("long");
+        await send("long");
+        await ask("long", "open", main);
+      }
       const report = await answer("long", "report", new Date().toISOString().slice(0, 10));
       if (report.failed) showProblems([{ reason: report.failed }]);
       else save(`${opened.stem}.html`, "text/html", report.html);
@@ -448,7 +555,6 @@
   });
   byId("calculate").addEventListener("click", calculate);
   byId("cancel").addEventListener("click", cancel);
-  text.addEventListener("input", number);
   text.addEventListener("scroll", () => { byId("lines").scrollTop = text.scrollTop; });
   text.addEventListener("keydown", (event) => { if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) calculate(); });
   document.addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("over"); });
@@ -461,7 +567,8 @@
 
   (async () => {
     module = await unpacked(byId("wasm").textContent);
-    await Promise.all([begin("long"), begin("live")]);
+    await Promise.all(["long", "live", "band"].map(begin));
+    byId("save-page").textContent += ` (${(source.length / 1e6).toFixed(1)} MB)`;
     open(own ?? (await linked().catch(() => null)) ?? examples[0]);
   })().catch((fault) => showProblems([{ reason: `this browser cannot run the page: ${fault.message}`, help: "use Chrome 103, Firefox 114, Safari 16.4 or later" }]));
 })();

@@ -2,17 +2,19 @@
 
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::requirement::{Limits, Quantity};
-use gearlash::analysis::study::Study;
+use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::analysis::without_play::{WithoutPlay, tips_on_roots};
 use gearlash::analysis::{Analysis, Plan, Progress, extremes};
-use gearlash::contact::Method;
+use gearlash::contact::{Doubt, Method, PoseResult};
 use gearlash::gear::Side;
+use gearlash::outline::AssembledPair;
 use gearlash::pair::{Mating, Member};
-use gearlash_files::numbers::um;
+use gearlash_files::numbers::{trimmed, um};
 use gearlash_files::outlines::{Drawings, OutlineOptions};
 use gearlash_files::{AnyPair, Files, InputError, import, read_files};
 use gearlash_render::chart::{self, Heading};
+use gearlash_render::viewer::LivePose;
 use gearlash_render::{Report, pose_picture};
 use gearlash_results::RemedyRecords;
 use gearlash_results::grades::grades;
@@ -21,10 +23,13 @@ use gearlash_results::text::{Screen, imported};
 use gearlash_results::verdict::{ExtremeRow, VerdictLines, extremes_in_short, lines};
 use serde_json::{Value, json};
 use std::fmt::Display;
+use std::io::{Cursor, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
 
 const METHOD: Method = Method::Exact { certify: true };
 
@@ -33,6 +38,24 @@ pub const MOST_POSES: u64 = 500_000;
 
 /// Receives steps begun, steps in all and the stage; a break ends the work.
 pub type OnStep = dyn Fn(u64, u64, &str) -> ControlFlow<()> + Sync;
+
+/// The pair of each material at a centre distance.
+type Pairs = [(Material, AssembledPair)];
+
+/// The pose that a page shows.
+#[derive(Debug, Clone, Copy)]
+pub struct LivePlace {
+    /// Centre distance, mm.
+    pub distance: f64,
+    /// Index of the `materials` of [`Page::open`].
+    pub material: usize,
+    /// Wheel and pinion tooth.
+    pub teeth: [u32; 2],
+    /// Whether the left flanks mate.
+    pub left: bool,
+    /// Fraction of a pitch beyond the mating.
+    pub fraction: f64,
+}
 
 /// The files and the pair of a page.
 #[derive(Debug, Default)]
@@ -70,8 +93,9 @@ impl Page {
             "teeth": study.teeth(),
             "distances_mm": study.center_distances,
             "materials": materials.map(|material| material.words()).collect::<Vec<_>>(),
-            "limits_um": limits(study),
+            "limits": limits(study),
             "range_mm": range(study),
+            "marks": study.center_distances.iter().map(|a| mark(*a, "file", "pair file:", None)).collect::<Vec<_>>(),
         });
         self.pair = Some(pair);
         found
@@ -117,6 +141,51 @@ impl Page {
             "start": start,
             "unproven": analysis.unproven(),
         })
+    }
+
+    /// The distance from which the pair assembles, as marks of the slider.
+    pub fn mark_of_jam(&self) -> Value {
+        self.mark_at(0, |verdict| {
+            let from = verdict.assembles_from()?;
+            Some(mark(from.high, "jams", "assembles from", from.doubt))
+        })
+    }
+
+    /// The distance up to which the pair is in mesh, as marks of the slider. It takes seconds.
+    pub fn mark_of_mesh(&self) -> Value {
+        self.mark_at(1, |verdict| {
+            let to = verdict.meshes_to()?;
+            Some(mark(to.low, "apart", "in mesh up to", to.doubt))
+        })
+    }
+
+    /// The mark that the verdict at an end of the slider's range gives, if any.
+    fn mark_at(&self, end: usize, mark: impl Fn(&Verdict) -> Option<Value>) -> Value {
+        let Some(pair) = &self.pair else {
+            return nothing_open();
+        };
+        let a = range(&pair.study)[end];
+        let found = without_clearance(&pair.study)
+            .at(vec![a])
+            .and_then(|study| {
+                let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+                Ok(mark(&Verdict::of_study(&study, &found.each, Vec::new())))
+            });
+        // A pair without a result there has no mark.
+        found.ok().flatten().into_iter().collect()
+    }
+
+    /// The files in a zip archive, as they were given.
+    pub fn zip(&self) -> Vec<u8> {
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        for name in self.files.names() {
+            // Writing into memory fails only for names that no archive has.
+            if archive.start_file(name, stored).is_ok() {
+                let _ = archive.write_all(self.files.get(name).unwrap_or_default());
+            }
+        }
+        archive.finish().map_or(Vec::new(), Cursor::into_inner)
     }
 
     /// The report as a page.
@@ -193,26 +262,57 @@ impl Page {
         found().unwrap_or_else(|failed| failed)
     }
 
-    /// One pose at another centre distance, with its picture. `material` is an index of the `materials` of [`Page::open`].
-    pub fn live(
+    /// One pose at another centre distance: status, backlash, and the columns that move the mesh.
+    pub fn live(&self, at: &LivePlace) -> Value {
+        let answer = |study: &Study, pairs: &Pairs, pose: PoseResult| {
+            let (status, j_wt) = (pose.status().name(), pose.backlash);
+            let live = LivePose::new(study, pairs, at.material, pose)?;
+            Some(live.columns().map_or_else(failed, |mesh| {
+                json!({
+                    "status": status,
+                    "j_wt_um": j_wt.map(|mm| mm * 1e3),
+                    "j_wt": um(j_wt, 2),
+                    "mesh": mesh,
+                })
+            }))
+        };
+        self.posed(at, answer)
+    }
+
+    /// The mesh of one pose, to be moved by the columns of [`Page::live`]: `{html}`.
+    pub fn mesh(&self, at: &LivePlace) -> Value {
+        self.posed(at, |study, pairs, pose| {
+            let live = LivePose::new(study, pairs, at.material, pose)?;
+            Some(json!({ "html": live.html() }))
+        })
+    }
+
+    /// One pose as a sheet: `{svg}`.
+    pub fn picture(&self, at: &LivePlace) -> Value {
+        self.posed(at, |study, pairs, pose| {
+            let (material, assembly) = pairs.get(at.material)?;
+            let picture = pose_picture(&study.title, assembly, *material, &pose);
+            Some(picture.map_or_else(failed, |svg| json!({ "svg": svg })))
+        })
+    }
+
+    /// The answer from the pose at a place of the pair that is open.
+    fn posed(
         &self,
-        a: f64,
-        material: usize,
-        teeth: [u32; 2],
-        left: bool,
-        fraction: f64,
+        at: &LivePlace,
+        answer: impl FnOnce(&Study, &Pairs, PoseResult) -> Option<Value>,
     ) -> Value {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
-        let study = &pair.study;
-        let assembly = study.pairs(a).map(|pairs| pairs.into_iter().nth(material));
-        let (material, assembly) = match assembly {
-            Ok(Some(found)) => found,
-            Ok(None) => return nothing_open(),
+        let pairs = match pair.study.pairs(at.distance) {
+            Ok(pairs) => pairs,
             Err(error) => return failed(error),
         };
-        for (member, tooth) in Member::BOTH.into_iter().zip(teeth) {
+        let Some((_, assembly)) = pairs.get(at.material) else {
+            return nothing_open();
+        };
+        for (member, tooth) in Member::BOTH.into_iter().zip(at.teeth) {
             let of = assembly.teeth(member);
             if !(1..=of).contains(&tooth) {
                 let name = member.name();
@@ -220,22 +320,13 @@ impl Page {
             }
         }
         let mating = Mating {
-            wheel_tooth: teeth[0],
-            pinion_tooth: teeth[1],
-            flank: if left { Side::Left } else { Side::Right },
-            fraction,
+            wheel_tooth: at.teeth[0],
+            pinion_tooth: at.teeth[1],
+            flank: if at.left { Side::Left } else { Side::Right },
+            fraction: at.fraction,
         };
-        let pose = match assembly.lost_motion(mating) {
-            Ok(pose) => pose,
-            Err(error) => return failed(error),
-        };
-        match pose_picture(&study.title, &assembly, material, &pose) {
-            Ok(svg) => json!({
-                "status": pose.status().name(),
-                "j_wt_um": pose.backlash.map(|mm| mm * 1e3),
-                "j_wt": um(pose.backlash, 2),
-                "svg": svg,
-            }),
+        match assembly.lost_motion(mating) {
+            Ok(pose) => answer(&pair.study, &pairs, pose).unwrap_or_else(nothing_open),
             Err(error) => failed(error),
         }
     }
@@ -245,21 +336,19 @@ impl Page {
         let Some(pair) = &self.pair else {
             return nothing_open();
         };
-        let moved = Study {
-            bearing_clearance: 0.0,
-            ..pair.study.clone()
-        };
-        let found = moved.at(vec![a]).and_then(|study| {
-            let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
-            let verdict = Verdict::of_study(&study, &found.each, Vec::new());
-            let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
-            let shown = lines(&verdict);
-            Ok(json!({
-                "verdict": verdict_json(&shown),
-                "least_um": value(verdict.least().map(|(_, least)| least.low)),
-                "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
-            }))
-        });
+        let found = without_clearance(&pair.study)
+            .at(vec![a])
+            .and_then(|study| {
+                let found = extremes::extremes(&study, METHOD, &|| ControlFlow::Continue(()))?;
+                let verdict = Verdict::of_study(&study, &found.each, Vec::new());
+                let value = |extreme: Option<f64>| json!(extreme.map(|mm| mm * 1e3));
+                let shown = lines(&verdict);
+                Ok(json!({
+                    "verdict": verdict_json(&shown),
+                    "least_um": value(verdict.least().map(|(_, least)| least.low)),
+                    "greatest_um": value(verdict.greatest().map(|(_, greatest)| greatest.high)),
+                }))
+            });
         found.unwrap_or_else(failed)
     }
 }
@@ -277,13 +366,32 @@ fn range(study: &Study) -> [f64; 2] {
     [least - 0.25 * (apart - least), apart]
 }
 
-/// The limits of the operating backlash, µm, least and greatest.
-fn limits(study: &Study) -> [Option<f64>; 2] {
+/// The study without bearing clearance: a stated distance is the distance of the axes.
+fn without_clearance(study: &Study) -> Study {
+    Study {
+        bearing_clearance: 0.0,
+        ..study.clone()
+    }
+}
+
+/// A distance to mark on the slider.
+fn mark(mm: f64, kind: &str, words: &str, doubt: Option<Doubt>) -> Value {
+    let unless_proven = if doubt.is_some() { " (not proven)" } else { "" };
+    let words = format!("{words} {} mm{unless_proven}", trimmed(mm, 0, 4));
+    json!({ "mm": mm, "kind": kind, "words": words })
+}
+
+/// The limits of the operating backlash.
+fn limits(study: &Study) -> Value {
     let of_backlash = |(quantity, _): &&_| *quantity == Quantity::OperatingBacklash;
     let limits = study.requirements.iter().find(of_backlash);
-    limits.map_or([None; 2], |(_, Limits { min, max })| {
-        [min, max].map(|mm| mm.map(|mm| mm * 1e3))
-    })
+    let each = limits.map_or([None; 2], |(_, Limits { min, max })| [*min, *max]);
+    let named = ["min", "max"].into_iter().zip(each);
+    let limit = |(name, mm): (&str, Option<f64>)| {
+        let um = mm? * 1e3;
+        Some(json!({ "um": um, "words": format!("{name} {} µm", trimmed(um, 0, 2)) }))
+    };
+    named.filter_map(limit).collect()
 }
 
 /// A distance at which no two gears touch, mm.

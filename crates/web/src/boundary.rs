@@ -1,6 +1,6 @@
 //! The boundary to JavaScript: the functions that the page calls, each of texts and bytes.
 
-use crate::answers::Page;
+use crate::answers::{LivePlace, Page};
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -40,9 +40,24 @@ impl Gearlash {
         self.page.files.add(name, bytes);
     }
 
-    /// Takes a file out.
-    pub fn remove(&mut self, name: &str) -> bool {
-        self.page.files.remove(name)
+    /// Takes all files out.
+    pub fn clear(&mut self) {
+        self.page.files = gearlash_files::Files::new();
+    }
+
+    /// The files in a zip archive.
+    pub fn zip(&self) -> Vec<u8> {
+        self.page.zip()
+    }
+
+    /// The centre distance from which the pair assembles: `[{mm, kind, words}]`, empty without one.
+    pub fn mark_of_jam(&self) -> String {
+        self.page.mark_of_jam().to_string()
+    }
+
+    /// The centre distance up to which the pair is in mesh: `[{mm, kind, words}]`, empty without one.
+    pub fn mark_of_mesh(&self) -> String {
+        self.page.mark_of_mesh().to_string()
     }
 
     /// Reads the pair file `main`: `{title, stem, warnings, remarks, teeth, distances_mm, materials}`, or `{problems}`.
@@ -60,9 +75,10 @@ impl Gearlash {
         self.page.report(date, &progress).to_string()
     }
 
-    /// One pose at the centre distance `a`, mm, with its picture. `material` counts the materials of the pair.
-    pub fn live(
+    /// The pose `what` of: `live`, `mesh` or `picture`, at the centre distance `a`, mm. `material` counts the materials of the pair.
+    pub fn pose(
         &self,
+        what: &str,
         a: f64,
         material: usize,
         wheel: u32,
@@ -70,10 +86,19 @@ impl Gearlash {
         left: bool,
         fraction: f64,
     ) -> String {
-        let teeth = [wheel, pinion];
-        self.page
-            .live(a, material, teeth, left, fraction)
-            .to_string()
+        let at = LivePlace {
+            distance: a,
+            material,
+            teeth: [wheel, pinion],
+            left,
+            fraction,
+        };
+        let answer = match what {
+            "mesh" => self.page.mesh(&at),
+            "picture" => self.page.picture(&at),
+            _ => self.page.live(&at),
+        };
+        answer.to_string()
     }
 
     /// Least and greatest backlash of the whole mesh cycle at the centre distance `a`, mm.

@@ -6,7 +6,7 @@ use gearlash::gear::Side;
 use gearlash::pair::Mating;
 use gearlash_files::read_any;
 use gearlash_results::verdict::lines;
-use gearlash_web::answers::Page;
+use gearlash_web::answers::{LivePlace, Page};
 use serde_json::Value;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -87,7 +87,14 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     let (page, _) = opened(&[name]);
     let study = read_any(&path(name)).unwrap().study;
     let a = study.center_distances[0] + 0.3;
-    let live = page.live(a, 0, [1, 1], true, 0.25);
+    let place = LivePlace {
+        distance: a,
+        material: 0,
+        teeth: [1, 1],
+        left: true,
+        fraction: 0.25,
+    };
+    let live = page.live(&place);
     let (_, assembly) = study.pairs(a).unwrap().remove(0);
     let mating = Mating {
         wheel_tooth: 1,
@@ -97,7 +104,22 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     };
     let own = assembly.lost_motion(mating).unwrap().backlash.unwrap() * 1e3;
     assert_eq!(live["j_wt_um"].as_f64(), Some(own));
-    assert!(live["svg"].as_str().unwrap().contains("<svg"));
+    let run = &live["mesh"]["runs"][0];
+    assert_eq!(run["j_wt_um"][0], live["j_wt_um"]);
+    assert_eq!(run["center_distance_mm"], a);
+    let mesh = page.mesh(&place);
+    assert!(
+        mesh["html"]
+            .as_str()
+            .unwrap()
+            .contains("id=\"viewer-pinion\"")
+    );
+    assert!(
+        page.picture(&place)["svg"]
+            .as_str()
+            .unwrap()
+            .contains("<svg")
+    );
     let band = page.live_band(a);
     let moved = study.at(vec![a]).unwrap();
     let plan = Plan::new(&moved, Method::Exact { certify: true }).with_extremes();
@@ -105,7 +127,10 @@ fn a_moved_pair_has_the_backlash_of_its_distance() {
     let verdict = analysis.verdict();
     let least = verdict.least().unwrap().1.low * 1e3;
     assert_eq!(band["least_um"].as_f64(), Some(least));
-    let wrong = page.live(a, 0, [0, 1], false, 0.0);
+    let wrong = page.live(&LivePlace {
+        teeth: [0, 1],
+        ..place
+    });
     assert!(
         wrong["failed"].as_str().unwrap().contains("teeth 1"),
         "{wrong}"

@@ -25,16 +25,20 @@ const FLAGS: [&str; 10] = [
     "--remote-debugging-port=0",
 ];
 /// How long an answer, or a change in the page, may take.
-const PATIENCE: Duration = Duration::from_secs(60);
+pub const PATIENCE: Duration = Duration::from_secs(60);
 
 /// The browser to use: `$CHROME`, or the first of the usual names on the path.
 pub fn find() -> Option<PathBuf> {
-    if let Some(named) = std::env::var_os("CHROME") {
+    on_path("CHROME", &["chromium", "chromium-browser", "google-chrome"])
+}
+
+/// The program that the variable `own` names, or the first of `names` on the path.
+pub fn on_path(own: &str, names: &[&str]) -> Option<PathBuf> {
+    if let Some(named) = std::env::var_os(own) {
         return Some(named.into());
     }
     let path = std::env::var_os("PATH")?;
     let folders: Vec<PathBuf> = std::env::split_paths(&path).collect();
-    let names = ["chromium", "chromium-browser", "google-chrome"];
     let places = names
         .iter()
         .flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
@@ -118,6 +122,73 @@ impl Drop for Chromium {
     }
 }
 
+/// A page that runs scripts, in any browser.
+pub trait Script {
+    /// Opens an address and waits until it is loaded.
+    fn open_address(&mut self, address: &str);
+
+    /// The value of a JavaScript expression.
+    fn eval(&mut self, expression: &str) -> Value;
+
+    /// Opens a file from disk and waits until it is loaded.
+    fn open(&mut self, page: &Path) {
+        self.open_address(&format!("file://{}", page.display()));
+    }
+
+    /// The number that an expression evaluates to.
+    fn number(&mut self, expression: &str) -> f64 {
+        let value = self.eval(expression);
+        value
+            .as_f64()
+            .unwrap_or_else(|| panic!("{expression} is {value}, no number"))
+    }
+
+    /// The text that an expression evaluates to.
+    fn text(&mut self, expression: &str) -> String {
+        let value = self.eval(expression);
+        let text = value.as_str().map(str::to_owned);
+        text.unwrap_or_else(|| panic!("{expression} is {value}, no text"))
+    }
+
+    /// Waits until an expression is true.
+    fn until(&mut self, expression: &str) {
+        self.until_within(expression, PATIENCE);
+    }
+
+    /// Waits until an expression is true, at most so long.
+    fn until_within(&mut self, expression: &str, most: Duration) {
+        let start = Instant::now();
+        while self.eval(expression) != json!(true) {
+            assert!(start.elapsed() < most, "in vain: {expression}");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+}
+
+impl Script for Tab {
+    fn open_address(&mut self, address: &str) {
+        self.events.clear();
+        self.call("Page.navigate", json!({ "url": address }));
+        let loaded = |event: &Value| event["method"] == "Page.loadEventFired";
+        while !self.events.iter().any(loaded) {
+            let event = self.next();
+            self.events.push(event);
+        }
+    }
+
+    fn eval(&mut self, expression: &str) -> Value {
+        let params =
+            json!({ "expression": expression, "returnByValue": true, "awaitPromise": true });
+        let answer = self.call("Runtime.evaluate", params);
+        assert!(
+            answer["exceptionDetails"].is_null(),
+            "{expression}: {}",
+            answer["exceptionDetails"]
+        );
+        answer["result"]["value"].clone()
+    }
+}
+
 /// One tab.
 pub struct Tab {
     socket: WebSocket<TcpStream>,
@@ -159,63 +230,10 @@ impl Tab {
         }
     }
 
-    /// Opens a file from disk and waits until it is loaded.
-    pub fn open(&mut self, page: &Path) {
-        self.open_address(&format!("file://{}", page.display()));
-    }
-
-    /// Opens an address and waits until it is loaded.
-    pub fn open_address(&mut self, address: &str) {
-        self.events.clear();
-        self.call("Page.navigate", json!({ "url": address }));
-        let loaded = |event: &Value| event["method"] == "Page.loadEventFired";
-        while !self.events.iter().any(loaded) {
-            let event = self.next();
-            self.events.push(event);
-        }
-    }
-
     /// The events of this name since the page was opened.
     pub fn events(&self, method: &str) -> Vec<&Value> {
         let named = |event: &&Value| event["method"] == method;
         self.events.iter().filter(named).collect()
-    }
-
-    /// The value of a JavaScript expression.
-    pub fn eval(&mut self, expression: &str) -> Value {
-        let params =
-            json!({ "expression": expression, "returnByValue": true, "awaitPromise": true });
-        let answer = self.call("Runtime.evaluate", params);
-        assert!(
-            answer["exceptionDetails"].is_null(),
-            "{expression}: {}",
-            answer["exceptionDetails"]
-        );
-        answer["result"]["value"].clone()
-    }
-
-    /// The number that an expression evaluates to.
-    pub fn number(&mut self, expression: &str) -> f64 {
-        let value = self.eval(expression);
-        value
-            .as_f64()
-            .unwrap_or_else(|| panic!("{expression} is {value}, no number"))
-    }
-
-    /// The text that an expression evaluates to.
-    pub fn text(&mut self, expression: &str) -> String {
-        let value = self.eval(expression);
-        let text = value.as_str().map(str::to_owned);
-        text.unwrap_or_else(|| panic!("{expression} is {value}, no text"))
-    }
-
-    /// Waits until an expression is true.
-    pub fn until(&mut self, expression: &str) {
-        let start = Instant::now();
-        while self.eval(expression) != json!(true) {
-            assert!(start.elapsed() < PATIENCE, "in vain: {expression}");
-            std::thread::sleep(Duration::from_millis(10));
-        }
     }
 
     /// Presses and releases a key, as named by `KeyboardEvent.key`.

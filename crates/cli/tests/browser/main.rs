@@ -4,6 +4,7 @@
 //! path.
 
 mod chromium;
+mod firefox;
 mod mesh;
 mod page;
 mod paper;
@@ -103,7 +104,27 @@ const TESTS: [(&str, Test); 23] = [
 ];
 
 /// Tests of the page that `crates/web/build` makes.
-const WEB_TESTS: [(&str, Test); 7] = [
+const WEB_TESTS: [(&str, Test); 15] = [
+    ("page_opens_from_a_server", web::page_opens_from_a_server),
+    ("page_runs_in_firefox", web::page_runs_in_firefox),
+    (
+        "page_takes_workbooks_and_drawings",
+        web::page_takes_workbooks_and_drawings,
+    ),
+    (
+        "page_mesh_moves_with_the_distance",
+        web::page_mesh_moves_with_the_distance,
+    ),
+    (
+        "page_marks_the_ends_of_the_distance",
+        web::page_marks_the_ends_of_the_distance,
+    ),
+    ("page_cancels_and_saves", web::page_cancels_and_saves),
+    ("page_works_by_keyboard", web::page_works_by_keyboard),
+    (
+        "page_has_no_findings_of_axe",
+        web::page_has_no_findings_of_axe,
+    ),
     (
         "page_tables_and_links_are_understood",
         web::page_tables_and_links_are_understood,

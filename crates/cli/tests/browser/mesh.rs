@@ -1,6 +1,6 @@
 //! The mesh: the page shows the values of the result, and every control works.
 
-use crate::chromium::{Chromium, Tab};
+use crate::chromium::{Chromium, Script, Tab};
 use crate::page::{Site, open, shown_text, unfold};
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! The pages under test, and what holds of a page as a whole.
 
-use crate::chromium::{Chromium, Tab};
+use crate::chromium::{Chromium, Script, Tab};
 use assert_cmd::Command;
 use serde_json::{Value, json};
 use std::path::PathBuf;

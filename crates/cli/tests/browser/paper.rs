@@ -1,6 +1,6 @@
 //! The page on paper and in windows of three widths.
 
-use crate::chromium::Chromium;
+use crate::chromium::{Chromium, Script};
 use crate::page::{Site, open, unfold};
 use data_encoding::BASE64;
 use serde_json::{Value, json};

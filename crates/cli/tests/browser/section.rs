@@ -1,6 +1,6 @@
 //! The section of helical gears: it follows the contact, and winds the teeth.
 
-use crate::chromium::{Chromium, Tab};
+use crate::chromium::{Chromium, Script, Tab};
 use crate::mesh::go;
 use crate::page::Site;
 

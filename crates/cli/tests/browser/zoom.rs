@@ -1,6 +1,6 @@
 //! Zooming: the fixed place, the limits, and a responsive page throughout.
 
-use crate::chromium::{Chromium, Tab};
+use crate::chromium::{Chromium, Script, Tab};
 use crate::mesh::{go, number_shown, view};
 use crate::page::{Site, open};
 use serde_json::json;

@@ -1,7 +1,7 @@
 //! Decodes the bytes of a drawing, and finds the line of a byte.
 
 use super::DrawingError;
-use encoding_rs::WINDOWS_1252;
+use crate::encoding::windows_1252;
 use std::borrow::Cow;
 
 /// UTF-8, or Windows-1252, which old programs write. A byte order mark is left out.
@@ -12,7 +12,7 @@ pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
     }
     Ok(match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
-        Err(_) => WINDOWS_1252.decode_without_bom_handling(bytes).0,
+        Err(_) => Cow::Owned(windows_1252(bytes)),
     })
 }
 

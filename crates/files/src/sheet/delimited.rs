@@ -3,8 +3,8 @@
 use super::grid::{Cell, Grid, Line};
 use super::number::Decimal;
 use crate::data_file::{DataFile, line_of};
+use crate::encoding::{utf_16, windows_1252};
 use crate::error::Problem;
-use encoding_rs::{Encoding, WINDOWS_1252};
 use std::borrow::Cow;
 
 /// Separators of columns, and the decimal sign that each implies.
@@ -21,23 +21,30 @@ const SEPARATORS: [(char, Option<Decimal>); 3] = [
 /// Windows-1252 has a character for nearly every byte. Text in another encoding gets other characters; none is part of a number
 /// or of a known name.
 pub fn decode<'a>(file: &DataFile, bytes: &'a [u8]) -> Option<Cow<'a, str>> {
-    let Some((encoding, mark)) = Encoding::for_bom(bytes) else {
-        return Some(match std::str::from_utf8(bytes) {
-            Ok(text) => Cow::Borrowed(text),
-            Err(_) => WINDOWS_1252.decode_without_bom_handling(bytes).0,
-        });
+    let (name, text) = match bytes {
+        [0xef, 0xbb, 0xbf, text @ ..] => {
+            let lossy = |_| String::from_utf8_lossy(text).into_owned();
+            (
+                "UTF-8",
+                std::str::from_utf8(text).map(Cow::Borrowed).map_err(lossy),
+            )
+        }
+        [0xff, 0xfe, text @ ..] => ("UTF-16LE", utf_16(text, u16::from_le_bytes).map(Cow::Owned)),
+        [0xfe, 0xff, text @ ..] => ("UTF-16BE", utf_16(text, u16::from_be_bytes).map(Cow::Owned)),
+        _ => {
+            return Some(match std::str::from_utf8(bytes) {
+                Ok(text) => Cow::Borrowed(text),
+                Err(_) => Cow::Owned(windows_1252(bytes)),
+            });
+        }
     };
-    let bytes = &bytes[mark..];
-    let text = encoding.decode_without_bom_handling_and_without_replacement(bytes);
-    if text.is_none() {
-        let readable = encoding.decode_without_bom_handling(bytes).0;
+    let text = text.map_err(|readable| {
         let before = readable.split(char::REPLACEMENT_CHARACTER).next();
         let line = 1 + before.unwrap_or_default().matches('\n').count() as u64;
-        let name = encoding.name();
         let reason = format!("not the {name} text that the byte order mark announces");
         file.add_at(line, reason, "save it as UTF-8");
-    }
-    text
+    });
+    text.ok()
 }
 
 /// The cells of `text` by each separator that it has, or by the one in its first line `sep=;`. At most `most` cells are allowed.

@@ -19,6 +19,7 @@ mod protocol;
 mod request;
 mod rows;
 mod workbook;
+mod xlsx;
 
 use super::data_file::DataFile;
 use super::table::Table;

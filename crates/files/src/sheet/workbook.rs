@@ -1,18 +1,14 @@
 //! `.xlsx` workbooks: the sheets with content, or the one that is named.
 //!
-//! The zip archive is checked before its cells are read. Checksums at the end of each part reveal damage. A reference beyond
-//! XFD1048576, a spreadsheet's last cell, has too many letters or digits for the integers of the xlsx reader. That reader also
-//! reserves memory for as many texts as the archive states.
+//! The whole zip archive is unpacked before its cells are read: checksums at the end of each part reveal damage.
 //!
 //! Text that is a number is read as in a text file. A date can be a mistyped number (`1.2` in a German Excel): it is a problem
 //! with help.
 
 use super::grid::{Cell, Grid, Line, MOST_CELLS, MOST_NAMED};
+use super::xlsx::{Content, Parts, Workbook};
 use crate::data_file::DataFile;
 use crate::node::Node;
-use calamine::{DataRef, Reader as _, SheetType, Xlsx};
-use quick_xml::Reader;
-use quick_xml::events::Event;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
@@ -27,15 +23,6 @@ const MOST_CHARACTERS: usize = 32_767;
 const MOST_PART: u64 = 32 << 20;
 /// Most unpacked bytes of all parts, pictures included; they are only skipped.
 const MOST_UNPACKED: u64 = 64 << 20;
-/// Most bytes of one tag. It does not contain the text of a cell, and a name has at most 255 characters.
-const MOST_TAG: usize = 1 << 16;
-/// Letters and digits of the last cell, XFD1048576.
-const MOST_LETTERS: usize = 3;
-const MOST_DIGITS: usize = 7;
-/// Bytes of the shortest text in the list of texts, `<si/>`.
-const SHORTEST_TEXT: u64 = 5;
-
-type Workbook = Xlsx<Cursor<Vec<u8>>>;
 /// By row and column, from 0.
 type Cells = BTreeMap<u32, BTreeMap<u32, Cell>>;
 
@@ -53,15 +40,12 @@ pub fn read(file: &DataFile, bytes: Vec<u8>, name: Option<&str>) -> Option<Vec<G
             "open it in a spreadsheet and save it again as .xlsx or CSV",
         )
     };
-    file.reading()
-        .keep(check_archive(file, &bytes).map_err(unreadable))?;
-    let workbook = Workbook::new(Cursor::new(bytes));
-    let workbook = workbook.map_err(|error| unreadable(file.bare(&error.to_string())));
-    let mut workbook = file.reading().keep(workbook)?;
-    // Charts on sheets of their own hold no cells.
-    let sheets = workbook.sheets_metadata().iter();
-    let sheets = sheets.filter(|sheet| sheet.typ == SheetType::WorkSheet);
-    let names: Vec<String> = sheets.map(|sheet| sheet.name.clone()).collect();
+    let workbook = unpacked(file, &bytes).and_then(|parts| {
+        let workbook = Workbook::new(parts);
+        workbook.map_err(|error| file.bare(&error))
+    });
+    let workbook = file.reading().keep(workbook.map_err(unreadable))?;
+    let names: Vec<String> = workbook.sheets().map(str::to_owned).collect();
     if let Some(name) = name.filter(|name| !names.iter().any(|known| known == name)) {
         let shown = Node::Text(name.to_owned()).shown();
         let quoted = names.iter().take(MOST_NAMED).map(|name| file.quote(name));
@@ -82,7 +66,7 @@ pub fn read(file: &DataFile, bytes: Vec<u8>, name: Option<&str>) -> Option<Vec<G
     };
     for sheet in names {
         if name.is_none_or(|name| name == sheet) {
-            let cells = reader.cells(&mut workbook, &sheet).map_err(unreadable);
+            let cells = reader.cells(&workbook, &sheet).map_err(unreadable);
             filled.extend(grid(sheet, file.reading().keep(cells)?));
         }
     }
@@ -103,34 +87,26 @@ struct CellReader<'a> {
 
 impl CellReader<'_> {
     /// The cells of a sheet that have content.
-    fn cells(&mut self, workbook: &mut Workbook, sheet: &str) -> Result<Cells, String> {
+    fn cells(&mut self, workbook: &Workbook, sheet: &str) -> Result<Cells, String> {
         let file = self.file;
-        let shown = |error: calamine::XlsxError| file.bare(&error.to_string());
-        let mut reader = workbook.worksheet_cells_reader(sheet).map_err(shown)?;
+        let found = workbook.cells(sheet).map_err(|error| file.bare(&error))?;
         let mut cells = Cells::new();
-        while let Some(cell) = reader.next_cell().map_err(shown)? {
-            let (row, column) = cell.get_position();
+        for (row, column, content) in found {
             let place = || {
                 let sheet = file.quote(sheet);
                 format!("row {} column {} of sheet {sheet}", row + 1, column + 1)
             };
-            let mut text = |text: &str| {
-                self.text_cell(text)
-                    .map_err(|reason| format!("{}: {reason}", place()))
-            };
-            let content = match cell.get_value() {
-                DataRef::Empty => continue,
-                DataRef::Float(number) => Cell::Number(*number),
-                DataRef::Int(number) => Cell::Number(*number as f64),
-                DataRef::String(string) => text(string)?,
-                DataRef::SharedString(string) => text(string)?,
-                DataRef::Bool(flag) => {
+            let content = match content {
+                Content::Number(number) => Cell::Number(number),
+                Content::Text(text) => {
+                    let cell = self.text_cell(&text);
+                    cell.map_err(|reason| format!("{}: {reason}", place()))?
+                }
+                Content::Flag(flag) => {
                     Cell::Other(format!("the boolean {}", file.bare(&flag.to_string())))
                 }
-                DataRef::Error(error) => {
-                    Cell::Other(format!("the error {}", file.bare(&error.to_string())))
-                }
-                _ => Cell::Other(
+                Content::Error(error) => Cell::Other(format!("the error {}", file.bare(&error))),
+                Content::Date => Cell::Other(
                     "a date or time (format the cells as numbers before entering them)".to_owned(),
                 ),
             };
@@ -144,12 +120,8 @@ impl CellReader<'_> {
                     place()
                 ));
             }
-            if cells
-                .entry(row)
-                .or_default()
-                .insert(column, content)
-                .is_some()
-            {
+            let before = cells.entry(row).or_default().insert(column, content);
+            if before.is_some() {
                 return Err(format!("{} has two values", place()));
             }
         }
@@ -198,11 +170,12 @@ fn grid(sheet: String, cells: Cells) -> Option<Grid> {
     (!lines.is_empty()).then(|| grid(lines))
 }
 
-/// Checks every part of the archive that `file` is; an error in words.
-fn check_archive(file: &DataFile, bytes: &[u8]) -> Result<(), String> {
+/// The parts of the archive that `file` is; an error in words. All are unpacked, but only XML is kept.
+fn unpacked(file: &DataFile, bytes: &[u8]) -> Result<Parts, String> {
     let shown = |error: &dyn std::error::Error| file.bare(&error.to_string());
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| shown(&error))?;
     let mut left = MOST_UNPACKED;
+    let mut parts = Parts::new();
     for index in 0..archive.len() {
         let part = archive.by_index(index).map_err(|error| shown(&error))?;
         let name = part.name().map_err(|error| shown(&error))?.into_owned();
@@ -222,65 +195,10 @@ fn check_archive(file: &DataFile, bytes: &[u8]) -> Result<(), String> {
             let most = MOST_UNPACKED >> 20;
             format!("its parts have more than {most} MiB unpacked, the most they may have")
         })?;
-        let is_sheet = name.starts_with("xl/worksheets/") && name.ends_with(".xml");
-        check_xml(file, &content, is_sheet).map_err(in_part)?;
-    }
-    Ok(())
-}
-
-/// Checks the places of rows and cells (`r`), the ranges (`ref`) and the number of texts (`uniqueCount`).
-///
-/// A reference between the parts can make any of them a sheet. Broken XML ends this check and the xlsx reader at the same place;
-/// in a sheet it is an error here.
-fn check_xml(file: &DataFile, content: &[u8], is_sheet: bool) -> Result<(), String> {
-    let mut reader = Reader::from_reader(content);
-    // With the settings of the xlsx reader, so that everything it reads is checked here.
-    reader.config_mut().check_end_names = is_sheet;
-    let mut buffer = Vec::new();
-    loop {
-        buffer.clear();
-        let tag = match reader.read_event_into(&mut buffer) {
-            Ok(Event::Eof) => return Ok(()),
-            Ok(Event::Start(tag) | Event::Empty(tag)) => tag,
-            Ok(_) => continue,
-            Err(error) if is_sheet => return Err(file.bare(&error.to_string())),
-            Err(_) => return Ok(()),
-        };
-        if tag.len() > MOST_TAG {
-            return Err(format!(
-                "a tag of {} bytes, the most is {MOST_TAG}",
-                tag.len()
-            ));
-        }
-        // Duplicate names are not searched: the time would grow with the square of their number.
-        for attribute in tag.attributes().with_checks(false) {
-            let attribute = match attribute {
-                Ok(attribute) => attribute,
-                Err(error) if is_sheet => return Err(file.bare(&error.to_string())),
-                Err(_) => break,
-            };
-            let value = &attribute.value;
-            match attribute.key.into_inner() {
-                "r" | "ref" if !value.split(':').all(is_within) => {
-                    return Err(format!("no spreadsheet has a cell {}", file.quote(value)));
-                }
-                "uniqueCount" => {
-                    let most = content.len() as u64 / SHORTEST_TEXT;
-                    let stated = value.trim().parse::<u64>();
-                    if !stated.is_ok_and(|stated| stated <= most) {
-                        let (shown, bytes) = (file.bare(value), content.len());
-                        return Err(format!("says that it has {shown} texts in {bytes} bytes"));
-                    }
-                }
-                _ => {}
-            }
+        let name = name.to_lowercase();
+        if name.ends_with(".xml") || name.ends_with(".rels") {
+            parts.insert(name, content);
         }
     }
-}
-
-/// Whether a spreadsheet can have the row `7` or the cell `B7`.
-fn is_within(part: &str) -> bool {
-    let letters = part.bytes().filter(u8::is_ascii_alphabetic).count();
-    let digits = part.bytes().filter(u8::is_ascii_digit).count();
-    letters <= MOST_LETTERS && digits <= MOST_DIGITS
+    Ok(parts)
 }

@@ -100,6 +100,77 @@ fn sheets() {
     insta::assert_snapshot!(format!("{one}\n{}", several.join("\n")));
 }
 
+/// Formats that show dates make a number a mistyped one. Source: ECMA-376, 18.8.31.
+#[test]
+fn formats_of_dates() {
+    let dates = [
+        "dd.mm.yyyy",
+        "[$-407]d. mmm yy;@",
+        "[h]:mm",
+        "hh:mm AM/PM",
+        "yyyy\\-mm",
+    ];
+    let numbers = [
+        "General",
+        "0.00",
+        "#,##0.00\\ \\m\\m",
+        "0.0\" mm\"",
+        "[Red]-0.0",
+        "0;[h]",
+        "_d0*s",
+    ];
+    for (codes, is_date) in [(&dates[..], true), (&numbers[..], false)] {
+        for code in codes {
+            let mut workbook = Workbook::new();
+            sheet(&mut workbook, "Pitch", |sheet| {
+                let format = Format::new().set_num_format(*code);
+                sheet.write_number_with_format(3, 1, 0.25, &format).unwrap();
+            });
+            let found = error_text(&mut workbook, "");
+            assert_eq!(found.contains("a date or time"), is_date, "{code}: {found}");
+            assert_eq!(
+                found == "left of tooth 3 is 0.25",
+                !is_date,
+                "{code}: {found}"
+            );
+        }
+    }
+}
+
+/// The workbook `good` with one text of its parts replaced by another.
+fn changed(good: &[u8], from: &str, to: &str) -> Vec<u8> {
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(good)).unwrap();
+    let mut changed = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for index in 0..archive.len() {
+        let mut part = archive.by_index(index).unwrap();
+        let name = part.name().unwrap().into_owned();
+        let mut text = String::new();
+        part.read_to_string(&mut text).unwrap();
+        let options = zip::write::SimpleFileOptions::default();
+        changed.start_file(name, options).unwrap();
+        changed
+            .write_all(text.replace(from, to).as_bytes())
+            .unwrap();
+    }
+    changed.finish().unwrap().into_inner()
+}
+
+/// `_x0030_` in a text stands for its character, and so does `&#48;`. Source: ECMA-376, ST_Xstring; XML 1.0, 4.1.
+#[test]
+fn escapes_of_texts() {
+    let mut workbook = Workbook::new();
+    sheet(&mut workbook, "Pitch", |sheet| {
+        sheet.write(3, 1, "0,75").unwrap();
+    });
+    let good = workbook.save_to_buffer().unwrap();
+    let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
+    for (text, value) in [("0,75", 0.75), ("_x0030_,5", 0.5), ("0,&#50;_x0035_", 0.25)] {
+        let table = changed(&good, "0,75", text);
+        let study = read_with("p.xlsx", &table, &pair(44, keys)).unwrap();
+        assert_eq!(echoed(&study, "pitch", "left_um")[2], value, "{text}");
+    }
+}
+
 /// Charts on sheets of their own hold no table.
 #[test]
 fn a_chart_sheet_beside_the_table() {
@@ -119,20 +190,7 @@ fn a_reference_beyond_the_last_cell() {
     sheet(&mut workbook, "Pitch", |_| {});
     let good = workbook.save_to_buffer().unwrap();
     for beyond in ["B4294967300", "AAAAAAAAAA4"] {
-        let mut archive = zip::ZipArchive::new(std::io::Cursor::new(&good)).unwrap();
-        let mut changed = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-        for index in 0..archive.len() {
-            let mut part = archive.by_index(index).unwrap();
-            let name = part.name().unwrap().into_owned();
-            let mut text = String::new();
-            part.read_to_string(&mut text).unwrap();
-            changed
-                .start_file(name, zip::write::SimpleFileOptions::default())
-                .unwrap();
-            let text = text.replace("r=\"B4\"", &format!("r=\"{beyond}\""));
-            changed.write_all(text.as_bytes()).unwrap();
-        }
-        let table = changed.finish().unwrap().into_inner();
+        let table = changed(&good, "r=\"B4\"", &format!("r=\"{beyond}\""));
         let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
         let error_text = read_with("p.xlsx", &table, &pair(44, keys)).unwrap_err();
         let expected = format!("no spreadsheet has a cell \"{beyond}\"");

@@ -4,12 +4,12 @@ use super::contacts::touching;
 use super::precision::{Precision, degrees};
 use super::readout;
 use super::section::HelicalColumns;
-use super::viewed::{Viewed, gears};
+use super::viewed::Viewed;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::analysis::study::Study;
 use gearlash::contact::PoseResult;
-use gearlash::gear::{AsBuilt, Side};
+use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, two_digits_up};
@@ -42,7 +42,7 @@ impl Columns {
         runs: &[Viewed],
         charts: &[(&str, &Course)],
         start: [usize; 2],
-        outlines: &[[&AsBuilt; 2]],
+        outlines: &[&AssembledPair],
         precision: Precision,
     ) -> Columns {
         let mut words = Words::new();
@@ -64,9 +64,8 @@ impl Columns {
 }
 
 /// The index of the `outlines` of `run`.
-pub fn outline_of(outlines: &[[&AsBuilt; 2]], run: &ComparedRun) -> usize {
-    let gears = gears(run);
-    let own = |own: &[&AsBuilt; 2]| Some(*own) == gears;
+pub fn outline_of(outlines: &[&AssembledPair], run: &ComparedRun) -> usize {
+    let own = |pair: &&AssembledPair| pair.has_gears_of(&run.run.assembly);
     outlines.iter().position(own).unwrap_or(0)
 }
 
@@ -100,7 +99,7 @@ impl RunColumns {
     pub fn new(
         viewed: &Viewed,
         charts: &[(&str, &Course)],
-        outlines: &[[&AsBuilt; 2]],
+        outlines: &[&AssembledPair],
         precision: Precision,
         words: &mut Words,
     ) -> RunColumns {

@@ -9,8 +9,10 @@ use super::precision::{Precision, degrees};
 use super::section::{Winding, first};
 use crate::kit::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
-use gearlash::gear::{AsBuilt, Placed, Side};
-use gearlash::pair::{GearPair, Member};
+use gearlash::contact::PlacedGear;
+use gearlash::gear::{Placed, Side};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Member;
 use gearlash_files::numbers::rounded;
 use nalgebra::Point2;
 use std::fmt::Write;
@@ -25,15 +27,13 @@ const BORDER: f64 = 2.0;
 
 /// The picture of `pose` in `run`.
 pub fn draw(
-    outlines: &[[&AsBuilt; 2]],
+    outlines: &[&AssembledPair],
     run: &ComparedRun,
     pose: &ComparedPose,
     precision: Precision,
 ) -> String {
-    let Some(assembly) = run.run.assembly.data() else {
-        return String::new();
-    };
-    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
+    let assembly = &run.run.assembly;
+    let module = assembly.module();
     let turn = |member: Member| {
         let turned = if member == assembly.locked() {
             degrees(pose.simulated.pose.locked_rotation())
@@ -43,7 +43,7 @@ pub fn draw(
         format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
     };
     let own = outline_of(outlines, run);
-    let section = first(&run.run.assembly, &pose.simulated);
+    let section = first(assembly, &pose.simulated);
     let metal = |member: Member| {
         Use::new()
             .set("href", format!("#viewer-{}-{own}", member.name()))
@@ -51,7 +51,7 @@ pub fn draw(
     };
     let gear = |(member, fill): (Member, &str)| {
         let outline = metal(member).set("fill", fill).set("stroke", INK);
-        let placed = at_origin(assembly, assembly.gear(member), member);
+        let placed = at_rest(assembly, member);
         Group::new()
             .set("id", format!("viewer-{}", member.name()))
             .set("transform", turn(member))
@@ -95,7 +95,7 @@ pub fn draw(
     let marks = Side::BOTH.map(|side| marks(assembly, pose, side, precision));
     let picture = marks.into_iter().fold(picture, Group::add);
     let [home, whole] = views(assembly, module);
-    let definitions = definitions(outlines, assembly, section, precision)
+    let definitions = definitions(outlines, section, precision)
         .add(ClipPath::new().set("id", "viewer-clip").add(clip));
     let sheet = SVG::new()
         .set("id", "viewer-picture")
@@ -111,24 +111,30 @@ pub fn draw(
     format!("{sheet}\n")
 }
 
-/// The gear of `member` at rotation 0, its axis at the origin.
-fn at_origin<'a>(assembly: &GearPair, gear: &'a AsBuilt, member: Member) -> Placed<'a> {
-    Placed::new(gear, Point2::origin(), assembly.mate_direction(member))
+/// The gear of `member` at rotation 0.
+fn at_rest(assembly: &AssembledPair, member: Member) -> PlacedGear<'_> {
+    match assembly {
+        AssembledPair::Data(pair) => PlacedGear::Data(Placed::new(
+            pair.gear(member),
+            Point2::origin(),
+            pair.mate_direction(member),
+        )),
+        AssembledPair::Drawn(pair) => PlacedGear::Drawn(pair, member, 0.0),
+    }
 }
 
 /// The outlines, `viewer-wheel-0` and so on; for helical gears in a section.
 fn definitions(
-    outlines: &[[&AsBuilt; 2]],
-    assembly: &GearPair,
+    outlines: &[&AssembledPair],
     section: Option<f64>,
     precision: Precision,
 ) -> Definitions {
-    let gears = outlines.iter().enumerate().flat_map(|(number, gears)| {
-        let both = Member::BOTH.into_iter().zip(gears);
-        both.map(move |(member, gear)| (number, member, *gear))
+    let gears = outlines.iter().enumerate().flat_map(|(number, pair)| {
+        let both = Member::BOTH.into_iter();
+        both.map(move |member| (number, member, *pair))
     });
-    gears.fold(Definitions::new(), |definitions, (number, member, gear)| {
-        let placed = at_origin(assembly, gear, member);
+    gears.fold(Definitions::new(), |definitions, (number, member, pair)| {
+        let placed = at_rest(pair, member);
         let scale = format!("scale({})", precision.unit());
         let wound = section.map(|at| Winding::new(&placed, member, at, precision.decimals));
         let outline = match wound {
@@ -147,15 +153,15 @@ fn definitions(
                 .set("id", format!("viewer-{}-{number}", member.name()))
                 .set("vector-effect", "non-scaling-stroke")
                 .set("stroke-linejoin", "round")
-                .set("d", path(&placed, precision)),
+                .set("d", path(&placed, pair.gear_reach(member), precision)),
         )
     })
 }
 
 /// The `viewBox` of the mesh zone and of the whole gears.
-fn views(assembly: &GearPair, module: f64) -> [String; 2] {
+fn views(assembly: &AssembledPair, module: f64) -> [String; 2] {
     let a = assembly.center_distance();
-    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear(member).reach());
+    let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear_reach(member));
     let view = |middle: f64, half_width: f64, half_height: f64| {
         let half_height = f64::max(half_height, half_width / ASPECT);
         let half_width = half_height * ASPECT;
@@ -179,15 +185,15 @@ fn views(assembly: &GearPair, module: f64) -> [String; 2] {
     ]
 }
 
-/// The whole outline, displaced by its eccentricity: relative path data in units of the last decimal.
+/// The whole outline about its axis, displaced by its eccentricity: relative path data in units of the last decimal.
 ///
 /// Whole numbers stay exact: browsers add single-precision numbers, which hold 24 bits.
-fn path(gear: &Placed, precision: Precision) -> String {
+fn path(gear: &PlacedGear, reach: f64, precision: Precision) -> String {
     // A disc about the axis, at least as large as the gear, contains its centre and thus all teeth.
-    let reach = gear.as_built().reach();
     let mut data = String::new();
     let mut last: Option<[i64; 2]> = None;
     for point in gear.outline_near(gear.axis(), reach, precision.chord) {
+        let point = point - gear.axis();
         let [x, y] = [point.x, point.y].map(|value| precision.units(value));
         let _ = match last {
             None => write!(data, "M{x} {y}l"),

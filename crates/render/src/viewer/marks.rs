@@ -5,9 +5,10 @@ use super::precision::{Precision, degrees};
 use super::section::Winding;
 use crate::kit::{ACTION, GREY, INK};
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::contact::{LostMotion, Status};
-use gearlash::gear::{Placed, Side};
-use gearlash::pair::{GearPair, Member};
+use gearlash::contact::{LostMotion, PlacedGear, Status};
+use gearlash::gear::Side;
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Member;
 use gearlash_files::numbers::rounded;
 use svg::node::element::{Group, Path, Text};
 
@@ -38,16 +39,19 @@ pub fn axis(module: f64) -> Path {
 
 /// The number of every tooth of a gear at the origin, upright where the tooth points at the mate; for helical gears in a section.
 pub fn numbers(
-    gear: &Placed,
+    gear: &PlacedGear,
     member: Member,
     module: f64,
     section: Option<f64>,
     precision: Precision,
 ) -> Group {
-    let teeth = gear.as_built().gear().basic_data().teeth();
-    let root = gear.as_built().gear().root_radius();
+    let [tip, root] = gear.radii();
     let radius = rounded(root - INSIDE * module, precision.decimals);
-    let centre = gear.centre();
+    // A disc that contains the centre has all teeth.
+    let mut teeth = gear.teeth_near(gear.centre(), tip);
+    teeth.sort_by_key(|(tooth, _)| *tooth);
+    let first = teeth.first().map_or(0.0, |(_, direction)| *direction);
+    let centre = gear.centre() - gear.axis();
     let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
     let at_mate = match member {
         Member::Wheel => 1.0,
@@ -68,11 +72,10 @@ pub fn numbers(
         .set("font-size", rounded(NUMBER * module, 4))
         .set("text-anchor", "middle")
         .set("fill", GREY);
-    (1..=teeth).fold(group, |group, tooth| {
-        let direction = gear.direction(tooth) - gear.direction(1);
+    teeth.into_iter().fold(group, |group, (tooth, direction)| {
         let place = format!(
             "rotate({}) translate({} 0) scale(1 -1)",
-            degrees(direction),
+            degrees(direction - first),
             at_mate * radius
         );
         group.add(
@@ -86,7 +89,12 @@ pub fn numbers(
 
 /// The contact on `side`: its normal, and the points on the locked and on the free gear. The free gear is drawn in right-flank
 /// contact, so the left points are apart by the lost motion.
-pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Precision) -> Group {
+pub fn marks(
+    assembly: &AssembledPair,
+    pose: &ComparedPose,
+    side: Side,
+    precision: Precision,
+) -> Group {
     let contact = touching(&pose.simulated, side);
     let place = contact.map_or(String::from("translate(0 0)"), |contact| {
         let [x, y] = [contact.point.x, contact.point.y].map(|v| rounded(v, precision.decimals));
@@ -102,7 +110,7 @@ pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Pr
         Side::Left => -lost,
     };
     let axis = assembly.axis(assembly.free()).x;
-    let half = NORMAL * assembly.gear(Member::Wheel).gear().basic_data().module();
+    let half = NORMAL * assembly.module();
     let name = side.name();
     let normal = stroke(ACTION, "1.2")
         .set("id", format!("viewer-normal-{name}"))

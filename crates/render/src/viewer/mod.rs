@@ -1,38 +1,117 @@
-//! The mesh viewer of a page: both gears as built, with zoom and pan, and steps through the poses of a run.
+//! The mesh viewer of a page: both gears as built, with zoom and pan, moved from pose to pose.
 //!
-//! The page has an SVG of the worst pose, complete without a script; the results in columns; and `viewer.js`, which only sets
-//! transforms and texts from those columns. Positions, contacts and their classes are read from the results. Shown values are
-//! rounded: outlines and contact points as `precision.rs` defines, rotations to 1e-6°. `j_wt` is the result's own f64.
+//! The page has an SVG of one pose, complete without a script, and results in columns. `mesh.js` only sets transforms and texts
+//! from those columns. In a report, [`fragment`], `poses.js` steps through the runs of an analysis. A page that runs the program
+//! asks for each pose ([`LivePose`]).
+//!
+//! Positions, contacts and their classes are read from the results. Shown values are rounded: outlines and contact points as
+//! `precision.rs` defines, rotations to 1e-6°. `j_wt` is the result's own f64.
 
 mod columns;
 mod contacts;
 mod drawing;
+mod live;
 mod marks;
 mod precision;
 mod readout;
 mod section;
 mod viewed;
 
+pub use live::LivePose;
+
 use columns::Columns;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::curves::Course;
+use gearlash::analysis::study::Study;
 use gearlash::contact::Status;
+use gearlash::outline::AssembledPair;
 use precision::Precision;
 use std::fmt::Write;
-use viewed::{Shown, outlines, start, viewed, worst_outside_runs};
+use viewed::{Shown, Viewed, outlines, start, viewed, worst_outside_runs};
 
 /// The style sheet, for the head of the page.
 pub const STYLE: &str = include_str!("viewer.css");
-const SCRIPT: &str = include_str!("viewer.js");
+/// Moves the picture; for the report and for the page that runs the program.
+const MESH_SCRIPT: &str = include_str!("mesh.js");
+/// Steps through the poses of a report.
+const POSES_SCRIPT: &str = include_str!("poses.js");
 const CONTROLS: &str = include_str!("controls.html");
+/// Additional controls for the poses of a report.
+const POSES_CONTROLS: &str = include_str!("poses.html");
 /// Additional controls for helical gears.
 const SECTION_CONTROLS: &str = include_str!("section.html");
-const SECTION_SCRIPT: &str = include_str!("section.js");
 /// Most poses of a page over all runs, apart from a few per run (tuned: some 140 bytes each, so that a page with a dozen charts
 /// stays below 8 MB).
 const MOST_POSES: usize = 30_000;
 
-/// The part of a page that shows the mesh of an `analysis`: HTML for the body, once; empty without a pose, and for a drawn pair.
+/// The runs of a page, and the gears that it draws.
+struct Mesh<'a> {
+    study: &'a Study,
+    runs: Vec<Viewed<'a>>,
+    /// Indices of the run and of its pose that is drawn.
+    start: [usize; 2],
+    outlines: Vec<&'a AssembledPair>,
+    precision: Precision,
+}
+
+impl<'a> Mesh<'a> {
+    /// The mesh of `runs`, with the gears of `pairs`; `None` without a run.
+    fn new(
+        study: &'a Study,
+        runs: Vec<Viewed<'a>>,
+        start: [usize; 2],
+        pairs: impl Iterator<Item = &'a AssembledPair>,
+    ) -> Option<Mesh<'a>> {
+        let precision = Precision::of(&runs.get(start[0])?.shown.run.run.assembly);
+        Some(Mesh {
+            study,
+            runs,
+            start,
+            outlines: outlines(pairs),
+            precision,
+        })
+    }
+
+    /// Controls, picture and readout, with the controls `more` in front.
+    fn html(&self, more: &str) -> String {
+        let [first, number] = self.start;
+        let viewed = &self.runs[first];
+        let run = viewed.shown.run;
+        let (assembly, pose) = (&run.run.assembly, &run.poses[number]);
+        let section = if assembly.is_helical() {
+            SECTION_CONTROLS
+        } else {
+            ""
+        };
+        format!(
+            "<div class=\"viewer-controls\" id=\"viewer-controls\" hidden>\n{more}{CONTROLS}</div>\n{section}{}{}{}\
+             <p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n",
+            drawing::draw(&self.outlines, run, pose, self.precision),
+            section::note(assembly, &pose.simulated),
+            readout::draw(viewed, number),
+            readout::LEGEND,
+            self.precision.chord_um(),
+            self.precision.place_um(),
+        )
+    }
+
+    /// The columns for the script.
+    fn columns(&self, charts: &[(&str, &Course)]) -> Columns {
+        let [first, number] = self.start;
+        let place = self.runs[first].numbers.binary_search(&number);
+        let shown = [first, place.unwrap_or(0)];
+        Columns::new(
+            self.study,
+            &self.runs,
+            charts,
+            shown,
+            &self.outlines,
+            self.precision,
+        )
+    }
+}
+
+/// The part of a page that shows the mesh of an `analysis`: HTML for the body, once; empty without a pose.
 ///
 /// It opens at the worst pose of the whole mesh cycle. `charts` are curves over the teeth, each with the id of its chart's
 /// `<svg>` in the page: a cursor moves in it, and a click there selects the nearest pose. If there are too many poses for a page,
@@ -44,7 +123,6 @@ pub fn fragment(
     analysis: &Analysis,
     charts: &[(&str, &Course)],
 ) -> Result<String, serde_json::Error> {
-    let study = analysis.study;
     let worst_outside_runs = worst_outside_runs(analysis);
     let turned = analysis.revolution.iter().map(|run| (run, false));
     let runs: Vec<Shown> = turned
@@ -57,29 +135,19 @@ pub fn fragment(
     let Some(start) = start(&runs, analysis) else {
         return Ok(String::new());
     };
-    let (run, pose) = (&runs[start[0]].run, &runs[start[0]].run.poses[start[1]]);
-    let Some(pair) = run.run.assembly.data() else {
+    let pose = &runs[start[0]].run.poses[start[1]];
+    let (views, every) = viewed(&runs, MOST_POSES, start);
+    let held: usize = views.iter().map(|run| run.numbers.len()).sum();
+    let pairs = runs.iter().map(|shown| &shown.run.run.assembly);
+    let Some(mesh) = Mesh::new(analysis.study, views, start, pairs) else {
         return Ok(String::new());
     };
-    let precision = Precision::of(pair);
-    let outlines = outlines(&runs);
-    let (views, every) = viewed(&runs, MOST_POSES, start);
-    let [first_run, first_pose] = start;
-    let place = views[first_run].numbers.binary_search(&first_pose);
-    let shown = [first_run, place.unwrap_or(0)];
-    let columns = Columns::new(study, &views, charts, shown, &outlines, precision);
-    let data = serde_json::to_string(&columns)?;
-    let mut html = String::from("<div class=\"viewer\" id=\"viewer\">\n");
-    html.push_str(CONTROLS);
-    let helical = run.run.assembly.is_helical();
-    if helical {
-        html.push_str(SECTION_CONTROLS);
-    }
-    html.push_str(&drawing::draw(&outlines, run, pose, precision));
-    html.push_str(&section::note(&run.run.assembly, &pose.simulated));
-    html.push_str(&readout::draw(&views[first_run], start[1]));
+    let data = serde_json::to_string(&mesh.columns(charts))?;
+    let mut html = format!(
+        "<div class=\"viewer\" id=\"viewer\">\n{}",
+        mesh.html(POSES_CONTROLS)
+    );
     if every > 1 {
-        let held: usize = views.iter().map(|run| run.numbers.len()).sum();
         let all: usize = runs.iter().map(|shown| shown.run.poses.len()).sum();
         let _ = writeln!(
             html,
@@ -88,28 +156,16 @@ pub fn fragment(
             ordinal(every),
         );
     }
+    // `<` occurs only in strings, where JSON can escape it: no text can end the element early.
     let _ = writeln!(
         html,
-        "<p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n\
-         <noscript><p class=\"viewer-note\">This is {} pose. With JavaScript every pose can be looked at.</p></noscript>",
-        readout::LEGEND,
-        precision.chord_um(),
-        precision.place_um(),
+        "<noscript><p class=\"viewer-note\">This is {} pose. With JavaScript every pose can be looked at.</p></noscript>\n\
+         <script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{MESH_SCRIPT}{POSES_SCRIPT}</script>\n</div>",
         match pose.simulated.status() {
             Status::NoContact | Status::Unproven => "the first",
             _ => "the worst",
         },
-    );
-    // `<` occurs only in strings, where JSON can escape it: no text can end the element early.
-    let _ = writeln!(
-        html,
-        "<script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{SCRIPT}</script>\n{}</div>",
         data.replace('<', "\\u003c"),
-        if helical {
-            format!("<script>\n{SECTION_SCRIPT}</script>\n")
-        } else {
-            String::new()
-        }
     );
     Ok(html)
 }

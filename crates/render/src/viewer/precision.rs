@@ -1,6 +1,7 @@
 //! Precision of the viewer, by the size of the teeth.
 
-use gearlash::pair::{GearPair, Member};
+use gearlash::outline::AssembledPair;
+use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, two_digits_up};
 
 /// Chordal error of an outline, in modules: 0.05 µm at module 3. A backlash of a few micrometres is then visible, and the dot of
@@ -33,14 +34,15 @@ pub struct Precision {
 
 impl Precision {
     /// The precision for the gears of `assembly`.
-    pub fn of(assembly: &GearPair) -> Precision {
-        let basic_data = |member| *assembly.gear(member).gear().basic_data();
-        let (wheel, pinion) = (basic_data(Member::Wheel), basic_data(Member::Pinion));
-        let module = wheel.module();
-        let reach = |member| assembly.gear(member).reach();
-        let reach = f64::max(reach(Member::Wheel), reach(Member::Pinion));
-        let exact = (EXACT / reach).log10().floor();
-        let many = f64::from(wheel.teeth() + pinion.teeth()) / TEETH;
+    pub fn of(assembly: &AssembledPair) -> Precision {
+        let module = assembly.module();
+        let [wheel, pinion] = Member::BOTH.map(|member| assembly.gear_reach(member));
+        let exact = (EXACT / f64::max(wheel, pinion)).log10().floor();
+        let teeth: u32 = Member::BOTH
+            .map(|member| assembly.teeth(member))
+            .iter()
+            .sum();
+        let many = f64::from(teeth) / TEETH;
         Precision {
             chord: module * (CHORD * many.max(1.0).powi(2)).min(COARSEST),
             // Between 0 and 8; `ceil` of a negative is 0.

@@ -65,9 +65,12 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
             "pose",
             "Pose",
             format!(
-                "{} of {}: {}",
-                number + 1,
-                run.poses.len(),
+                "{}{}",
+                if run.poses.len() > 1 {
+                    format!("{} of {}: ", number + 1, run.poses.len())
+                } else {
+                    String::new()
+                },
                 pose_name(mating)
             ),
         ),

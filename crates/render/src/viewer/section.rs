@@ -2,8 +2,8 @@
 
 use super::contacts::touching;
 use super::precision::{DEGREES, degrees};
-use gearlash::contact::PoseResult;
-use gearlash::gear::{Placed, Side};
+use gearlash::contact::{PlacedGear, PoseResult};
+use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, trimmed};
@@ -62,13 +62,15 @@ pub struct Winding {
 }
 
 impl Winding {
-    /// The start position of the gear `placed` at the origin, in `section`, mm.
-    pub fn new(placed: &Placed, member: Member, section: f64, decimals: usize) -> Winding {
-        let centre = placed.centre();
-        let data = placed.as_built().gear().basic_data();
+    /// The start position of the gear `placed` in `section`, mm.
+    pub fn new(placed: &PlacedGear, member: Member, section: f64, decimals: usize) -> Winding {
+        let centre = placed.centre() - placed.axis();
+        let twist = placed
+            .data()
+            .map_or(0.0, |placed| placed.as_built().gear().basic_data().twist());
         Winding {
             name: member.name(),
-            turned: degrees(data.twist() * section),
+            turned: degrees(twist * section),
             centre: [centre.x, centre.y].map(|value| rounded(value, decimals)),
         }
     }

@@ -4,9 +4,7 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::simulate::Run;
 use gearlash::contact::{Status, first_least, worst_pose};
-use gearlash::gear::AsBuilt;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::Member;
 use std::collections::BTreeSet;
 
 /// A run of the page.
@@ -101,20 +99,14 @@ pub fn start(runs: &[Shown], analysis: &Analysis) -> Option<[usize; 2]> {
         .or_else(|| poses().next().map(|(at, _)| at))
 }
 
-/// The gears whose outlines a page draws: each pair of them once.
-pub fn outlines<'a>(runs: &[Shown<'a>]) -> Vec<[&'a AsBuilt; 2]> {
-    let mut outlines = Vec::new();
-    for shown in runs {
-        let gears = gears(shown.run);
-        outlines.extend(gears.filter(|gears| !outlines.contains(gears)));
-    }
-    outlines
-}
-
-/// Wheel and pinion of a run; `None` for a drawn pair.
-pub fn gears(run: &ComparedRun) -> Option<[&AsBuilt; 2]> {
-    let pair = run.run.assembly.data()?;
-    Some(Member::BOTH.map(|member| pair.gear(member)))
+/// The pairs whose outlines a page draws: one for each two gears.
+pub fn outlines<'a>(pairs: impl Iterator<Item = &'a AssembledPair>) -> Vec<&'a AssembledPair> {
+    pairs.fold(Vec::new(), |mut outlines, pair| {
+        if !outlines.iter().any(|known| known.has_gears_of(pair)) {
+            outlines.push(pair);
+        }
+        outlines
+    })
 }
 
 /// The poses of a run that must be selected.

@@ -1,26 +1,26 @@
 "use strict";
-// Steps the mesh through the poses of a run, zooms and pans it, and keeps the chart's cursor with it. Everything about
-// gears (rotations, contacts, classes, backlash) comes from the columns in #viewer-data; this file
-// only sets transforms and texts. Angles are degrees counter-clockwise, lengths mm, y up.
-(() => {
+// Moves the picture of a mesh: turns the gears, marks contacts, zooms and pans, and chooses the section of helical gears. The
+// report and the page that runs the program use it alike. Everything about gears (rotations, contacts, classes, backlash) comes
+// in columns of poses; this file only sets transforms and texts. Angles are degrees counter-clockwise, lengths mm, y up.
+//
+// `data` has the free gear, the words of the columns and the constants of helical gears. `step` goes to another pose, by arrow
+// keys.
+function gearlashMesh(data, step) {
   const byId = (name) => document.getElementById("viewer-" + name);
-  const data = JSON.parse(byId("data").textContent);
   const root = document.getElementById("viewer");
   const picture = byId("picture");
-  const slider = byId("slider");
   const members = ["wheel", "pinion"];
   const sides = ["right", "left"];
 
-  // ---- what is shown: a run, a pose of it, and the contact the free gear is held in
-  const shown = { run: data.start[0], pose: data.start[1], side: "right" };
-  const run = () => data.runs[shown.run];
-  const poses = () => run().status.length;
+  // ---- what is shown: a pose of a run, and the contact the free gear is held in
+  const shown = { run: null, pose: 0, side: "right" };
+  const run = () => shown.run;
   const value = (column) => run()[column]?.[shown.pose] ?? null;
-  const word = (column) => data.words[column]?.[value(column)];
+  let words = data.words;
+  const word = (column) => words[column]?.[value(column)];
   const other = { right: "left", left: "right" };
-  // The numbers of the poses, where the page holds only some of a run.
+  // The number of a pose, where the page holds only some of a run.
   const numberIn = (run, pose) => run.number?.[pose] ?? pose + 1;
-  const poseNumber = () => numberIn(run(), shown.pose);
 
   // The place of the contact on a side in the picture, y down; null without one.
   function contactAt(side) {
@@ -28,7 +28,7 @@
     return x === null ? null : [x, -y];
   }
 
-  function show() {
+  function draw() {
     const lost = value("lost_motion_deg") ?? 0;
     const free = value("free_deg") + (shown.side === "left" ? lost : 0);
     const axes = { wheel: 0, pinion: run().center_distance_mm };
@@ -40,10 +40,8 @@
     }
     root.querySelectorAll(".viewer-touching").forEach((number) => number.classList.remove("viewer-touching"));
     for (const side of sides) showContact(side, lost, axes[data.free]);
-    slider.value = shown.pose;
-    slider.setAttribute("aria-valuetext", `pose ${poseNumber()} of ${run().of}`);
     showText();
-    showCursor();
+    if (data.helical) showSection();
   }
 
   // The points on the two gears coincide in contact; else the free gear's point is off by the lost motion.
@@ -75,7 +73,8 @@
     const beyond = fraction === 0 ? "" : `, ${Math.abs(fraction)} pitch ${fraction > 0 ? "beyond" : "before"}`;
     const [wheel, pinion] = members.map((member) => value(member + "_tooth"));
     set("run", run().label);
-    set("pose", `${poseNumber()} of ${run().of}: wheel ${wheel} with pinion ${pinion} at the ${word("flank")} flank${beyond}`);
+    const number = run().of > 1 ? `${numberIn(run(), shown.pose)} of ${run().of}: ` : "";
+    set("pose", `${number}wheel ${wheel} with pinion ${pinion} at the ${word("flank")} flank${beyond}`);
     set("status", word("status").replaceAll("_", " "));
     const backlash = value("j_wt_um");
     const output = byId("backlash");
@@ -103,50 +102,32 @@
     return `${digits}·10${raised}`;
   }
 
-  // ---- stepping
-  function choosePose(pose) {
-    const before = held();
-    shown.pose = Math.min(Math.max(pose, 0), poses() - 1);
-    show();
-    follow(before);
-  }
+  // ---- the section of helical gears: turns the outlines and their numbers by the twist of the teeth, about the gears' own
+  // centres, which do not wind
+  const millimetres = (place) => `${Number(place.toFixed(2))} mm`.replace("-", "−");
 
-  // Shows the same pose of another run, or the nearest one in the page.
-  function samePose(number) {
-    const wanted = poseNumber();
-    const off = (pose) => Math.abs(numberIn(data.runs[number], pose) - wanted);
-    return data.runs[number].status.reduce((best, _, pose) => (off(pose) < off(best) ? pose : best), 0);
-  }
-
-  function chooseRun(number, pose) {
-    shown.run = number;
-    byId("runs").value = number;
-    slider.max = poses() - 1;
-    root.querySelectorAll("[data-outline]").forEach((use) => {
-      use.setAttribute("href", `#viewer-${use.dataset.outline}-${run().outlines}`);
-    });
+  function showSection() {
+    const slider = byId("section");
+    const z = (byId("section-follow").checked ? value(shown.side + "_section_mm") : null) ?? Number(slider.value);
+    slider.value = z;
+    byId("section-at").textContent = "z = " + millimetres(z);
+    slider.setAttribute("aria-valuetext", millimetres(z));
     members.forEach((member, i) => {
-      byId("pitch-" + member).setAttribute("transform", `translate(${i * run().center_distance_mm} 0)`);
+      const twist = data.helical.twist_deg_a_mm[i] * z;
+      for (const part of root.querySelectorAll(`[data-winds="${member}"]`)) {
+        const [x, y] = part.dataset.centre.split(" ");
+        part.setAttribute("transform", part.dataset.then === undefined
+          ? `translate(${x} ${y}) rotate(${twist})`
+          : `rotate(${twist} ${x} ${y}) ${part.dataset.then}`);
+      }
     });
-    choosePose(pose);
-    showDashes();
-  }
-
-  let playing = null;
-  const MILLISECONDS_A_POSE = 80;
-  function play(on) {
-    clearInterval(playing);
-    playing = on ? setInterval(() => choosePose((shown.pose + 1) % poses()), MILLISECONDS_A_POSE) : null;
-    const button = byId("play");
-    button.textContent = on ? "Pause" : "Play";
-    button.setAttribute("aria-pressed", on);
-    // A screen reader cannot keep up with a running picture.
-    byId("backlash").setAttribute("aria-live", on ? "off" : "polite");
-  }
-
-  function step(by) {
-    play(false);
-    choosePose(shown.pose + by);
+    const where = sides.map((side) => {
+      const at = value(side + "_section_mm");
+      const here = at !== null && Math.abs(at - z) < 5e-3;
+      byId(side + "-contact").setAttribute("opacity", here ? 1 : 0.3);
+      return at === null ? `no ${side} contact` : `${side} contact at z = ${millimetres(at)}`;
+    });
+    byId("section-text").textContent = `Drawn in the section at z = ${millimetres(z)}. ${where[0][0].toUpperCase()}${where[0].slice(1)}, ${where[1]}; pale where it is in another section.`;
   }
 
   // ---- zoom and pan: the viewBox
@@ -202,6 +183,26 @@
   // The side of the contact about which keys and buttons zoom: the shown one, or else the other, where it is in view.
   const heldSide = () => [shown.side, other[shown.side]].find((side) => inView(contactAt(side)));
   const held = () => { const side = heldSide(); return side && { side, at: contactAt(side) }; };
+
+  // ---- to another pose; another run has other outlines, axes and circles
+  function show(run, pose, wordsOfRun = data.words) {
+    const before = shown.run && held();
+    const isOther = shown.run !== run;
+    words = wordsOfRun;
+    shown.run = run;
+    shown.pose = pose;
+    if (isOther) {
+      root.querySelectorAll("[data-outline]").forEach((use) => {
+        use.setAttribute("href", `#viewer-${use.dataset.outline}-${run.outlines}`);
+      });
+      members.forEach((member, i) => {
+        byId("pitch-" + member).setAttribute("transform", `translate(${i * run.center_distance_mm} 0)`);
+      });
+    }
+    draw();
+    follow(before);
+    if (isOther) showDashes();
+  }
 
   // A close view follows the contact from pose to pose.
   const NEAR = home[2] / 8;
@@ -296,91 +297,13 @@
     act();
   });
 
-  // ---- charts: a cursor at the pose, and a click to the nearest pose
-  // The page contains each curve twice: for a wide and for a narrow screen.
-  const drawn = (each) => ["", "-narrow"].map((width) => each.chart && document.getElementById(each.chart + width)).filter(Boolean);
-  const charts = new Map();
-  data.runs.forEach((each, number) => {
-    for (const svg of drawn(each)) charts.set(svg, [...(charts.get(svg) ?? []), number]);
-  });
-  const cursors = new Map([...charts.keys()].map((svg) => {
-    const cursor = document.createElementNS("http://www.w3.org/2000/svg", "line");
-    cursor.setAttribute("class", "viewer-cursor");
-    return [svg, cursor];
-  }));
-
-  const frame = (svg) => Object.fromEntries(
-    ["left", "right", "top", "bottom", "x0", "x1", "y0", "y1"].map((name) => [name, Number(svg.dataset[name])]));
-
-  function showCursor() {
-    cursors.forEach((cursor) => cursor.remove());
-    byId("no-curve").hidden = drawn(run()).length > 0;
-    if (value("chart_x") === null) return;
-    for (const svg of drawn(run())) {
-      const f = frame(svg);
-      const x = f.left + (value("chart_x") - f.x0) / (f.x1 - f.x0) * (f.right - f.left);
-      const cursor = cursors.get(svg);
-      for (const [name, at] of [["x1", x], ["x2", x], ["y1", f.top], ["y2", f.bottom]]) cursor.setAttribute(name, at);
-      // Labels stay readable above it.
-      svg.insertBefore(cursor, svg.querySelector(".gearlash-labels"));
-    }
-  }
-
-  // A cursor in a collapsed curve would be invisible.
-  function unfoldCurve() {
-    const folded = document.getElementById(run().chart)?.closest("details:not([open])");
-    if (folded) folded.open = true;
-  }
-
-  // Takes the horizontally nearest pose of each curve (a run and a flank); among these, the one with the backlash nearest to
-  // the click.
-  function jump(svg, event) {
-    const f = frame(svg);
-    const [left, down] = placeIn(svg, event);
-    const x = f.x0 + (left - f.left) / (f.right - f.left) * (f.x1 - f.x0);
-    const y = f.y0 + (f.bottom - down) / (f.bottom - f.top) * (f.y1 - f.y0);
-    const nearest = [];
-    for (const number of charts.get(svg)) {
-      const { chart_x, j_wt_um, flank } = data.runs[number];
-      for (const one of new Set(flank)) {
-        let best = null;
-        chart_x.forEach((place, pose) => {
-          if (place === null || flank[pose] !== one) return;
-          const across = Math.abs(place - x);
-          if (!best || across < best.across) {
-            best = { number, pose, across, up: j_wt_um[pose] === null ? Infinity : Math.abs(j_wt_um[pose] - y) };
-          }
-        });
-        if (best) nearest.push(best);
-      }
-    }
-    const [best] = nearest.sort((a, b) => (a.up === b.up ? a.across - b.across : a.up - b.up));
-    if (!best) return;
-    play(false);
-    chooseRun(best.number, best.pose);
-  }
-
-  for (const svg of charts.keys()) {
-    svg.classList.add("viewer-charted");
-    svg.addEventListener("click", (event) => jump(svg, event));
-  }
-
   // ---- controls
-  data.runs.forEach((each, number) => byId("runs").add(new Option(each.label, number)));
-  byId("runs").addEventListener("change", (event) => {
-    const number = Number(event.target.value);
-    chooseRun(number, samePose(number));
-    unfoldCurve();
-  });
-  slider.addEventListener("input", () => { play(false); choosePose(Number(slider.value)); });
   root.querySelectorAll("[name=viewer-side]").forEach((radio) => radio.addEventListener("change", () => {
     shown.side = radio.value;
-    show();
+    draw();
   }));
   const clicks = {
-    back: () => step(-1), on: () => step(1), play: () => play(playing === null),
-    in: () => zoom(ZOOM), out: () => zoom(1 / ZOOM), home: () => look(home), whole: () => look(whole),
-    gap: lookAtGap,
+    in: () => zoom(ZOOM), out: () => zoom(1 / ZOOM), home: () => look(home), whole: () => look(whole), gap: lookAtGap,
   };
   for (const [name, act] of Object.entries(clicks)) byId(name).addEventListener("click", act);
   picture.setAttribute("tabindex", "0");
@@ -389,7 +312,14 @@
   byId("controls").hidden = false;
   // A browser may keep a radio as it was before a reload.
   shown.side = root.querySelector("[name=viewer-side]:checked")?.value ?? "right";
-  chooseRun(shown.run, shown.pose);
-  showScale();
-  addEventListener("resize", () => { showScale(); showDashes(); });
-})();
+  if (data.helical) {
+    const slider = byId("section");
+    [slider.min, slider.max] = data.helical.face_mm;
+    slider.value = data.helical.start_mm;
+    slider.addEventListener("input", () => { byId("section-follow").checked = false; showSection(); });
+    byId("section-follow").addEventListener("change", showSection);
+    byId("section-row").hidden = false;
+  }
+  new ResizeObserver(() => { if (shown.run) { showScale(); showDashes(); } }).observe(picture);
+  return { show, placeIn, numberIn };
+}

@@ -495,12 +495,12 @@ fn distance_words(words: &str, distance: f64, doubt: Option<Doubt>) -> (String, 
 }
 
 /// A distance, mm, rounded up to a ten thousandth: at a lower printed one the pair would interfere.
-fn rounded_up(distance: f64) -> f64 {
+pub fn rounded_up(distance: f64) -> f64 {
     (distance * 1e4).ceil() * 1e-4
 }
 
 /// A distance, mm, rounded down to a ten thousandth: at a higher printed one tips would pass each other.
-fn rounded_down(distance: f64) -> f64 {
+pub fn rounded_down(distance: f64) -> f64 {
     (distance * 1e4).floor() * 1e-4
 }
 

@@ -10,6 +10,8 @@
 
   // ---- the program, in three workers: long work, poses and whole cycles while the slider moves
   const workers = {};
+  // The fault of calls whose worker was ended for newer work.
+  const STOPPED = Symbol("stopped");
   let module = null;
   let calls = 0;
 
@@ -21,6 +23,7 @@
 
   function begin(name) {
     workers[name]?.worker.terminate();
+    for (const call of workers[name]?.waiting.values() ?? []) call.failed(STOPPED);
     const url = URL.createObjectURL(new Blob([byId("worker").textContent], { type: "text/javascript" }));
     const worker = new Worker(url);
     const waiting = new Map();
@@ -47,6 +50,10 @@
   }
 
   const answer = async (name, call, ...args) => JSON.parse(await ask(name, call, ...args));
+
+  // Work that newer work may end.
+  const quietly = (work) => work.catch((fault) => { if (fault !== STOPPED) fail(fault); });
+  const fail = (fault) => showProblems([{ reason: `an internal fault: ${fault.message}`, help: "report it with this pair file" }]);
 
   // ---- files: names and bytes; one of them is the pair file in the editor
   const files = new Map();
@@ -158,7 +165,7 @@
     clearTimeout(typing);
     byId("found").classList.add("old");
     work("Reading");
-    if (workers.long.waiting.size > 0) begin("long");
+    for (const [name, { waiting }] of Object.entries(workers)) if (waiting.size > 0) quietly(begin(name));
     const since = performance.now();
     try {
       for (const name of ["long", "live", "band"]) await send(name);
@@ -186,7 +193,7 @@
         marks(opened.marks);
       }
     } catch (fault) {
-      if (now === run) showProblems([{ reason: `an internal fault: ${fault.message}`, help: "report it with this pair file" }]);
+      if (now === run && fault !== STOPPED) fail(fault);
     } finally {
       if (now === run) byId("working").hidden = true;
     }
@@ -220,7 +227,7 @@
 
   function cancel() {
     run += 1;
-    begin("long");
+    quietly(begin("long"));
     byId("working").hidden = true;
   }
 
@@ -266,9 +273,9 @@
       ...qualifiers.map((line) => make("p", line)), make("p", proof, { className: "proof" }));
   }
 
-  function picture(into, svg) {
-    const drawn = svg && new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
-    into.replaceChildren(...(drawn ? [document.importNode(drawn, true)] : []));
+  function pictures(into, each) {
+    const drawn = (svg) => new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+    into.replaceChildren(...each.map((svg) => document.importNode(drawn(svg), true)));
   }
 
   function checks(table) {
@@ -291,7 +298,7 @@
     byId("found").hidden = false;
     byId("found").classList.remove("old");
     verdict(byId("verdict"), result.verdict);
-    picture(byId("curve"), result.curve);
+    pictures(byId("curve"), result.curve);
     byId("remedies").textContent = result.remedies.trim();
     byId("checks").replaceChildren(...(result.checks ? checks(result.checks) : []));
     const notes = [...opened.warnings, ...opened.remarks];
@@ -324,6 +331,7 @@
           await act();
         }
       } catch (fault) {
+        if (fault === STOPPED) return;
         byId(into).textContent = `an internal fault: ${fault.message}`;
         await send(name);
         await ask(name, "open", main);
@@ -476,29 +484,29 @@
   const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 
   byId("save-pair").addEventListener("click", () => save(main, "text/plain", text.value));
-  byId("save-picture").addEventListener("click", async () => {
+  const onClick = (name, act) => byId(name).addEventListener("click", () => quietly(act()));
+  onClick("save-picture", async () => {
     const picture = await answer("live", "pose", "picture", ...place());
     if (picture.svg) save(`${opened.stem}.svg`, "image/svg+xml", picture.svg);
   });
-  byId("save-zip").addEventListener("click", async () => {
+  onClick("save-zip", async () => {
     files.set(main, new TextEncoder().encode(text.value));
     await send("live");
     save("gearlash.zip", "application/zip", await ask("live", "zip"));
   });
-  byId("save-report").addEventListener("click", async () => {
+  onClick("save-report", async () => {
+    const now = run;
     work("Report");
     try {
       // Marks that are still being found can wait no longer.
-      if (workers.long.waiting.size > 0) {
-        await begin("long");
-        await send("long");
-        await ask("long", "open", main);
-      }
+      if (workers.long.waiting.size > 0) await begin("long");
+      await send("long");
+      await ask("long", "open", main);
       const report = await answer("long", "report", new Date().toISOString().slice(0, 10));
       if (report.failed) showProblems([{ reason: report.failed }]);
       else save(`${opened.stem}.html`, "text/html", report.html);
     } finally {
-      byId("working").hidden = true;
+      if (now === run) byId("working").hidden = true;
     }
   });
   byId("save-page").addEventListener("click", () => {
@@ -548,10 +556,10 @@
 
   byId("examples").append(...examples.map(({ title }, i) => make("option", title, { value: i })));
   byId("examples").addEventListener("change", (event) => open(examples[event.target.value]));
-  byId("open").addEventListener("change", (event) => take(event.target.files));
-  byId("unit").addEventListener("change", async () => {
+  byId("open").addEventListener("change", (event) => quietly(take(event.target.files)));
+  byId("unit").addEventListener("change", () => {
     const drawings = [...files.keys()].filter(isDrawing);
-    if (drawings.length === 2 && (await startFromDrawings(drawings))) calculate();
+    if (drawings.length === 2) quietly(startFromDrawings(drawings).then((made) => made && calculate()));
   });
   byId("calculate").addEventListener("click", calculate);
   byId("cancel").addEventListener("click", cancel);
@@ -562,7 +570,7 @@
   document.addEventListener("drop", (event) => {
     event.preventDefault();
     document.body.classList.remove("over");
-    take(event.dataTransfer.files);
+    quietly(take(event.dataTransfer.files));
   });
 
   (async () => {

@@ -20,7 +20,9 @@ use gearlash_results::RemedyRecords;
 use gearlash_results::grades::grades;
 use gearlash_results::text::check::shown;
 use gearlash_results::text::{Screen, imported};
-use gearlash_results::verdict::{ExtremeRow, VerdictLines, extremes_in_short, lines};
+use gearlash_results::verdict::{
+    ExtremeRow, VerdictLines, extremes_in_short, lines, rounded_down, rounded_up,
+};
 use serde_json::{Value, json};
 use std::fmt::Display;
 use std::io::{Cursor, Write};
@@ -147,7 +149,12 @@ impl Page {
     pub fn mark_of_jam(&self) -> Value {
         self.mark_at(0, |verdict| {
             let from = verdict.assembles_from()?;
-            Some(mark(from.high, "jams", "assembles from", from.doubt))
+            Some(mark(
+                rounded_up(from.high),
+                "jams",
+                "assembles from",
+                from.doubt,
+            ))
         })
     }
 
@@ -155,7 +162,12 @@ impl Page {
     pub fn mark_of_mesh(&self) -> Value {
         self.mark_at(1, |verdict| {
             let to = verdict.meshes_to()?;
-            Some(mark(to.low, "apart", "in mesh up to", to.doubt))
+            Some(mark(
+                rounded_down(to.low),
+                "apart",
+                "in mesh up to",
+                to.doubt,
+            ))
         })
     }
 
@@ -456,11 +468,12 @@ fn table(analysis: &Analysis) -> Value {
     })
 }
 
-/// The backlash over the teeth at the first centre distance, as SVG; empty where there is no curve.
-fn curve(analysis: &Analysis, verdict: &Verdict) -> String {
+/// The backlash over the teeth at the first centre distance as SVG, for a wide and for a narrow screen; empty where there is no
+/// curve.
+fn curve(analysis: &Analysis, verdict: &Verdict) -> Vec<String> {
     let course = courses(&analysis.curves).into_iter().next();
     let Some(course) = course else {
-        return String::new();
+        return Vec::new();
     };
     let course = course.with_cycle(&analysis.extremes.each);
     let cycle = extremes_in_short(verdict);
@@ -469,7 +482,10 @@ fn curve(analysis: &Analysis, verdict: &Verdict) -> String {
         title: &analysis.study.title,
         subtitle: &cycle,
     };
-    chart::revolution(&heading, &course).map_or(String::new(), |chart| chart.svg)
+    chart::revolution(&heading, &course).map_or(Vec::new(), |chart| {
+        let narrow = chart.narrow().svg;
+        vec![chart.svg, narrow]
+    })
 }
 
 /// The problems of a file, with their places in its text.

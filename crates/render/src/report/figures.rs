@@ -24,9 +24,7 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
         Ok(html! {
             figure.chart tabindex="0" {
                 (svg(&drawn))
-                @if !page.report.pair.study.is_drawn() {
-                    figcaption.hint { "Click or tap the chart: the mesh below turns to that pose." }
-                }
+                figcaption.hint { "Click or tap the chart: the mesh below turns to that pose." }
             }
         })
     };

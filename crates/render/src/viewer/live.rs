@@ -1,6 +1,6 @@
 //! One pose for a page that asks for each pose.
 
-use super::Mesh;
+use super::mesh::Mesh;
 use super::viewed::{Shown, Viewed};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::simulate::Run;

@@ -12,6 +12,7 @@ mod contacts;
 mod drawing;
 mod live;
 mod marks;
+mod mesh;
 mod precision;
 mod readout;
 mod section;
@@ -19,15 +20,12 @@ mod viewed;
 
 pub use live::LivePose;
 
-use columns::Columns;
 use gearlash::analysis::Analysis;
 use gearlash::analysis::curves::Course;
-use gearlash::analysis::study::Study;
 use gearlash::contact::Status;
-use gearlash::outline::AssembledPair;
-use precision::Precision;
+use mesh::Mesh;
 use std::fmt::Write;
-use viewed::{Shown, Viewed, outlines, start, viewed, worst_outside_runs};
+use viewed::{Shown, start, viewed, worst_outside_runs};
 
 /// The style sheet, for the head of the page.
 pub const STYLE: &str = include_str!("viewer.css");
@@ -35,81 +33,11 @@ pub const STYLE: &str = include_str!("viewer.css");
 const MESH_SCRIPT: &str = include_str!("mesh.js");
 /// Steps through the poses of a report.
 const POSES_SCRIPT: &str = include_str!("poses.js");
-const CONTROLS: &str = include_str!("controls.html");
 /// Additional controls for the poses of a report.
 const POSES_CONTROLS: &str = include_str!("poses.html");
-/// Additional controls for helical gears.
-const SECTION_CONTROLS: &str = include_str!("section.html");
 /// Most poses of a page over all runs, apart from a few per run (tuned: some 140 bytes each, so that a page with a dozen charts
 /// stays below 8 MB).
 const MOST_POSES: usize = 30_000;
-
-/// The runs of a page, and the gears that it draws.
-struct Mesh<'a> {
-    study: &'a Study,
-    runs: Vec<Viewed<'a>>,
-    /// Indices of the run and of its pose that is drawn.
-    start: [usize; 2],
-    outlines: Vec<&'a AssembledPair>,
-    precision: Precision,
-}
-
-impl<'a> Mesh<'a> {
-    /// The mesh of `runs`, with the gears of `pairs`; `None` without a run.
-    fn new(
-        study: &'a Study,
-        runs: Vec<Viewed<'a>>,
-        start: [usize; 2],
-        pairs: impl Iterator<Item = &'a AssembledPair>,
-    ) -> Option<Mesh<'a>> {
-        let precision = Precision::of(&runs.get(start[0])?.shown.run.run.assembly);
-        Some(Mesh {
-            study,
-            runs,
-            start,
-            outlines: outlines(pairs),
-            precision,
-        })
-    }
-
-    /// Controls, picture and readout, with the controls `more` in front.
-    fn html(&self, more: &str) -> String {
-        let [first, number] = self.start;
-        let viewed = &self.runs[first];
-        let run = viewed.shown.run;
-        let (assembly, pose) = (&run.run.assembly, &run.poses[number]);
-        let section = if assembly.is_helical() {
-            SECTION_CONTROLS
-        } else {
-            ""
-        };
-        format!(
-            "<div class=\"viewer-controls\" id=\"viewer-controls\" hidden>\n{more}{CONTROLS}</div>\n{section}{}{}{}\
-             <p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n",
-            drawing::draw(&self.outlines, run, pose, self.precision),
-            section::note(assembly, &pose.simulated),
-            readout::draw(viewed, number),
-            readout::LEGEND,
-            self.precision.chord_um(),
-            self.precision.place_um(),
-        )
-    }
-
-    /// The columns for the script.
-    fn columns(&self, charts: &[(&str, &Course)]) -> Columns {
-        let [first, number] = self.start;
-        let place = self.runs[first].numbers.binary_search(&number);
-        let shown = [first, place.unwrap_or(0)];
-        Columns::new(
-            self.study,
-            &self.runs,
-            charts,
-            shown,
-            &self.outlines,
-            self.precision,
-        )
-    }
-}
 
 /// The part of a page that shows the mesh of an `analysis`: HTML for the body, once; empty without a pose.
 ///

@@ -186,16 +186,20 @@
       }
       show(result);
       took = performance.now() - since;
-      byId("working").hidden = true;
-      for (const mark of ["mark_of_jam", "mark_of_mesh"]) {
-        opened.marks.push(...await answer("long", mark));
-        if (now !== run) return;
-        marks(opened.marks);
-      }
+      quietly(findMarks(now));
     } catch (fault) {
       if (now === run && fault !== STOPPED) fail(fault);
     } finally {
       if (now === run) byId("working").hidden = true;
+    }
+  }
+
+  async function findMarks(now) {
+    for (const mark of ["mark_of_jam", "mark_of_mesh"]) {
+      const found = await answer("long", mark);
+      if (now !== run) return;
+      opened.marks.push(...found);
+      marks(opened.marks);
     }
   }
 
@@ -234,6 +238,7 @@
   // ---- problems, each with its place in the text
   function showProblems(problems) {
     byId("found").hidden = true;
+    byId("found").classList.remove("old");
     byId("problems").hidden = false;
     byId("problems-title").textContent = problems.length === 1 ? "1 problem" : `${problems.length} problems`;
     byId("problem-list").replaceChildren(...problems.map(({ key, value, reason, help, line, from, to }) => {

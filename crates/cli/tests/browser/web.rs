@@ -248,7 +248,10 @@ pub fn page_takes_workbooks_and_drawings(browser: &Chromium, _: &Site) {
             "fixtures/outlines/pinion_20.svg",
         ]),
     );
-    tab.until("document.getElementById('text').value.includes('wheel_20.dxf')");
+    tab.until_within(
+        "document.getElementById('text').value.includes('wheel_20.dxf')",
+        CALCULATION,
+    );
     settled(&mut tab);
     assert!(text(&mut tab, "verdict").contains("Assembles"));
 }
@@ -378,8 +381,8 @@ pub fn page_works_by_keyboard(browser: &Chromium, _: &Site) {
     for _ in 0..120 {
         tab.key("Tab", false);
         let now = tab.eval("(() => { const at = document.activeElement; const style = getComputedStyle(at.id === 'open' ? at.parentNode : at); \
-             return [at.id || at.textContent, style.outlineStyle !== 'none']; })()");
-        if now[0] == "" || reached.iter().any(|known| *known == now[0]) && now[0] == "open" {
+             return [at === document.body ? 'BODY' : at.id || at.textContent || at.name, style.outlineStyle !== 'none']; })()");
+        if now[0] == "BODY" || reached.iter().any(|known| *known == now[0]) && now[0] == "open" {
             break;
         }
         assert_eq!(now[1], true, "{} shows its focus", now[0]);

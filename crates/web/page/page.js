@@ -467,7 +467,7 @@
     if (!steps) return;
     event.preventDefault();
     const um = steps * (event.shiftKey ? 10 : 1);
-    fields.number.value = fields.a.value = (distance() + um / 1000).toFixed(3);
+    fields.number.value = fields.a.value = Number((distance() + um / 1000).toFixed(6));
     live();
   });
   for (const field of [fields.turn, fields.wheel, fields.pinion, fields.flank, fields.material]) field.addEventListener("input", live);

@@ -375,7 +375,8 @@ fn range(study: &Study) -> [f64; 2] {
     let pairs = study.pairs(least).into_iter().flatten();
     let apart = pairs.map(|(_, pair)| pair.reach()).fold(most, f64::max);
     // As far below as a fourth of the way up: backlash falls by more than two thirds of a module there.
-    [least - 0.25 * (apart - least), apart]
+    // Whole micrometres, which the slider counts from its end.
+    [least - 0.25 * (apart - least), apart].map(|mm| (mm * 1e3).round() / 1e3)
 }
 
 /// The study without bearing clearance: a stated distance is the distance of the axes.

@@ -41,7 +41,7 @@ fn proven(depth: Option<Depth>, count: u64) -> (Vec<(Drawn, LostMotion, Proof)>,
 #[test]
 fn the_checker_accepts_what_is_proven() {
     for depth in [None, Some(Depth::Grazing)] {
-        let (proven, left) = proven(depth, 400);
+        let (proven, left) = proven(depth, 2000);
         let mut reasons = [0; 3];
         let mut none = 0;
         for (drawn, found, proof) in &proven {
@@ -63,14 +63,14 @@ fn the_checker_accepts_what_is_proven() {
         );
         // Grazing tips reach no fillet.
         let expected = if depth.is_none() { 3 } else { 2 };
-        assert!(10 * left < proven.len() && reasons[..expected].iter().all(|count| *count > 0));
+        assert!(200 * left < proven.len() && reasons[..expected].iter().all(|count| *count > 0));
     }
 }
 
 /// A contact moved by three of its bounds to either side is refused, as certificates by polygons refuse one moved by three of theirs.
 #[test]
 fn a_moved_contact_is_refused() {
-    let (proven, _) = proven(None, 150);
+    let (proven, _) = proven(None, 500);
     for (drawn, found, proof) in &proven {
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let kernel = ExactKernel::new(&drawn.assembly);
@@ -100,8 +100,8 @@ fn a_moved_contact_is_refused() {
 /// shortened, a common point moved out of the metal.
 #[test]
 fn the_checker_refuses_what_is_not_so() {
-    let (proven, _) = proven(None, 200);
-    let mut refused = [0; 5];
+    let (proven, _) = proven(None, 500);
+    let mut refused = [0; 6];
     for (drawn, _, proof) in &proven {
         let assembly = &drawn.assembly;
         let pose = Pose::new(assembly, drawn.mating);
@@ -111,6 +111,9 @@ fn the_checker_refuses_what_is_not_so() {
             changed.verify(assembly, &pose).is_err()
         };
         let Some((open, touch)) = proof.sides[0].open.zip(proof.sides[0].touch) else {
+            // Nothing touches at any rotation: some tooth is in need of its proof.
+            let none = |proof: &mut Proof| proof.sides[0].apart.clear();
+            refused[5] += usize::from(refuses(&none));
             continue;
         };
         let closed =
@@ -139,6 +142,10 @@ fn the_checker_refuses_what_is_not_so() {
                 assert!(refuses(&turned), "{}", drawn.pair_file());
                 refused[2] += 1;
             }
+            // The far half of a tooth counts too.
+            let halved = |proof: &mut Proof| proof.sides[0].apart[k].locked = Piece::Top;
+            let is_whole = named.locked == Piece::Tooth && named.free == Piece::Top;
+            assert!(!is_whole || refuses(&halved), "{}", drawn.pair_file());
             // A tooth that is far away has no need of a proof.
             refused[3] += usize::from(refuses(&without));
             if let Piece::Fillet([low, high]) = named.locked {
@@ -150,7 +157,7 @@ fn the_checker_refuses_what_is_not_so() {
         }
     }
     println!("{} proofs, refused {refused:?}", proven.len());
-    assert!(refused.iter().all(|count| *count > 30), "{refused:?}");
+    assert!(refused.iter().all(|count| *count > 20), "{refused:?}");
 }
 
 /// Three teeth on three, tips turned down, the locked pinion 39.5 µm eccentric.

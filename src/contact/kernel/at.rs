@@ -251,6 +251,78 @@ mod tests {
         }
     }
 
+    /// The room loses no more than its arm and the turn allow as the free gear turns further. Source: the room of the turned piece.
+    #[test]
+    fn a_room_falls_no_faster_than_its_arm() {
+        let shapes = [shape(20), shape(30)];
+        let [locked, free] = shapes
+            .each_ref()
+            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let land = Convex::arc(26.0, 0.02, 0.09);
+        let chord = Convex::Chord([C::new(27.0, 0.4), C::new(27.4, -0.3)]);
+        for free in [&free, &land, &chord] {
+            for k in 0..720 {
+                let nu = wrapped(0.003 + PI * f64::from(k) / 360.0);
+                let n = turn(nu);
+                let here = at(0.02).room(&locked, free, nu, n);
+                for by in [0.001, 0.004, 0.016] {
+                    let there = at(0.02 + by).room(&locked, free, nu, n);
+                    let least = here.room + by * here.arm - 33.0 * by * by;
+                    assert!(there.room >= least - 1e-12, "{k} {by}: {there:?}, {here:?}");
+                }
+            }
+        }
+        let endless = at(0.0);
+        assert!(endless.stays(2.0, 1e-9, 1.0) && !endless.stays(1.0, 1e-9, 1.0));
+        assert!(!endless.stays(2.0, 0.0, 1.0));
+    }
+
+    /// Newton's method needs few directions, for pieces that hardly leave room and for pieces that hardly overlap. Source: ordinary pairs need 15 to 60 a side.
+    #[test]
+    fn few_directions_decide() {
+        let shapes = [shape(20), shape(30)];
+        let [locked, free] = shapes
+            .each_ref()
+            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let apart = |rotation: f64, start: f64| {
+            let mut looks = 0;
+            let apart = at(rotation).separated_from(&locked, &free, start, 1e-12, &mut looks);
+            (apart.is_some(), looks)
+        };
+        let (mut low, mut high) = (-0.1, 0.3);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if apart(middle, 1.9).0 {
+                high = middle
+            } else {
+                low = middle
+            }
+        }
+        for start in [1.5, 1.7, 1.9, 2.1] {
+            for off in [1e-10, 1e-8, 1e-6, 1e-4] {
+                let (is_apart, looks) = apart(high + off, start);
+                assert!(
+                    is_apart && (1..=8).contains(&looks),
+                    "{start} {off}: {looks}"
+                );
+                let (is_apart, looks) = apart(low - off, start);
+                assert!(
+                    !is_apart && (1..=10).contains(&looks),
+                    "{start} {off}: {looks}"
+                );
+            }
+        }
+        let mut looks = 0;
+        let disc = free.farthest(at(0.0).centres[1] * at(0.0).directions[1].conj());
+        assert!(
+            at(0.0)
+                .beyond(&locked, 0.3 * disc, 1e-12, &mut looks)
+                .is_some()
+        );
+        assert!(at(0.0).beyond(&locked, disc, 1e-12, &mut looks).is_none());
+        assert!((2..=8).contains(&looks), "{looks}");
+    }
+
     /// Pieces that one direction with a positive arm separates stay apart as the free gear turns further, up to a right angle. Source: new
     /// directions.
     #[test]

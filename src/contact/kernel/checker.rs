@@ -288,15 +288,15 @@ impl Pair<'_> {
             locked, free, axis, ..
         } = self;
         let n = one.normal;
-        let opening = -free.side.sense();
+        // Arm of a force that opens the free gear.
+        let arm = |at, n| -free.side.sense() * turns(*axis, at, n);
         let (reach, _) = locked.reach(one.locked, n);
         match one.by {
             Reason::Direction => {
                 let (back, at) = free.reach(one.free, -n);
                 // After a further turn the free piece has another corner towards the line.
                 let next = free.next_corner(one.free, -n, at).unwrap_or(at);
-                let arm = |at| opening * turns(*axis, at, n);
-                open && self.stays(-back - reach, arm(at).min(arm(next)))
+                open && self.stays(-back - reach, arm(at, n).min(arm(next, n)))
             }
             Reason::OutOfReach => axis.coords.dot(&n) - free.piece_about(one.free, *axis) > reach,
             Reason::LockedTangents => {
@@ -304,15 +304,13 @@ impl Pair<'_> {
                     Piece::FarFillet(range) => (&locked.far, Piece::Fillet(range)),
                     fillet => (&locked.near, fillet),
                 };
-                let stays =
-                    |s, [_, at]: [Point2<f64>; 2], n| self.stays(s, opening * turns(*axis, at, n));
+                let stays = |s, [_, at]: [Point2<f64>; 2], n| self.stays(s, arm(at, n));
                 open && off_tangents(half, fillet, |n| free.reach(one.free, n), stays)
             }
             // A force out of the free metal turns the free gear the other way.
             Reason::FreeTangents => {
-                let stays = |s, [at, _]: [Point2<f64>; 2], n: Vector2<f64>| {
-                    self.stays(s, opening * turns(*axis, at, -n))
-                };
+                let stays =
+                    |s, [at, _]: [Point2<f64>; 2], n: Vector2<f64>| self.stays(s, arm(at, -n));
                 open && off_tangents(free, one.free, |n| locked.reach(one.locked, n), stays)
             }
         }
@@ -619,4 +617,201 @@ impl Half<'_> {
 
 fn further(one: Reach, other: Reach) -> Reach {
     if other.0 > one.0 { other } else { one }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Deviations, Face, Gear, GearDesign};
+
+    /// 14 on 23 teeth, both eccentric.
+    fn assembly() -> GearPair {
+        let gear = |teeth, face, eccentricity| {
+            let deviations = Deviations {
+                eccentricity,
+                high_tooth: 2.0,
+                ..Deviations::default()
+            };
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            AsBuilt::new(gear, face, &deviations).unwrap()
+        };
+        let wheel = gear(23, Face::Front, 0.03);
+        GearPair::new(wheel, gear(14, Face::Back, 0.05), 37.3).unwrap()
+    }
+
+    fn halves(assembly: &GearPair) -> impl Iterator<Item = Half<'_>> {
+        let members = [(Member::Wheel, 0.3), (Member::Pinion, -2.1)];
+        members.into_iter().flat_map(move |(member, rotation)| {
+            Side::BOTH.map(|side| Half::new(assembly, member, rotation, side, 5))
+        })
+    }
+
+    fn pieces(half: &Half) -> [(Piece, Vec<ProfilePart>); 3] {
+        let (low, high) = half.range(ProfilePart::Fillet);
+        let part = [0.7 * low + 0.3 * high, high];
+        [
+            (Piece::Top, vec![ProfilePart::Involute, ProfilePart::Tip]),
+            (Piece::Fillet(part), vec![ProfilePart::Fillet]),
+            (Piece::Root, vec![ProfilePart::Root]),
+        ]
+    }
+
+    /// Points of a piece, 2000 of each curve.
+    fn points(half: &Half, piece: Piece, parts: &[ProfilePart]) -> Vec<Point2<f64>> {
+        let mut points = Vec::new();
+        for part in parts {
+            let (low, high) = match piece {
+                Piece::Fillet([low, high]) => (low, high),
+                _ => half.range(*part),
+            };
+            let at = |k: u32| low + (high - low) * f64::from(k) / 2000.0;
+            points.extend((0..=2000).map(|k| half.at(*part, at(k)).0));
+        }
+        points
+    }
+
+    fn directions() -> impl Iterator<Item = Vector2<f64>> {
+        (0..360).map(|k| {
+            let angle = (0.3 + f64::from(k)).to_radians();
+            Vector2::new(angle.cos(), angle.sin())
+        })
+    }
+
+    /// Source: the greatest of dense points of the outline, for a tooth of both its halves.
+    #[test]
+    fn a_reach_is_that_of_the_farthest_point() {
+        let assembly = assembly();
+        let farthest = |points: &[Point2<f64>], n: Vector2<f64>| {
+            let reaches = points.iter().map(|point| point.coords.dot(&n));
+            reaches.fold(f64::MIN, f64::max)
+        };
+        for half in halves(&assembly) {
+            for (piece, parts) in pieces(&half) {
+                let points = points(&half, piece, &parts);
+                for n in directions() {
+                    let (reach, at) = half.reach(piece, n);
+                    let over = reach - farthest(&points, n);
+                    assert!((-1e-12..1e-6).contains(&over), "{piece:?} {n}: {over:e}");
+                    assert!((at.coords.dot(&n) - reach).abs() < 1e-12);
+                }
+            }
+        }
+        let [near, far] = Side::BOTH.map(|side| Half::new(&assembly, Member::Wheel, 0.3, side, 5));
+        let parts = [ProfilePart::Involute, ProfilePart::Tip];
+        let mut both = points(&near, Piece::Top, &parts);
+        both.extend(points(&far, Piece::Top, &parts));
+        let tooth = Tooth { near, far };
+        for n in directions() {
+            let over = tooth.reach(Piece::Tooth, n).0 - farthest(&both, n);
+            assert!((-1e-12..1e-6).contains(&over), "{n}: {over:e}");
+        }
+    }
+
+    /// Source: dense points of the outline, and of the sector between its ends.
+    #[test]
+    fn distances_are_those_of_dense_points() {
+        let assembly = assembly();
+        for half in halves(&assembly) {
+            let axes = (0..24).map(|k| {
+                let at = UnitComplex::new(0.26 * f64::from(k)) * Vector2::new(0.4, 0.0);
+                half.centre + at * 1.9f64.powi(k % 8)
+            });
+            let (far_corner, _) = half.range(ProfilePart::Tip);
+            let (_, root_end) = half.range(ProfilePart::Root);
+            for axis in axes {
+                // Free axes are within the root circle.
+                let is_inside = (axis - half.centre).norm() < half.gear.gear().root_radius();
+                let mut all = 0.0f64;
+                for (piece, parts) in pieces(&half).into_iter().filter(|_| is_inside) {
+                    let distances = points(&half, piece, &parts);
+                    let distances = distances.into_iter().map(|point| (point - axis).norm());
+                    let farthest = distances.fold(0.0, f64::max);
+                    all = all.max(farthest);
+                    let over = half.piece_about(piece, axis) - farthest;
+                    // That of the top is of the whole half tooth.
+                    let allowed = if piece == Piece::Top { f64::MAX } else { 1e-5 };
+                    assert!((-1e-12..=allowed).contains(&over), "{piece:?}: {over:e}");
+                }
+                let over = half.reach_about(axis) - all;
+                assert!(!is_inside || (-1e-12..0.2).contains(&over), "{over}");
+                let mut nearest = f64::MAX;
+                for k in 0..=400 {
+                    let t = root_end + (far_corner - root_end) * f64::from(k) / 400.0;
+                    for radius in
+                        (0..=100).map(|k| half.gear.gear().tip_radius() * f64::from(k) / 100.0)
+                    {
+                        let own = radius * Vector2::new(t.cos(), -half.side.sense() * -t.sin());
+                        let point = half.centre + half.turned * own;
+                        nearest = nearest.min((point - axis).norm());
+                    }
+                }
+                let distance = half.distance(axis);
+                assert!((nearest - distance).abs() < 0.2, "{distance} {nearest}");
+            }
+        }
+    }
+
+    /// What holds by a direction loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of the turned piece.
+    #[test]
+    fn what_holds_stays_apart_as_the_free_gear_turns() {
+        let assembly = assembly();
+        let (locked, free) = (assembly.locked(), assembly.free());
+        let mut held = 0;
+        for side in Side::BOTH {
+            let half = |rotation| Half::new(&assembly, free, rotation, side, 5);
+            let radius = assembly.gear(free).eccentricity() + half(0.0).gear.gear().tip_radius();
+            for (piece, _) in pieces(&half(0.2)) {
+                for (n, play) in directions().flat_map(|n| [0.002, 0.02].map(|play| (n, play))) {
+                    let [near, far] =
+                        Side::BOTH.map(|side| Half::new(&assembly, locked, 0.0, side, 3));
+                    let mut pair = Pair {
+                        locked: Tooth { near, far },
+                        free: half(0.2),
+                        axis: assembly.axis(free),
+                        play,
+                    };
+                    let one = Separation {
+                        locked_tooth: 3,
+                        free_tooth: 5,
+                        locked: Piece::Top,
+                        free: piece,
+                        by: Reason::Direction,
+                        normal: n,
+                    };
+                    for room in [0.05, 0.3, 0.9].map(|share| share * radius * play) {
+                        let reach = pair.locked.reach(Piece::Top, n).0;
+                        let off = -pair.free.reach(piece, -n).0 - reach - room;
+                        pair.locked.near.centre += n * off;
+                        if !pair.holds(&one, true) {
+                            continue;
+                        }
+                        held += 1;
+                        let reach = pair.locked.reach(Piece::Top, n).0;
+                        for share in [0.3, 1.0] {
+                            let turned = half(0.2 - side.sense() * share * play);
+                            let room = -turned.reach(piece, -n).0 - reach;
+                            let least = -radius * (share * play).powi(2) - 1e-12;
+                            assert!(room > least, "{side:?} {piece:?} {n} {play}: {room}");
+                        }
+                    }
+                }
+            }
+        }
+        assert!(held > 1000, "{held}");
+    }
+
+    /// Without a limit of the play, a distance must have an arm above 0.
+    #[test]
+    fn a_distance_without_an_arm_may_fall() {
+        let assembly = assembly();
+        let [near, far] =
+            Side::BOTH.map(|side| Half::new(&assembly, assembly.locked(), 0.0, side, 3));
+        let pair = Pair {
+            locked: Tooth { near, far },
+            free: Half::new(&assembly, assembly.free(), 0.0, Side::Right, 5),
+            axis: assembly.axis(assembly.free()),
+            play: f64::INFINITY,
+        };
+        assert!(pair.stays(1e-9, 1e-9) && !pair.stays(1e-9, 0.0) && !pair.stays(0.0, 1.0));
+    }
 }

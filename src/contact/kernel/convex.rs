@@ -253,8 +253,9 @@ impl Top<'_> {
         let roll = omega + shape.half_base + FRAC_PI_2;
         if roll < shape.form_roll {
             let inwards = dot(n, shape.joint);
-            // Within 30° of straight from behind, the edge to the far corner is the next one.
-            return if inwards < 0.0 && inwards * inwards > 0.75 * shape.joint.norm_sqr() {
+            // Within 30° of straight from behind, the edge to the far corner is the next one; of a wide land that corner reaches further.
+            let is_behind = inwards < 0.0 && inwards * inwards > 0.75 * shape.joint.norm_sqr();
+            return if is_behind || dot(n, self.far) > inwards {
                 Support::of_edge([self.far, shape.joint], n)
             } else {
                 Support::of_point(shape.joint, n)
@@ -328,10 +329,10 @@ mod tests {
     use std::f64::consts::TAU;
 
     /// Source: points of the outline, 4000 per curve: none is further than the support, and one is nearly as far. Ordinary, undercut and
-    /// large gears; lands that the mate flank's deviation makes wider and narrower.
+    /// large gears; lands that the mate flank's deviation makes wider, also much, and narrower.
     #[test]
     fn a_top_reaches_as_far_as_its_farthest_point() {
-        for (teeth, wider) in [(9, 0.0), (20, 0.01), (44, -0.01), (200, 0.0)] {
+        for (teeth, wider) in [(9, 0.0), (20, 0.01), (44, -0.01), (200, 0.0), (9, 0.7)] {
             let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
             let shape = HalfToothShape::new(&Profile::new(&gear));
             let far = shape.tip_corner().conj() * turn(wider);
@@ -379,16 +380,51 @@ mod tests {
                         );
                     }
                     let most = top.greatest_radius(omega, 0.02);
+                    // h' turns by h'' = ρ − h: an edge between corners within it is a jump.
+                    let [before, behind] = [omega - 0.02, omega + 0.02]
+                        .map(|omega| top.support(wrapped(omega), turn(omega)));
+                    let turned = (behind.along - before.along).abs();
+                    let most_turned = 0.04 * (most + 1.1 * shape.tip_radius);
+                    assert!(turned <= most_turned + 1e-9, "{teeth} {omega}: {turned}");
                     for off in [-0.02, 0.0, 0.02] {
                         let there = top.support(wrapped(omega + off), turn(omega + off));
                         assert!(there.radius <= most + 1e-12, "{teeth} {omega} {off}");
                     }
                 }
-                for off in [C::ZERO, C::new(0.3, 0.2), C::new(-0.1, 0.4)] {
+                // From beside the gear's centre, and from beyond the tip.
+                let beyond = C::new(-1.6 * shape.tip_radius, 0.1);
+                for off in [
+                    C::ZERO,
+                    C::new(0.3, 0.2),
+                    C::new(-0.1, 0.4),
+                    beyond,
+                    beyond.conj(),
+                ] {
                     let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
                     let over = top.farthest(off) - farthest;
                     assert!((-1e-12..1e-6).contains(&over), "{teeth} {off}: {over:e}");
                 }
+            }
+        }
+    }
+
+    /// Source: points of the arc, 4000 of each.
+    #[test]
+    fn an_arc_reaches_as_far_as_its_farthest_point() {
+        for (low, high) in [(0.1, 0.5), (-2.9, -2.2), (2.9, 3.4), (-0.7, 1.1)] {
+            let arc = Convex::arc(7.0, low, high);
+            let at = |k: u32| C::from_polar(7.0, low + (high - low) * f64::from(k) / 4000.0);
+            let points: Vec<C> = (0..=4000).map(at).collect();
+            for k in 0..180 {
+                let omega = wrapped(0.003 + TAU * f64::from(k) / 180.0);
+                let n = turn(omega);
+                let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
+                let over = arc.support(omega, n).reach - farthest;
+                assert!((-1e-12..1e-6).contains(&over), "{low} {omega}: {over:e}");
+                let off = 5.0 * n;
+                let farthest = points.iter().map(|p| (off + p).norm()).fold(0.0, f64::max);
+                let over = arc.farthest(off) - farthest;
+                assert!((-1e-12..1e-6).contains(&over), "{low} {off}: {over:e}");
             }
         }
     }

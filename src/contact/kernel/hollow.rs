@@ -590,14 +590,131 @@ mod tests {
         }
     }
 
-    fn is_off(at: &At, hollow: &Hollow, mate: &Convex) -> bool {
+    /// Whether the mate is off; `looks` counts the directions.
+    fn is_off(at: &At, hollow: &Hollow, mate: &Convex, looks: &mut u32) -> bool {
+        let before = *looks;
         at.is_off_hollow(
             (0, hollow),
             (mate, None),
             1e-14,
-            (&mut 0, 4000),
+            (looks, before + 4000),
             &mut |_, _| (),
         )
+    }
+
+    /// Fillets of ordinary and of shifted teeth, whose tools' tip radii have their centres inside and outside the pitch line.
+    fn fillets() -> impl Iterator<Item = Hollow> {
+        [(9, 0.0), (30, 0.0), (30, 1.1), (60, 1.3), (100, 1.0)]
+            .into_iter()
+            .map(|(teeth, shift)| {
+                let design = GearDesign {
+                    profile_shift: shift,
+                    ..GearDesign::plain(teeth, 2.0)
+                };
+                let gear = Gear::nominal(design).unwrap();
+                let radius = gear.basic_data().reference_radius();
+                Hollow::new(gear.part(ProfilePart::Fillet), radius, false)
+            })
+    }
+
+    /// Source: points of the stretch, 400 of each.
+    #[test]
+    fn a_stretch_reaches_no_further_than_its_bound() {
+        for hollow in fillets() {
+            for stretch in &hollow.stretches {
+                let [low, high] = stretch.ends;
+                let at = |k: u32| hollow.curve.at(low + (high - low) * f64::from(k) / 400.0);
+                let points: Vec<C> = (0..=400).map(|k| at(k).0).collect();
+                for k in 0..90 {
+                    let n = turn(0.003 + PI * f64::from(k) / 45.0);
+                    let farthest = points.iter().map(|p| dot(*p, n)).fold(f64::MIN, f64::max);
+                    let least = points.iter().map(|p| along(*p, n)).fold(f64::MAX, f64::min);
+                    let (reach, lever) = stretch.bound(n);
+                    assert!(reach >= farthest - 1e-12 && lever <= least + 1e-12, "{k}");
+                    // Both ends reach as far as any point of a hollow stretch towards the mate.
+                    let is_towards = stretch.normals.iter().all(|normal| dot(n, *normal) > 0.0);
+                    let is_exact = reach - farthest < 1e-12;
+                    assert!(!is_towards || stretch.radii.is_none() || is_exact, "{k}");
+                }
+            }
+        }
+    }
+
+    /// Source: differences of points and normals. A curve that bulges somewhere has no radii.
+    #[test]
+    fn radii_are_those_of_differences() {
+        let mut known = 0;
+        for hollow in fillets() {
+            for stretch in &hollow.stretches {
+                let [low, high] = stretch.ends;
+                let radius = |k: u32| {
+                    let t = low + (high - low) * (0.5 + f64::from(k)) / 50.0;
+                    let step = 1e-3 * (high - low);
+                    let [(p, n), (q, m)] = [t - step, t + step].map(|t| hollow.curve.at(t));
+                    (q - p).norm() / along(n, m)
+                };
+                let all: Vec<f64> = (0..50).map(radius).collect();
+                let is_hollow = all.iter().all(|radius| *radius < 0.0)
+                    || all.iter().all(|radius| *radius > 0.0);
+                let Some([least, most]) = stretch.radii else {
+                    continue;
+                };
+                known += 1;
+                assert!(is_hollow);
+                let all = all.iter().map(|radius| radius.abs());
+                let found = [
+                    all.clone().fold(f64::MAX, f64::min),
+                    all.fold(0.0, f64::max),
+                ];
+                let is_within = least <= found[0] * (1.0 + 1e-5) && most >= found[1] * (1.0 - 1e-5);
+                assert!(
+                    is_within && least > 0.3 * found[0] && most < 3.0 * found[1],
+                    "{found:?}, {least} {most}"
+                );
+            }
+        }
+        assert!(known > 15, "{known}");
+    }
+
+    /// Where the tangents of a stretch hold together, each holds. Source: single tangents, 100 of each stretch; free axes in all directions.
+    #[test]
+    fn tangents_of_a_stretch_hold_each() {
+        let mut held = 0;
+        for hollow in fillets() {
+            for stretch in &hollow.stretches {
+                let (point, normal) = hollow.curve.at(0.5 * (stretch.ends[0] + stretch.ends[1]));
+                for k in 0..60 {
+                    let shift = turn(0.003 + PI * f64::from(k) / 30.0) * f64::from(1 + k % 7);
+                    for (disc, gap) in [(0.0, 1e-6), (0.0, 0.01), (0.1, 1e-6), (0.1, 0.01)] {
+                        let mate = if disc > 0.0 {
+                            Convex::arc(disc, -PI, PI)
+                        } else {
+                            Convex::Chord([C::ZERO; 2])
+                        };
+                        let centre = point + normal * (disc + gap);
+                        for owner in 0..2 {
+                            let mut centres = [shift; 2];
+                            centres[1 - owner] += centre;
+                            let at = At {
+                                centres,
+                                ..facing(normal, centre)
+                            };
+                            if !at.is_off_tangents((owner, &hollow), stretch, &mate, 1e-14) {
+                                continue;
+                            }
+                            held += 1;
+                            let [low, high] = stretch.ends;
+                            for k in 0..=100 {
+                                let t = low + (high - low) * f64::from(k) / 100.0;
+                                let off = at.off_tangent(owner, hollow.curve.at(t), &mate);
+                                assert!(at.stays(off.room, off.arm, 1e-14), "{k}: {off:?}");
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(held > 300, "{held}");
     }
 
     /// Discs and corners that are 1e-12 mm off a fillet are proven off it, those that overlap it by as much are not, at any place. Source:
@@ -610,7 +727,7 @@ mod tests {
         let (low, high) = part.range();
         // The free axis is where the mate has a lever in all directions of the fillet.
         let (_, middle) = hollow.curve.at(0.5 * (low + high));
-        let mut tried = 0;
+        let (mut tried, mut looks_of_all) = (0, 0);
         for k in 1..40 {
             let t = low + (high - low) * f64::from(k) / 40.0;
             let (point, normal) = hollow.curve.at(t);
@@ -638,20 +755,32 @@ mod tests {
                     } else {
                         Convex::Chord([C::ZERO; 2])
                     };
-                    let found = is_off(&there, &hollow, &mate);
+                    let mut looks = 0;
+                    let found = is_off(&there, &hollow, &mate, &mut looks);
                     assert_eq!(found, expected, "{k} {share} {gap}");
+                    looks_of_all += if expected { looks } else { 0 };
                 }
             }
+            // A disc behind the fillet that reaches through it is not off it, whatever its direction.
+            let behind = At {
+                play: 1e-12,
+                ..facing(middle, point - normal * 0.299)
+            };
+            assert!(
+                !is_off(&behind, &hollow, &Convex::arc(0.3, -PI, PI), &mut 0),
+                "{k}"
+            );
             // A disc rounder than the fillet overlaps it on both sides of its touch.
             let centre = point + normal * (1.2 * radius);
             let mate = Convex::arc(1.2 * radius, -PI, PI);
             let inside = k > 4 && k < 36;
             assert!(
-                !inside || !is_off(&facing(middle, centre), &hollow, &mate),
+                !inside || !is_off(&facing(middle, centre), &hollow, &mate, &mut 0),
                 "{k}"
             );
         }
         assert!(tried > 60, "{tried}");
+        println!("{} looks", looks_of_all / tried);
     }
 
     /// The bound of a room over a stretch of directions, compared with samples of a function with the same second derivative.

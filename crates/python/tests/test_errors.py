@@ -45,6 +45,7 @@ def test_all_problems_of_a_gear_are_told_at_once() -> None:
     [
         (lambda: gearlash.Gear(**{**GOOD, "module_mm": float("nan")}), "gear.module_mm = nan"),
         (lambda: gearlash.Gear(**GOOD, profile=object()), "gear.profile = object"),
+        (lambda: gearlash.Gear(**GOOD, lead={"crowning_um": 8}), "gear.face_width_mm"),
         (lambda: gearlash.Gear(**GOOD, pitch={"right_um": np.zeros(3)}), "gear.pitch"),
         (lambda: gearlash.read("no such file.toml"), "there is no such file"),
         (lambda: pair(30.0), "assembly.center_distance_mm"),

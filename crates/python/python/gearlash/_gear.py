@@ -50,6 +50,7 @@ class Gear:
         runout: Runout | None = None,
         pitch: Pitch | None = None,
         profile: Mapping[str, Any] | None = None,
+        lead: Mapping[str, Any] | None = None,
         grade: int | None = None,
         expansion_per_k: float | None = None,
         title: str | None = None,

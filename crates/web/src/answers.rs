@@ -1,5 +1,6 @@
 //! Answers of the page as JSON. Every number and sentence comes from the packages that the program uses.
 
+use crate::archive::archive;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::analysis::study::{Material, Study};
@@ -25,13 +26,10 @@ use gearlash_results::verdict::{
 };
 use serde_json::{Value, json};
 use std::fmt::Display;
-use std::io::{Cursor, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipWriter};
 
 const METHOD: Method = Method::Exact { certify: true };
 
@@ -189,15 +187,8 @@ impl Page {
 
     /// The files in a zip archive, as they were given.
     pub fn zip(&self) -> Vec<u8> {
-        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-        let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
-        for name in self.files.names() {
-            // Writing into memory fails only for names that no archive has.
-            if archive.start_file(name, stored).is_ok() {
-                let _ = archive.write_all(self.files.get(name).unwrap_or_default());
-            }
-        }
-        archive.finish().map_or(Vec::new(), Cursor::into_inner)
+        let names = self.files.names();
+        archive(names.map(|name| (name, self.files.get(name).unwrap_or_default())))
     }
 
     /// The report as a page.

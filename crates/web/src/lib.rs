@@ -4,5 +4,6 @@
 //! for browsers has the boundary to JavaScript.
 
 pub mod answers;
+mod archive;
 #[cfg(target_arch = "wasm32")]
 mod boundary;

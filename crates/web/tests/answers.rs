@@ -8,6 +8,7 @@ use gearlash_files::read_any;
 use gearlash_results::verdict::lines;
 use gearlash_web::answers::{LivePlace, Page};
 use serde_json::Value;
+use std::io::{Cursor, Read};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -178,4 +179,20 @@ fn a_table_is_found_by_its_name_alone() {
     page.files.add("pair.toml", text.into_bytes());
     let found = page.open("pair.toml");
     assert!(found["title"].is_string(), "{found}");
+}
+
+/// The archive holds every file as it was given. Source: the crate `zip`, which checks its sums.
+#[test]
+fn the_archive_holds_the_files() {
+    let names = ["docs/files/sheet.toml", "docs/files/wheel.csv"];
+    let (page, _) = opened(&names);
+    let mut archive = zip::ZipArchive::new(Cursor::new(page.zip())).unwrap();
+    assert_eq!(archive.len(), names.len());
+    for name in names {
+        let mut found = Vec::new();
+        let last = name.rsplit('/').next().unwrap();
+        let mut file = archive.by_name(last).unwrap();
+        file.read_to_end(&mut found).unwrap();
+        assert_eq!(found, std::fs::read(path(name)).unwrap());
+    }
 }

@@ -144,7 +144,7 @@ fn assert_same(native: &Value, other: &Value, place: &str) {
             }
         }
         (Value::String(one), Value::String(two)) if one.contains("<svg") => {
-            let [one, two] = [one, two].map(|text| words(text));
+            let [one, two] = [one, two].map(|text| words(text.as_str()));
             assert_eq!(one, two, "{place}: another picture");
         }
         _ => assert_eq!(native, other, "{place}"),

@@ -385,7 +385,7 @@ fn dates(part: &str) -> Result<Vec<bool>, String> {
             Event::End(tag) if tag.local_name().as_ref() == "cellXfs" => is_of_cells = false,
             Event::Start(tag) if is(tag, "xf") && is_of_cells => {
                 let id = attribute(tag, "numFmtId")?.unwrap_or_default();
-                let builtin = id.parse().is_ok_and(|id| is_builtin_date(id));
+                let builtin = id.parse().is_ok_and(is_builtin_date);
                 dates.push(own.contains(&id) || builtin);
             }
             _ => {}

@@ -59,8 +59,7 @@ impl Sections<'_> {
         b: f64,
         effort: &Effort,
     ) -> Result<(Pose, LostMotion), Error> {
-        let section = self.assembly.section(b);
-        let here = pose.in_section(self.assembly, b);
+        let (section, here) = pose.section(self.assembly, b);
         let [wheel, pinion] = self.cut;
         let kernel = PolygonKernel::refined(&section, wheel, pinion);
         effort.spend(SECTION);
@@ -82,7 +81,7 @@ impl Sections<'_> {
             }
         }
         if let Some(b) = found.jam.filter(|_| lost_motion.solid) {
-            let section = self.assembly.section(b);
+            let (section, _) = pose.section(self.assembly, b);
             let (here, own) = self.in_section(pose, b, effort)?;
             // The sign of the overlap may be uncertain.
             let is_open = own.angle().zip(own.error());
@@ -100,8 +99,7 @@ impl Sections<'_> {
             let at = contact.map(|contact| contact.section);
             let others = self.places.iter().copied().filter(|&b| Some(b) != at);
             for b in at.into_iter().chain(others) {
-                let section = self.assembly.section(b);
-                let here = pose.in_section(self.assembly, b);
+                let (section, here) = pose.section(self.assembly, b);
                 let [wheel, pinion] = self.cut;
                 let certifier = Certifier::new(PolygonKernel::new(&section, wheel, pinion));
                 effort.spend(SECTION);

@@ -43,7 +43,7 @@ impl MeshSection {
                 to_mm,
             }));
         }
-        let (pair, here) = (assembly.section(at), pose.in_section(assembly, at));
+        let (pair, here) = pose.section(assembly, at);
         let alone = match over_face {
             Some(_) => pair.lost_motion(*here.mating())?.found.ok(),
             None => None,

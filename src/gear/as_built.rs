@@ -24,6 +24,10 @@ pub struct Deviations {
     pub high_tooth: f64,
     /// Whether the direction is unknown: a pose uses `high_tooth`, extremes cover all directions.
     pub any_direction: bool,
+    /// Lean of the teeth's axis from the rotation axis (wobble), mm per mm.
+    pub wobble: f64,
+    /// Tooth (fractional) towards which the teeth lean away from the reference face.
+    pub wobble_tooth: f64,
     /// Profile deviation of the gear's own right flanks, and of its left ones.
     pub profiles: [Modification; 2],
     /// Lead deviation of the gear's own right flanks, and of its left ones.
@@ -83,6 +87,9 @@ pub struct AsBuilt {
     eccentricity: f64,
     high_tooth: f64,
     any_direction: bool,
+    /// Lean of the teeth's axis, mm per mm, and the tooth towards which the teeth lean away from the reference face.
+    wobble: f64,
+    wobble_tooth: f64,
     /// Right and left half teeth; `None` without profile deviations.
     modified: Option<Arc<[ModifiedHalves; 2]>>,
     /// `None` without lead deviations. The offsets contain their values at `height`.
@@ -114,6 +121,8 @@ impl AsBuilt {
             eccentricity: deviations.eccentricity,
             high_tooth: deviations.high_tooth,
             any_direction: deviations.any_direction,
+            wobble: deviations.wobble,
+            wobble_tooth: deviations.wobble_tooth,
             gear,
         };
         let as_built = as_built.with_leads_turned(|curve| curve.at(0.0));
@@ -143,6 +152,8 @@ impl AsBuilt {
             eccentricity: 0.0,
             high_tooth: 1.0,
             any_direction: false,
+            wobble: 0.0,
+            wobble_tooth: 1.0,
             modified: None,
             leads: None,
             height: 0.0,
@@ -201,6 +212,7 @@ impl AsBuilt {
             leads: self.leads_by(|curve| curve.scaled(factor)),
             offsets: Side::BOTH.map(enlarged),
             eccentricity: factor * self.eccentricity,
+            wobble: factor * self.wobble,
             gear,
             ..*self
         };
@@ -337,6 +349,17 @@ impl AsBuilt {
     pub fn displacement(&self, tooth_1: f64) -> Vector2<f64> {
         UnitComplex::new(tooth_1 + self.tooth_angle(self.high_tooth))
             * Vector2::new(self.eccentricity, 0.0)
+    }
+
+    /// Wobble: lean of the teeth's axis from the rotation axis, mm per mm.
+    pub fn wobble(&self) -> f64 {
+        self.wobble
+    }
+
+    /// Displacement of the outline's centre per mm along the axis away from the viewer, with tooth 1 turned to the angle `tooth_1`.
+    pub(crate) fn lean(&self, tooth_1: f64) -> Vector2<f64> {
+        UnitComplex::new(tooth_1 + self.tooth_angle(self.wobble_tooth))
+            * Vector2::new(self.inwards() * self.wobble, 0.0)
     }
 
     /// Greatest radius of the outline about the rotation axis, mm.
@@ -675,10 +698,48 @@ impl AsBuilt {
         let teeth = self.face.ascending() * angle / basic_data.angular_pitch();
         let count = f64::from(basic_data.teeth());
         let height = self.height + self.inwards() * b;
+        let turned_back = |tooth: f64| 1.0 + (tooth - 1.0 - teeth).rem_euclid(count);
+        let (eccentricity, high_tooth) = if self.wobble == 0.0 {
+            (self.eccentricity, self.high_tooth)
+        } else {
+            let centre = self.displacement(0.0) + b * self.lean(0.0);
+            let high =
+                self.face.ascending() * centre.y.atan2(centre.x) / basic_data.angular_pitch();
+            (centre.norm(), 1.0 + high.rem_euclid(count))
+        };
         AsBuilt {
-            high_tooth: 1.0 + (self.high_tooth - 1.0 - teeth).rem_euclid(count),
+            eccentricity,
+            high_tooth: turned_back(high_tooth),
+            wobble_tooth: turned_back(self.wobble_tooth),
             height,
             ..self.with_leads_turned(|curve| curve.at(height) - curve.at(self.height))
+        }
+    }
+
+    /// This section with its outline turned by `angle`, rad, counter-clockwise about the axis, all teeth alike.
+    pub(crate) fn turned(self, angle: f64) -> AsBuilt {
+        let basic_data = self.gear.basic_data();
+        let teeth = self.face.ascending() * angle / basic_data.angular_pitch();
+        let count = f64::from(basic_data.teeth());
+        let offsets = self.offsets.each_ref();
+        AsBuilt {
+            offsets: offsets.map(|side| side.iter().map(|offset| offset + angle).collect()),
+            high_tooth: 1.0 + (self.high_tooth - 1.0 + teeth).rem_euclid(count),
+            ..self
+        }
+    }
+
+    /// This section with its right and its left flanks turned further, rad, counter-clockwise, tooth 1 first.
+    pub(crate) fn with_flanks_turned(self, turns: [Vec<f64>; 2]) -> AsBuilt {
+        let turned = |side: Side| {
+            let offsets = self.offsets[side.index()].iter();
+            let turned = offsets.zip(&turns[side.index()]);
+            turned.map(|(offset, turn)| offset + turn).collect()
+        };
+        AsBuilt {
+            offsets: Side::BOTH.map(turned),
+            wobble: 0.0,
+            ..self
         }
     }
 

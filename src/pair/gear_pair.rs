@@ -60,6 +60,9 @@ impl Member {
 /// Greatest relative difference of the modules of two mating gears: that of a hot plastic gear (1e-4/K, 200 K) and a steel gear.
 pub const MOST_UNEQUAL: f64 = 0.02;
 
+/// Greatest lean of the axes, mm per mm.
+pub const MOST_LEAN: f64 = 2e-2;
+
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearPair {
@@ -67,8 +70,11 @@ pub struct GearPair {
     pinion: AsBuilt,
     center_distance: f64,
     locked: Member,
-    /// The common face, mm along the axis.
-    face: [f64; 2],
+    /// Both ends of the wheel's teeth and of the pinion's, mm along the axis.
+    faces: [[f64; 2]; 2],
+    /// Lean of the pinion's axis, mm per mm along the wheel's: in the plane of the axes, + = apart at the far end, and out of it, + = its
+    /// far end moved to +y.
+    lean: [f64; 2],
 }
 
 impl GearPair {
@@ -142,33 +148,96 @@ impl GearPair {
             pinion,
             center_distance,
             locked,
-            face: [0.0; 2],
+            faces: [[0.0; 2]; 2],
+            lean: [0.0; 2],
         })
     }
 
-    /// This pair with the common face from `from` to `to`, mm along the axis away from the viewer.
+    /// This pair with the pinion's axis leaning from the wheel's, mm per mm: `in_plane`, + = apart at the far end, and `out_of_plane`, + = its
+    /// far end moved to +y. The centre distance holds in the measuring plane.
+    ///
+    /// # Errors
+    /// A lean of more than [`MOST_LEAN`], also of the teeth on a shaft.
+    pub fn with_lean(self, [in_plane, out_of_plane]: [f64; 2]) -> Result<GearPair, GearError> {
+        let pair = GearPair {
+            lean: [in_plane, out_of_plane],
+            ..self
+        };
+        let lean = pair.most_lean();
+        GearError::require(
+            lean <= MOST_LEAN,
+            "lean of the axes (mm per mm)",
+            lean,
+            "up to 0.02: sections do not describe the teeth beyond it",
+        )?;
+        Ok(pair)
+    }
+
+    /// Lean of the pinion's axis from the wheel's: in the plane of the axes, and out of it, mm per mm.
+    pub fn lean(&self) -> [f64; 2] {
+        self.lean
+    }
+
+    /// Whether an axis leans: that of the pinion, or that of teeth on their shaft.
+    pub fn leans(&self) -> bool {
+        self.lean != [0.0; 2] || self.wheel.wobble() != 0.0 || self.pinion.wobble() != 0.0
+    }
+
+    /// Bound on the angle between the axes of both toothings, mm per mm.
+    pub fn most_lean(&self) -> f64 {
+        self.lean[0].hypot(self.lean[1]) + self.wheel.wobble() + self.pinion.wobble()
+    }
+
+    /// Bound on what sections of leaning axes leave out of each contact, mm along the base tangent; the teeth are tighter by it
+    /// ([`Pose::section`](super::Pose::section)).
+    pub fn left_out(&self) -> f64 {
+        let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
+        let off = self.wheel.eccentricity() + self.pinion.eccentricity();
+        let distance = self.center_distance + off;
+        let tangent = (distance * distance - base * base).max(0.0).sqrt();
+        let slope = self.wheel.gear().basic_data().base_helix_angle().tan() * self.most_lean();
+        // Half as much again for the third order.
+        1.5 * 0.5 * slope * slope * tangent / 4.0
+    }
+
+    /// This pair with the teeth of both gears from `from` to `to`, mm along the axis away from the viewer.
     ///
     /// 0 is the measuring plane, in which tooth 1, pitch and runout are stated. Without a face the gears face each other in that plane
     /// alone, which makes no difference for spur gears.
     ///
     /// # Errors
-    /// Ends that are not finite, or not in this order.
-    pub fn with_face(self, [from, to]: [f64; 2]) -> Result<GearPair, GearError> {
-        if !(from <= to && from.is_finite() && to.is_finite()) {
-            return Err(GearError::NoCommonFace {
-                from_mm: from,
-                to_mm: to,
-            });
+    /// As [`GearPair::with_faces`].
+    pub fn with_face(self, face: [f64; 2]) -> Result<GearPair, GearError> {
+        self.with_faces([face; 2])
+    }
+
+    /// This pair with the ends of the wheel's and of the pinion's teeth, mm along the axis away from the viewer.
+    ///
+    /// # Errors
+    /// Ends that are not finite, or not in this order; gears that do not face each other.
+    pub fn with_faces(self, faces: [[f64; 2]; 2]) -> Result<GearPair, GearError> {
+        let pair = GearPair { faces, ..self };
+        let face = pair.face();
+        for [from, to] in [faces[0], faces[1], face] {
+            if !(from <= to && from.is_finite() && to.is_finite()) {
+                return Err(GearError::NoCommonFace {
+                    from_mm: from,
+                    to_mm: to,
+                });
+            }
         }
-        Ok(GearPair {
-            face: [from, to],
-            ..self
-        })
+        Ok(pair)
     }
 
     /// The common face, mm along the axis, the end nearest to the viewer first.
     pub fn face(&self) -> [f64; 2] {
-        self.face
+        let [wheel, pinion] = self.faces;
+        [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])]
+    }
+
+    /// Both ends of a gear's teeth, mm along the axis.
+    pub(crate) fn own_face(&self, member: Member) -> [f64; 2] {
+        self.faces[member as usize]
     }
 
     /// Whether the gears are helical.
@@ -181,9 +250,14 @@ impl GearPair {
         self.wheel.has_leads() || self.pinion.has_leads()
     }
 
-    /// Whether transverse sections differ along the face: helical teeth, or lead deviations.
+    /// Whether transverse sections differ along the face: helical teeth, lead deviations, or leaning axes.
     pub fn varies_along_face(&self) -> bool {
-        self.is_helical() || self.has_leads()
+        self.is_helical() || self.deviates_along_face()
+    }
+
+    /// Whether teeth deviate along the face: lead deviations, or leaning axes.
+    pub fn deviates_along_face(&self) -> bool {
+        self.has_leads() || self.leans()
     }
 
     /// Whether either gear has profile deviations.
@@ -217,10 +291,11 @@ impl GearPair {
         center_distance: f64,
     ) -> Result<GearPair, GearError> {
         let pair = GearPair::with_locked(wheel, pinion, center_distance, self.locked)?;
-        Ok(GearPair {
-            face: self.face,
+        GearPair {
+            faces: self.faces,
             ..pair
-        })
+        }
+        .with_lean(self.lean)
     }
 
     /// One of the gears.
@@ -256,7 +331,8 @@ impl GearPair {
         b * self.gear(member).gear().basic_data().twist()
     }
 
-    /// The transverse section at `b`, mm along the axis, as a plane pair with the tooth numbers of the measuring plane.
+    /// The transverse section at `b`, mm along the axis, as a plane pair with the tooth numbers of the measuring plane. Leaning axes
+    /// move and stretch sections beside this: see [`Pose::section`](super::Pose::section).
     ///
     /// Helical teeth wind about the axis and the eccentricity does not: relative to the teeth it turns by `−τ(b)`. Leads turn each flank.
     pub fn section(&self, b: f64) -> GearPair {
@@ -264,8 +340,32 @@ impl GearPair {
         GearPair {
             wheel: at(Member::Wheel),
             pinion: at(Member::Pinion),
-            face: [0.0; 2],
+            faces: [[0.0; 2]; 2],
+            lean: [0.0; 2],
             ..self.clone()
+        }
+    }
+
+    /// A section with its axes `center_distance` apart, mm, near this pair's, and all teeth of both gears turned by `angle`, rad.
+    pub(super) fn with_axes_turned(self, center_distance: f64, angle: f64) -> GearPair {
+        GearPair {
+            wheel: self.wheel.turned(angle),
+            pinion: self.pinion.turned(angle),
+            center_distance,
+            ..self
+        }
+    }
+
+    /// A section with every flank turned further: right and left flanks of the wheel and of the pinion, rad.
+    pub(super) fn with_flanks_turned(
+        self,
+        wheel: [Vec<f64>; 2],
+        pinion: [Vec<f64>; 2],
+    ) -> GearPair {
+        GearPair {
+            wheel: self.wheel.with_flanks_turned(wheel),
+            pinion: self.pinion.with_flanks_turned(pinion),
+            ..self
         }
     }
 

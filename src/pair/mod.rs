@@ -6,6 +6,7 @@ mod backlash;
 mod gear_pair;
 mod iso_286;
 mod pose;
+mod section;
 mod sweep_plan;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};

@@ -152,7 +152,7 @@ struct SectionAlone {
 
 impl SectionAlone {
     fn new(assembly: &GearPair, pose: &Pose, at: f64) -> SectionAlone {
-        let (pair, here) = (assembly.section(at), pose.in_section(assembly, at));
+        let (pair, here) = pose.section(assembly, at);
         SectionAlone {
             at,
             found: ExactKernel::new(&pair).lost_motion(&here).ok(),

@@ -41,6 +41,7 @@ use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 use facing::{Facing, Floors};
 use leads::AlongFace;
+use std::borrow::Cow;
 use turning::FreeGear;
 
 /// Shortest stretch of line contact, in base pitches, that sets the spacing of sections (tuned: smaller values give
@@ -50,8 +51,8 @@ const SHORTEST: f64 = 0.125;
 /// Nodes of a pose after which a section looks only for tighter contacts than known (tuned: ordinary pairs use a tenth).
 const NODES_BEFORE_FLOOR: u64 = 20_000;
 
-/// Effort of building a section of gears with leads, nodes (tuned: 10 µs of 40 teeth).
-const SECTION_OF_LEADS: u64 = 40;
+/// Effort of building a section of gears that deviate along the face, nodes (tuned: 10 µs of 40 teeth).
+const BUILT_SECTION: u64 = 40;
 
 /// Greatest number of rounds over the places of [`edges`]. Each round squares the remaining error.
 const MOST_ROUNDS: usize = 4;
@@ -69,6 +70,8 @@ pub(super) struct Helical {
     sections: Vec<(f64, Section)>,
     /// Further places between the sections where an edge may touch tightest.
     edges: Option<Edges>,
+    /// Error of each contact by what sections of leaning axes leave out, rad of the free gear.
+    left_out: f64,
 }
 
 impl Helical {
@@ -93,7 +96,7 @@ impl Helical {
             })
             .map(|b| (b, plane.turned(&assembly.section(b))))
             .collect();
-        if assembly.has_leads() && from < 0.0 && to > 0.0 {
+        if assembly.deviates_along_face() && from < 0.0 && to > 0.0 {
             sections.push((0.0, plane.clone()));
         }
         sections.sort_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
@@ -105,23 +108,43 @@ impl Helical {
         let path = shortest_path(assembly);
         let short = path < SHORTEST * base_pitch;
         let mut edges = Edges::new(assembly, &plane.right, short).filter(|_| assembly.is_helical());
-        if let Some(solver) = plane.solver.as_ref().filter(|_| !assembly.has_leads())
+        if let Some(solver) = plane
+            .solver
+            .as_ref()
+            .filter(|_| !assembly.deviates_along_face())
             && let Some(spread) = spread_on_line(plane, path, base_pitch)
         {
             let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
             edges = edges.and_then(|edges| edges.without_fillets(&plane.right, deepest, spread));
         }
+        let base = assembly.gear(assembly.free()).gear().base_radius();
+        let left_out = if assembly.leans() {
+            assembly.left_out() / base
+        } else {
+            0.0
+        };
         Helical {
             edges,
+            left_out,
             assembly: assembly.clone(),
             plane: plane.clone(),
             sections,
         }
     }
 
-    /// Places along the face, mm, and the sections there that hold the tightest of all pairs of involutes.
-    pub fn sections(&self) -> &[(f64, Section)] {
-        &self.sections
+    /// The section at `b`, mm, at `pose`, and the pose there. Those of [`Helical::places`] are kept, unless axes lean.
+    pub fn section_at(&self, pose: &Pose, b: f64) -> (Cow<'_, Section>, Pose) {
+        if self.assembly.leans() {
+            let (pair, here) = pose.section(&self.assembly, b);
+            return (Cow::Owned(Section::new(&pair)), here);
+        }
+        let here = pose.in_section(&self.assembly, b);
+        let kept = self.sections.iter().find(|(place, _)| *place == b);
+        let section = match kept {
+            Some((_, section)) => Cow::Borrowed(section),
+            None => Cow::Owned(self.plane.turned(&self.assembly.section(b))),
+        };
+        (section, here)
     }
 
     /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes.
@@ -160,14 +183,14 @@ impl Helical {
             may_jam: on_roots || self.plane.bodies.is_some(),
             over: OverFace::default(),
         };
-        for (b, section) in &self.sections {
-            examined.section(*b, section, 0.0)?;
+        for (b, _) in &self.sections {
+            examined.section(*b, 0.0)?;
         }
         if let Some(edges) = &self.edges {
             examined.between(edges, &self.plane.right)?;
             examined.between(edges, &self.plane.left)?;
         }
-        if self.assembly.has_leads() {
+        if self.assembly.deviates_along_face() {
             examined.along_leads(&self.plane.right)?;
             examined.along_leads(&self.plane.left)?;
         }
@@ -190,12 +213,16 @@ struct ExaminedSections<'a, M> {
 
 impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
     /// Examines the section at `b`, mm, unless the gears are jammed. `doubt`, rad, is added to the contact errors there.
-    fn section(&mut self, b: f64, section: &Section, doubt: f64) -> Result<(), Error> {
+    fn section(&mut self, b: f64, doubt: f64) -> Result<(), Error> {
         if self.over.is_solid() {
             return Ok(());
         }
         let effort = self.effort;
-        let here = self.pose.in_section(&self.helical.assembly, b);
+        let (section, here) = self.helical.section_at(self.pose, b);
+        if matches!(section, Cow::Owned(_)) && self.helical.assembly.deviates_along_face() {
+            effort.spend(BUILT_SECTION);
+        }
+        let section = &section;
         let known = self.over.known(self.may_jam);
         let mut found = None;
         if effort.used() > NODES_BEFORE_FLOOR && known[0].is_finite() {
@@ -208,7 +235,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
             None => (self.method)(section, &here, SectionRequest::all(effort))?,
         };
         for contact in [&mut found.right, &mut found.left].into_iter().flatten() {
-            contact.error += doubt;
+            contact.error += doubt + self.helical.left_out;
         }
         self.over.take(b, &here, found);
         Ok(())
@@ -252,8 +279,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
                     solid,
                 };
                 if facing.may_be_tighter_or_jam(&place, floors, self.effort) {
-                    let section = helical.plane.turned(&assembly.section(place.b));
-                    self.section(place.b, &section, place.doubt)?;
+                    self.section(place.b, place.doubt)?;
                 }
             }
             last = Some(beyond);
@@ -272,9 +298,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
         for b in along.places(floor + problem.tie, problem.tie) {
-            self.effort.spend(SECTION_OF_LEADS);
-            let section = helical.plane.turned(&helical.assembly.section(b));
-            self.section(b, &section, 0.0)?;
+            self.section(b, 0.0)?;
         }
         Ok(())
     }

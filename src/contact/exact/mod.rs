@@ -61,6 +61,7 @@ use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
 use helical::Helical;
 use section::SectionRequest;
+use std::borrow::Cow;
 
 /// Lost motion of one assembly on its exact curves.
 ///
@@ -181,10 +182,12 @@ impl ExactKernel {
         &self.section
     }
 
-    /// The sections of helical gears that hold the tightest of all pairs of involutes, with their places along the
-    /// face, mm. `None` for spur gears.
-    pub(super) fn sections_over_face(&self) -> Option<&[(f64, Section)]> {
-        self.helical.as_ref().map(|helical| helical.sections())
+    /// The section at `b`, mm along the face, at `pose`, and the pose there.
+    pub(super) fn section_at(&self, pose: &Pose, b: f64) -> (Cow<'_, Section>, Pose) {
+        match &self.helical {
+            Some(helical) => helical.section_at(pose, b),
+            None => (Cow::Borrowed(&self.section), *pose),
+        }
     }
 
     /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; for spur gears the measuring plane.

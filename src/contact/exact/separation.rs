@@ -105,6 +105,7 @@ pub(super) struct Separation {
     pub slope: f64,
     /// Whether it is the touch itself; otherwise only a rotation at which they are apart.
     pub touches: bool,
+    beta: f64,
     rolls: [f64; 2],
     arcs: [Arc; 2],
 }
@@ -141,6 +142,7 @@ impl Separation {
             by_turn: [f64::NAN; 2],
             slope: 0.0,
             touches: false,
+            beta: f64::NAN,
             rolls: [f64::NAN; 2],
             arcs,
         }
@@ -225,9 +227,15 @@ impl Separation {
             by_turn: [0, 1].map(|k| -arcs[k].base * slopes[k] / turning),
             slope: -along / turning,
             touches,
+            beta,
             rolls: [beta - pair.locked_base, beta - gap - pair.free_base],
             arcs,
         }
+    }
+
+    /// The separating direction `β`, rad.
+    pub fn direction(&self) -> f64 {
+        self.beta
     }
 
     /// Rolls of the locked and the free involute in the separating direction.
@@ -315,6 +323,7 @@ mod tests {
             by_turn: [0.0; 2],
             slope: 0.0,
             touches: true,
+            beta: 0.0,
             rolls,
             arcs: bases.map(|base| Arc {
                 base,

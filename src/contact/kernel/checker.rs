@@ -60,8 +60,8 @@ impl Proof {
                 verify_side(assembly, pose, side)?;
                 continue;
             }
-            let here = pose.in_section(assembly, side.section);
-            verify_side(&assembly.section(side.section), &here, side)?;
+            let (section, here) = pose.section(assembly, side.section);
+            verify_side(&section, &here, side)?;
         }
         Ok(())
     }
@@ -72,7 +72,7 @@ impl Proof {
     fn verify_play(&self, assembly: &GearPair, pose: &Pose) -> Result<(), String> {
         // From the nominal rotation in each section.
         let until = |side: &SideProof| {
-            let here = pose.in_section(assembly, side.section);
+            let (_, here) = pose.section(assembly, side.section);
             Some(side.until? - here.free_rotation())
         };
         let of = |side: Side| self.sides.iter().filter(move |proof| proof.side == side);

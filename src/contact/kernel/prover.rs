@@ -215,20 +215,22 @@ impl<'a> Prover<'a> {
             return Err(reason);
         }
         let (assembly, kernel) = (self.assembly, &self.kernel);
-        let Some(sections) = kernel.sections_over_face() else {
+        if !assembly.varies_along_face() {
             return each(kernel.plane(), pose, 0.0);
-        };
-        for (b, section) in sections {
-            each(section, &pose.in_section(assembly, *b), *b)?;
+        }
+        let places = kernel.sections();
+        for b in &places {
+            let (section, here) = kernel.section_at(pose, *b);
+            each(&section, &here, *b)?;
         }
         let mut further: Vec<f64> = contacts(found)
             .filter_map(|(_, contact)| Some(contact?.section))
-            .filter(|place| sections.iter().all(|(b, _)| b != place))
+            .filter(|place| !places.contains(place))
             .collect();
         further.dedup();
         for b in further {
-            let section = kernel.plane().turned(&assembly.section(b));
-            each(&section, &pose.in_section(assembly, b), b)?;
+            let (section, here) = kernel.section_at(pose, b);
+            each(&section, &here, b)?;
         }
         Ok(())
     }

@@ -116,7 +116,7 @@ impl ExactKernel {
     /// distance. Then involutes, their ends and tip lands touch first.
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
         if assembly.is_modified()
-            || assembly.has_leads()
+            || assembly.deviates_along_face()
             || self.section.blocked
             || self.section.bodies.is_some()
             || !self.is_direct()
@@ -155,7 +155,7 @@ impl ExactKernel {
             _ => Until::End,
         };
         let mut found = PosesSeen::default();
-        if course.assembly.is_modified() || course.assembly.has_leads() {
+        if course.assembly.is_modified() || course.assembly.deviates_along_face() {
             sample::sample(course, &mut found, until)?;
             let bounds = enclosed::bounds(course, width, of)?;
             return Ok(found.extremes(course, bounds));

@@ -6,13 +6,17 @@
 //! end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes and their
 //! ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose endless
 //! involutes cannot reach the known gap is left out.
+//!
+//! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::Pose::section`] derives. Both
+//! change smoothly, so their rate is taken from two sections beside each other.
 
 use super::turning::TwistedTeeth;
 use crate::contact::Effort;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::separation::{Separation, lowest_roll};
+use crate::contact::exact::shape::{C, turn};
 use crate::gear::AsBuilt;
-use crate::pair::GearPair;
+use crate::pair::{GearPair, Member};
 use std::ops::RangeInclusive;
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
@@ -20,6 +24,12 @@ const LOOK: u64 = 1;
 
 /// Distance from a knot at which the rate beside it is taken, as a part of the stretch between knots.
 const BESIDE: f64 = 1e-7;
+
+/// Rounds to the section with a height of a leaning gear: the lean's square is left.
+const ROUNDS_OF_HEIGHTS: usize = 3;
+
+/// Distance of the sections beside each other, mm, that give the rate of leaning axes: the rate is right to a millionth of it.
+const NEIGHBOUR: f64 = 1e-3;
 
 /// Parts in which a stretch is examined where the leads are hollow, so that the gap may have several maxima (tuned).
 const HOLLOW_PARTS: usize = 8;
@@ -41,7 +51,75 @@ pub(super) struct AlongFace<'a> {
     twists: [f64; 2],
     /// The gap at the free gear's nominal rotation.
     nominal: f64,
+    /// Where axes lean: how the frame changes along the face.
+    leaning: Option<LeaningFrame>,
     effort: &'a Effort,
+}
+
+/// Leans in the frame of a pose, mm per mm.
+#[derive(Debug, Clone, Copy)]
+struct LeaningFrame {
+    /// Move of the locked outline's centre, relative to the free axis.
+    locked_centre: C,
+    /// Move of the free outline's centre at gap 0.
+    free_centre: C,
+    /// Lean of the locked toothing, and of the free shaft.
+    locked: C,
+    free_shaft: C,
+    /// Bound of its effect on a gap of the face, mm along the base tangent.
+    most: f64,
+}
+
+impl LeaningFrame {
+    /// `None` where axes are parallel.
+    fn new(assembly: &GearPair, posed: &PosedFlanks) -> Option<LeaningFrame> {
+        if !assembly.leans() {
+            return None;
+        }
+        let mirror = posed.mirror();
+        let [x, y] = assembly.lean();
+        let axes = C::new(x, mirror * y);
+        let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
+        let own = gears.map(|gear| {
+            let lean = gear.lean(0.0);
+            C::new(lean.x, mirror * lean.y)
+        });
+        // At rotation 0 tooth 1 is on +x in `lean` and in this frame.
+        let locked = -posed.turned * own[0];
+        // The picture is turned by half a turn where the pinion is free.
+        let (shaft, free_shaft) = match assembly.free() {
+            Member::Wheel => (axes, C::ZERO),
+            Member::Pinion => (C::ZERO, -axes),
+        };
+        let [from, to] = assembly.face();
+        let wound = gears[0].gear().basic_data().base_helix_angle().tan();
+        let reach = gears[0].reach() + gears[1].reach();
+        let most = assembly.most_lean() * (from.abs().max(to.abs()) + wound * reach);
+        Some(LeaningFrame {
+            locked_centre: axes + locked,
+            free_centre: own[1] * posed.origin.conj(),
+            locked: shaft + locked,
+            free_shaft,
+            most,
+        })
+    }
+
+    /// Leans of the locked and of the free toothing at a gap.
+    fn leans(&self, gap: f64) -> [C; 2] {
+        [self.locked, self.free_shaft + self.free_centre * turn(gap)]
+    }
+
+    /// The teeth of `posed` with the centres of the section at `b`, mm.
+    fn at<'a>(&self, posed: &PosedFlanks<'a>, b: f64) -> PosedFlanks<'a> {
+        let mut here = *posed;
+        here.centre += self.locked_centre * b;
+        here.free_centre += self.free_centre * b;
+        here
+    }
+}
+
+fn dot(a: C, b: C) -> f64 {
+    a.re * b.re + a.im * b.im
 }
 
 /// The gap of a pair in a section, and its rate along the face, rad/mm.
@@ -66,6 +144,7 @@ impl<'a> AlongFace<'a> {
             posed,
             twists: members.map(|member| TwistedTeeth::twist(assembly, posed, member)),
             nominal,
+            leaning: LeaningFrame::new(assembly, posed),
             effort,
         }
     }
@@ -74,12 +153,15 @@ impl<'a> AlongFace<'a> {
     pub fn places(&self, floor: f64, tie: f64) -> Vec<f64> {
         let mut found: Vec<Look> = Vec::new();
         let mut best = floor;
-        for step in self.steps() {
+        // The tightest on the endless line first: it rules out most others.
+        let endless = self.steps().map(|step| {
             self.effort.spend(LOOK);
-            let endless = Separation::endless(self.posed, step, self.nominal);
-            if !endless.touches {
-                continue;
-            }
+            (step, Separation::endless(self.posed, step, self.nominal))
+        });
+        let mut endless: Vec<(i64, Separation)> =
+            endless.filter(|(_, found)| found.touches).collect();
+        endless.sort_by(|one, other| other.1.gap.total_cmp(&one.1.gap));
+        for (step, endless) in endless {
             let window = self.on_line(&endless);
             for ends in self.stretches(step, &endless, best - tie) {
                 if let Some(look) = self.greatest(step, ends, window) {
@@ -173,6 +255,7 @@ impl<'a> AlongFace<'a> {
         // A gap of an eccentric free gear changes by up to this much more than on a fixed line.
         let off = problem.free_off.norm();
         let more = off / (base - off);
+        let leaning = self.leaning.map_or(0.0, |leaning| leaning.most);
         let may_exceed = |ends: &[f64; 2]| {
             if !is_bound {
                 return true;
@@ -181,17 +264,16 @@ impl<'a> AlongFace<'a> {
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
-            let most = from.max(to).max(middle) + bend;
+            let most = from.max(to).max(middle) + bend + leaning;
             endless.gap + (most + more * most.abs()) / base > floor
         };
-        let [from, to] = self.assembly.face();
+        let [from, to] = self.own_face(step);
         let side = problem.side;
         let mut knots = vec![from, to];
-        for (gear, tooth) in self.teeth(step) {
-            knots.extend(
-                gear.lead_knots(side, tooth)
-                    .filter(|b| (from..=to).contains(b)),
-            );
+        for (k, (gear, tooth)) in self.teeth(step).into_iter().enumerate() {
+            let own = gear.lead_knots(side, tooth);
+            let at = own.map(|knot| self.section_of(step, k, knot));
+            knots.extend(at.filter(|b| (from..=to).contains(b)));
         }
         knots.sort_by(f64::total_cmp);
         knots.dedup();
@@ -214,23 +296,148 @@ impl<'a> AlongFace<'a> {
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
     fn look(&self, step: i64, b: f64) -> Option<Look> {
-        self.effort.spend(LOOK);
         let problem = self.posed.problem;
         let bases = [problem.locked.shape.base, problem.free.shape.base];
         let leads = self.lead_of_each(step, b);
-        let turns = [0, 1].map(|k| self.twists[k] * b - leads[k] / bases[k]);
-        let found = Separation::turned(self.posed, step, self.nominal, turns);
+        let turns = [0, 1].map(|k| -leads[k] / bases[k]);
+        let found = self.separation(step, b, turns)?;
+        let smooth = if self.leaning.is_some() {
+            let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
+            let [after, before] = beside.map(|b| self.separation(step, b, turns));
+            (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
+        } else {
+            found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
+        };
         let teeth = self.teeth(step);
         let rate = |k: usize| {
             let (gear, tooth) = teeth[k];
-            let turned = self.twists[k] - gear.lead_rate(problem.side, tooth, b) / bases[k];
-            found.by_turn[k] * turned
+            -found.by_turn[k] * gear.lead_rate(problem.side, tooth, b) / bases[k]
         };
-        found.touches.then(|| Look {
+        Some(Look {
             b,
             gap: found.gap,
-            rate: rate(0) + rate(1),
+            rate: smooth + rate(0) + rate(1),
         })
+    }
+
+    /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist; `None` where they do not face each other.
+    fn separation(&self, step: i64, b: f64, turns: [f64; 2]) -> Option<Separation> {
+        self.effort.spend(LOOK);
+        let turned = [0, 1].map(|k| self.twists[k] * b + turns[k]);
+        let Some(leaning) = &self.leaning else {
+            let found = Separation::turned(self.posed, step, self.nominal, turned);
+            return Some(found).filter(|found| found.touches);
+        };
+        let here = leaning.at(self.posed, b);
+        let mut found = Separation::turned(&here, step, self.nominal, turned);
+        if !found.touches {
+            return None;
+        }
+        let more = self.turns_by_lean(step, b, &here, &found, leaning);
+        found.gap += found.by_turn[0] * more[0] + found.by_turn[1] * more[1];
+        Some(found)
+    }
+
+    /// Turns of both flanks of a step by the lean, rad, where they touch in `here`.
+    fn turns_by_lean(
+        &self,
+        step: i64,
+        b: f64,
+        here: &PosedFlanks,
+        found: &Separation,
+        leaning: &LeaningFrame,
+    ) -> [f64; 2] {
+        let problem = self.posed.problem;
+        let shapes = [&problem.locked.shape, &problem.free.shape];
+        let e = -turn(found.direction());
+        let normal = C::new(e.im, -e.re);
+        let heights = self.heights(b, here, found, leaning);
+        let teeth = self.teeth(step);
+        let leans = leaning.leans(found.gap);
+        [0, 1].map(|k| {
+            let lean = leans[k];
+            let square = lean.norm_sqr();
+            if square == 0.0 {
+                return 0.0;
+            }
+            let root = (1.0 + square).sqrt();
+            let height = heights[k];
+            let (gear, tooth) = teeth[k];
+            let lead =
+                gear.lead(problem.side, tooth, b + height) - gear.lead(problem.side, tooth, b);
+            let outward = if k == 0 { normal } else { -normal };
+            let along = (height - b * (root - 1.0)) * root;
+            let stretch = (1.0 - 1.0 / root) / square * along * dot(outward, lean);
+            height * self.twists[k] - (lead + stretch) / shapes[k].base
+        })
+    }
+
+    /// Heights of the point where two teeth touch over the section, mm, along the leaning axis of each gear.
+    fn heights(
+        &self,
+        b: f64,
+        here: &PosedFlanks,
+        found: &Separation,
+        leaning: &LeaningFrame,
+    ) -> [f64; 2] {
+        let problem = self.posed.problem;
+        let shapes = [&problem.locked.shape, &problem.free.shape];
+        let centres = [here.centre, here.free_centre * turn(found.gap)];
+        let rolls = found.rolls();
+        let ends = shapes.map(|shape| [lowest_roll(shape), shape.tip_roll]);
+        let on = [0, 1].map(|k| rolls[k].clamp(ends[k][0], ends[k][1]));
+        // The gear whose corner touches; on the line of action either has the point.
+        let k = usize::from(on[0] == rolls[0] && on[1] != rolls[1]);
+        // E = ∓e^{iβ}, turned back to the corner's own tangent: P = C + r_b E (1 − iξ).
+        let sign = if k == 0 { -1.0 } else { 1.0 };
+        let e = sign * turn(found.direction() - rolls[k] + on[k]);
+        let point = centres[k] + e * C::new(1.0, -on[k]) * shapes[k].base;
+        let leans = leaning.leans(found.gap);
+        [0, 1].map(|k| {
+            let lean = leans[k];
+            let root = (1.0 + lean.norm_sqr()).sqrt();
+            b * (root - 1.0) + dot(lean, point - centres[k]) / root
+        })
+    }
+
+    /// Both ends of the face of a step, mm, where the teeth of both gears are in the section where they touch.
+    fn own_face(&self, step: i64) -> [f64; 2] {
+        let face = self.assembly.face();
+        if self.leaning.is_none() {
+            return face;
+        }
+        let members = [self.assembly.locked(), self.assembly.free()];
+        [0, 1].map(|which| {
+            let ends = [0, 1].map(|k| {
+                let own = self.assembly.own_face(members[k])[which];
+                self.section_of(step, k, own)
+            });
+            if which == 0 {
+                ends[0].max(ends[1])
+            } else {
+                ends[0].min(ends[1])
+            }
+        })
+    }
+
+    /// The section, mm, in which a step touches at the height `own`, mm, of the gear `k`.
+    fn section_of(&self, step: i64, k: usize, own: f64) -> f64 {
+        let Some(leaning) = &self.leaning else {
+            return own;
+        };
+        let mut b = own;
+        // Each round leaves the lean's part of the last error.
+        for _ in 0..ROUNDS_OF_HEIGHTS {
+            self.effort.spend(LOOK);
+            let turned = [0, 1].map(|k| self.twists[k] * b);
+            let here = leaning.at(self.posed, b);
+            let found = Separation::turned(&here, step, self.nominal, turned);
+            if !found.touches {
+                return own;
+            }
+            b = own - self.heights(b, &here, &found, leaning)[k];
+        }
+        b
     }
 
     /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to `window`. `None` where

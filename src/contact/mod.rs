@@ -4,6 +4,7 @@ mod agreement;
 mod body;
 mod by_sections;
 mod class;
+mod cycle_search;
 mod drawn_contact;
 mod effort;
 mod exact;

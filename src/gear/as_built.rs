@@ -575,6 +575,38 @@ impl AsBuilt {
         self.inwards() * rate
     }
 
+    /// Greatest lead of a tooth's flank, mm, over `face`, mm from this section.
+    pub(crate) fn greatest_lead(&self, side: Side, tooth: u32, face: [f64; 2]) -> f64 {
+        let [from, to] = self.heights(face);
+        let curve = self.lead_curve(side, tooth);
+        curve.map_or(0.0, |curve| curve.bounds(from, to)[0][1])
+    }
+
+    /// This gear without leads, with flanks spread over all that leads turn them to over `face`: tooth 1 to one limit, all others to the other.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::enclosing`].
+    pub(crate) fn spread_by_leads(&self, face: [f64; 2]) -> Result<AsBuilt, GearError> {
+        let ([outer, inner], _) = self.enclosing(face)?;
+        let spread = |side: Side| {
+            let all = [&outer, &inner].map(|gear| gear.offsets[side.index()].iter());
+            let [one, other] = all.map(|offsets| {
+                offsets.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), o| {
+                    (l.min(*o), m.max(*o))
+                })
+            });
+            let (least, most) = (one.0.min(other.0), one.1.max(other.1));
+            let teeth = self.offsets[side.index()].len();
+            (0..teeth)
+                .map(|k| if k == 0 { most } else { least })
+                .collect()
+        };
+        Ok(AsBuilt {
+            offsets: Side::BOTH.map(spread),
+            ..outer
+        })
+    }
+
     /// Whether all teeth have one lead on each flank.
     pub(crate) fn has_one_lead(&self) -> bool {
         let one = |leads: &Leads| {

@@ -123,6 +123,12 @@ impl DeviationCurve {
         .with_blocks()
     }
 
+    /// Difference of its greatest and its least value.
+    pub(crate) fn range(&self) -> f64 {
+        let [least, most] = self.bounds(self.knots[0], self.knots[self.knots.len() - 1])[0];
+        most - least
+    }
+
     /// The places between its cubics, ascending, with both ends.
     pub(crate) fn knots(&self) -> &[f64] {
         &self.knots

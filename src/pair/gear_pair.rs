@@ -250,6 +250,11 @@ impl GearPair {
         self.wheel.has_leads() || self.pinion.has_leads()
     }
 
+    /// Whether all teeth of a gear have one lead on each flank.
+    pub(crate) fn has_one_lead(&self) -> bool {
+        self.wheel.has_one_lead() && self.pinion.has_one_lead()
+    }
+
     /// Whether transverse sections differ along the face: helical teeth, lead deviations, or leaning axes.
     pub fn varies_along_face(&self) -> bool {
         self.is_helical() || self.deviates_along_face()

@@ -5,7 +5,7 @@ use gearlash::gear::{
     AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, GearDesign, Hand, Lead, Pitch, Side,
     Trace, thickness,
 };
-use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use serde_json::Value;
 
 /// Poses and extremes of rigid bodies found without sections; right to 1e-6 µm for parallel axes.
@@ -275,5 +275,32 @@ fn no_section_is_tighter() {
             );
             assert!(left >= own[1] - 1e-12, "{name} {fraction}: {left} {own:?}");
         }
+    }
+}
+
+/// Source: fixtures/reference/lead.json, the least and greatest of many poses of a period; each bracket contains them.
+#[test]
+fn reference_extremes() {
+    let reference: Value = serde_json::from_str(REFERENCE).unwrap();
+    for case in reference["extremes"].as_array().unwrap() {
+        let name = case["name"].as_str().unwrap();
+        let pair = pair(case);
+        let [w, p] = [Member::Wheel, Member::Pinion].map(|m| pair.teeth(m));
+        let distinct = SweepPlan::hunting_pitches(w, p);
+        let t = std::time::Instant::now();
+        let found = ExactKernel::new(&pair)
+            .extremes(&pair, Mating::FIRST, distinct, 1e-5)
+            .unwrap();
+        let (least, greatest) = (found.least.unwrap(), found.greatest.unwrap());
+        println!(
+            "{name}: {:?} ref {} {}; {:?} {:?}; {:?} {:?}",
+            t.elapsed(),
+            case["extremes"]["least"]["j_wt_um"],
+            case["extremes"]["greatest"]["j_wt_um"],
+            (least.low * 1e3, least.high * 1e3),
+            (greatest.low * 1e3, greatest.high * 1e3),
+            least.doubt,
+            greatest.doubt
+        );
     }
 }

@@ -27,7 +27,7 @@ pub(super) struct Course<'a> {
 }
 
 /// One side of the cycle, in the frame of [`super::super::flank_problem`].
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct SideCourse<'a> {
     pub problem: &'a FlankProblem,
     mirror: f64,
@@ -114,7 +114,7 @@ impl<'a> Course<'a> {
             let alike = teeth
                 .iter()
                 .all(|teeth| teeth.extremes.0 == teeth.extremes.1);
-            alike && side.off == [0.0; 2]
+            alike && side.off == [0.0; 2] && self.assembly.has_one_lead()
         })
     }
 
@@ -135,7 +135,9 @@ impl<'a> Course<'a> {
         let alike = |k: usize| {
             self.sides.iter().all(|side| {
                 let teeth = [&side.problem.locked, &side.problem.free][k];
-                teeth.extremes.0 == teeth.extremes.1 && side.off[k] == 0.0
+                teeth.extremes.0 == teeth.extremes.1
+                    && side.off[k] == 0.0
+                    && self.assembly.has_one_lead()
             })
         };
         let counts = [self.assembly.locked(), self.assembly.free()]
@@ -186,25 +188,33 @@ impl<'a> Course<'a> {
         ends.into()
     }
 
-    /// Both sides of a section at a pose of it.
     fn at(&self, section: &'a Section, pose: &Pose) -> [Posed<'a>; 2] {
-        let sides = [&section.right, &section.left];
-        [0, 1].map(|k| {
-            let side = &self.sides[k];
-            let flanks = section.posed(sides[k], pose);
-            let nominal = side.mirror * pose.free_rotation();
-            Posed {
-                flanks,
-                level: reduced(flanks.rotation(0.0) - reduced(nominal)),
-                sense: side.sense,
-            }
-        })
+        posed_sides(&self.sides, section, pose)
     }
 
     /// Arc on the free gear's operating pitch circle of one radian, mm.
     pub fn per_radian(&self) -> f64 {
         self.assembly.operating_pitch_radius(self.assembly.free())
     }
+}
+
+/// Both sides of a section at a pose of it.
+pub(super) fn posed_sides<'a>(
+    courses: &[SideCourse; 2],
+    section: &'a Section,
+    pose: &Pose,
+) -> [Posed<'a>; 2] {
+    let sides = [&section.right, &section.left];
+    [0, 1].map(|k| {
+        let side = &courses[k];
+        let flanks = section.posed(sides[k], pose);
+        let nominal = side.mirror * pose.free_rotation();
+        Posed {
+            flanks,
+            level: reduced(flanks.rotation(0.0) - reduced(nominal)),
+            sense: side.sense,
+        }
+    })
 }
 
 /// One side at the start of a mating, in the section at an end of the face.

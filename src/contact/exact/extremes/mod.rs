@@ -9,6 +9,7 @@
 //! The lower bound has the same conditions under which the exact method needs no search ([`super::super::search_free_proof`]). If they
 //! fail, poses are sampled, and the result reports it.
 
+mod along_face;
 mod cell;
 mod clearance;
 mod corner_path;
@@ -29,9 +30,11 @@ mod side_table;
 mod table;
 
 use super::ExactKernel;
+use crate::contact::cycle_search::CycleSearch;
 use crate::contact::effort::Effort;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating};
+use along_face::AlongFaceCells;
 use course::Course;
 pub use extreme::{Doubt, Extreme, Extremes, PROVEN_WIDTH, PROVEN_WIDTH_DRAWN};
 pub(crate) use extreme::{End, is_proven};
@@ -155,9 +158,16 @@ impl ExactKernel {
             _ => Until::End,
         };
         let mut found = PosesSeen::default();
+        if let Some(cells) = AlongFaceCells::new(course) {
+            return Ok(self.of_cells(course, &cells, width, of));
+        }
         if course.assembly.is_modified() || course.assembly.deviates_along_face() {
             sample::sample(course, &mut found, until)?;
-            let bounds = enclosed::bounds(course, width, of)?;
+            let bounds = if course.assembly.leans() {
+                [UNKNOWN; 2]
+            } else {
+                enclosed::bounds(course, width, of)?
+            };
             return Ok(found.extremes(course, bounds));
         }
         // Without a solver flanks are no involutes, or base circles may overlap.
@@ -207,6 +217,34 @@ impl ExactKernel {
             search.name_first(ranked.near, &mut found)?;
         }
         Ok(found.extremes(course, [least, greatest]))
+    }
+
+    /// The extremes `of` a pair with lead deviations, by bounds over cells.
+    fn of_cells(
+        &self,
+        course: &Course,
+        cells: &AlongFaceCells,
+        width: f64,
+        of: &[End],
+    ) -> Extremes {
+        let search = CycleSearch {
+            cells,
+            distinct: if course.repeats() { 1 } else { course.matings },
+            matings: course.matings,
+            width: width / course.per_radian(),
+            radius: course.per_radian(),
+        };
+        search.extremes(of)
+    }
+
+    /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, and pairs of helical teeth have line contact.
+    fn stays_on_involutes_and_fillets(&self, course: &Course) -> bool {
+        let helical = self.helical.as_ref();
+        !self.section.blocked
+            && self.section.bodies.is_none()
+            && self.section.solver.is_some()
+            && helical.is_none_or(|helical| helical.has_line_contact())
+            && self.stays_on_involutes(course)
     }
 
     /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.

@@ -208,7 +208,7 @@ impl<'a> Over<'a> {
     }
 
     /// The separations of a step's endless involutes at both ends of the cell.
-    fn endless_separations(&self, step: i64) -> [Separation; 2] {
+    pub fn endless_separations(&self, step: i64) -> [Separation; 2] {
         self.ends
             .map(|end| Separation::endless(&end.flanks, step, end.nominal_gap()))
     }
@@ -283,34 +283,15 @@ impl<'a> Over<'a> {
         rooms: &mut Vec<PairRoom>,
         near: impl Fn(&Dip, &mut Vec<PairRoom>) -> bool,
     ) {
-        let (side, ends) = (self.side, &self.ends);
-        let (problem, rounding) = (side.problem, self.rounding());
+        let (ends, rounding) = (&self.ends, self.rounding());
         let places = self.places(ends, step);
-        let lines = Lines::new(places.distances, problem.sum());
-        // Over a face: the piece of turn with the least room.
-        let [from, to] = side.turns;
-        let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
-        let pieces = pieces.ceil().max(1.0);
-        let half = 0.5 * (to - from) / pieces;
-        let play = places.play + half;
         let less = |clearance: f64| {
             let found = self.endless_separations(step);
             let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + rounding;
             [0, 1].map(|k| ends[k].room(found[k].gap) - (slack - clearance))
         };
-        for dip in &side.dips {
-            let turned = (0..pieces as u64).map(|piece| from + (2 * piece + 1) as f64 * half);
-            let there = turned.map(|turned| places.at + turned);
-            let there = there.filter(|at| dip.may_dip(*at, play));
-            let clearance = there.map(|at| match &lines {
-                Some(lines) => {
-                    self.effort.spend(DIP);
-                    let [a, b] = dip.clearance((at, play), lines, enough, HALVINGS);
-                    a.min(b)
-                }
-                None => f64::NEG_INFINITY,
-            });
-            let clearance = clearance.fold(f64::INFINITY, f64::min);
+        for dip in &self.side.dips {
+            let clearance = self.clearance(&places, dip, enough);
             if clearance >= enough {
                 continue;
             }
@@ -318,6 +299,43 @@ impl<'a> Over<'a> {
                 rooms.push(PairRoom::straight(less(clearance)));
             }
         }
+    }
+
+    /// Additional room of `dip` against endless involutes, rad, over the whole face; exact where less than `enough`.
+    fn clearance(&self, places: &Places, dip: &Dip, enough: f64) -> f64 {
+        let problem = self.side.problem;
+        let lines = Lines::new(places.distances, problem.sum());
+        // Over a face: the piece of turn with the least room.
+        let [from, to] = self.side.turns;
+        let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
+        let pieces = pieces.ceil().max(1.0);
+        let half = 0.5 * (to - from) / pieces;
+        let play = places.play + half;
+        let turned = (0..pieces as u64).map(|piece| from + (2 * piece + 1) as f64 * half);
+        let there = turned.map(|turned| places.at + turned);
+        let there = there.filter(|at| dip.may_dip(*at, play));
+        let clearance = there.map(|at| match &lines {
+            Some(lines) => {
+                self.effort.spend(DIP);
+                let [a, b] = dip.clearance((at, play), lines, enough, HALVINGS);
+                a.min(b)
+            }
+            None => f64::NEG_INFINITY,
+        });
+        clearance.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Least additional room of all tip corners on fillets at `step` against endless involutes, rad, with teeth turned by up to `turned` rad;
+    /// exact where less than `enough`.
+    pub fn least_clearance(&self, step: i64, enough: f64, turned: f64) -> f64 {
+        let places = self.places(&self.ends, step);
+        let places = Places {
+            play: places.play + turned,
+            ..places
+        };
+        let clearances = self.side.dips.iter();
+        let clearances = clearances.map(|dip| self.clearance(&places, dip, enough));
+        clearances.fold(f64::INFINITY, f64::min)
     }
 
     /// Approximate gaps of the involutes of a section with the sides `ends`.

@@ -239,7 +239,8 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until: Until) -> Re
     let back = course.sides[0].off[0] * problem.locked.pitch * 2.0 * problem.per_free_base;
     let sampled = Sampled {
         course,
-        per_pitch: problem.free.pitch + 2.0 * back,
+        // A lean turns with its gear, and with it what it turns flanks by: at most its own part of the rotation.
+        per_pitch: (problem.free.pitch + 2.0 * back) * (1.0 + 4.0 * course.assembly.most_lean()),
     };
     // A third of the poses throughout the cycle, a third for each extreme.
     let cells = (poses / 3).clamp(1, course.matings * PER_PITCH);

@@ -1,0 +1,298 @@
+//! The least and the greatest lost motion over a whole mesh cycle by branch and bound over cells of rotations.
+//!
+//! [`CycleCells`] bounds the lost motion of a cell. A cell whose bound is better than the best pose by more than the wanted width is divided.
+//! In the end no cell is: the least is no less than the least bound, and no more than the best pose. Where the effort ends before, the bounds
+//! left over are the bracket.
+//!
+//! Cells are divided in rounds of a fixed number, so that any number of threads finds the same.
+
+use super::effort::Effort;
+use super::exact::{Doubt, End, Extreme, Extremes};
+use super::lost_motion::Status;
+use crate::pair::Mating;
+use crate::parallel;
+use std::cmp::Ordering;
+
+/// Cells a pitch to begin with (tuned).
+const CELLS_A_PITCH: u64 = 4;
+
+/// Cells to begin with at most (tuned: some seconds). Longer cycles have wider cells.
+const MOST_CELLS: u64 = 60_000;
+
+/// Cells divided in one round: a quarter of the open ones, or this number (tuned: enough for a machine's cores, few enough that the best
+/// pose is known soon).
+const ROUND: usize = 96;
+
+/// A cell of this width, pitches, that nothing bounds, ends the search: no bracket has that end.
+const UNBOUNDED: f64 = 1e-6;
+
+/// Parts of a cell at most (tuned).
+const MOST_PARTS: f64 = 8.0;
+
+/// Share of the wanted width at which bounds may stop.
+const ENOUGH: f64 = 0.8;
+
+/// Units of [`Effort`] for one end (tuned: some seconds).
+const MOST_EFFORT: u64 = 10_000_000;
+
+/// A closed search goes on to this share of the wanted width, with this effort.
+const FINER: f64 = 0.1;
+const FINER_EFFORT: u64 = 500_000;
+
+/// Steps towards the best pose beside the best cell: 2⁻²⁰ of its width.
+const POLISHED: u32 = 20;
+
+/// Values that differ by less, rad, are equal: rounding of different platforms.
+const EQUAL: f64 = 1e-12;
+
+/// A stretch of the cycle and what is known of its lost motion, rad.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell {
+    /// The middle, pitches from the first pose.
+    pub pitches: f64,
+    /// Half its width, pitches.
+    pub half: f64,
+    pub status: Status,
+    /// In the middle, and its error.
+    pub angle: Option<(f64, f64)>,
+    /// The lost motion is no less, −∞ where nothing bounds it, and what the drawings may take off that.
+    pub low: (f64, f64),
+    /// It is no greater, and what the drawings may add.
+    pub high: (f64, f64),
+    pub effort: u64,
+}
+
+impl Cell {
+    /// A cell of which nothing is known.
+    pub fn unknown(pitches: f64, half: f64) -> Cell {
+        Cell {
+            pitches,
+            half,
+            status: Status::Unproven,
+            angle: None,
+            low: (f64::NEG_INFINITY, 0.0),
+            high: (f64::INFINITY, 0.0),
+            effort: 0,
+        }
+    }
+
+    /// The value in the middle, of which the least is sought.
+    fn value(&self, end: End) -> Option<f64> {
+        let (angle, _) = self.angle?;
+        Some(end.sign() * angle)
+    }
+
+    /// No value of the cell is less, and what the drawings take off.
+    fn bound(&self, end: End) -> (f64, f64) {
+        match end {
+            End::Least => self.low,
+            End::Greatest => (-self.high.0, self.high.1),
+        }
+    }
+}
+
+/// A mesh cycle whose cells can be bounded.
+pub(super) trait CycleCells: Sync {
+    /// The mating `pitches` after the first pose.
+    fn mating(&self, pitches: f64) -> Mating;
+
+    /// The cell of half the width `half`, pitches, about `pitches`: the pose in its middle, and its bounds for `ends`. `width`, rad, is how wide
+    /// bounds may be in the end.
+    fn look(&self, pitches: f64, half: f64, ends: &[End], width: f64) -> Cell;
+}
+
+/// The search for the extremes of a cycle.
+pub(super) struct CycleSearch<'a, T> {
+    pub cells: &'a T,
+    /// Matings after which all is as it was.
+    pub distinct: u64,
+    /// All matings of the cycle.
+    pub matings: u64,
+    /// Wanted width of a bracket, rad.
+    pub width: f64,
+    /// Arc of one radian, mm.
+    pub radius: f64,
+}
+
+impl<T: CycleCells> CycleSearch<'_, T> {
+    /// The extremes `ends`, in brackets of the wanted width where no more effort is needed than a search may spend.
+    pub fn extremes(&self, ends: &[End]) -> Extremes {
+        let cells = self.begin(ends);
+        let lost = [Status::Jammed, Status::NoContact].map(|status| {
+            let lost = cells.iter().find(|cell| cell.status == status);
+            lost.map(|cell| self.cells.mating(cell.pitches))
+        });
+        let [jammed, unmeshed] = lost;
+        let mut all = cells.clone();
+        let mut found = |end: End, lost: Option<Mating>| {
+            if lost.is_some() || !ends.contains(&end) {
+                return None;
+            }
+            let mut cells = cells.clone();
+            let closed = self.close(
+                &mut cells,
+                end,
+                ENOUGH * self.width,
+                &Effort::new(MOST_EFFORT),
+            );
+            self.polish(&mut cells, end);
+            if closed {
+                let finer = Effort::new(FINER_EFFORT);
+                self.close(&mut cells, end, FINER * ENOUGH * self.width, &finer);
+            }
+            let found = self.extreme(&cells, end, closed);
+            all.extend(cells);
+            found
+        };
+        let (least, greatest) = (found(End::Least, jammed), found(End::Greatest, unmeshed));
+        let first = |status: Status| {
+            let lost = all.iter().filter(|cell| cell.status == status);
+            let lost = lost.min_by(|a, b| a.pitches.total_cmp(&b.pitches));
+            lost.map(|cell| self.cells.mating(cell.pitches))
+        };
+        let (jammed, unmeshed) = (first(Status::Jammed), first(Status::NoContact));
+        let is_known = all.iter().any(|cell| cell.angle.is_some());
+        let status = if jammed.is_some() {
+            Status::Jammed
+        } else if unmeshed.is_some() {
+            Status::NoContact
+        } else if all.iter().any(|cell| cell.status == Status::Interference) {
+            Status::Interference
+        } else if is_known {
+            Status::Clear
+        } else {
+            Status::Unproven
+        };
+        Extremes {
+            matings: self.matings,
+            status,
+            least: least.filter(|_| jammed.is_none()),
+            greatest: greatest.filter(|_| unmeshed.is_none()),
+            lost: jammed.or(unmeshed),
+        }
+    }
+
+    /// The cells to begin with.
+    fn begin(&self, ends: &[End]) -> Vec<Cell> {
+        let pitches = self.distinct;
+        let count = (CELLS_A_PITCH * pitches).min(MOST_CELLS.max(pitches.min(2 * MOST_CELLS)));
+        let apart = pitches as f64 / count as f64;
+        let each = (0..count).map(|k| ((k as f64 + 0.5) * apart, 0.5 * apart));
+        parallel::map(each, |(at, half)| self.look(at, half, ends))
+    }
+
+    /// Divides cells until none of them may be better than the best pose by more than `width`, rad, or `effort` is spent; whether it is not.
+    fn close(&self, cells: &mut Vec<Cell>, end: End, width: f64, effort: &Effort) -> bool {
+        let values = |cells: &[Cell], best: f64| {
+            let values = cells.iter().filter_map(|cell| cell.value(end));
+            values.fold(best, f64::min)
+        };
+        let mut best = values(cells, f64::INFINITY);
+        let mut left = std::mem::take(cells);
+        loop {
+            let enough = best - width;
+            let (mut open, rest): (Vec<Cell>, Vec<Cell>) = left
+                .into_iter()
+                .partition(|cell| cell.bound(end).0 < enough);
+            // A closed cell stays closed: the best pose only improves.
+            cells.extend(rest);
+            let is_lost = |cell: &Cell| !cell.bound(end).0.is_finite() && cell.half < UNBOUNDED;
+            let is_closed = open.is_empty();
+            if is_closed || effort.is_spent() || open.iter().any(is_lost) {
+                cells.extend(open);
+                return is_closed;
+            }
+            open.sort_by(|a, b| {
+                let [one, other] = [a, b].map(|cell| cell.bound(end).0);
+                one.total_cmp(&other).then(a.pitches.total_cmp(&b.pitches))
+            });
+            let count = ROUND.max(open.len() / 4);
+            left = open.split_off(open.len().min(count));
+            let parts = open.iter().flat_map(|cell| {
+                let over = cell.value(end).map_or(f64::INFINITY, |value| {
+                    (value - cell.bound(end).0) / (value - enough)
+                });
+                let parts = if over.is_finite() {
+                    over.sqrt().ceil().clamp(2.0, MOST_PARTS)
+                } else {
+                    2.0
+                };
+                let half = cell.half / parts;
+                (0..parts as u32).map(move |part| {
+                    let at = cell.pitches - cell.half + (2.0 * f64::from(part) + 1.0) * half;
+                    (at, half)
+                })
+            });
+            let parts = parallel::map(parts, |(at, half)| self.look(at, half, &[end]));
+            effort.spend(parts.iter().map(|cell| cell.effort).sum());
+            best = values(&parts, best);
+            left.extend(parts);
+        }
+    }
+
+    /// Adds poses beside the best one, ever nearer to the best of them.
+    fn polish(&self, cells: &mut Vec<Cell>, end: End) {
+        let valued = cells.iter().filter(|cell| cell.value(end).is_some());
+        let order = |a: &&Cell, b: &&Cell| a.value(end).partial_cmp(&b.value(end));
+        let best = valued.min_by(|a, b| order(a, b).unwrap_or(Ordering::Equal));
+        let Some(mut best) = best.copied() else {
+            return;
+        };
+        let mut half = best.half;
+        for _ in 0..POLISHED {
+            let beside = parallel::map([-1.0, -0.5, 0.5, 1.0], |share| {
+                self.look(best.pitches + share * half, 0.0, &[])
+            });
+            for pose in beside {
+                if pose.value(end) < best.value(end) && pose.value(end).is_some() {
+                    best = pose;
+                }
+                // A pose bounds nothing else.
+                cells.push(Cell {
+                    low: (f64::INFINITY, 0.0),
+                    high: (f64::NEG_INFINITY, 0.0),
+                    ..pose
+                });
+            }
+            half *= 0.5;
+        }
+    }
+
+    /// The bracket that cells leave, the first of the equal poses with it.
+    fn extreme(&self, cells: &[Cell], end: End, closed: bool) -> Option<Extreme> {
+        let best = cells.iter().filter_map(|cell| cell.value(end));
+        let best = best.reduce(f64::min)?;
+        let equal = cells
+            .iter()
+            .filter(|cell| cell.value(end).is_some_and(|value| value <= best + EQUAL));
+        let pose = equal.min_by(|a, b| a.pitches.total_cmp(&b.pitches))?;
+        let (angle, error) = pose.angle?;
+        let bounds = cells.iter().map(|cell| {
+            let (bound, drawn) = cell.bound(end);
+            bound - drawn
+        });
+        let bound = bounds.fold(end.sign() * angle - error, f64::min);
+        let (low, high) = match end {
+            End::Least => (bound, angle + error),
+            End::Greatest => (angle - error, -bound),
+        };
+        let doubt = if !closed {
+            Some(Doubt::Effort)
+        } else if high - low > self.width {
+            Some(Doubt::Drawing)
+        } else {
+            None
+        };
+        Some(Extreme {
+            low: low * self.radius,
+            high: high * self.radius,
+            found: angle * self.radius,
+            mating: self.cells.mating(pose.pitches),
+            doubt,
+        })
+    }
+
+    fn look(&self, pitches: f64, half: f64, ends: &[End]) -> Cell {
+        self.cells.look(pitches, half, ends, ENOUGH * self.width)
+    }
+}

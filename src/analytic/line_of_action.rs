@@ -24,11 +24,14 @@
 //! `Σ = r_b1 ξ_1 + δ_1 + r_b2 ξ_2 + δ_2` with the deviations at the two points. The tilt of the normal, `δ'/(r_b ξ)`, moves the
 //! contact along the flanks; its effect is of second order and neglected.
 //!
+//! Leads turn the flanks of the section at `b` by `δ(b)/r_b`: a pair is on the line over one stretch of the face, and `G` grows by the
+//! greatest `Σ δ(b)/r_b2` over it.
+//!
 //! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
 
 use crate::gear::{AsBuilt, DeviationCurve, Side};
-use crate::numeric::wrap_angle;
+use crate::numeric::{bisect, wrap_angle};
 use crate::pair::{GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::ops::RangeInclusive;
@@ -173,12 +176,65 @@ impl<'a> OneSide<'a> {
         low - slack - self.face[1]..=high + slack - self.face[0]
     }
 
-    /// The twist `s` of the locked teeth, nearest to 0, with a contact on both involutes; `None` without one on the common face.
+    /// The stretch of the face, mm, over which a pair with these arms in the measuring plane is on the line, for gears with leads.
+    fn stretch(&self, locked_arm: f64, free_arm: f64) -> Option<[f64; 2]> {
+        let twist = self.mirror * self.locked.gear().basic_data().twist();
+        let face = self.assembly.face();
+        if twist == 0.0 {
+            let on = on_involute(self.locked, locked_arm / self.locked.gear().base_radius())
+                && on_involute(self.free, free_arm / self.free.gear().base_radius());
+            return on.then_some(face);
+        }
+        let [from, to] = self.turns_on_involutes(locked_arm, free_arm)?;
+        let mut ends = [from, to].map(|turn| (turn / twist).clamp(face[0], face[1]));
+        ends.sort_by(f64::total_cmp);
+        Some(ends)
+    }
+
+    /// Where both leads add most over a stretch of the face, mm, and how much more than in the measuring plane, mm.
+    fn greatest_lead(&self, teeth: [(&AsBuilt, u32); 2], [from, to]: [f64; 2]) -> (f64, f64) {
+        let lead = |b: f64| -> f64 {
+            let own = teeth.map(|(gear, tooth)| {
+                gear.lead(self.side, tooth, b) - gear.lead(self.side, tooth, 0.0)
+            });
+            own[0] + own[1]
+        };
+        let rate = |b: f64| -> f64 {
+            let own = teeth.map(|(gear, tooth)| gear.lead_rate(self.side, tooth, b));
+            own[0] + own[1]
+        };
+        let mut places = vec![from, to];
+        for (gear, tooth) in teeth {
+            let knots = gear.lead_knots(self.side, tooth);
+            places.extend(knots.filter(|b| *b > from && *b < to));
+        }
+        places.sort_by(f64::total_cmp);
+        let tops = places.windows(2).filter_map(|ends| {
+            let beside = 1e-9 * (ends[1] - ends[0]);
+            let (low, high) = (ends[0] + beside, ends[1] - beside);
+            (rate(low) > 0.0 && rate(high) < 0.0)
+                .then(|| bisect(low, high, 0.0, |b| rate(b) > 0.0)[0])
+        });
+        let tops: Vec<f64> = tops.collect();
+        places.extend(tops);
+        // Of equal ones the nearest to the measuring plane.
+        places.sort_by(|one, other| one.abs().total_cmp(&other.abs()));
+        let mut best = (places[0], lead(places[0]));
+        for b in places {
+            let here = lead(b);
+            if here > best.1 {
+                best = (b, here);
+            }
+        }
+        best
+    }
+
+    /// The twists `s` of the locked teeth, from and to, with a contact on both involutes; `None` without one on the common face.
     ///
     /// The arms are the lengths of the tangents to the base circles in the measuring plane, mm. A section has the rolls `ξ_1 − s` and
     /// `ξ_2 + s r_b1/r_b2` at the same rotation (own derivation: centres do not wind, and `r_b1 τ_1 + r_b2 τ_2 = 0`). Each involute
     /// allows a range of `s`, and the face limits it.
-    fn on_involutes(&self, locked_arm: f64, free_arm: f64) -> Option<f64> {
+    fn turns_on_involutes(&self, locked_arm: f64, free_arm: f64) -> Option<[f64; 2]> {
         let (locked, free) = (self.locked.gear(), self.free.gear());
         let base = locked.base_radius();
         let (roll, per_free) = (locked_arm / base, free.base_radius() / base);
@@ -187,8 +243,7 @@ impl<'a> OneSide<'a> {
         let low = (roll - locked.tip_roll()).max((free.form_roll() - free_roll) * per_free);
         let high = (roll - locked.form_roll()).min((free.tip_roll() - free_roll) * per_free);
         let (from, to) = (low.max(self.face[0]), high.min(self.face[1]));
-        // The place nearest to the measuring plane.
-        (from <= to + slack).then(|| 0f64.max(from.min(to)).min(to))
+        (from <= to + slack).then(|| [from.min(to), to])
     }
 
     /// The locked teeth to try, as steps counter-clockwise of the mating's tooth.
@@ -234,7 +289,11 @@ impl<'a> OneSide<'a> {
         // φ = G(φ): the error after a step is at most its length times rate/(1 − rate). Stop when that is below 1e-16 rad or when
         // steps no longer shrink. The rest is rounding, unless the base circles overlap on the way: G need not contract there, and a
         // limit of 1e-9 rad detects it.
+        let has_leads = self.assembly.has_leads();
+        let teeth = [(self.locked, locked_tooth), (self.free, free_tooth)];
         let (mut turn, mut last) = (0.0, f64::INFINITY);
+        // What leads add to G, and the rounds in which they settle: the stretch on the line moves with them.
+        let (mut leads, mut rounds) = (0.0, 0);
         loop {
             let line = self.line(turn);
             let locked_roll = line.direction + locked.half_base_angle() - theta;
@@ -247,19 +306,40 @@ impl<'a> OneSide<'a> {
                     free_roll = (free_arm - deviation(free_flank, free_roll)) / free_base;
                 }
             }
-            let next = wrap_angle(line.direction + free.half_base_angle() - free_roll - nominal);
+            let next =
+                wrap_angle(line.direction + free.half_base_angle() - free_roll - nominal + leads);
             let step = (next - turn).abs();
             turn = next;
             if step * rate > 1e-16 * (1.0 - rate) && step < last {
                 last = step;
                 continue;
             }
+            if has_leads {
+                let [from, to] = self.stretch(locked_arm, free_arm)?;
+                let (section, lead) = self.greatest_lead(teeth, [from, to]);
+                let more = lead / free_base;
+                if (more - leads).abs() > LEADS_SETTLED && rounds < MOST_ROUNDS {
+                    (leads, last, rounds) = (more, f64::INFINITY, rounds + 1);
+                    continue;
+                }
+                return Some(SideContact {
+                    rotation: self.pose.free_rotation() + self.mirror * turn,
+                    locked_tooth,
+                    free_tooth,
+                    locked_roll,
+                    free_roll,
+                    section,
+                })
+                .filter(|_| step * rate < 1e-9 && line.length > 0.0);
+            }
             let turned = if self.face == [0.0; 2] {
                 (on_involute(self.locked, locked_arm / locked_base)
                     && on_involute(self.free, free_arm / free_base))
                 .then_some(0.0)
             } else {
-                self.on_involutes(locked_arm, free_arm)
+                // The place nearest to the measuring plane.
+                let turns = self.turns_on_involutes(locked_arm, free_arm);
+                turns.map(|[from, to]| 0f64.max(from).min(to))
             };
             let turned = turned.filter(|_| step * rate < 1e-9 && line.length > 0.0)?;
             return Some(SideContact {
@@ -277,6 +357,10 @@ impl<'a> OneSide<'a> {
         }
     }
 }
+
+/// Change of a rotation by leads, rad, at which they are settled, and the rounds to it: each leaves a share of the leads' slope.
+const LEADS_SETTLED: f64 = 1e-15;
+const MOST_ROUNDS: u32 = 8;
 
 /// Steps for the roll with a deviation. Each divides the error by `r_b/δ'`, some hundreds.
 const DEVIATION_STEPS: u32 = 6;

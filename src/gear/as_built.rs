@@ -305,6 +305,12 @@ impl AsBuilt {
         self.offsets[side.index()][tooth as usize - 1]
     }
 
+    /// [`AsBuilt::flank_offset`] by pitch and thickness alone, without the lead of this section.
+    pub fn stated_offset(&self, side: Side, tooth: u32) -> f64 {
+        let lead = self.lead(side, tooth, 0.0) / self.gear.base_radius();
+        self.flank_offset(side, tooth) - side.sense() * lead
+    }
+
     /// End of a half tooth's root land: the middle of the space with its deviations, where the next half tooth begins.
     ///
     /// It is the land's parameter ([`ProfilePart::Root`]), rad, about the centre line turned with the flank. It is never less than

@@ -758,7 +758,7 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::Effort => "search budget used up",
         Doubt::Unbounded => "no bound for parts of the cycle",
         Doubt::SecondOrder => "runout direction bounded to second order",
-        Doubt::Profile => "profile deviations bounded for each flank as a whole",
+        Doubt::Profile => "deviations bounded for each flank as a whole",
         Doubt::ContactLost => "contact lost at a pose",
         Doubt::Drawing => "the drawings leave more open",
     }

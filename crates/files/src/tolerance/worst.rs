@@ -153,7 +153,7 @@ impl ToleranceFile {
             scatters.of(member).per_tooth.is_some() || stated.is_some_and(|each| !each.is_empty());
         let thicker = |tooth: u32| {
             if differ {
-                let turned = Side::BOTH.map(|side| side.sense() * gear.flank_offset(side, tooth));
+                let turned = Side::BOTH.map(|side| side.sense() * gear.stated_offset(side, tooth));
                 radius * turned.iter().sum::<f64>()
             } else {
                 0.0
@@ -163,7 +163,7 @@ impl ToleranceFile {
             let side = gear.face().seen_from_front(own);
             let along = 1e3 * gear.face().ascending();
             let offset = |tooth: u32| {
-                radius * gear.flank_offset(side, tooth) - 0.5 * side.sense() * thicker(tooth)
+                radius * gear.stated_offset(side, tooth) - 0.5 * side.sense() * thicker(tooth)
             };
             (1..=teeth).map(|tooth| along * offset(tooth)).collect()
         };

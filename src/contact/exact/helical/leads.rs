@@ -17,7 +17,7 @@ use crate::contact::exact::separation::{Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member};
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
 const LOOK: u64 = 1;
@@ -189,14 +189,10 @@ impl<'a> AlongFace<'a> {
             &self.posed.problem.free.shape,
         ];
         let mut window = [f64::NEG_INFINITY, f64::INFINITY];
-        for k in 0..2 {
-            let (roll, twist) = (endless.rolls()[k], self.twists[k]);
-            let ends = [lowest_roll(shapes[k]), shapes[k].tip_roll];
-            // Spur gears have the same rolls in every section.
-            if twist == 0.0 {
-                continue;
-            }
-            let ends = ends.map(|end| (roll - end) / twist);
+        let rolls = endless.rolls().into_iter().zip(shapes).zip(self.twists);
+        // Spur gears have the same rolls in every section.
+        for ((roll, shape), twist) in rolls.filter(|(_, twist)| *twist != 0.0) {
+            let ends = [lowest_roll(shape), shape.tip_roll].map(|end| (roll - end) / twist);
             window[0] = window[0].max(ends[0].min(ends[1]));
             window[1] = window[1].min(ends[0].max(ends[1]));
         }
@@ -210,17 +206,17 @@ impl<'a> AlongFace<'a> {
     }
 
     /// Steps whose locked tooth can reach the mate in some section.
-    fn steps(&self) -> RangeInclusive<i64> {
+    fn steps(&self) -> Range<i64> {
         let plane = self.posed.steps();
         if plane.is_empty() {
-            return 0..=-1;
+            return plane;
         }
         let turns = self.assembly.face().map(|b| self.twists[0] * b);
         let per_pitch = self.posed.problem.per_pitch;
         let (least, most) = (turns[0].min(turns[1]), turns[0].max(turns[1]));
         let first = plane.start - (most.max(0.0) * per_pitch).ceil() as i64;
-        let last = plane.end - 1 - (least.min(0.0) * per_pitch).floor() as i64;
-        first..=last
+        let end = plane.end - (least.min(0.0) * per_pitch).floor() as i64;
+        first..end
     }
 
     /// Locked and free gear, and the numbers of the teeth of a step.

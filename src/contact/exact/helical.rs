@@ -1,4 +1,4 @@
-//! Helical gears: the contact over the common face from that of a few transverse sections.
+//! Pairs that vary along the face, helical or with lead deviations: the contact over the common face from that of a few transverse sections.
 //!
 //! Rotation keeps points in their section, so the first section to touch stops the free gear: `φ_R = max_b φ_R(b)`, `φ_L = min_b φ_L(b)`. A
 //! section is a spur pair ([`Section`]) with its teeth turned by their twist `τ(b)`. The contact of two involutes
@@ -16,6 +16,8 @@
 //! Outside it an end of an involute touches and the gap falls. A normal of the mate's involute passes through the pitch point only on the
 //! line of action. So off that line the slope of the gap keeps its sign to the end of the face. Therefore sections spaced by at most the
 //! shortest such stretch, with both ends of the face, hold the tightest of all pairs of involutes exactly.
+//!
+//! Leads turn the flanks of a section, and leaning axes move and stretch it: [`leads`] finds the places where that makes a pair tightest.
 //!
 //! One section is [`GearPair::section`](crate::pair::GearPair::section) and [`Pose::in_section`](crate::pair::Pose::in_section);
 //! `over_face` takes the tightest of them. Polygons and certificate treat one section at a time (`by_sections`). If an edge can reach a
@@ -60,7 +62,7 @@ const MOST_ROUNDS: usize = 4;
 /// Change of the free gear's rotation, rad, that ends the rounds: its square is below rounding.
 const SETTLED: f64 = 1e-7;
 
-/// A pair of helical gears.
+/// A pair that varies along the face.
 #[derive(Debug, Clone)]
 pub(super) struct Helical {
     assembly: GearPair,

@@ -3,7 +3,7 @@
 use super::check::Checked;
 use super::helix::Helix;
 use super::inches::MM_PER_INCH;
-use super::lead::{self, Leads};
+use super::lead::{self, LeadGear, Leads};
 use super::pitch::PitchSheet;
 use super::profile::{self, Profiles};
 use super::runout::Runout;
@@ -118,7 +118,15 @@ impl GearPart {
         let leads = lead::check(table)
             .and_then(|()| file.read(&table.path_of("lead")))
             .zip(face)
-            .and_then(|(spec, face)| Leads::read(table, spec, self, face.unwrap_or_default()));
+            .and_then(|(spec, face)| {
+                let own = LeadGear {
+                    teeth: self.teeth,
+                    module_mm: self.module_mm,
+                    helix: self.helix,
+                    basic_data: self.basic_data.as_ref(),
+                };
+                Leads::read(table, spec, &own, face.unwrap_or_default())
+            });
 
         let pitch = match (&sheet, &self.basic_data, &runout) {
             (Some(None), ..) => Some(()),

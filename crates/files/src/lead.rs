@@ -4,7 +4,7 @@
 //! reference face.
 
 use super::flanks;
-use super::gear::GearPart;
+use super::helix::Helix;
 use super::numbers::shortest;
 use super::sheet::Header;
 use super::spec::{
@@ -13,7 +13,7 @@ use super::spec::{
 };
 use super::table::Table;
 use super::traces::{Along, Measured};
-use gearlash::gear::{EndRelief, Face, Flank, Hand, Lead, Trace};
+use gearlash::gear::{BasicGearData, EndRelief, Face, Flank, Hand, Lead, Trace};
 use gearlash::metrology::LeadKey;
 
 /// Name of the table.
@@ -36,12 +36,20 @@ pub struct Leads {
     warnings: Vec<String>,
 }
 
+/// What leads need to know of their gear, as far as it is known.
+pub struct LeadGear<'a> {
+    pub teeth: Option<u32>,
+    pub module_mm: Option<f64>,
+    pub helix: Option<Helix>,
+    pub basic_data: Option<&'a BasicGearData>,
+}
+
 impl Leads {
     /// Reads the leads `spec` of the gear's table `gear`; `Some(None)` without any.
     pub fn read(
         gear: &Table,
         spec: Option<LeadSpec>,
-        part: &GearPart,
+        part: &LeadGear,
         face: Face,
     ) -> Option<Option<Leads>> {
         let Some(mut spec) = spec else {
@@ -66,7 +74,7 @@ impl Leads {
                 "subtract the wobble (the slope that runs as a sine about the gear), and write axis = \"own\"",
             );
         }
-        let basic_data = part.basic_data.as_ref()?;
+        let basic_data = part.basic_data?;
         let face = match face {
             Face::Front => [from, to],
             Face::Back => [-to, -from],

@@ -10,7 +10,7 @@ mod section;
 mod sweep_plan;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};
-pub use gear_pair::{GearPair, MOST_UNEQUAL, Member};
+pub use gear_pair::{GearPair, MOST_LEAN, MOST_UNEQUAL, Member};
 pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
 pub use pose::{Mating, Pose, ToothNumbers};
 pub use sweep_plan::SweepPlan;

@@ -24,7 +24,7 @@ pub struct EndRelief {
     pub parabolic: bool,
 }
 
-/// Lead deviations of the flanks of one side of a gear. What is stated adds up.
+/// Lead deviations of the flanks of one side of a gear. They add.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Lead {
     /// Both ends of the teeth, mm: the end at the reference face, then the far end.

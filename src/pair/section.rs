@@ -6,8 +6,8 @@
 //! h = b k + α·(P − C)/k,        k = √(1 + α²),
 //! ```
 //!
-//! stretched by `k` along `α`, where `C` is the place of its toothing's axis. At the point `P` of a flank with the normal `n`, twist and lead
-//! at `h` in place of `b`, and the stretch, act as a turn of the flank about the gear's own centre. `s` is its [`Side::sense`]:
+//! stretched by `k` along `α`, where `C` is the place of its toothing's axis. Twist and lead are those at `h`, not at `b`. At the point `P` of a
+//! flank with the normal `n`, they and the stretch act as a turn of the flank about the gear's own centre. `s` is its [`Side::sense`]:
 //!
 //! ```text
 //! τ(h) − τ(b) + s (δ(h) − δ(b))/r_b + s (1 − 1/k)/α² (α·q)(n·α)/r_b,        q = P − C.
@@ -15,9 +15,10 @@
 //!
 //! `P` is taken where the teeth touch on the line of action, or at the corner that touches beyond it. A flank whose height `h` lies beyond the
 //! ends of its gear's teeth is not in the section: it is turned back out of the way. Centre and lean of the free gear are those at the rotation
-//! at which the pair nearest to the line of centres touches. The point of contact moves along the flank
-//! because `h` changes along it, with the slope `g = tan β_b (α_2 − α_1)·τ̂`. What that leaves out is `½ g² ρ` a side along the base tangent, never
-//! negative, with `ρ ≤ T/4`: [`GearPair::left_out`].
+//! at which the pair nearest to the line of centres touches.
+//!
+//! The point of contact moves along the flank because `h` changes along it, with the slope `g = tan β_b (α_2 − α_1)·τ̂`. Each side is tighter
+//! by `½ g² ρ` along the base tangent, with `ρ ≤ T/4`: [`GearPair::left_out`].
 
 use super::{GearPair, Member, Pose};
 use crate::gear::{AsBuilt, Side};

@@ -258,7 +258,7 @@ impl<'a> SideCell<'a> {
     }
 }
 
-/// What leads add to the tightness of a pair over the face, and what the tips take off, mm along the base tangent.
+/// The leads of a pair over the face, which add to its tightness, and its tips, which leave room; mm along the base tangent.
 struct Leads<'a> {
     gears: [(&'a AsBuilt, u32); 2],
     side: Side,
@@ -267,7 +267,7 @@ struct Leads<'a> {
     knots: Vec<f64>,
     /// Turn of both teeth by their leads at most, rad.
     turned: f64,
-    /// Of each gear: base radius, tip roll, least excess of the roll over it in the measuring plane, and its change per mm.
+    /// Base radius, tip roll, least excess of the roll over it in the measuring plane, and its change per mm, for each gear.
     tips: [[f64; 4]; 2],
 }
 

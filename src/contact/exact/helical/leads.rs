@@ -1,7 +1,7 @@
 //! Places along the face where teeth with lead deviations touch tightest.
 //!
 //! In the section at `b` a tooth is that of the measuring plane, turned by its twist and by `−δ(b)/r_b`. On the line of action the gap of a
-//! pair is a constant plus `Σ δ(b)/r_bF`. Beyond its stretch on the line a tip corner touches, and without leads the gap falls concavely. So
+//! pair is a constant plus `Σ δ(b)/r_bF`. A tip corner touches beyond that stretch, and without leads the gap falls concavely there. So
 //! between two knots of the leads, where `Σ δ` is straight or crowned, the gap is concave along the face. It is greatest at a knot, at an
 //! end of the face, or where its rate `∂μ/∂λ λ' + ∂μ/∂φ φ'` vanishes. [`Separation`] has the gap and both derivatives, for involutes and their
 //! ends. It is asked from the stretch on the line outwards, because far beyond it two teeth do not face each other. A pair whose endless

@@ -14,7 +14,7 @@
 //! These hold for contacts of involutes. At a tip corner they differ by the square of its angle off the line of action.
 //! A move of the extreme to another pose is a second-order effect if that pose is further away than the uncertainty.
 
-use crate::contact::{Contact, PoseResult};
+use crate::contact::PoseResult;
 use crate::gear::thickness;
 use crate::pair::{GearPair, Member};
 
@@ -49,7 +49,7 @@ impl Uncertainty {
         let per_shift = 2.0 * angle.tan();
         let mut square = (per_shift * self.center_distance).powi(2);
         for (index, member) in Member::BOTH.into_iter().enumerate() {
-            let [right, left] = touching.map(|contact| tooth(&contact, member));
+            let [right, left] = touching.map(|contact| contact.touch(member).tooth);
             let flanks: f64 = if right == left { 1.0 } else { 0.5f64.sqrt() };
             square += (per_base * self.base_thickness[index]).powi(2);
             square += (per_thickness * flanks * self.per_tooth).powi(2);
@@ -59,13 +59,5 @@ impl Uncertainty {
             square += (per_shift * toward * 0.5 * self.runout).powi(2);
         }
         Some(self.coverage * square.sqrt())
-    }
-}
-
-/// The tooth of `member` that touches.
-fn tooth(contact: &Contact, member: Member) -> u32 {
-    match member {
-        Member::Wheel => contact.wheel.tooth,
-        Member::Pinion => contact.pinion.tooth,
     }
 }

@@ -65,10 +65,7 @@ impl DrawnContact {
 
     /// One gear's side of the contact.
     pub fn touch(&self, member: Member) -> &Touch {
-        match member {
-            Member::Wheel => &self.contact.wheel,
-            Member::Pinion => &self.contact.pinion,
-        }
+        self.contact.touch(member)
     }
 
     /// Whether the contact lies on a fillet or a root of `member`.

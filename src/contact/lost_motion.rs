@@ -100,6 +100,16 @@ pub struct Contact {
     pub section: f64,
 }
 
+impl Contact {
+    /// One gear's side.
+    pub fn touch(&self, member: Member) -> &Touch {
+        match member {
+            Member::Wheel => &self.wheel,
+            Member::Pinion => &self.pinion,
+        }
+    }
+}
+
 #[cfg(feature = "serde")]
 fn is_measuring_plane(section: &f64) -> bool {
     *section == 0.0
@@ -240,6 +250,14 @@ impl LostMotion {
         LostMotion {
             solid: overlap > 0.0 && (self.solid || overlap >= pitch),
             ..self
+        }
+    }
+
+    /// The contact on a side.
+    pub fn on(&self, side: Side) -> Option<Contact> {
+        match side {
+            Side::Right => self.right,
+            Side::Left => self.left,
         }
     }
 

@@ -6,7 +6,6 @@
 use super::lost_motion::LostMotion;
 use super::pose_result::PoseResult;
 use crate::error::{Error, GearError};
-use crate::gear::Side;
 use crate::outline::AssembledPair;
 use crate::pair::{GearPair, Pose};
 use std::f64::consts::TAU;
@@ -49,10 +48,7 @@ impl MeshSection {
             None => None,
         };
         let flank = pose.mating().flank;
-        let on = |found: &LostMotion| match flank {
-            Side::Right => found.right,
-            Side::Left => found.left,
-        };
+        let on = |found: &LostMotion| found.on(flank);
         let contact = over_face.and_then(|found| found.angle().and(on(found)));
         let held = contact.map(|contact| {
             // The distance from the nominal rotation there is the same as here.
@@ -91,10 +87,7 @@ impl MeshSection {
 
     /// Place over the face of `assembly` where the flank of `pose` touches, mm; without contact the place nearest to the measuring plane.
     pub fn of_contact(assembly: &GearPair, pose: &Pose, over_face: Option<&LostMotion>) -> f64 {
-        let contact = over_face.and_then(|found| match pose.mating().flank {
-            Side::Right => found.right,
-            Side::Left => found.left,
-        });
+        let contact = over_face.and_then(|found| found.on(pose.mating().flank));
         let [from, to] = assembly.face();
         contact.map_or(0f64.clamp(from, to), |contact| contact.section)
     }

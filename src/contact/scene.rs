@@ -4,7 +4,7 @@
 //! pose without lost motion is drawn at the nominal rotation.
 
 use super::overlap::{Overlap, overlaps};
-use super::{Contact, DrawnContact, LostMotion, MeshSection, Status};
+use super::{DrawnContact, LostMotion, MeshSection, Status};
 use crate::gear::{Gear, Placed, Side};
 use crate::outline::{AssembledPair, OutlinePair};
 use crate::pair::{Member, Pose};
@@ -34,14 +34,6 @@ pub struct LineOfAction {
 const FINE: f64 = 1.0 / 2000.0;
 /// Distance around a contact within which its overlap is searched, modules: a tooth is 2.25 deep.
 const REACH: f64 = 3.0;
-
-/// The contact on one side.
-fn contact(found: &LostMotion, side: Side) -> Option<Contact> {
-    match side {
-        Side::Right => found.right,
-        Side::Left => found.left,
-    }
-}
 
 /// A gear at its position.
 #[derive(Debug, Clone, Copy)]
@@ -166,7 +158,7 @@ impl<'a> Scene<'a> {
         lost_motion: Option<&'a LostMotion>,
     ) -> Scene<'a> {
         let flank = pose.mating().flank;
-        let on = |side| lost_motion.and_then(|found| contact(found, side));
+        let on = |side| lost_motion.and_then(|found| found.on(side));
         let angle = lost_motion.and_then(LostMotion::angle);
         let held = match (angle, on(flank)) {
             (Some(_), Some(contact)) => (FreePlacement::AtContact(flank), contact.rotation),
@@ -182,7 +174,7 @@ impl<'a> Scene<'a> {
         lost_motion: Option<&'a LostMotion>,
         (drawn, rotation): (FreePlacement, f64),
     ) -> Scene<'a> {
-        let on = |side| lost_motion.and_then(|found| contact(found, side));
+        let on = |side| lost_motion.and_then(|found| found.on(side));
         let place = |member| {
             let turned = if member == assembly.locked() {
                 pose.locked_rotation()

@@ -109,7 +109,7 @@ impl Field {
             return None;
         }
         let pose = &pose.pose;
-        let held = |side: Side| HeldSide::new(assembly, pose, side, on(found, side)?);
+        let held = |side: Side| HeldSide::new(assembly, pose, side, found.on(side)?);
         let held = [held(Side::Right)?, held(Side::Left)?];
         let sections: Vec<SectionAlone> = places(&held, assembly.face())
             .into_iter()
@@ -120,13 +120,6 @@ impl Field {
             face: assembly.face(),
             sides: held.map(|side| side.field(&sections)),
         })
-    }
-}
-
-fn on(found: &LostMotion, side: Side) -> Option<Contact> {
-    match side {
-        Side::Right => found.right,
-        Side::Left => found.left,
     }
 }
 
@@ -232,7 +225,7 @@ impl<'a> HeldSide<'a> {
     }
 
     fn section(&self, alone: &SectionAlone) -> FieldSection {
-        let touching = alone.found.as_ref().and_then(|found| on(found, self.side));
+        let touching = alone.found.as_ref().and_then(|found| found.on(self.side));
         let turn = |here: Contact| {
             let beyond = here.rotation - alone.pose.free_rotation();
             self.gap(beyond - (self.contact.rotation - self.pose.free_rotation()))
@@ -247,7 +240,7 @@ impl<'a> HeldSide<'a> {
     /// Whether a section has contact below the involutes, and none on the line of action at the same time.
     fn is_off_involutes(&self, alone: &SectionAlone) -> bool {
         let section = self.section(alone);
-        let found = alone.found.as_ref().and_then(|found| on(found, self.side));
+        let found = alone.found.as_ref().and_then(|found| found.on(self.side));
         let (Some(gap), Some(kind), Some(found)) = (section.gap, section.kind, found) else {
             return false;
         };

@@ -3,7 +3,7 @@
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
 use crate::analysis::study::Material;
-use crate::contact::{Contact, ContactClass, ContactKind, ToothPlace, Touch, Unproven};
+use crate::contact::{Contact, ContactClass, ContactKind, ToothPlace, Unproven};
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
@@ -141,7 +141,7 @@ impl PoseEvidence {
 impl Touched {
     /// Adds a contact of `member`. Returns whether it is below the involute.
     fn add(&mut self, assembly: &GearPair, member: Member, side: Side, contact: &Contact) -> bool {
-        let here = touch(contact, member);
+        let here = *contact.touch(member);
         self.greatest = greatest(self.greatest, Some(here.radius));
         self.least = least(self.least, Some(here.radius));
         let below = match here.curve {
@@ -164,7 +164,7 @@ impl Touched {
 
     fn lower(&mut self, member: Member, contact: &Contact) {
         let lowest = self.lowest.as_ref();
-        let radius = |contact: &Contact| touch(contact, member).radius;
+        let radius = |contact: &Contact| contact.touch(member).radius;
         if lowest.is_none_or(|lowest| radius(contact) < radius(lowest)) {
             self.lowest = Some(*contact);
         }
@@ -187,13 +187,6 @@ fn least(one: Option<f64>, other: Option<f64>) -> Option<f64> {
 
 fn greatest(one: Option<f64>, other: Option<f64>) -> Option<f64> {
     [one, other].into_iter().flatten().reduce(f64::max)
-}
-
-fn touch(contact: &Contact, member: Member) -> Touch {
-    match member {
-        Member::Wheel => contact.wheel,
-        Member::Pinion => contact.pinion,
-    }
 }
 
 /// A pose in words: mating, flank, fraction.

@@ -426,10 +426,7 @@ impl<'a> Proving<'a> {
             point,
             normal,
             arm,
-            teeth: match self.free {
-                Member::Pinion => [contact.wheel.tooth, contact.pinion.tooth],
-                Member::Wheel => [contact.pinion.tooth, contact.wheel.tooth],
-            },
+            teeth: [self.free.mate(), self.free].map(|member| contact.touch(member).tooth),
             play: self.play,
         })
     }

@@ -5,13 +5,9 @@ use gearlash::contact::{Contact, PoseResult};
 use gearlash::gear::Side;
 
 /// The contact on `side`; `None` for a pose without numbers.
-pub fn touching(pose: &PoseResult, side: Side) -> Option<&Contact> {
+pub fn touching(pose: &PoseResult, side: Side) -> Option<Contact> {
     let found = pose.proven()?;
-    let contact = match side {
-        Side::Right => &found.right,
-        Side::Left => &found.left,
-    };
-    contact.as_ref().filter(|_| found.angle().is_some())
+    found.on(side).filter(|_| found.angle().is_some())
 }
 
 /// The direction of a contact's normal, degrees.

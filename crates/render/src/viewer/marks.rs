@@ -116,7 +116,7 @@ pub fn marks(
         .set("id", format!("viewer-normal-{name}"))
         .set(
             "transform",
-            format!("rotate({})", contact.map_or(0.0, normal_degrees)),
+            format!("rotate({})", contact.as_ref().map_or(0.0, normal_degrees)),
         )
         .set("d", format!("M-{half} 0H{half}"));
     let dot = |id: &str, open: bool| {

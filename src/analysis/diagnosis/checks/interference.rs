@@ -89,10 +89,7 @@ impl CheckContext<'_> {
         let Some(lowest) = &touched.lowest else {
             return String::new();
         };
-        let touch = match member {
-            Member::Wheel => lowest.wheel,
-            Member::Pinion => lowest.pinion,
-        };
+        let touch = lowest.touch(member);
         let on_edge = touch.curve == ProfilePart::Involute;
         let place = if on_edge {
             "on the undercut edge, at the form circle,"

@@ -25,7 +25,7 @@ use crate::contact::effort::Effort;
 use crate::contact::exact::End;
 use crate::contact::exact::ExactKernel;
 use crate::contact::exact::separation::Separation;
-use crate::contact::lost_motion::{Contact, LostMotion};
+use crate::contact::lost_motion::Contact;
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Mating, Member, Pose};
 
@@ -114,8 +114,7 @@ impl CycleCells for AlongFaceCells<'_> {
             cell.low = (-tightest, 0.0);
         }
         if ends.contains(&End::Greatest) {
-            let below =
-                |k: usize| sides[k].below(&contact(&found, sides[k].over.side.problem.side)?);
+            let below = |k: usize| sides[k].below(&found.on(Side::BOTH[k])?);
             if let [Some(right), Some(left)] = [below(0), below(1)] {
                 let loosest = (right[0] + left[0]).min(right[1] + left[1]);
                 cell.high = (-loosest, 0.0);
@@ -123,13 +122,6 @@ impl CycleCells for AlongFaceCells<'_> {
         }
         cell.effort = effort.used();
         cell
-    }
-}
-
-fn contact(found: &LostMotion, side: Side) -> Option<Contact> {
-    match side {
-        Side::Right => found.right,
-        Side::Left => found.left,
     }
 }
 
@@ -198,17 +190,11 @@ impl<'a> SideCell<'a> {
         let problem = self.over.side.problem;
         let [first, last] = self.steps();
         let flanks = &self.over.ends[0].flanks;
-        let locked_tooth = match self.assembly.locked() {
-            Member::Wheel => contact.wheel.tooth,
-            Member::Pinion => contact.pinion.tooth,
-        };
-        let free_tooth = match self.assembly.free() {
-            Member::Wheel => contact.wheel.tooth,
-            Member::Pinion => contact.pinion.tooth,
-        };
+        let members = [self.assembly.locked(), self.assembly.free()];
+        let teeth = members.map(|member| contact.touch(member).tooth);
         let step = (first..=last).find(|step| {
             let (locked, free) = flanks.places(*step);
-            problem.locked.number(locked) == locked_tooth && problem.free.number(free) == free_tooth
+            [problem.locked.number(locked), problem.free.number(free)] == teeth
         })?;
         let b = contact.section;
         let gears = self.gears(step);

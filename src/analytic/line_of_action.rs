@@ -32,7 +32,7 @@
 
 use crate::gear::{AsBuilt, DeviationCurve, Side};
 use crate::numeric::{bisect, wrap_angle};
-use crate::pair::{GearPair, Pose};
+use crate::pair::{FacingTeeth, GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::ops::RangeInclusive;
 
@@ -192,36 +192,21 @@ impl<'a> OneSide<'a> {
     }
 
     /// Where both leads add most over a stretch of the face, mm, and how much more than in the measuring plane, mm.
-    fn greatest_lead(&self, teeth: [(&AsBuilt, u32); 2], [from, to]: [f64; 2]) -> (f64, f64) {
-        let lead = |b: f64| -> f64 {
-            let own = teeth.map(|(gear, tooth)| {
-                gear.lead(self.side, tooth, b) - gear.lead(self.side, tooth, 0.0)
-            });
-            own[0] + own[1]
-        };
-        let rate = |b: f64| -> f64 {
-            let own = teeth.map(|(gear, tooth)| gear.lead_rate(self.side, tooth, b));
-            own[0] + own[1]
-        };
-        let mut places = vec![from, to];
-        for (gear, tooth) in teeth {
-            let knots = gear.lead_knots(self.side, tooth);
-            places.extend(knots.filter(|b| *b > from && *b < to));
-        }
-        places.sort_by(f64::total_cmp);
+    fn greatest_lead(teeth: &FacingTeeth, stretch: [f64; 2]) -> (f64, f64) {
+        let mut places = teeth.knots(stretch, |_, place| place);
         let tops = places.windows(2).filter_map(|ends| {
             let beside = 1e-9 * (ends[1] - ends[0]);
             let (low, high) = (ends[0] + beside, ends[1] - beside);
-            (rate(low) > 0.0 && rate(high) < 0.0)
-                .then(|| bisect(low, high, 0.0, |b| rate(b) > 0.0)[0])
+            (teeth.rate(low) > 0.0 && teeth.rate(high) < 0.0)
+                .then(|| bisect(low, high, 0.0, |b| teeth.rate(b) > 0.0)[0])
         });
         let tops: Vec<f64> = tops.collect();
         places.extend(tops);
-        // Of equal ones the nearest to the measuring plane.
+        // The nearest to the measuring plane comes first.
         places.sort_by(|one, other| one.abs().total_cmp(&other.abs()));
-        let mut best = (places[0], lead(places[0]));
+        let mut best = (places[0], teeth.lead(places[0]));
         for b in places {
-            let here = lead(b);
+            let here = teeth.lead(b);
             if here > best.1 {
                 best = (b, here);
             }
@@ -291,8 +276,9 @@ impl<'a> OneSide<'a> {
         // limit of 1e-9 rad detects it.
         let has_leads = self.assembly.has_leads();
         let teeth = [(self.locked, locked_tooth), (self.free, free_tooth)];
+        let teeth = FacingTeeth::new(self.side, teeth);
         let (mut turn, mut last) = (0.0, f64::INFINITY);
-        // What leads add to G, and the rounds in which they settle: the stretch on the line moves with them.
+        // The leads' part of G, and the rounds in which it settles: the stretch on the line moves with it.
         let (mut leads, mut rounds) = (0.0, 0);
         loop {
             let line = self.line(turn);
@@ -315,8 +301,8 @@ impl<'a> OneSide<'a> {
                 continue;
             }
             if has_leads {
-                let [from, to] = self.stretch(locked_arm, free_arm)?;
-                let (section, lead) = self.greatest_lead(teeth, [from, to]);
+                let stretch = self.stretch(locked_arm, free_arm)?;
+                let (section, lead) = OneSide::greatest_lead(&teeth, stretch);
                 let more = lead / free_base;
                 if (more - leads).abs() > LEADS_SETTLED && rounds < MOST_ROUNDS {
                     (leads, last, rounds) = (more, f64::INFINITY, rounds + 1);

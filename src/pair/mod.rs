@@ -3,6 +3,7 @@
 //! The simulation and the analytic models share nothing but these data.
 
 mod backlash;
+mod facing_teeth;
 mod gear_pair;
 mod iso_286;
 mod pose;
@@ -10,6 +11,7 @@ mod section;
 mod sweep_plan;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};
+pub(crate) use facing_teeth::FacingTeeth;
 pub use gear_pair::{GearPair, MOST_LEAN, MOST_UNEQUAL, Member};
 pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
 pub use pose::{Mating, Pose, ToothNumbers};

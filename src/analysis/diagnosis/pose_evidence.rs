@@ -206,6 +206,7 @@ pub(super) fn place(mating: &Mating) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::Touch;
     use crate::gear::{AsBuilt, Face, Gear, GearDesign, ProfilePart};
     use nalgebra::{Point2, Vector2};
 

@@ -12,7 +12,7 @@ use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
 use crate::contact::gap::{Origin, rounding};
 use crate::gear::{AsBuilt, Side};
-use crate::pair::{GearPair, Pose};
+use crate::pair::{FacingTeeth, GearPair, Member, Pose};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -257,6 +257,34 @@ impl<'a> PosedFlanks<'a> {
         let first = ((low - self.ahead) * per_pitch) as i64;
         let last = ((high - self.ahead) * per_pitch) as i64;
         first.max(-((count - 1) / 2))..last.min(count / 2) + 1
+    }
+
+    /// Steps whose locked half tooth can reach the free gear in some section, where sections turn the locked teeth by the least and the
+    /// greatest of `turns`, rad.
+    pub fn steps_over(&self, [least, most]: [f64; 2]) -> Range<i64> {
+        let plane = self.steps();
+        if plane.is_empty() {
+            return plane;
+        }
+        let per_pitch = self.problem.per_pitch;
+        let first = plane.start - (most.max(0.0) * per_pitch).ceil() as i64;
+        first..plane.end - (least.min(0.0) * per_pitch).floor() as i64
+    }
+
+    /// Twist of a gear's teeth in this frame, rad per mm along the axis.
+    pub fn twist(&self, assembly: &GearPair, member: Member) -> f64 {
+        self.mirror() * assembly.gear(member).gear().basic_data().twist()
+    }
+
+    /// The locked and the free tooth of a step, which are those of `assembly`.
+    pub fn facing_teeth<'b>(&self, assembly: &'b GearPair, step: i64) -> FacingTeeth<'b> {
+        let (locked, free) = self.places(step);
+        let gear = |member| assembly.gear(member);
+        let teeth = [
+            (gear(assembly.locked()), self.problem.locked.number(locked)),
+            (gear(assembly.free()), self.problem.free.number(free)),
+        ];
+        FacingTeeth::new(self.problem.side, teeth)
     }
 
     /// These teeth at the same steps, with the locked gear turned further by `angle`, rad, in this (mirrored) frame.

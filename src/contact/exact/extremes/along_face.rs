@@ -18,7 +18,7 @@
 //! Both hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`Over`] bounds. Gears whose flanks
 //! spread over all values of their leads show that.
 
-use super::course::{Course, SideCourse, posed_sides};
+use super::course::{Course, Posed, SideCourse, posed_sides};
 use super::over::Over;
 use crate::contact::cycle_search::{Cell, CycleCells};
 use crate::contact::effort::Effort;
@@ -26,8 +26,9 @@ use crate::contact::exact::End;
 use crate::contact::exact::ExactKernel;
 use crate::contact::exact::separation::Separation;
 use crate::contact::lost_motion::Contact;
-use crate::gear::{AsBuilt, Side};
-use crate::pair::{GearPair, Mating, Member, Pose};
+use crate::gear::Side;
+use crate::pair::{FacingTeeth, GearPair, Mating, Member, Pose};
+use std::ops::Range;
 
 /// Effort of a pair of teeth in a cell, nodes (tuned: 1 µs).
 const STEP: u64 = 3;
@@ -133,17 +134,11 @@ struct SideCell<'a> {
 }
 
 impl<'a> SideCell<'a> {
-    /// Steps, first and last, whose locked tooth can reach the mate in some section.
-    fn steps(&self) -> [i64; 2] {
-        let flanks = self.over.ends.each_ref().map(|end| end.flanks.steps());
-        let per_pitch = self.over.side.problem.per_pitch;
-        let [least, most] = self.over.side.turns.map(|turn| turn * per_pitch);
-        let start = flanks.iter().map(|steps| steps.start).min().unwrap_or(0);
-        let end = flanks.iter().map(|steps| steps.end).max().unwrap_or(0);
-        [
-            start - most.max(0.0).ceil() as i64,
-            end - 1 - least.min(0.0).floor() as i64,
-        ]
+    /// Steps whose locked tooth can reach the mate in some section.
+    fn steps(&self) -> Range<i64> {
+        let over = |end: &Posed| end.flanks.steps_over(self.over.side.turns);
+        let [one, other] = self.over.ends.each_ref().map(over);
+        one.start.min(other.start)..one.end.max(other.end)
     }
 
     /// Bound on what a pair's tightness rises above the chord between its ends, or falls below it, rad.
@@ -153,9 +148,8 @@ impl<'a> SideCell<'a> {
 
     /// The side is no tighter than the line between these values at the ends, rad of the free gear beyond nominal.
     fn above(&self) -> Option<[f64; 2]> {
-        let [first, last] = self.steps();
         let mut most = [f64::NEG_INFINITY; 2];
-        for step in first..=last {
+        for step in self.steps() {
             self.over.effort.spend(STEP);
             let found = self.over.endless_separations(step);
             if !found.iter().all(|one| one.touches) {
@@ -170,7 +164,7 @@ impl<'a> SideCell<'a> {
                 self.over.side.off[1],
             ];
             let turned = |mm: f64| mm / if mm > 0.0 { base - off } else { base + off };
-            let simple = turned(leads.greatest_lead());
+            let simple = turned(leads.teeth.greatest_lead(leads.face));
             if (0..2).all(|k| line[k] + simple <= most[k]) {
                 continue;
             }
@@ -188,21 +182,18 @@ impl<'a> SideCell<'a> {
     /// The side is no looser than the line between these values at the ends, as the pair of `contact` holds it in its section.
     fn below(&self, contact: &Contact) -> Option<[f64; 2]> {
         let problem = self.over.side.problem;
-        let [first, last] = self.steps();
         let flanks = &self.over.ends[0].flanks;
         let members = [self.assembly.locked(), self.assembly.free()];
         let teeth = members.map(|member| contact.touch(member).tooth);
-        let step = (first..=last).find(|step| {
+        let step = self.steps().find(|step| {
             let (locked, free) = flanks.places(*step);
             [problem.locked.number(locked), problem.free.number(free)] == teeth
         })?;
         let b = contact.section;
-        let gears = self.gears(step);
-        let turns = [0, 1].map(|k| {
-            let (gear, tooth) = gears[k];
-            let lead = gear.lead(problem.side, tooth, b) - gear.lead(problem.side, tooth, 0.0);
-            self.twists()[k] * b - lead / self.bases()[k]
-        });
+        let leads = flanks.facing_teeth(self.assembly, step).leads(b);
+        let bases = [problem.locked.shape.base, problem.free.shape.base];
+        let twists = members.map(|member| flanks.twist(self.assembly, member));
+        let turns = [0, 1].map(|k| twists[k] * b - leads[k] / bases[k]);
         let found = self
             .over
             .ends
@@ -214,40 +205,11 @@ impl<'a> SideCell<'a> {
         let bend = self.bend(&found)?;
         Some([0, 1].map(|k| -self.over.ends[k].room(found[k].gap) - bend))
     }
-
-    fn bases(&self) -> [f64; 2] {
-        let problem = self.over.side.problem;
-        [problem.locked.shape.base, problem.free.shape.base]
-    }
-
-    /// Twist of the locked and the free gear in this frame, rad/mm.
-    fn twists(&self) -> [f64; 2] {
-        let mirror = self.over.ends[0].flanks.mirror();
-        let of = |member| self.assembly.gear(member).gear().basic_data().twist();
-        [self.assembly.locked(), self.assembly.free()].map(|member| mirror * of(member))
-    }
-
-    /// Locked and free gear, and the numbers of the teeth of a step.
-    fn gears(&self, step: i64) -> [(&'a AsBuilt, u32); 2] {
-        let problem = self.over.side.problem;
-        let (locked, free) = self.over.ends[0].flanks.places(step);
-        [
-            (
-                self.assembly.gear(self.assembly.locked()),
-                problem.locked.number(locked),
-            ),
-            (
-                self.assembly.gear(self.assembly.free()),
-                problem.free.number(free),
-            ),
-        ]
-    }
 }
 
 /// The leads of a pair over the face, which add to its tightness, and its tips, which leave room; mm along the base tangent.
 struct Leads<'a> {
-    gears: [(&'a AsBuilt, u32); 2],
-    side: Side,
+    teeth: FacingTeeth<'a>,
     face: [f64; 2],
     /// Knots of both leads on the face, ascending, with its ends.
     knots: Vec<f64>,
@@ -260,26 +222,25 @@ struct Leads<'a> {
 impl<'a> Leads<'a> {
     fn new(cell: &SideCell<'a>, step: i64, found: &[Separation; 2]) -> Leads<'a> {
         let problem = cell.over.side.problem;
-        let gears = cell.gears(step);
+        let flanks = &cell.over.ends[0].flanks;
+        let teeth = flanks.facing_teeth(cell.assembly, step);
         let face = cell.assembly.face();
-        let mut knots = face.to_vec();
-        for (gear, tooth) in gears {
-            let own = gear.lead_knots(problem.side, tooth);
-            knots.extend(own.filter(|b| *b > face[0] && *b < face[1]));
-        }
-        knots.sort_by(f64::total_cmp);
-        knots.dedup();
         let shapes = [&problem.locked.shape, &problem.free.shape];
-        let twists = cell.twists();
+        let members = [cell.assembly.locked(), cell.assembly.free()];
+        let twists = members.map(|member| flanks.twist(cell.assembly, member));
         // Between the ends a roll leaves its chord by less than the eccentricities turn the line; leads turn the teeth.
-        let turned = gears.map(|(gear, tooth)| {
+        let turned = teeth.teeth.map(|(gear, tooth)| {
             let own = gear.lead_curve(problem.side, tooth);
             own.map_or(0.0, |curve| curve.range()) / gear.gear().base_radius()
         });
         let turned = turned[0] + turned[1];
         let plays = cell.over.plays();
         // The line turns by less than a fifth of the gears, as [`Over::plays`] allows.
-        let off = (plays[0] - plays[0] / 1.2) * f64::from(u8::from(cell.over.side.off != [0.0; 2]));
+        let off = if cell.over.side.off == [0.0; 2] {
+            0.0
+        } else {
+            plays[0] - plays[0] / 1.2
+        };
         let tips = [0, 1].map(|k| {
             let roll = found[0].rolls()[k].min(found[1].rolls()[k]);
             let play = off + turned;
@@ -291,37 +252,12 @@ impl<'a> Leads<'a> {
             ]
         });
         Leads {
-            gears,
-            side: problem.side,
+            knots: teeth.knots(face, |_, place| place),
+            teeth,
             face,
-            knots,
             turned,
             tips,
         }
-    }
-
-    /// `Σ δ(b)` less that in the measuring plane.
-    fn lead(&self, b: f64) -> f64 {
-        let own = self
-            .gears
-            .map(|(gear, tooth)| gear.lead(self.side, tooth, b) - gear.lead(self.side, tooth, 0.0));
-        own[0] + own[1]
-    }
-
-    /// Its rate.
-    fn rate(&self, b: f64) -> f64 {
-        let own = self
-            .gears
-            .map(|(gear, tooth)| gear.lead_rate(self.side, tooth, b));
-        own[0] + own[1]
-    }
-
-    /// Bound of `Σ δ` over the face.
-    fn greatest_lead(&self) -> f64 {
-        let bound = self.gears.map(|(gear, tooth)| {
-            gear.greatest_lead(self.side, tooth, self.face) - gear.lead(self.side, tooth, 0.0)
-        });
-        bound[0] + bound[1]
     }
 
     /// The room that both tips leave at `b`, and its rate.
@@ -341,7 +277,7 @@ impl<'a> Leads<'a> {
     /// Bound of `Σ δ(b)` less the room of the tips, over the face.
     fn greatest(&self) -> f64 {
         if self.face[0] == self.face[1] {
-            return self.lead(self.face[0]) - self.room(self.face[0])[0];
+            return self.teeth.lead(self.face[0]) - self.room(self.face[0])[0];
         }
         let stretches = self.knots.windows(2);
         let bounds = stretches.map(|ends| self.greatest_between([ends[0], ends[1]]));
@@ -353,15 +289,15 @@ impl<'a> Leads<'a> {
         // Rates just inside, where each lead is one cubic.
         let beside = 1e-9 * (to - from);
         let [low, high] = [from + beside, to - beside];
-        let values = [self.lead(from), self.lead(to)];
-        let rates = [self.rate(low), self.rate(high)];
+        let values = [self.teeth.lead(from), self.teeth.lead(to)];
+        let rates = [self.teeth.rate(low), self.teeth.rate(high)];
         let is_hollow = rates[1] > rates[0];
         let chord = (values[1] - values[0]) / (to - from);
         let at = |b: f64| {
             let (lead, rate) = if is_hollow {
                 (values[0] + chord * (b - from), chord)
             } else {
-                (self.lead(b), self.rate(b.clamp(low, high)))
+                (self.teeth.lead(b), self.teeth.rate(b.clamp(low, high)))
             };
             let [room, closing] = self.room(b);
             (lead - room, rate - closing)

@@ -4,7 +4,7 @@
 //! a cheap test comes first: is the pair tighter than the known contact, is a root land near enough to jam, or is its tip in the body of
 //! the mate? The centres of sections are constant along the face, so both teeth are those of the measuring plane, twisted.
 
-use super::turning::{Place, TwistedTeeth};
+use super::turning::Place;
 use crate::contact::Effort;
 use crate::contact::exact::branch::search;
 use crate::contact::exact::curves::Curves;
@@ -48,7 +48,7 @@ impl<'a> Facing<'a> {
         Facing {
             posed,
             twists: [assembly.locked(), assembly.free()]
-                .map(|member| TwistedTeeth::twist(assembly, posed, member)),
+                .map(|member| posed.twist(assembly, member)),
             curves: all.except(Curves::of(ProfilePart::Root)),
         }
     }

@@ -10,14 +10,11 @@
 //! Where axes lean, the centres of a section move along the face and its flanks turn by what [`crate::pair::Pose::section`] derives. Both
 //! change smoothly, so their rate is taken from two sections beside each other.
 
-use super::turning::TwistedTeeth;
 use crate::contact::Effort;
 use crate::contact::exact::flank_problem::PosedFlanks;
 use crate::contact::exact::separation::{Separation, lowest_roll};
 use crate::contact::exact::shape::{C, turn};
-use crate::gear::AsBuilt;
-use crate::pair::{GearPair, Member};
-use std::ops::Range;
+use crate::pair::{FacingTeeth, GearPair, Member};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
 const LOOK: u64 = 1;
@@ -118,8 +115,25 @@ impl LeaningFrame {
     }
 }
 
+/// A stretch between knots, in several parts where the leads are hollow.
+fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
+    let middle = 0.5 * (from + to);
+    let chord = 0.5 * (teeth.lead(from) + teeth.lead(to));
+    let sag = chord - teeth.lead(middle);
+    // Above rounding of the leads.
+    let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
+    let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
+    (0..count).map(move |part| [at(part), at(part + 1)])
+}
+
 fn dot(a: C, b: C) -> f64 {
     a.re * b.re + a.im * b.im
+}
+
+/// A pair of teeth, and its step.
+struct PairOfTeeth<'a> {
+    step: i64,
+    teeth: FacingTeeth<'a>,
 }
 
 /// The gap of a pair in a section, and its rate along the face, rad/mm.
@@ -142,7 +156,7 @@ impl<'a> AlongFace<'a> {
         AlongFace {
             assembly,
             posed,
-            twists: members.map(|member| TwistedTeeth::twist(assembly, posed, member)),
+            twists: members.map(|member| posed.twist(assembly, member)),
             nominal,
             leaning: LeaningFrame::new(assembly, posed),
             effort,
@@ -154,7 +168,9 @@ impl<'a> AlongFace<'a> {
         let mut found: Vec<Look> = Vec::new();
         let mut best = floor;
         // The tightest on the endless line first: it rules out most others.
-        let endless = self.steps().map(|step| {
+        let mut turns = self.assembly.face().map(|b| self.twists[0] * b);
+        turns.sort_by(f64::total_cmp);
+        let endless = self.posed.steps_over(turns).map(|step| {
             self.effort.spend(LOOK);
             (step, Separation::endless(self.posed, step, self.nominal))
         });
@@ -163,8 +179,12 @@ impl<'a> AlongFace<'a> {
         endless.sort_by(|one, other| other.1.gap.total_cmp(&one.1.gap));
         for (step, endless) in endless {
             let window = self.on_line(&endless);
-            for ends in self.stretches(step, &endless, best - tie) {
-                if let Some(look) = self.greatest(step, ends, window) {
+            let pair = PairOfTeeth {
+                step,
+                teeth: self.posed.facing_teeth(self.assembly, step),
+            };
+            for ends in self.stretches(&pair, &endless, best - tie) {
+                if let Some(look) = self.greatest(&pair, ends, window) {
                     best = best.max(look.gap);
                     found.push(look);
                 }
@@ -205,44 +225,8 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// Steps whose locked tooth can reach the mate in some section.
-    fn steps(&self) -> Range<i64> {
-        let plane = self.posed.steps();
-        if plane.is_empty() {
-            return plane;
-        }
-        let turns = self.assembly.face().map(|b| self.twists[0] * b);
-        let per_pitch = self.posed.problem.per_pitch;
-        let (least, most) = (turns[0].min(turns[1]), turns[0].max(turns[1]));
-        let first = plane.start - (most.max(0.0) * per_pitch).ceil() as i64;
-        let end = plane.end - (least.min(0.0) * per_pitch).floor() as i64;
-        first..end
-    }
-
-    /// Locked and free gear, and the numbers of the teeth of a step.
-    fn teeth(&self, step: i64) -> [(&'a AsBuilt, u32); 2] {
-        let problem = self.posed.problem;
-        let (locked, free) = self.posed.places(step);
-        let gear = |member| self.assembly.gear(member);
-        [
-            (gear(self.assembly.locked()), problem.locked.number(locked)),
-            (gear(self.assembly.free()), problem.free.number(free)),
-        ]
-    }
-
-    /// Sum of both leads of a step at `b`, less that in the measuring plane, mm.
-    fn leads(&self, step: i64, b: f64) -> f64 {
-        self.lead_of_each(step, b).iter().sum()
-    }
-
-    fn lead_of_each(&self, step: i64, b: f64) -> [f64; 2] {
-        let side = self.posed.problem.side;
-        self.teeth(step)
-            .map(|(gear, tooth)| gear.lead(side, tooth, b) - gear.lead(side, tooth, 0.0))
-    }
-
     /// Stretches of the face between knots of both leads of a step in which its gap may exceed `floor`.
-    fn stretches(&self, step: i64, endless: &Separation, floor: f64) -> Vec<[f64; 2]> {
+    fn stretches(&self, pair: &PairOfTeeth, endless: &Separation, floor: f64) -> Vec<[f64; 2]> {
         let problem = self.posed.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let base = shapes[1].base;
@@ -256,59 +240,37 @@ impl<'a> AlongFace<'a> {
             if !is_bound {
                 return true;
             }
-            let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| self.leads(step, b));
+            let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
             let most = from.max(to).max(middle) + bend + leaning;
             endless.gap + (most + more * most.abs()) / base > floor
         };
-        let [from, to] = self.own_face(step);
-        let side = problem.side;
-        let mut knots = vec![from, to];
-        for (k, (gear, tooth)) in self.teeth(step).into_iter().enumerate() {
-            let own = gear.lead_knots(side, tooth);
-            let at = own.map(|knot| self.section_of(step, k, knot));
-            knots.extend(at.filter(|b| (from..=to).contains(b)));
-        }
-        knots.sort_by(f64::total_cmp);
-        knots.dedup();
+        let face = self.own_face(pair.step);
+        let section = |k, place| self.section_of(pair.step, k, place);
+        let knots = pair.teeth.knots(face, section);
         let all = knots.windows(2).map(|ends| [ends[0], ends[1]]);
-        let hollow = all.flat_map(|ends| self.parts(step, ends));
-        let may: Vec<[f64; 2]> = hollow.filter(may_exceed).collect();
-        may
-    }
-
-    /// The stretch, in several parts where the leads are hollow.
-    fn parts(&self, step: i64, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
-        let middle = 0.5 * (from + to);
-        let chord = 0.5 * (self.leads(step, from) + self.leads(step, to));
-        let sag = chord - self.leads(step, middle);
-        // Above rounding of the leads.
-        let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
-        let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
-        (0..count).map(move |part| [at(part), at(part + 1)])
+        let parts = all.flat_map(|ends| parts(&pair.teeth, ends));
+        parts.filter(may_exceed).collect()
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
-    fn look(&self, step: i64, b: f64) -> Option<Look> {
+    fn look(&self, pair: &PairOfTeeth, b: f64) -> Option<Look> {
         let problem = self.posed.problem;
         let bases = [problem.locked.shape.base, problem.free.shape.base];
-        let leads = self.lead_of_each(step, b);
+        let leads = pair.teeth.leads(b);
         let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-        let found = self.separation(step, b, turns)?;
+        let found = self.separation(pair, b, turns)?;
         let smooth = if self.leaning.is_some() {
             let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
-            let [after, before] = beside.map(|b| self.separation(step, b, turns));
+            let [after, before] = beside.map(|b| self.separation(pair, b, turns));
             (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
         } else {
             found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
         };
-        let teeth = self.teeth(step);
-        let rate = |k: usize| {
-            let (gear, tooth) = teeth[k];
-            -found.by_turn[k] * gear.lead_rate(problem.side, tooth, b) / bases[k]
-        };
+        let rates = pair.teeth.rates(b);
+        let rate = |k: usize| -found.by_turn[k] * rates[k] / bases[k];
         Some(Look {
             b,
             gap: found.gap,
@@ -317,19 +279,19 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist; `None` where they do not face each other.
-    fn separation(&self, step: i64, b: f64, turns: [f64; 2]) -> Option<Separation> {
+    fn separation(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Separation> {
         self.effort.spend(LOOK);
         let turned = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let Some(leaning) = &self.leaning else {
-            let found = Separation::turned(self.posed, step, self.nominal, turned);
+            let found = Separation::turned(self.posed, pair.step, self.nominal, turned);
             return Some(found).filter(|found| found.touches);
         };
         let here = leaning.at(self.posed, b);
-        let mut found = Separation::turned(&here, step, self.nominal, turned);
+        let mut found = Separation::turned(&here, pair.step, self.nominal, turned);
         if !found.touches {
             return None;
         }
-        let more = self.turns_by_lean(step, b, &here, &found, leaning);
+        let more = self.turns_by_lean(pair, b, &here, &found, leaning);
         found.gap += found.by_turn[0] * more[0] + found.by_turn[1] * more[1];
         Some(found)
     }
@@ -337,7 +299,7 @@ impl<'a> AlongFace<'a> {
     /// Turns of both flanks of a step by the lean, rad, where they touch in `here`.
     fn turns_by_lean(
         &self,
-        step: i64,
+        pair: &PairOfTeeth,
         b: f64,
         here: &PosedFlanks,
         found: &Separation,
@@ -348,7 +310,6 @@ impl<'a> AlongFace<'a> {
         let e = -turn(found.direction());
         let normal = C::new(e.im, -e.re);
         let heights = self.heights(b, here, found, leaning);
-        let teeth = self.teeth(step);
         let leans = leaning.leans(found.gap);
         [0, 1].map(|k| {
             let lean = leans[k];
@@ -358,9 +319,7 @@ impl<'a> AlongFace<'a> {
             }
             let root = (1.0 + square).sqrt();
             let height = heights[k];
-            let (gear, tooth) = teeth[k];
-            let lead =
-                gear.lead(problem.side, tooth, b + height) - gear.lead(problem.side, tooth, b);
+            let lead = pair.teeth.leads(b + height)[k] - pair.teeth.leads(b)[k];
             let outward = if k == 0 { normal } else { -normal };
             let along = (height - b * (root - 1.0)) * root;
             let stretch = (1.0 - 1.0 / root) / square * along * dot(outward, lean);
@@ -438,14 +397,14 @@ impl<'a> AlongFace<'a> {
 
     /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to `window`. `None` where
     /// the teeth do not face each other.
-    fn greatest(&self, step: i64, [from, to]: [f64; 2], window: [f64; 2]) -> Option<Look> {
+    fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2], window: [f64; 2]) -> Option<Look> {
         let beside = BESIDE * (to - from);
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = window.map(inside);
-        let low = self.look(step, start)?;
-        let high = self.look(step, end)?;
+        let low = self.look(pair, start)?;
+        let high = self.look(pair, end)?;
         if low.rate > 0.0 && high.rate < 0.0 {
-            return Some(self.between(step, low, high));
+            return Some(self.between(pair, low, high));
         }
         let (mut last, border) = if high.rate >= 0.0 {
             (high, to)
@@ -458,10 +417,10 @@ impl<'a> AlongFace<'a> {
         loop {
             let left = (border - last.b).abs();
             if left <= 2.0 * beside {
-                return self.look(step, border);
+                return self.look(pair, border);
             }
             let b = last.b + outwards * way.min(left - beside);
-            let Some(next) = self.look(step, b) else {
+            let Some(next) = self.look(pair, b) else {
                 // Too far out.
                 way *= 0.5;
                 if way < beside {
@@ -475,7 +434,7 @@ impl<'a> AlongFace<'a> {
                 } else {
                     (next, last)
                 };
-                return Some(self.between(step, low, high));
+                return Some(self.between(pair, low, high));
             }
             last = next;
             way *= 2.0;
@@ -483,7 +442,7 @@ impl<'a> AlongFace<'a> {
     }
 
     /// The greatest gap of a step between two places, from which it rises inwards.
-    fn between(&self, step: i64, mut low: Look, mut high: Look) -> Look {
+    fn between(&self, pair: &PairOfTeeth, mut low: Look, mut high: Look) -> Look {
         // Regula falsi, halving the rate of an end that stays (Illinois).
         let mut rates = [low.rate, high.rate];
         for _ in 0..MOST_STEPS {
@@ -492,7 +451,7 @@ impl<'a> AlongFace<'a> {
             }
             let share = rates[0] / (rates[0] - rates[1]);
             let b = low.b + (high.b - low.b) * share.clamp(0.01, 0.99);
-            let Some(look) = self.look(step, b) else {
+            let Some(look) = self.look(pair, b) else {
                 break;
             };
             if look.rate > 0.0 {

@@ -39,16 +39,11 @@ impl<'a> TwistedTeeth<'a> {
     fn new(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> TwistedTeeth<'a> {
         TwistedTeeth {
             face: assembly.face(),
-            twist: TwistedTeeth::twist(assembly, posed, member),
+            twist: posed.twist(assembly, member),
             ahead: 0.0,
             step: 0.0,
             offset: Box::new(|_| 0.0),
         }
-    }
-
-    /// Twist of a gear's teeth in the frame of `posed`, rad per mm along the axis.
-    pub fn twist(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> f64 {
-        posed.mirror() * assembly.gear(member).gear().basic_data().twist()
     }
 
     pub fn locked(assembly: &GearPair, posed: &'a PosedFlanks) -> TwistedTeeth<'a> {

@@ -1,0 +1,73 @@
+//! Two teeth that face each other, with their leads along the face.
+
+use crate::gear::{AsBuilt, Side};
+
+/// A tooth of each gear, locked and free, that touch on one side.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FacingTeeth<'a> {
+    pub side: Side,
+    /// Gear and number of both teeth.
+    pub teeth: [(&'a AsBuilt, u32); 2],
+    /// Their leads in the measuring plane, mm, which their places contain.
+    in_plane: [f64; 2],
+}
+
+impl<'a> FacingTeeth<'a> {
+    /// These teeth of the locked and the free gear.
+    pub fn new(side: Side, teeth: [(&'a AsBuilt, u32); 2]) -> FacingTeeth<'a> {
+        FacingTeeth {
+            side,
+            teeth,
+            in_plane: teeth.map(|(gear, tooth)| gear.lead(side, tooth, 0.0)),
+        }
+    }
+
+    /// Leads of both teeth at `b`, less those in the measuring plane, mm.
+    pub fn leads(&self, b: f64) -> [f64; 2] {
+        [0, 1].map(|k| {
+            let (gear, tooth) = self.teeth[k];
+            gear.lead(self.side, tooth, b) - self.in_plane[k]
+        })
+    }
+
+    /// Sum of both leads at `b`, less that in the measuring plane, mm: what they add along the base tangent.
+    pub fn lead(&self, b: f64) -> f64 {
+        let [locked, free] = self.leads(b);
+        locked + free
+    }
+
+    /// Rates of both leads at `b`, mm per mm.
+    pub fn rates(&self, b: f64) -> [f64; 2] {
+        self.teeth
+            .map(|(gear, tooth)| gear.lead_rate(self.side, tooth, b))
+    }
+
+    /// Rate of the sum of both leads at `b`, mm per mm.
+    pub fn rate(&self, b: f64) -> f64 {
+        let [locked, free] = self.rates(b);
+        locked + free
+    }
+
+    /// Bound of the sum of both leads over `face`, less that in the measuring plane, mm.
+    pub fn greatest_lead(&self, face: [f64; 2]) -> f64 {
+        let [locked, free] = [0, 1].map(|k| {
+            let (gear, tooth) = self.teeth[k];
+            gear.greatest_lead(self.side, tooth, face) - self.in_plane[k]
+        });
+        locked + free
+    }
+
+    /// Places between which each lead is one cubic, mm, from `from` to `to`, ascending. `section` gives the section in which the teeth touch
+    /// at a place along the locked (0) or the free gear (1).
+    pub fn knots(&self, [from, to]: [f64; 2], section: impl Fn(usize, f64) -> f64) -> Vec<f64> {
+        let mut knots = vec![from, to];
+        for (k, (gear, tooth)) in self.teeth.into_iter().enumerate() {
+            let own = gear.lead_knots(self.side, tooth);
+            let sections = own.map(|place| section(k, place));
+            knots.extend(sections.filter(|b| *b > from && *b < to));
+        }
+        knots.sort_by(f64::total_cmp);
+        knots.dedup();
+        knots
+    }
+}

@@ -102,7 +102,7 @@ struct Solver<'a> {
     guides: bool,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
-    prover: Option<Prover<'a>>,
+    prover: Option<Prover>,
     /// Replaces polygon method and certifier for helical gears.
     sections: Option<Sections<'a>>,
     method: Method,

@@ -134,19 +134,46 @@ impl Helical {
         }
     }
 
-    /// The section at `b`, mm, at `pose`, and the pose there. Those of [`Helical::places`] are kept, unless axes lean.
-    pub fn section_at(&self, pose: &Pose, b: f64) -> (Cow<'_, Section>, Pose) {
+    /// The section at `b`, mm, at `pose`, and the pose there; `kept` is the one of [`Helical::sections`] there.
+    fn section_at<'a>(
+        &self,
+        pose: &Pose,
+        b: f64,
+        kept: Option<&'a Section>,
+    ) -> (Cow<'a, Section>, Pose) {
         if self.assembly.leans() {
             let (pair, here) = pose.section(&self.assembly, b);
             return (Cow::Owned(Section::new(&pair)), here);
         }
-        let here = pose.in_section(&self.assembly, b);
-        let kept = self.sections.iter().find(|(place, _)| *place == b);
         let section = match kept {
-            Some((_, section)) => Cow::Borrowed(section),
+            Some(section) => Cow::Borrowed(section),
             None => Cow::Owned(self.plane.turned(&self.assembly.section(b))),
         };
-        (section, here)
+        (section, pose.in_section(&self.assembly, b))
+    }
+
+    /// Calls `each` for every kept section at `pose`, and for those at the `further` places, with the pose there and the place, mm.
+    ///
+    /// # Errors
+    /// The first of `each`.
+    pub fn each_section<E>(
+        &self,
+        pose: &Pose,
+        further: impl Iterator<Item = f64>,
+        mut each: impl FnMut(&Section, &Pose, f64) -> Result<(), E>,
+    ) -> Result<(), E> {
+        for (b, section) in &self.sections {
+            let (section, here) = self.section_at(pose, *b, Some(section));
+            each(&section, &here, *b)?;
+        }
+        let is_kept = |place: &f64| self.places().any(|b| b == *place);
+        let mut further: Vec<f64> = further.filter(|place| !is_kept(place)).collect();
+        further.dedup();
+        for b in further {
+            let (section, here) = self.section_at(pose, b, None);
+            each(&section, &here, b)?;
+        }
+        Ok(())
     }
 
     /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes.
@@ -185,8 +212,8 @@ impl Helical {
             may_jam: on_roots || self.plane.bodies.is_some(),
             over: OverFace::default(),
         };
-        for (b, _) in &self.sections {
-            examined.section(*b, 0.0)?;
+        for (b, section) in &self.sections {
+            examined.section(*b, Some(section), 0.0)?;
         }
         if let Some(edges) = &self.edges {
             examined.between(edges, &self.plane.right)?;
@@ -214,13 +241,14 @@ struct ExaminedSections<'a, M> {
 }
 
 impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> ExaminedSections<'_, M> {
-    /// Examines the section at `b`, mm, unless the gears are jammed. `doubt`, rad, is added to the contact errors there.
-    fn section(&mut self, b: f64, doubt: f64) -> Result<(), Error> {
+    /// Examines the section at `b`, mm, unless the gears are jammed; `kept` is the kept one there. `doubt`, rad, is added to the contact
+    /// errors there.
+    fn section(&mut self, b: f64, kept: Option<&Section>, doubt: f64) -> Result<(), Error> {
         if self.over.is_solid() {
             return Ok(());
         }
         let effort = self.effort;
-        let (section, here) = self.helical.section_at(self.pose, b);
+        let (section, here) = self.helical.section_at(self.pose, b, kept);
         if matches!(section, Cow::Owned(_)) && self.helical.assembly.deviates_along_face() {
             effort.spend(BUILT_SECTION);
         }
@@ -281,7 +309,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
                     solid,
                 };
                 if facing.may_be_tighter_or_jam(&place, floors, self.effort) {
-                    self.section(place.b, place.doubt)?;
+                    self.section(place.b, None, place.doubt)?;
                 }
             }
             last = Some(beyond);
@@ -300,7 +328,7 @@ impl<M: Fn(&Section, &Pose, SectionRequest) -> Result<LostMotion, Error>> Examin
         let known = self.over.beyond(side);
         let floor = known.map_or(f64::NEG_INFINITY, |known| nominal - side.sense() * known);
         for b in along.places(floor + problem.tie, problem.tie) {
-            self.section(b, 0.0)?;
+            self.section(b, None, 0.0)?;
         }
         Ok(())
     }

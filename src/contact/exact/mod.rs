@@ -61,7 +61,6 @@ use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
 use helical::Helical;
 use section::SectionRequest;
-use std::borrow::Cow;
 
 /// Lost motion of one assembly on its exact curves.
 ///
@@ -182,11 +181,20 @@ impl ExactKernel {
         &self.section
     }
 
-    /// The section at `b`, mm along the face, at `pose`, and the pose there.
-    pub(super) fn section_at(&self, pose: &Pose, b: f64) -> (Cow<'_, Section>, Pose) {
+    /// Calls `each` for every section that holds the tightest of all pairs of involutes, and for those at the `further` places, with the pose
+    /// that `pose` is there, and the place along the face, mm. A spur pair has one section.
+    ///
+    /// # Errors
+    /// The first of `each`.
+    pub(super) fn each_section<E>(
+        &self,
+        pose: &Pose,
+        further: impl Iterator<Item = f64>,
+        mut each: impl FnMut(&Section, &Pose, f64) -> Result<(), E>,
+    ) -> Result<(), E> {
         match &self.helical {
-            Some(helical) => helical.section_at(pose, b),
-            None => (Cow::Borrowed(&self.section), *pose),
+            Some(helical) => helical.each_section(pose, further, each),
+            None => each(&self.section, pose, 0.0),
         }
     }
 

@@ -49,8 +49,7 @@ type NotProven = &'static str;
 
 /// Proves poses of one assembly.
 #[derive(Debug, Clone)]
-pub struct Prover<'a> {
-    assembly: &'a GearPair,
+pub struct Prover {
     kernel: ExactKernel,
     /// The fillets of the locked and the free gear, if the mate reaches them.
     hollows: [Option<Hollow>; 2],
@@ -91,9 +90,9 @@ struct Held {
     play: f64,
 }
 
-impl<'a> Prover<'a> {
+impl Prover {
     /// The prover of `assembly`; `kernel` is its kernel.
-    pub fn new(assembly: &'a GearPair, kernel: &ExactKernel) -> Prover<'a> {
+    pub fn new(assembly: &GearPair, kernel: &ExactKernel) -> Prover {
         let problem = kernel.plane().side(Side::Right);
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let shapes = [&problem.locked.shape, &problem.free.shape];
@@ -121,7 +120,6 @@ impl<'a> Prover<'a> {
             None
         };
         Prover {
-            assembly,
             kernel: kernel.clone(),
             roots: [0, 1].map(|k| nearest - tips[1 - k] < rooted[k]),
             deep_roots: [0, 1].map(|k| rooted[k] + forms[1 - k] > nearest),
@@ -209,30 +207,13 @@ impl<'a> Prover<'a> {
         &self,
         pose: &Pose,
         found: &LostMotion,
-        mut each: impl FnMut(&Section, &Pose, f64) -> Result<(), NotProven>,
+        each: impl FnMut(&Section, &Pose, f64) -> Result<(), NotProven>,
     ) -> Result<(), NotProven> {
         if let Some(reason) = self.beyond {
             return Err(reason);
         }
-        let (assembly, kernel) = (self.assembly, &self.kernel);
-        if !assembly.varies_along_face() {
-            return each(kernel.plane(), pose, 0.0);
-        }
-        let places = kernel.sections();
-        for b in &places {
-            let (section, here) = kernel.section_at(pose, *b);
-            each(&section, &here, *b)?;
-        }
-        let mut further: Vec<f64> = contacts(found)
-            .filter_map(|(_, contact)| Some(contact?.section))
-            .filter(|place| !places.contains(place))
-            .collect();
-        further.dedup();
-        for b in further {
-            let (section, here) = kernel.section_at(pose, b);
-            each(&section, &here, b)?;
-        }
-        Ok(())
+        let touching = contacts(found).filter_map(|(_, contact)| Some(contact?.section));
+        self.kernel.each_section(pose, touching, each)
     }
 }
 
@@ -243,7 +224,7 @@ fn contacts(found: &LostMotion) -> impl Iterator<Item = (Side, Option<&Contact>)
 
 /// The proof of one side of one section in progress.
 struct Proving<'a> {
-    prover: &'a Prover<'a>,
+    prover: &'a Prover,
     posed: &'a PosedFlanks<'a>,
     free: Member,
     /// As [`Held::play`].
@@ -359,7 +340,7 @@ impl Pair<'_> {
 
 impl<'a> Proving<'a> {
     fn new(
-        prover: &'a Prover<'a>,
+        prover: &'a Prover,
         posed: &'a PosedFlanks<'a>,
         free: Member,
         found: &LostMotion,

@@ -188,11 +188,17 @@ impl GearPair {
         self.lean[0].hypot(self.lean[1]) + self.wheel.wobble() + self.pinion.wobble()
     }
 
+    /// Bound on the move of the outlines' centres against each other by leaning axes, mm, over the face from the measuring plane.
+    pub(crate) fn most_shift(&self) -> f64 {
+        let [from, to] = self.face();
+        self.most_lean() * from.abs().max(to.abs())
+    }
+
     /// Bound on what sections of leaning axes leave out of each contact, mm along the base tangent; the teeth are tighter by it
     /// ([`Pose::section`](super::Pose::section)).
     pub fn left_out(&self) -> f64 {
         let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
-        let off = self.wheel.eccentricity() + self.pinion.eccentricity();
+        let off = self.wheel.eccentricity() + self.pinion.eccentricity() + self.most_shift();
         let distance = self.center_distance + off;
         let tangent = (distance * distance - base * base).max(0.0).sqrt();
         let slope = self.wheel.gear().basic_data().base_helix_angle().tan() * self.most_lean();

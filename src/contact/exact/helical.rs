@@ -371,6 +371,7 @@ fn shortest_path(assembly: &GearPair) -> f64 {
     });
     let sum: f64 = gears.iter().map(|gear| gear.gear().base_radius()).sum();
     let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
+    let off = off + assembly.most_shift();
     let path = [-off, off].map(|off| {
         let distance = assembly.center_distance() + off;
         let tangent = (distance * distance - sum * sum).max(0.0).sqrt();

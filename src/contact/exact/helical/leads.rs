@@ -88,10 +88,9 @@ impl LeaningFrame {
             Member::Wheel => (axes, C::ZERO),
             Member::Pinion => (C::ZERO, -axes),
         };
-        let [from, to] = assembly.face();
         let wound = gears[0].gear().basic_data().base_helix_angle().tan();
         let reach = gears[0].reach() + gears[1].reach();
-        let most = assembly.most_lean() * (from.abs().max(to.abs()) + wound * reach);
+        let most = assembly.most_shift() + assembly.most_lean() * wound * reach;
         Some(LeaningFrame {
             locked_centre: axes + locked,
             free_centre: own[1] * posed.origin.conj(),

@@ -18,6 +18,9 @@
 //! one's by the amount that it goes back meanwhile. The lost motion `φ_0` without this effect gives the effect, and so the extreme `φ_1`.
 //! The room on one side changes by less than half of the free gear's turn (a corner on an involute, `1 − (cos δ − ξ sin δ)`, with `δ` at
 //! most a third). So no pose exceeds `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
+//!
+//! The lean of a shaft stays in the picture: turned back by `ψ`, the pinion leans by another vector, which differs by at most `|ψ|` times the
+//! lean. This moves its sections by that over the face, and their height by that times the tip radius.
 
 use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, PROVEN_WIDTH, Status, is_proven};
 use crate::error::Error;
@@ -211,7 +214,7 @@ impl<'a> End<'a> {
         let most = share.abs().min(LARGEST_SHARE);
         // Without a bound it is unknown. The attained value alone has no slack.
         let slack = if off.is_finite() {
-            (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most)
+            (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most) + self.by_lean()
         } else {
             0.0
         };
@@ -250,6 +253,21 @@ impl<'a> End<'a> {
             },
         };
         Ok(Some((bounded, assembly)))
+    }
+
+    /// Bound on the change of a lost motion, rad, by the turn of the line of centres where the pinion's shaft leans.
+    fn by_lean(&self) -> f64 {
+        let (assembly, pinion) = (self.assembly, self.centred.gear(Member::Pinion));
+        let open = Member::BOTH.map(|member| open_eccentricity(assembly.gear(member)));
+        // The sine of this turn is at most the sum by the distance.
+        let turn = 0.5 * PI * (open[0] + open[1]) / self.centred.center_distance();
+        let [in_plane, out_of_plane] = assembly.lean();
+        let [from, to] = assembly.face();
+        let reach = pinion.gear().tip_radius() + pinion.eccentricity();
+        let slope = pinion.gear().basic_data().base_helix_angle().tan();
+        let moved = from.abs().max(to.abs()) + slope * reach;
+        let free = self.centred.gear(assembly.free()).gear();
+        2.0 * turn * in_plane.hypot(out_of_plane) * moved / free.base_radius()
     }
 
     /// Rotations of the free gear at contact of its right and its left flanks, at a mating of the centred pair.

@@ -77,7 +77,9 @@ pub struct Study {
     pub locked: Member,
     /// The common face of helical gears, mm from the wheel's measuring plane ([`GearPair::with_face`]).
     pub face: [f64; 2],
-    /// Centre distances `a`, mm, distinct; those of a file in ascending order.
+    /// Lean of the pinion's axis from the wheel's, mm per mm ([`GearPair::with_lean`]).
+    pub lean: [f64; 2],
+    /// Centre distances `a` in the wheel's measuring plane, mm, distinct; those of a file in ascending order.
     pub center_distances: Vec<f64>,
     /// Least and greatest distance, mm, if [`Study::center_distances`] samples a tolerance band. Backlash grows with
     /// the distance: the least is at the low end of the band, the greatest at the high end.
@@ -146,6 +148,7 @@ impl Study {
         Study {
             materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
             face: pair.face(),
+            lean: pair.lean(),
             ..Study::plain(title, pair.locked(), vec![pair.center_distance()], sweep)
         }
     }
@@ -172,6 +175,7 @@ impl Study {
             drawn: Vec::new(),
             locked,
             face: [0.0; 2],
+            lean: [0.0; 2],
             center_distances,
             band: None,
             bearing_clearance: 0.0,
@@ -193,7 +197,7 @@ impl Study {
     /// As [`GearPair::with_locked`].
     pub fn pair(&self, wheel: &AsBuilt, pinion: &AsBuilt, a: f64) -> Result<GearPair, GearError> {
         let pair = GearPair::with_locked(wheel.clone(), pinion.clone(), a, self.locked)?;
-        pair.with_face(self.face)
+        pair.with_face(self.face)?.with_lean(self.lean)
     }
 
     /// The pair of each material at the centre distance `a`, mm.

@@ -15,9 +15,12 @@ pub struct Inspection {
 }
 
 impl AsBuilt {
-    /// Whether the teeth differ: a flank is off its place, the gear is eccentric, or profiles or leads differ.
+    /// Whether the teeth differ: a flank is off its place, the gear is eccentric or wobbles, or profiles or leads differ.
     pub fn has_different_teeth(&self) -> bool {
-        Inspection::of(self).deviates() || self.has_different_profiles() || !self.has_one_lead()
+        Inspection::of(self).deviates()
+            || self.wobble() != 0.0
+            || self.has_different_profiles()
+            || !self.has_one_lead()
     }
 }
 

@@ -27,6 +27,8 @@ pub struct Terms {
     pub locked: Member,
     /// The common face of helical gears, mm ([`GearPair::with_face`]); `[0, 0]` for spur gears.
     pub face: [f64; 2],
+    /// Lean of the pinion's axis, mm per mm ([`GearPair::with_lean`]).
+    pub lean: [f64; 2],
     /// The requirement for each pair over its whole mesh cycle.
     pub requirement: Requirement,
     /// The target backlash, mm; `None`: see [`Terms::wanted`].
@@ -199,7 +201,8 @@ impl PairFit {
     ) -> Result<PairFit, Error> {
         let pairs = ends(terms).map(|distance| {
             GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)?
-                .with_face(terms.face)
+                .with_face(terms.face)?
+                .with_lean(terms.lean)
         });
         let pairs = pairs.collect::<Result<Vec<GearPair>, GearError>>()?;
         let mut best: Option<Fit> = None;

@@ -23,6 +23,7 @@
 //!     clearance: 0.0,
 //!     locked: Member::Wheel,
 //!     face: [0.0; 2],
+//!     lean: [0.0; 2],
 //!     requirement: Requirement::new(Some(0.064), None),
 //!     target: None,
 //! };

@@ -4,6 +4,7 @@ use super::check::Checked;
 use super::gear::GearPart;
 use super::node::Node;
 use super::numbers::ascii;
+use super::shafts;
 use super::spec::{AssemblySpec, CenterDistanceSpec};
 use super::table::Table;
 use gearlash::error::GearError;
@@ -16,6 +17,7 @@ pub fn read(file: &Checked, needed: bool) -> Option<AssemblySpec> {
     let empty = Node::Table(Vec::new());
     let stated = file.read::<AssemblySpec>("assembly")?;
     let spec = stated.or_else(|| AssemblySpec::deserialize(&empty).ok())?;
+    shafts::check_keys(file.table(), &spec)?;
     let CenterDistanceSpec::Distances(list) = &spec.center_distance_mm else {
         return Some(spec);
     };

@@ -3,15 +3,15 @@
 use super::gear::GearPart;
 use super::table::Table;
 
-/// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears without leads. `offset` is the place
-/// of the pinion's measuring plane.
+/// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears that are alike along it. `offset` is the
+/// place of the pinion's measuring plane. `leans`: axes are not parallel.
 ///
 /// The lengths of wheel and pinion are `factors` times those stated.
 /// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.
 pub fn common_face(
     file: &Table,
     [wheel, pinion]: [&GearPart; 2],
-    offset: f64,
+    (offset, leans): (f64, bool),
     factors: [f64; 2],
 ) -> Option<[f64; 2]> {
     let [one, other] = [wheel.helix?, pinion.helix?];
@@ -27,15 +27,19 @@ pub fn common_face(
     }
     if one.angle_deg == 0.0 {
         let mut gears = [wheel, pinion].into_iter();
-        if !gears.any(GearPart::has_leads) {
+        let why = if leans {
+            "the axes lean"
+        } else if gears.any(GearPart::has_leads) {
+            "the mate has leads"
+        } else {
             return Some([0.0; 2]);
-        }
+        };
         for (name, helix) in [("wheel", one), ("pinion", other)] {
             if helix.face_mm.is_none() {
                 return file.refuse(
                     &format!("{name}.face_width_mm"),
-                    "missing, expected the face width, or face_mm = [from, to] from the measuring plane: the mate has leads",
-                    "give the length of the teeth along the axis: leads matter where both gears have teeth",
+                    format!("missing, expected the face width, or face_mm = [from, to] from the measuring plane: {why}"),
+                    "give the length of the teeth along the axis: results depend on where both gears have teeth",
                 );
             }
         }

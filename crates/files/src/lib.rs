@@ -54,6 +54,7 @@ mod reading;
 mod require;
 pub mod rexs;
 mod runout;
+mod shafts;
 mod sheet;
 mod source;
 mod sources;

@@ -9,14 +9,14 @@ use super::measured::Measured;
 use super::numbers;
 use super::read::PairFile;
 use super::spec::{
-    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, MOST_DISTANCES, PAIR, PairSpec,
-    RequireSpec, ToleranceSpec, UncertaintySpec,
+    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, MOST_DISTANCES, MisalignmentSpec,
+    PAIR, PairSpec, RequireSpec, ToleranceSpec, UncertaintySpec,
 };
 use super::sweep::Sweep;
 use super::table::Table;
 use super::temperature::Temperature;
 use super::tolerance_table;
-use super::{pair_slips, temperature, unit_slips};
+use super::{pair_slips, shafts, temperature, unit_slips};
 use crate::Tree;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
@@ -74,6 +74,22 @@ impl<'a> PairTables<'a> {
         self.check_poses(center_distances.as_deref())?;
         let (stated, mut center_distances) = (stated?, center_distances?);
         let mut band = stated.band_mm();
+        let assembly = self.assembly.clone()?;
+        let lean = assembly.lean();
+        if assembly.holds_at() != 0.0 && lean != [0.0; 2] {
+            self.check_rows("assembly.misalignment.at_mm")?;
+            for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
+                *mm = assembly.in_measuring_plane(*mm);
+            }
+            let listed: Vec<String> = center_distances
+                .iter()
+                .map(|mm| numbers::shortest(*mm))
+                .collect();
+            remarks.push(format!(
+                "assembly.center_distance_mm: results name the distance in the wheel's measuring plane, {} mm",
+                listed.join(", ")
+            ));
+        }
         let mut materials = materials(&self.wheel, &self.pinion)?;
         let gears = [&self.wheel, &self.pinion];
         let temperature = self.temperature(gears)?;
@@ -83,27 +99,35 @@ impl<'a> PairTables<'a> {
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
                 *mm = temperature.distance(*mm);
             }
-            let base_radii = materials.first().map(|(_, wheel, pinion)| {
-                wheel.gear().base_radius() + pinion.gear().base_radius()
-            })?;
-            if let Some(reason) = center_distances
-                .iter()
-                .find_map(|&a| assembly::overlap(a, base_radii))
-            {
-                return table.refuse(
-                    "assembly.temperature_c",
-                    reason,
-                    "check the temperature and the coefficients of expansion",
-                );
-            }
             let described = temperature.described();
             remarks.push(format!("assembly.temperature_c: {described}"));
         }
+        let base_radii = materials
+            .first()
+            .map(|(_, wheel, pinion)| wheel.gear().base_radius() + pinion.gear().base_radius())?;
+        let is_shifted = temperature.is_some() || assembly.holds_at() != 0.0;
+        let mut overlaps = center_distances
+            .iter()
+            .map(|&a| assembly::overlap(a, base_radii));
+        if let Some(reason) = overlaps.find_map(|reason| reason).filter(|_| is_shifted) {
+            let (key, help) = if temperature.is_some() {
+                (
+                    "temperature_c",
+                    "check the temperature and the coefficients of expansion",
+                )
+            } else {
+                (
+                    "misalignment",
+                    "check it, and where the centre distance holds",
+                )
+            };
+            return table.refuse(&format!("assembly.{key}"), reason, help);
+        }
+        warnings.extend(shafts::check(&table, &assembly, materials.first())?);
         if let CenterDistanceSpec::Designated(designated) = &stated {
             let meaning = designated.meaning();
             remarks.extend(meaning.map(|words| format!("assembly.center_distance_mm: {words}")));
         }
-        let assembly = self.assembly?;
         let face_offset_mm = assembly.face_offset_mm;
         let gears = [&self.wheel, &self.pinion];
         let warm = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
@@ -111,7 +135,8 @@ impl<'a> PairTables<'a> {
         temperature::check_unequal(&table, factors)?;
         // The distance of the measuring planes expands as the wheel does.
         let offset = face_offset_mm.unwrap_or(0.0) * warm[0];
-        let face = common_face::common_face(&table, gears, offset, factors)?;
+        let leans = lean != [0.0; 2];
+        let face = common_face::common_face(&table, gears, (offset, leans), factors)?;
         // Teeth are counted in the wheel's measuring plane.
         if face[0] < face[1] && face_offset_mm.is_some() {
             for (_, _, pinion) in &mut materials {
@@ -145,6 +170,10 @@ impl<'a> PairTables<'a> {
             pinion: self.pinion.spec?,
             assembly: AssemblySpec {
                 center_distance_mm: stated,
+                misalignment: assembly.misalignment.map(|stated| MisalignmentSpec {
+                    at_mm: Some(assembly.holds_at()),
+                    ..stated
+                }),
                 ..assembly
             },
             measured: measured.as_ref().map(Measured::spec),
@@ -165,6 +194,7 @@ impl<'a> PairTables<'a> {
             drawn: Vec::new(),
             locked,
             face,
+            lean,
             center_distances,
             band,
             bearing_clearance: bearings.sum_mm(),
@@ -200,14 +230,22 @@ impl<'a> PairTables<'a> {
     fn temperature(&self, gears: [&GearPart; 2]) -> Option<Option<Temperature>> {
         let assembly = self.assembly.as_ref()?;
         let temperature = Temperature::read(self.table(), assembly, gears)?;
-        if temperature.is_some() && self.measured.as_ref()?.is_some() {
-            return self.table().refuse(
-                "assembly.temperature_c",
-                "given together with measured, whose rows state their own centre distances",
-                "remove one or the other",
-            );
+        if temperature.is_some() {
+            self.check_rows("assembly.temperature_c")?;
         }
         Some(temperature)
+    }
+
+    /// Reports the `key` that changes centre distances beside measured rows, which state their own.
+    fn check_rows(&self, key: &str) -> Option<()> {
+        if self.measured.as_ref()?.is_none() {
+            return Some(());
+        }
+        self.table().refuse(
+            key,
+            "given together with measured, whose rows state their own centre distances",
+            "remove one or the other",
+        )
     }
 
     /// The centre distances to run, a list in ascending order, checked against the base circles.

@@ -2,7 +2,7 @@
 
 use crate::outlines::DrawingRead;
 use crate::sources::Sources;
-use crate::spec::{CenterDistanceSpec, EitherGearSpec, GearSpec, PairSpec};
+use crate::spec::{EitherGearSpec, GearSpec, PairSpec};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
@@ -53,8 +53,7 @@ impl<G> PairFile<G> {
     /// # Errors
     /// As [`Study::at`].
     pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile<G>, Error> {
-        self.spec.assembly.center_distance_mm =
-            CenterDistanceSpec::Distances(center_distances.clone());
+        self.spec.assembly = self.spec.assembly.at(center_distances.clone());
         self.study = self.study.at(center_distances)?;
         Ok(self)
     }

@@ -11,13 +11,24 @@ const LEAD: (&str, &str, &str) = (
     "write it in [lead] below the gear: slope_um, helix_slope_um, crowning_um, end_relief or trace",
 );
 
-/// Parts of a key's words, and the reason for no such key.
-const UNSUPPORTED: [(&str, &str); 2] = [
+/// Parts of a key's words, the reason for no such key, and the remedy.
+const UNSUPPORTED: [(&str, &str, &str); 4] = [
     (
-        "shaft_angle axis_angle axes_angle crossed tilt skew misalign wobble",
-        "the axes are parallel: crossed and tilted ones are not modelled",
+        "shaft_angle axis_angle axes_angle crossed",
+        "the axes are nearly parallel: crossed ones are not modelled",
+        "remove it",
     ),
-    ("internal ring_gear", INTERNAL),
+    (
+        "tilt skew misalign parallelism f_sigma",
+        "shafts that are not parallel have a key of their own",
+        "write misalignment = { in_plane_um = …, out_of_plane_um = …, over_mm = … } in [assembly]",
+    ),
+    (
+        "wobble swash axial_runout face_runout",
+        "wobble is stated by the runout",
+        "write planes = […] or face_runout = { … } in [runout] below the gear",
+    ),
+    ("internal ring_gear", INTERNAL, "remove it"),
 ];
 
 /// Removed keys: the end of the path, the reason and the remedy.
@@ -62,6 +73,6 @@ pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, 
         return Some((reason, help));
     }
     let mut taken = UNSUPPORTED.iter();
-    let (_, reason) = taken.find(|(parts, _)| is_one_of(parts))?;
-    Some((reason, "remove it"))
+    let (_, reason, help) = taken.find(|(parts, ..)| is_one_of(parts))?;
+    Some((reason, help))
 }

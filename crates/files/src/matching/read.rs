@@ -89,6 +89,7 @@ pub fn read_match(
         clearance: pair.study.bearing_clearance,
         locked: pair.study.locked,
         face: pair.study.face,
+        lean: pair.study.lean,
         requirement,
         target,
     };
@@ -136,7 +137,9 @@ fn extreme_pairs(
     let [near, far] = terms.center_distances;
     let pair = |distance: f64| {
         let (wheel, pinion) = (wheel.gear.clone(), pinion.gear.clone());
-        GearPair::with_locked(wheel, pinion, distance, terms.locked)?.with_face(terms.face)
+        GearPair::with_locked(wheel, pinion, distance, terms.locked)?
+            .with_face(terms.face)?
+            .with_lean(terms.lean)
     };
     Ok([pair(near - terms.clearance)?, pair(far + terms.clearance)?])
 }

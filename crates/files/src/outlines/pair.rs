@@ -7,7 +7,9 @@ use crate::check::Checked;
 use crate::gear::GearPart;
 use crate::pair_file::names;
 use crate::read::{AnyPair, PairFile};
-use crate::spec::{AssemblySpec, EitherGearSpec, PAIR, PairSpec, RequireSpec, SweepSpec};
+use crate::spec::{
+    AssemblySpec, CenterDistanceSpec, EitherGearSpec, PAIR, PairSpec, RequireSpec, SweepSpec,
+};
 use crate::sweep::Sweep;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::outline::{OutlineGear, OutlinePair};
@@ -77,6 +79,18 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
             assembly.face_offset_mm.is_some(),
             "an outline is of a spur gear: its face makes no difference",
             "leave it out",
+        ),
+        (
+            "misalignment",
+            assembly.misalignment.is_some(),
+            "an outline is solved in one section: axes are parallel",
+            "leave it out",
+        ),
+        (
+            "center_distance_mm",
+            matches!(assembly.center_distance_mm, CenterDistanceSpec::Ends(_)),
+            "an outline is solved in one section: axes are parallel",
+            "give one distance",
         ),
         (
             "temperature_c",

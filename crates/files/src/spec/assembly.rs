@@ -36,6 +36,8 @@ pub struct AssemblySpec {
     #[serde(default, deserialize_with = "both_or_each")]
     #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
+    /// Deviation of the shafts from parallel.
+    pub misalignment: Option<MisalignmentSpec>,
     /// Axial offset of the pinion's measuring plane from the wheel's, away from the viewer; none: 0.
     #[schemars(transform = within(-1e6, 1e6))]
     pub face_offset_mm: Option<f64>,
@@ -45,6 +47,94 @@ pub struct AssemblySpec {
     /// Thermal expansion of the housing: 23e-6 of aluminium.
     #[schemars(transform = within(0.0, 3e-4))]
     pub housing_expansion_per_k: Option<f64>,
+}
+
+impl AssemblySpec {
+    /// Lean of the pinion's axis from the wheel's, mm per mm: in the plane of the axes, and out of it.
+    pub fn lean(&self) -> [f64; 2] {
+        let stated = self.misalignment.as_ref().map(MisalignmentSpec::lean);
+        let [in_plane, out_of_plane] = stated.unwrap_or_default();
+        match &self.center_distance_mm {
+            CenterDistanceSpec::Ends(ends) => [ends.lean(out_of_plane), out_of_plane],
+            _ => [in_plane, out_of_plane],
+        }
+    }
+
+    /// The place along the axes at which the first stated centre distance holds, mm from the wheel's measuring plane.
+    pub fn holds_at(&self) -> f64 {
+        match &self.center_distance_mm {
+            CenterDistanceSpec::Ends(ends) => ends.ends_mm[0][0],
+            _ => self
+                .misalignment
+                .and_then(|stated| stated.at_mm)
+                .unwrap_or(0.0),
+        }
+    }
+
+    /// The centre distance in the wheel's measuring plane where a stated one is `mm`.
+    pub fn in_measuring_plane(&self, mm: f64) -> f64 {
+        let ([in_plane, out_of_plane], at) = (self.lean(), self.holds_at());
+        if at == 0.0 || (in_plane, out_of_plane) == (0.0, 0.0) {
+            return mm;
+        }
+        rounded(across(mm, out_of_plane * at) - in_plane * at, 12)
+    }
+
+    /// This assembly at `distances` in the wheel's measuring plane, mm, with the same axes.
+    pub fn at(mut self, distances: Vec<f64>) -> AssemblySpec {
+        let [in_plane, out_of_plane] = self.lean();
+        if let CenterDistanceSpec::Ends(ends) = &self.center_distance_mm {
+            let over_mm = ends.length();
+            let [in_plane_um, out_of_plane_um] =
+                [in_plane, out_of_plane].map(|lean| 1e3 * lean * over_mm);
+            self.misalignment = Some(MisalignmentSpec {
+                in_plane_um,
+                out_of_plane_um,
+                over_mm,
+                at_mm: None,
+            });
+        }
+        if let Some(stated) = &mut self.misalignment {
+            stated.at_mm = Some(0.0);
+        }
+        AssemblySpec {
+            center_distance_mm: CenterDistanceSpec::Distances(distances),
+            ..self
+        }
+    }
+}
+
+/// The in-plane part of a centre distance, mm, of axes that stand `out_of_plane` mm out of their plane.
+fn across(mm: f64, out_of_plane: f64) -> f64 {
+    (mm * mm - out_of_plane * out_of_plane).max(0.0).sqrt()
+}
+
+/// Deviations of the axes from parallel, ISO/TR 10064-3.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct MisalignmentSpec {
+    /// In-plane deviation f_Σδ; plus: the axes are farther apart at the end away from the viewer.
+    #[serde(default)]
+    #[schemars(transform = deviation())]
+    pub in_plane_um: f64,
+    /// Out-of-plane deviation f_Σβ; plus: the end of the pinion's axis away from the viewer stands higher in the picture.
+    #[serde(default)]
+    #[schemars(transform = deviation())]
+    pub out_of_plane_um: f64,
+    /// Length along the axes over which both are stated, as the bearing span.
+    #[schemars(transform = length())]
+    pub over_mm: f64,
+    /// Place along the axes at which the centre distance holds, from the wheel's measuring plane away from the viewer; default: 0.
+    #[schemars(transform = within(-1e6, 1e6))]
+    pub at_mm: Option<f64>,
+}
+
+impl MisalignmentSpec {
+    /// Lean in and out of the plane of the axes, mm per mm.
+    fn lean(&self) -> [f64; 2] {
+        [self.in_plane_um, self.out_of_plane_um].map(|um| um / 1e3 / self.over_mm)
+    }
 }
 
 /// `centre_distance_mm` is `center_distance_mm`.
@@ -80,6 +170,9 @@ pub enum CenterDistanceSpec {
     /// Nominal distance and tolerance field, ISO 286.
     #[schemars(description = "")] // that of the struct
     Designated(DesignatedDistanceSpec),
+    /// Distances at two places along the axes.
+    #[schemars(description = "")] // that of the struct
+    Ends(DistanceEndsSpec),
 }
 
 impl CenterDistanceSpec {
@@ -89,6 +182,7 @@ impl CenterDistanceSpec {
             CenterDistanceSpec::Distances(list) => list.clone(),
             CenterDistanceSpec::Band(band) => band.distances_mm(),
             CenterDistanceSpec::Designated(stated) => stated.band.distances_mm(),
+            CenterDistanceSpec::Ends(ends) => vec![ends.ends_mm[0][1]],
         }
     }
 
@@ -101,13 +195,14 @@ impl CenterDistanceSpec {
             },
             CenterDistanceSpec::Band(band) => Some(band.nominal_mm),
             CenterDistanceSpec::Designated(stated) => Some(stated.band.nominal_mm),
+            CenterDistanceSpec::Ends(ends) => Some(ends.ends_mm[0][1]),
         }
     }
 
     /// The least and the greatest distance of a band, mm.
     pub fn band_mm(&self) -> Option<[f64; 2]> {
         match self {
-            CenterDistanceSpec::Distances(_) => None,
+            CenterDistanceSpec::Distances(_) | CenterDistanceSpec::Ends(_) => None,
             CenterDistanceSpec::Band(band) => Some(band.ends_mm()),
             CenterDistanceSpec::Designated(stated) => Some(stated.band.ends_mm()),
         }
@@ -218,6 +313,28 @@ fn band_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["tolerance_um"], &["upper_um", "lower_um"]]);
     beside(schema, "upper_um", &[&["lower_um"]]);
     beside(schema, "lower_um", &[&["upper_um"]]);
+}
+
+/// Centre distances as measured at two places, as at both walls: the axes lean in their plane.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct DistanceEndsSpec {
+    /// Place along the axes from the wheel's measuring plane, away from the viewer, and centre distance there, twice.
+    #[schemars(transform = within(-1e9, 1e9))]
+    pub ends_mm: [[f64; 2]; 2],
+}
+
+impl DistanceEndsSpec {
+    /// Distance of both places, mm.
+    fn length(&self) -> f64 {
+        self.ends_mm[1][0] - self.ends_mm[0][0]
+    }
+
+    /// Lean in the plane of the axes, mm per mm, of axes that lean `out_of_plane`.
+    fn lean(&self, out_of_plane: f64) -> f64 {
+        let [one, other] = self.ends_mm.map(|[at, mm]| across(mm, out_of_plane * at));
+        (other - one) / self.length()
+    }
 }
 
 /// One for each gear.

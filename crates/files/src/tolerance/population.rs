@@ -50,7 +50,9 @@ fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         );
     };
     let own = own_pair(&pair, file);
-    let distance = pair.spec.assembly.center_distance_mm.nominal_mm();
+    let assembly = &pair.spec.assembly;
+    let distance = assembly.center_distance_mm.nominal_mm();
+    let distance = distance.map(|mm| assembly.in_measuring_plane(mm));
     let distance_band = pair.study.band.zip(distance);
     let distance_band = distance_band.map(|(band, nominal)| band.map(|mm| mm - nominal));
     let one = |spec: &Option<ScatterSpec>, key: &str, band| match spec {
@@ -117,7 +119,10 @@ fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
     let materials = &pair.study.materials;
     let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
     let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
-    let made = wheel.and_then(|wheel| pair.study.pair(&wheel, &pinion?, distance));
+    let made = wheel.and_then(|wheel| {
+        pair.study
+            .pair(&wheel, &pinion?, spec.in_measuring_plane(distance))
+    });
     file.keep("tolerance", made, "correct the gears, or their distance")
 }
 

@@ -2,8 +2,8 @@
 
 use super::population::ToleranceFile;
 use crate::spec::{
-    BearingClearanceSpec, CenterDistanceSpec, Either, GearSpec, PairSpec, PitchSpec, Revolutions,
-    RunoutSpec, StatementSpec, SweepSpec, ThicknessSpec,
+    BearingClearanceSpec, Either, GearSpec, PairSpec, PitchSpec, Revolutions, RunoutSpec,
+    StatementSpec, SweepSpec, ThicknessSpec,
 };
 use gearlash::error::Error;
 use gearlash::gear::thickness::span_from_base;
@@ -101,12 +101,11 @@ impl ToleranceFile {
         // Its teeth are counted in the wheel's measuring plane.
         let pinion = pair.gear(Member::Pinion);
         let pinion = match own.assembly.face_offset_mm {
-            Some(offset) if pair.is_helical() || pinion.has_leads() => &pinion.section_at(offset),
+            Some(offset) if pair.varies_along_face() => &pinion.section_at(offset),
             _ => pinion,
         };
         spec.pinion = self.gear_spec(pinion, Member::Pinion);
-        spec.assembly.center_distance_mm =
-            CenterDistanceSpec::Distances(vec![pair.center_distance()]);
+        spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
         if !is_own {
             spec.assembly.bearing_clearance_mm = BearingClearanceSpec {
                 wheel: assembly.clearance(),

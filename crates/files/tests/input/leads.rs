@@ -6,7 +6,7 @@ use gearlash::gear::Side;
 use gearlash::pair::{Mating, Pose};
 
 /// A spur pair, its wheel with the keys `WHEEL`, its pinion with `PINION`; both 20 mm wide and centred.
-const SPUR: &str = r#"
+pub(super) const SPUR: &str = r#"
 [wheel]
 teeth = 36
 module_mm = 2
@@ -32,7 +32,7 @@ fn spur(wheel: &str, pinion: &str) -> PairFile {
 }
 
 /// `j_bt` of the first pair at a mating of these teeth, µm.
-fn j_bt(file: &PairFile, (wheel_tooth, pinion_tooth): (u32, u32), flank: Side) -> f64 {
+pub(super) fn j_bt(file: &PairFile, (wheel_tooth, pinion_tooth): (u32, u32), flank: Side) -> f64 {
     let run = &file.study.runs().unwrap()[0];
     let pair = run.assembly.data().unwrap();
     let mating = Mating {

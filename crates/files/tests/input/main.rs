@@ -6,6 +6,7 @@ mod leads;
 mod mutations;
 mod poses;
 mod published;
+mod shafts;
 mod stated;
 mod thickness;
 

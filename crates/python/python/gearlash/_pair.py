@@ -22,7 +22,8 @@ class Pair:
     """Two gears at one or several centre distances.
 
     ``center_distance_mm`` is what a pair file may have there: a number, several, a band
-    (``{"nominal_mm": 132.18, "tolerance_um": 30}``) or a designation (``"132.18 js7"``). The other arguments are the keys of ``[assembly]`` and
+    (``{"nominal_mm": 132.18, "tolerance_um": 30}``), distances at two places (``{"ends_mm": [[-50, 132.15], [50, 132.165]]}``) or a
+    designation (``"132.18 js7"``). The other arguments are the keys of ``[assembly]`` and
     the tables ``[require]`` and ``[uncertainty]``.
 
     Where a thickness has two ends, methods that take a ``material`` take ``most`` unless one is named; those that take a
@@ -36,10 +37,11 @@ class Pair:
         self,
         wheel: Gear,
         pinion: Gear,
-        center_distance_mm: float | Sequence[float] | str | Mapping[str, float],
+        center_distance_mm: float | Sequence[float] | str | Mapping[str, Any],
         *,
         bearing_clearance_mm: float | Mapping[str, float] | None = None,
         face_offset_mm: float | None = None,
+        misalignment: Mapping[str, float] | None = None,
         locked: str | None = None,
         temperature_c: float | None = None,
         housing_expansion_per_k: float | None = None,
@@ -55,6 +57,7 @@ class Pair:
                 "center_distance_mm": center_distance_mm,
                 "bearing_clearance_mm": bearing_clearance_mm,
                 "face_offset_mm": face_offset_mm,
+                "misalignment": misalignment,
                 "locked": locked,
                 "temperature_c": temperature_c,
                 "housing_expansion_per_k": housing_expansion_per_k,

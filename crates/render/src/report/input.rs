@@ -214,6 +214,13 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
         format!("{} … {}", fixed(least, 4), fixed(most, 4))
     };
     let mut rows = vec![("a | centre distance | mm", distances.join(", "))];
+    if study.lean != [0.0; 2] {
+        let [in_plane, out_of_plane] = study.lean.map(|lean| trimmed(1e3 * lean, 0, 4));
+        rows.push((
+            "| lean of the pinion’s axis, in the plane of the axes / out of it | µm/mm",
+            format!("{in_plane} / {out_of_plane}"),
+        ));
+    }
     if study.is_helical() {
         let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
         let offset = shortest(spec.face_offset_mm.unwrap_or_default());

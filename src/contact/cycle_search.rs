@@ -55,9 +55,9 @@ pub(super) struct Cell {
     pub status: Status,
     /// In the middle, and its error.
     pub angle: Option<(f64, f64)>,
-    /// The lost motion is no less, −∞ where nothing bounds it, and what the drawings may take off that.
+    /// The lost motion is no less, −∞ where nothing bounds it, and what no narrower cell excludes below it.
     pub low: (f64, f64),
-    /// It is no greater, and what the drawings may add.
+    /// It is no greater, and what no narrower cell excludes above it.
     pub high: (f64, f64),
     pub effort: u64,
 }
@@ -82,7 +82,7 @@ impl Cell {
         Some(end.sign() * angle)
     }
 
-    /// No value of the cell is less, and what the drawings take off.
+    /// No value of the cell is less, and what no narrower cell excludes beyond it.
     fn bound(&self, end: End) -> (f64, f64) {
         match end {
             End::Least => self.low,
@@ -93,6 +93,9 @@ impl Cell {
 
 /// A mesh cycle whose cells can be bounded.
 pub(super) trait CycleCells: Sync {
+    /// The reason for what no narrower cell excludes.
+    const LEFT_OPEN: Doubt;
+
     /// The mating `pitches` after the first pose.
     fn mating(&self, pitches: f64) -> Mating;
 
@@ -268,8 +271,8 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let pose = equal.min_by(|a, b| a.pitches.total_cmp(&b.pitches))?;
         let (angle, error) = pose.angle?;
         let bounds = cells.iter().map(|cell| {
-            let (bound, drawn) = cell.bound(end);
-            bound - drawn
+            let (bound, open) = cell.bound(end);
+            bound - open
         });
         let bound = bounds.fold(end.sign() * angle - error, f64::min);
         let (low, high) = match end {
@@ -279,7 +282,7 @@ impl<T: CycleCells> CycleSearch<'_, T> {
         let doubt = if !closed {
             Some(Doubt::Effort)
         } else if high - low > self.width {
-            Some(Doubt::Drawing)
+            Some(T::LEFT_OPEN)
         } else {
             None
         };

@@ -581,18 +581,20 @@ impl AsBuilt {
         self.inwards() * rate
     }
 
-    /// Greatest lead of a tooth's flank, mm, over `face`, mm from this section.
-    pub(crate) fn greatest_lead(&self, side: Side, tooth: u32, face: [f64; 2]) -> f64 {
+    /// Least and greatest lead of a tooth's flank over `face`, mm from this section: its value, mm, and its first and second rate along the
+    /// gear's own heights, mm per mm.
+    pub(crate) fn lead_bounds(&self, side: Side, tooth: u32, face: [f64; 2]) -> [[f64; 2]; 3] {
         let [from, to] = self.heights(face);
         let curve = self.lead_curve(side, tooth);
-        curve.map_or(0.0, |curve| curve.bounds(from, to)[0][1])
+        curve.map_or([[0.0; 2]; 3], |curve| curve.bounds(from, to))
     }
 
-    /// This gear without leads, with flanks spread over all that leads turn them to over `face`: tooth 1 to one limit, all others to the other.
+    /// This gear without leads, with flanks spread over all that leads turn them to over `face`, and `more`, mm along the base tangent: tooth 1
+    /// to one limit, all others to the other.
     ///
     /// # Errors
     /// As [`AsBuilt::enclosing`].
-    pub(crate) fn spread_by_leads(&self, face: [f64; 2]) -> Result<AsBuilt, GearError> {
+    pub(crate) fn spread_by_leads(&self, face: [f64; 2], more: f64) -> Result<AsBuilt, GearError> {
         let ([outer, inner], _) = self.enclosing(face)?;
         let spread = |side: Side| {
             let all = [&outer, &inner].map(|gear| gear.offsets[side.index()].iter());
@@ -601,7 +603,8 @@ impl AsBuilt {
                     (l.min(*o), m.max(*o))
                 })
             });
-            let (least, most) = (one.0.min(other.0), one.1.max(other.1));
+            let more = more / self.gear.base_radius();
+            let (least, most) = (one.0.min(other.0) - more, one.1.max(other.1) + more);
             let teeth = self.offsets[side.index()].len();
             (0..teeth)
                 .map(|k| if k == 0 { most } else { least })

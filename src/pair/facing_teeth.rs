@@ -10,6 +10,8 @@ pub(crate) struct FacingTeeth<'a> {
     pub teeth: [(&'a AsBuilt, u32); 2],
     /// Their leads in the measuring plane, mm, which their places contain.
     in_plane: [f64; 2],
+    /// Height at which each tooth touches in the section at 0, mm along its own axis, and its rate along the face.
+    heights: [[f64; 2]; 2],
 }
 
 impl<'a> FacingTeeth<'a> {
@@ -19,14 +21,32 @@ impl<'a> FacingTeeth<'a> {
             side,
             teeth,
             in_plane: teeth.map(|(gear, tooth)| gear.lead(side, tooth, 0.0)),
+            heights: [[0.0, 1.0]; 2],
         }
+    }
+
+    /// These teeth of leaning axes, which touch at `heights` along their own axes: mm in the section at 0, and mm per mm along the face.
+    pub fn with_heights(self, heights: [[f64; 2]; 2]) -> FacingTeeth<'a> {
+        FacingTeeth { heights, ..self }
+    }
+
+    /// Height along the axis of the locked (0) or the free gear (1), mm, in the section at `b`.
+    fn height(&self, k: usize, b: f64) -> f64 {
+        let [at_0, rate] = self.heights[k];
+        at_0 + rate * b
+    }
+
+    /// The section, mm, of a height along the axis of the locked (0) or the free gear (1), mm.
+    pub fn section_of(&self, k: usize, height: f64) -> f64 {
+        let [at_0, rate] = self.heights[k];
+        (height - at_0) / rate
     }
 
     /// Leads of both teeth at `b`, less those in the measuring plane, mm.
     pub fn leads(&self, b: f64) -> [f64; 2] {
         [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
-            gear.lead(self.side, tooth, b) - self.in_plane[k]
+            gear.lead(self.side, tooth, self.height(k, b)) - self.in_plane[k]
         })
     }
 
@@ -38,8 +58,10 @@ impl<'a> FacingTeeth<'a> {
 
     /// Rates of both leads at `b`, mm per mm.
     pub fn rates(&self, b: f64) -> [f64; 2] {
-        self.teeth
-            .map(|(gear, tooth)| gear.lead_rate(self.side, tooth, b))
+        [0, 1].map(|k| {
+            let (gear, tooth) = self.teeth[k];
+            self.heights[k][1] * gear.lead_rate(self.side, tooth, self.height(k, b))
+        })
     }
 
     /// Rate of the sum of both leads at `b`, mm per mm.
@@ -52,9 +74,30 @@ impl<'a> FacingTeeth<'a> {
     pub fn greatest_lead(&self, face: [f64; 2]) -> f64 {
         let [locked, free] = [0, 1].map(|k| {
             let (gear, tooth) = self.teeth[k];
-            gear.greatest_lead(self.side, tooth, face) - self.in_plane[k]
+            let face = face.map(|b| self.height(k, b));
+            gear.lead_bounds(self.side, tooth, face)[0][1] - self.in_plane[k]
         });
         locked + free
+    }
+
+    /// Least and greatest second derivative of each lead between two places, mm per mm².
+    pub fn bends(&self, ends: [f64; 2]) -> [[f64; 2]; 2] {
+        [0, 1].map(|k| {
+            let (gear, tooth) = self.teeth[k];
+            let rate = self.heights[k][1];
+            let bends = gear.lead_bounds(self.side, tooth, ends.map(|b| self.height(k, b)))[2];
+            bends.map(|bend| bend * rate * rate)
+        })
+    }
+
+    /// Bounds on the amount of the rate of each lead over `face`, mm per mm.
+    pub fn steepest(&self, face: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| {
+            let (gear, tooth) = self.teeth[k];
+            let face = face.map(|b| self.height(k, b));
+            let [least, most] = gear.lead_bounds(self.side, tooth, face)[1];
+            least.abs().max(most.abs())
+        })
     }
 
     /// Places between which each lead is one cubic, mm, from `from` to `to`, ascending. `section` gives the section in which the teeth touch

@@ -761,6 +761,7 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::Profile => "deviations bounded for each flank as a whole",
         Doubt::ContactLost => "contact lost at a pose",
         Doubt::Drawing => "the drawings leave more open",
+        Doubt::Sections => "sections of leaning axes leave more open",
     }
 }
 

@@ -30,6 +30,7 @@ mod flank_pieces;
 mod flank_problem;
 mod helical;
 mod lands;
+mod leaning;
 mod line;
 mod modified;
 mod path;

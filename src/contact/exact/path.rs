@@ -17,6 +17,17 @@ pub(super) struct Pair {
     pub free_base: f64,
 }
 
+impl Pair {
+    /// This pair with the locked and the free tooth turned by `turns`, rad, about their own centres.
+    #[inline]
+    pub fn turned(self, turns: [f64; 2]) -> Pair {
+        Pair {
+            locked_base: self.locked_base + turns[0],
+            free_base: self.free_base + turns[1],
+        }
+    }
+}
+
 impl PosedFlanks<'_> {
     #[inline]
     pub(super) fn pair(&self, step: i64) -> Pair {

@@ -114,8 +114,18 @@ impl Separation {
     /// The pair at `step` with endless involutes, which touch on the line of action, found from about the gap `near`. Without a line nothing
     /// bounds the gap.
     pub fn endless(posed: &PosedFlanks, step: i64, near: f64) -> Separation {
+        Separation::endless_turned(posed, step, near, [0.0; 2])
+    }
+
+    /// Like [`Separation::endless`], with the locked and the free tooth turned by `turns`, rad, about their own centres.
+    pub fn endless_turned(
+        posed: &PosedFlanks,
+        step: i64,
+        near: f64,
+        turns: [f64; 2],
+    ) -> Separation {
         let problem = posed.problem;
-        let pair = posed.pair(step);
+        let pair = posed.pair(step).turned(turns);
         let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::endless);
         let sum = problem.sum();
         let mut gap = near;
@@ -154,18 +164,9 @@ impl Separation {
     }
 
     /// Like [`Separation::new`], with the locked and the free tooth turned by `turns`, rad, about their own centres.
-    pub fn turned(
-        posed: &PosedFlanks,
-        step: i64,
-        near: f64,
-        [locked_turn, free_turn]: [f64; 2],
-    ) -> Separation {
+    pub fn turned(posed: &PosedFlanks, step: i64, near: f64, turns: [f64; 2]) -> Separation {
         let problem = posed.problem;
-        let pair = posed.pair(step);
-        let pair = Pair {
-            locked_base: pair.locked_base + locked_turn,
-            free_base: pair.free_base + free_turn,
-        };
+        let pair = posed.pair(step).turned(turns);
         let arcs = [&problem.locked.shape, &problem.free.shape].map(Arc::new);
         let sum = problem.sum();
         let mut gap = near;
@@ -241,6 +242,11 @@ impl Separation {
     /// Rolls of the locked and the free involute in the separating direction.
     pub fn rolls(&self) -> [f64; 2] {
         self.rolls
+    }
+
+    /// These rolls, or those of the ends of the involutes beyond which they are.
+    pub fn rolls_on_arcs(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.rolls[k].clamp(self.arcs[k].form, self.arcs[k].tip))
     }
 
     /// Whether both rolls are on their involutes and at least `plays` from the ends.

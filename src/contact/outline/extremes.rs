@@ -9,7 +9,7 @@ use super::teeth::Frame;
 use super::{Meeting, OutlineKernel, SideKernel};
 use crate::contact::cycle_search::{Cell, CycleCells, CycleSearch};
 use crate::contact::effort::Effort;
-use crate::contact::exact::{End, Extremes};
+use crate::contact::exact::{Doubt, End, Extremes};
 use crate::contact::gap::{C, turn};
 use crate::outline::OutlinePair;
 use crate::pair::Mating;
@@ -67,6 +67,8 @@ struct OutlineCells<'a> {
 }
 
 impl CycleCells for OutlineCells<'_> {
+    const LEFT_OPEN: Doubt = Doubt::Drawing;
+
     fn mating(&self, pitches: f64) -> Mating {
         self.cycle.first.onward(self.pair, pitches)
     }

@@ -1,4 +1,4 @@
-//! Extremes of pairs with lead deviations: bounds over cells of the mesh cycle, for [`CycleSearch`].
+//! Extremes of pairs that deviate along the face: bounds over cells of the mesh cycle, for [`CycleSearch`].
 //!
 //! **Above.** A pair of teeth is never tighter than its endless involutes, whose tightness over a cell is concave up to a small constant
 //! ([`Separation`]): their values at both ends, raised by it, bound it by a line. In the section at `b` the leads add `Σ δ(b)` along the
@@ -15,29 +15,55 @@
 //! **Below.** The pair that touches in the middle, in its section, bounds the side by the chord between its values at both ends, less the
 //! same constant.
 //!
-//! Both hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`Over`] bounds. Gears whose flanks
-//! spread over all values of their leads show that.
+//! **Leaning axes** ([`LeaningFrame`]). In the section at `b` the centres are displaced by `b` times their leans. Twist and leads are those at
+//! the heights of the point of contact. Along the face the tightness of endless involutes is a parabola, which three sections give at either
+//! end of a cell, up to its third derivative. That is at most `3 (θ D/T)³/T²`, with the lean `θ`, the distance `D` of the centres and the
+//! length `T` of the line. Over a cell a wobble `t` turns with its gear. At the distance `Q` of the contact from the axis it bends the
+//! tightness by `tan β_b t (Q + 2 r_b)` per square of the turn.
+//!
+//! A tip corner that is passed by `ω` stands `r_b ξ_a ω` inside of the line, at another height than the line's point. By its twist that adds
+//! `g ω` to its tightness.
+//!
+//! Both bounds hold while only involutes and their ends can touch, and corners on fillets, whose additional room [`Over`] bounds. Gears whose
+//! flanks spread over all turns by leads and leans, at the least distance of any section, show that.
 
 use super::course::{Course, Posed, SideCourse, posed_sides};
 use super::over::Over;
 use crate::contact::cycle_search::{Cell, CycleCells};
 use crate::contact::effort::Effort;
-use crate::contact::exact::End;
-use crate::contact::exact::ExactKernel;
+use crate::contact::exact::leaning::{LeaningFrame, dot};
 use crate::contact::exact::separation::Separation;
+use crate::contact::exact::shape::turn;
+use crate::contact::exact::{Doubt, End, ExactKernel};
 use crate::contact::lost_motion::Contact;
-use crate::gear::Side;
+use crate::gear::{AsBuilt, Side};
+use crate::numeric::bisect;
 use crate::pair::{FacingTeeth, GearPair, Mating, Member, Pose};
 use std::ops::Range;
 
 /// Effort of a pair of teeth in a cell, nodes (tuned: 1 µs).
 const STEP: u64 = 3;
 
+/// Effort of the sections of a pair of leaning axes in a cell, nodes (tuned: 4 µs).
+const LEANING_STEP: u64 = 12;
+
 /// Steps to the maximum of a stretch between knots: each at least halves the bracket, and its square is what remains.
 const STEPS: usize = 14;
 
 /// Excess of a bound over the bracket's tangents at which a maximum is close enough, mm.
 const CLOSE: f64 = 1e-10;
+
+/// Parts of the face in which corners on fillets are bounded, a pitch of twist (tuned).
+const PARTS_A_PITCH: f64 = 4.0;
+
+/// Least distance from the middle of the face, mm, of the sections that show how a lean acts.
+const LEAST_HALF_FACE: f64 = 1e-3;
+
+/// Factor of the bounds of leaning axes for their products with eccentricities and with each other.
+const HIGHER_ORDERS: f64 = 1.5;
+
+/// Half the width of a cell, pitches, from which on the rest of its bound counts as open: narrower cells hardly exclude it.
+const NARROW: f64 = 1e-5;
 
 /// The cells of a cycle.
 pub(super) struct AlongFaceCells<'a> {
@@ -48,15 +74,24 @@ pub(super) struct AlongFaceCells<'a> {
 }
 
 impl<'a> AlongFaceCells<'a> {
-    /// The cells of `course`; `None` without lead deviations, where axes lean, or where other curves can touch.
+    /// The cells of `course`; `None` where nothing deviates along the face, or other curves can touch.
     pub fn new(course: &Course<'a>) -> Option<AlongFaceCells<'a>> {
         let assembly = course.assembly;
-        if !assembly.has_leads() || assembly.leans() || assembly.is_modified() {
+        if !assembly.deviates_along_face() || assembly.is_modified() {
             return None;
         }
-        let spread = |member: Member| assembly.gear(member).spread_by_leads(assembly.face());
+        // Heights of a point of contact over its section, and turns of flanks by their twist.
+        let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
+        let height = assembly.most_lean() * reach[0].max(reach[1]);
+        let twist = assembly.gear(Member::Wheel).gear().basic_data();
+        let turned = height * (twist.base_helix_angle().tan() + assembly.most_lean());
+        let [from, to] = assembly.face();
+        let spread = |member: Member| {
+            let gear = assembly.gear(member);
+            gear.spread_by_leads([from - height, to + height], turned)
+        };
         let (wheel, pinion) = (spread(Member::Wheel).ok()?, spread(Member::Pinion).ok()?);
-        let distance = assembly.center_distance();
+        let distance = assembly.center_distance() - assembly.most_shift();
         let pair = assembly.with_gears(wheel, pinion, distance).ok()?;
         let kernel = ExactKernel::new(&pair);
         let effort = Effort::endless();
@@ -78,6 +113,8 @@ impl<'a> AlongFaceCells<'a> {
 }
 
 impl CycleCells for AlongFaceCells<'_> {
+    const LEFT_OPEN: Doubt = Doubt::Sections;
+
     fn mating(&self, pitches: f64) -> Mating {
         self.first.onward(self.assembly, pitches)
     }
@@ -94,31 +131,39 @@ impl CycleCells for AlongFaceCells<'_> {
         };
         cell.status = found.status();
         cell.angle = found.angle().zip(found.error());
-        if half > 0.5 || cell.angle.is_none() {
+        let Some((angle, _)) = cell.angle.filter(|_| half <= 0.5) else {
             return cell;
-        }
+        };
         let posed = posed_sides(&self.sides, self.kernel.plane(), &pose);
-        let sides = [0, 1].map(|k| SideCell {
-            assembly,
-            over: Over {
-                stretch: [-half, half],
-                side: &self.sides[k],
-                ends: [posed[k].on(-half), posed[k].on(half)],
-                faces: Vec::new(),
-                effort: &effort,
-            },
+        let sides = [0, 1].map(|k| {
+            let ends = [posed[k].on(-half), posed[k].on(half)];
+            SideCell {
+                assembly,
+                leaning: LeaningFrame::new(assembly, &ends[0].flanks)
+                    .zip(LeaningFrame::new(assembly, &ends[1].flanks))
+                    .map(|(one, other)| [one, other]),
+                over: Over {
+                    stretch: [-half, half],
+                    side: &self.sides[k],
+                    ends,
+                    faces: Vec::new(),
+                    effort: &effort,
+                },
+            }
         });
+        let sums = |right: Bound, left: Bound| [0, 1].map(|k| right.ends[k] + left.ends[k]);
         if ends.contains(&End::Least)
             && let [Some(right), Some(left)] = sides.each_ref().map(SideCell::above)
         {
-            let tightest = (right[0] + left[0]).max(right[1] + left[1]);
-            cell.low = (-tightest, 0.0);
+            let [one, other] = sums(right, left);
+            cell.low = rest_of(half, -one.max(other), angle, right.open + left.open);
         }
         if ends.contains(&End::Greatest) {
             let below = |k: usize| sides[k].below(&found.on(Side::BOTH[k])?);
             if let [Some(right), Some(left)] = [below(0), below(1)] {
-                let loosest = (right[0] + left[0]).min(right[1] + left[1]);
-                cell.high = (-loosest, 0.0);
+                let [one, other] = sums(right, left);
+                let (high, open) = rest_of(half, one.min(other), -angle, right.open + left.open);
+                cell.high = (-high, open);
             }
         }
         cell.effort = effort.used();
@@ -126,9 +171,30 @@ impl CycleCells for AlongFaceCells<'_> {
     }
 }
 
+/// A bound of a cell of half the width `half`, pitches, with the value `angle` in its middle, and what it leaves open, rad.
+fn rest_of(half: f64, bound: f64, angle: f64, open: f64) -> (f64, f64) {
+    let rest = angle - bound;
+    if half < NARROW && rest > 0.0 {
+        (angle, open + rest)
+    } else {
+        (bound, open)
+    }
+}
+
+/// A bound of the tightness of a side over a cell, rad of the free gear beyond nominal.
+#[derive(Debug, Clone, Copy)]
+struct Bound {
+    /// Values at both ends, between which it is a line.
+    ends: [f64; 2],
+    /// Rest that no narrower cell excludes.
+    open: f64,
+}
+
 /// One side of a cell.
 struct SideCell<'a> {
     assembly: &'a GearPair,
+    /// Where axes lean: the frames at both ends.
+    leaning: Option<[LeaningFrame; 2]>,
     /// The cell in the measuring plane.
     over: Over<'a>,
 }
@@ -138,7 +204,28 @@ impl<'a> SideCell<'a> {
     fn steps(&self) -> Range<i64> {
         let over = |end: &Posed| end.flanks.steps_over(self.over.side.turns);
         let [one, other] = self.over.ends.each_ref().map(over);
-        one.start.min(other.start)..one.end.max(other.end)
+        let more = i64::from(self.leaning.is_some());
+        one.start.min(other.start) - more..one.end.max(other.end) + more
+    }
+
+    fn members(&self) -> [Member; 2] {
+        [self.assembly.locked(), self.assembly.free()]
+    }
+
+    fn bases(&self) -> [f64; 2] {
+        let problem = self.over.side.problem;
+        [problem.locked.shape.base, problem.free.shape.base]
+    }
+
+    fn twists(&self) -> [f64; 2] {
+        let flanks = &self.over.ends[0].flanks;
+        self.members()
+            .map(|member| flanks.twist(self.assembly, member))
+    }
+
+    /// Turn of the locked and of the free gear over the cell, rad.
+    fn turns(&self) -> [f64; 2] {
+        self.over.plays().map(|play| play / 1.2)
     }
 
     /// Bound on what a pair's tightness rises above the chord between its ends, or falls below it, rad.
@@ -146,9 +233,10 @@ impl<'a> SideCell<'a> {
         Some(self.over.bend(found)? / 8.0 + self.over.rounding())
     }
 
-    /// The side is no tighter than the line between these values at the ends, rad of the free gear beyond nominal.
-    fn above(&self) -> Option<[f64; 2]> {
+    /// The side is no tighter than this.
+    fn above(&self) -> Option<Bound> {
         let mut most = [f64::NEG_INFINITY; 2];
+        let mut open = 0.0f64;
         for step in self.steps() {
             self.over.effort.spend(STEP);
             let found = self.over.endless_separations(step);
@@ -157,78 +245,292 @@ impl<'a> SideCell<'a> {
             }
             let bend = self.bend(&found)?;
             let line = [0, 1].map(|k| bend - self.over.ends[k].room(found[k].gap));
-            let leads = Leads::new(self, step, &found);
-            // Without the room of tips.
-            let [base, off] = [
-                self.over.side.problem.free.shape.base,
-                self.over.side.off[1],
-            ];
-            let turned = |mm: f64| mm / if mm > 0.0 { base - off } else { base + off };
-            let simple = turned(leads.teeth.greatest_lead(leads.face));
-            if (0..2).all(|k| line[k] + simple <= most[k]) {
+            let pair = PairOverFace::new(self, step, &found)?;
+            let [from, to] = pair.face;
+            if from > to {
+                // Nowhere are the teeth of both gears.
                 continue;
             }
-            // A corner on a fillet has at least its clearance more room than the endless involutes.
-            let enough = simple - turned(leads.greatest());
-            let clearance = self.over.least_clearance(step, enough, leads.turned);
-            let more = simple - enough.min(clearance);
-            for k in 0..2 {
-                most[k] = most[k].max(line[k] + more);
+            let simple = [0, 1].map(|k| pair.simple(k, pair.face));
+            if (0..2).all(|k| line[k] + simple[k] + pair.at_fillet(pair.face) <= most[k]) {
+                continue;
             }
+            let first = pair.greatest(0);
+            let greatest = match self.leaning {
+                Some(_) => [first, pair.greatest(1)],
+                None => [first; 2],
+            };
+            for k in 0..2 {
+                most[k] = most[k].max(line[k] + greatest[k]);
+            }
+            self.add_fillets(step, &pair, line, &mut most);
+            open = open.max(pair.open);
         }
-        Some(most)
+        let left_out = self.assembly.left_out() / self.bases()[1];
+        Some(Bound {
+            ends: most,
+            open: open + left_out,
+        })
     }
 
-    /// The side is no looser than the line between these values at the ends, as the pair of `contact` holds it in its section.
-    fn below(&self, contact: &Contact) -> Option<[f64; 2]> {
+    /// Raises `most`, the bounds at both ends of the cell, by those of corners of a pair on fillets. A corner on a fillet has at least its
+    /// clearance more room than the endless involutes, which have `line` in the measuring plane.
+    fn add_fillets(&self, step: i64, pair: &PairOverFace, line: [f64; 2], most: &mut [f64; 2]) {
+        let [from, to] = pair.face;
+        let twist = self.twists()[0];
+        let pitches = (to - from) * twist.abs() / self.over.side.problem.locked.pitch;
+        let parts = (PARTS_A_PITCH * pitches).ceil().max(1.0);
+        let at = |part: f64| from + (to - from) * (part / parts);
+        for part in 0..parts as u32 {
+            let part = [at(f64::from(part)), at(f64::from(part) + 1.0)];
+            let more = pair.at_fillet(part);
+            let top = [0, 1].map(|k| line[k] + pair.simple(k, part) + more);
+            let enough = (top[0] - most[0]).max(top[1] - most[1]);
+            if enough > 0.0 {
+                let turns = part.map(|b| twist * b);
+                let turns = [turns[0].min(turns[1]), turns[0].max(turns[1])];
+                let beside = (pair.turned, self.assembly.most_shift());
+                let clearance = self.over.least_clearance(step, enough, turns, beside);
+                for k in 0..2 {
+                    most[k] = most[k].max(top[k] - clearance);
+                }
+            }
+        }
+    }
+
+    /// The side is no looser than this, as the pair of `contact` holds it in its section.
+    fn below(&self, contact: &Contact) -> Option<Bound> {
         let problem = self.over.side.problem;
         let flanks = &self.over.ends[0].flanks;
-        let members = [self.assembly.locked(), self.assembly.free()];
-        let teeth = members.map(|member| contact.touch(member).tooth);
+        let teeth = self.members().map(|member| contact.touch(member).tooth);
         let step = self.steps().find(|step| {
             let (locked, free) = flanks.places(*step);
             [problem.locked.number(locked), problem.free.number(free)] == teeth
         })?;
-        let b = contact.section;
-        let leads = flanks.facing_teeth(self.assembly, step).leads(b);
-        let bases = [problem.locked.shape.base, problem.free.shape.base];
-        let twists = members.map(|member| flanks.twist(self.assembly, member));
-        let turns = [0, 1].map(|k| twists[k] * b - leads[k] / bases[k]);
-        let found = self
-            .over
-            .ends
-            .each_ref()
-            .map(|end| Separation::turned(&end.flanks, step, end.nominal_gap(), turns));
+        let found = [
+            self.touch(0, step, contact.section)?,
+            self.touch(1, step, contact.section)?,
+        ];
         if !found.iter().all(|one| one.touches) {
             return None;
         }
-        let bend = self.bend(&found)?;
-        Some([0, 1].map(|k| -self.over.ends[k].room(found[k].gap) - bend))
+        let mut bend = self.bend(&found)?;
+        let mut open = 0.0;
+        if self.leaning.is_some() {
+            let teeth = flanks.facing_teeth(self.assembly, step);
+            bend += self.heights_bend(&teeth, &found);
+            open = self.other_contact(&found, 0.0);
+        }
+        Some(Bound {
+            ends: [0, 1].map(|k| -self.over.ends[k].room(found[k].gap) - bend),
+            open,
+        })
+    }
+
+    /// The touch of a step in the section at `b` at an end of the cell.
+    fn touch(&self, end: usize, step: i64, b: f64) -> Option<Separation> {
+        let posed = &self.over.ends[end];
+        let teeth = posed.flanks.facing_teeth(self.assembly, step);
+        let (bases, twists, near) = (self.bases(), self.twists(), posed.nominal_gap());
+        let leads = teeth.leads(b);
+        let turns = [0, 1].map(|k| twists[k] * b - leads[k] / bases[k]);
+        let Some(frames) = &self.leaning else {
+            return Some(Separation::turned(&posed.flanks, step, near, turns));
+        };
+        self.over.effort.spend(LEANING_STEP);
+        let here = frames[end].at(&posed.flanks, b);
+        let found = Separation::turned(&here, step, near, turns);
+        if !found.touches {
+            return None;
+        }
+        let touch = frames[end].touch(b, &here, &found);
+        let turns = [0, 1].map(|k| {
+            let lead = teeth.leads(b + touch.heights[k])[k];
+            twists[k] * b + touch.turns[k] - lead / bases[k]
+        });
+        Some(Separation::turned(&here, step, found.gap, turns))
+    }
+
+    /// The gears, locked and free.
+    fn gears(&self) -> [&'a AsBuilt; 2] {
+        self.members().map(|member| self.assembly.gear(member))
+    }
+
+    /// `tan β_b`.
+    fn wound(&self) -> f64 {
+        let gear = self.assembly.gear(Member::Wheel).gear();
+        gear.basic_data().base_helix_angle().tan()
+    }
+
+    /// Bound on the distance of a pair's points on the line from both axes over the face, mm.
+    fn reaches(&self, found: &[Separation; 2]) -> [f64; 2] {
+        let (bases, twists) = (self.bases(), self.twists());
+        let [from, to] = self.assembly.face();
+        [0, 1].map(|k| {
+            let rolls = found.each_ref().map(|one| one.rolls()[k].abs());
+            let roll = rolls[0].max(rolls[1]) + twists[k].abs() * from.abs().max(to.abs());
+            bases[k] * (1.0 + roll * roll).sqrt()
+        })
+    }
+
+    /// Length of the line of action, mm.
+    fn line_length(&self, found: &[Separation; 2]) -> f64 {
+        let bases = self.bases();
+        let [one, other] = found[0].rolls();
+        bases[0] * one + bases[1] * other
+    }
+
+    /// Bound on what turning leans bend the tightness of a pair on the line over the cell, rad.
+    fn lean_bend(&self, found: &[Separation; 2]) -> f64 {
+        let (bases, turns, off) = (self.bases(), self.turns(), self.over.side.off);
+        let (gears, reach) = (self.gears(), self.reaches(found));
+        let lean = self.assembly.most_lean();
+        // The contact moves along the line as the locked gear's base circle.
+        let way = bases[0] * turns[0];
+        let wobble = |k: usize| gears[k].wobble() * turns[k] * (reach[k] * turns[k] + 2.0 * way);
+        let line = (off[0] * turns[0] + off[1] * turns[1]) * turns[0] / self.line_length(found);
+        let by_line = lean * (reach[0] + reach[1]) * line;
+        let turned = turns[0] + turns[1];
+        let stretched = lean * lean * (reach[0] + reach[1]) * turned * turned;
+        let all = self.wound() * (wobble(0) + wobble(1) + by_line) + stretched;
+        HIGHER_ORDERS * all / 8.0 / bases[1]
+    }
+
+    /// Bound on what the heights of a pair's contact bend its tightness over the cell, rad.
+    fn heights_bend(&self, teeth: &FacingTeeth, found: &[Separation; 2]) -> f64 {
+        let (gears, turns) = (self.gears(), self.turns());
+        let lean = self.assembly.most_lean();
+        // A height leaves its chord by less than half of its greatest change.
+        let way = (gears[0].reach() * turns[0]).max(gears[1].reach() * turns[1]);
+        let height = 0.6 * lean * way;
+        let reach = lean * (gears[0].reach() + gears[1].reach());
+        let [from, to] = self.assembly.face();
+        let [one, other] = teeth.steepest([from - reach, to + reach]);
+        let by_leads = HIGHER_ORDERS * (one + other) * height / self.bases()[1];
+        if found.iter().all(|one| one.is_on_line(self.over.plays())) {
+            return by_leads + self.lean_bend(found);
+        }
+        let by_twist = 2.0 * (self.wound() + lean) * height;
+        by_leads + HIGHER_ORDERS * by_twist / self.bases()[1]
+    }
+
+    /// Bound on the effect of a free gear that leans as at the contact of the pair nearest to the line of centres, rad: not as at that of
+    /// `found`, with teeth turned by up to `turned`, rad.
+    fn other_contact(&self, found: &[Separation; 2], turned: f64) -> f64 {
+        let apart = [0, 1].map(|k| {
+            let end = &self.over.ends[k];
+            let nearest = Separation::endless(&end.flanks, 0, end.nominal_gap());
+            (found[k].gap - nearest.gap).abs() + turned
+        });
+        let [from, to] = self.assembly.face();
+        let shift = from.abs().max(to.abs()) + self.wound() * self.reaches(found)[1];
+        let lean = HIGHER_ORDERS * self.gears()[1].wobble();
+        lean * shift * apart[0].max(apart[1]) / self.bases()[1]
+    }
+
+    /// The touch of the endless involutes of a step in the section at `b` of leaning axes at an end of the cell, without leads.
+    fn on_line(&self, frame: &LeaningFrame, end: usize, step: i64, b: f64) -> Option<OnLine> {
+        let posed = &self.over.ends[end];
+        let (here, bases, twists) = (frame.at(&posed.flanks, b), self.bases(), self.twists());
+        let turns = twists.map(|twist| twist * b);
+        let found = Separation::endless_turned(&here, step, posed.nominal_gap(), turns);
+        if !found.touches {
+            return None;
+        }
+        let touch = frame.touch(b, &here, &found);
+        let (rolls, [locked, free]) = (found.rolls(), touch.turns);
+        let direction = turn(found.direction());
+        let leans = frame.leans(found.gap);
+        // Towards the locked gear's tangent point; towards that of the free gear is opposite.
+        let winding = |k: usize| bases[k] * twists[k] * dot(leans[k], -direction);
+        Some(OnLine {
+            gap: found.gap + found.by_turn[0] * locked + found.by_turn[1] * free,
+            rolls: [rolls[0] - locked, rolls[1] + bases[0] / bases[1] * locked],
+            heights: touch.heights,
+            turned: locked.abs() + free.abs(),
+            winding: winding(0) + winding(1),
+        })
     }
 }
 
-/// The leads of a pair over the face, which add to its tightness, and its tips, which leave room; mm along the base tangent.
-struct Leads<'a> {
-    teeth: FacingTeeth<'a>,
-    face: [f64; 2],
-    /// Knots of both leads on the face, ascending, with its ends.
-    knots: Vec<f64>,
-    /// Turn of both teeth by their leads at most, rad.
+/// A pair of endless involutes in a section of leaning axes.
+struct OnLine {
+    gap: f64,
+    rolls: [f64; 2],
+    /// Heights of the contact over the section, mm.
+    heights: [f64; 2],
+    /// Turn of both teeth by the lean at most, rad.
     turned: f64,
-    /// Base radius, tip roll, least excess of the roll over it in the measuring plane, and its change per mm, for each gear.
-    tips: [[f64; 4]; 2],
+    /// Tightness along the base tangent, mm per mm, that a contact gains by standing nearer to the locked axis, along the radius of its
+    /// tangent point. Nearer to the free axis it loses as much.
+    winding: f64,
 }
 
-impl<'a> Leads<'a> {
-    fn new(cell: &SideCell<'a>, step: i64, found: &[Separation; 2]) -> Leads<'a> {
+/// A tip that leaves room where it is passed, mm along the base tangent.
+struct Tip {
+    base: f64,
+    roll: f64,
+    /// Least roll beyond it in the section at 0, rad, and its rate, rad/mm.
+    excess: f64,
+    rate: f64,
+    /// Its change per locked lead, rad/mm.
+    by_lead: f64,
+    /// More room per angle beyond it, mm/rad.
+    pull: f64,
+    /// Share of the room that a lean takes.
+    share: f64,
+    /// Greatest roll above the least over the cell, rad.
+    play: f64,
+}
+
+impl Tip {
+    /// Least roll beyond it at `b`, where the locked lead is `lead`, rad.
+    fn beyond(&self, b: f64, lead: f64) -> f64 {
+        self.excess + self.rate * b + self.by_lead * lead
+    }
+
+    /// The room at a roll beyond it, mm, and its rate.
+    fn room(&self, beyond: f64) -> [f64; 2] {
+        if !(beyond > 0.0) {
+            return [0.0; 2];
+        }
+        let (sin, cos) = beyond.sin_cos();
+        let left = (1.0 - self.share) * self.base;
+        [
+            left * (self.roll * (1.0 - cos) + beyond - sin) + self.pull * beyond,
+            left * (self.roll * sin + 1.0 - cos) + self.pull,
+        ]
+    }
+}
+
+/// A pair of teeth over the face: what leads and leans add to its tightness, less the room of its tips.
+struct PairOverFace<'a> {
+    teeth: FacingTeeth<'a>,
+    /// Both ends of the sections in which the teeth face each other, mm.
+    face: [f64; 2],
+    /// Knots of both leads on it, ascending, with its ends.
+    knots: Vec<f64>,
+    /// Turn of both teeth by leads and leans at most, rad.
+    turned: f64,
+    tips: [Tip; 2],
+    /// Least and greatest arm by which a tightness along the base tangent turns the free gear, mm.
+    arms: [f64; 2],
+    /// Rotation that leans add at both ends of the cell: factors of the powers of `b`, rad.
+    leaning: [[f64; 3]; 2],
+    /// Bounds on the rotation that leans add beside it, rad: one that narrower cells exclude, and one that they do not.
+    bend: f64,
+    open: f64,
+}
+
+impl<'a> PairOverFace<'a> {
+    /// The pair of a step, with `found` in the measuring plane at both ends of the cell; `None` without a line of action.
+    fn new(cell: &SideCell<'a>, step: i64, found: &[Separation; 2]) -> Option<PairOverFace<'a>> {
         let problem = cell.over.side.problem;
-        let flanks = &cell.over.ends[0].flanks;
-        let teeth = flanks.facing_teeth(cell.assembly, step);
+        let teeth = cell.over.ends[0].flanks.facing_teeth(cell.assembly, step);
         let face = cell.assembly.face();
         let shapes = [&problem.locked.shape, &problem.free.shape];
-        let members = [cell.assembly.locked(), cell.assembly.free()];
-        let twists = members.map(|member| flanks.twist(cell.assembly, member));
-        // Between the ends a roll leaves its chord by less than the eccentricities turn the line; leads turn the teeth.
+        let twists = cell.twists();
+        // Between the ends a roll leaves its chord by less than the eccentricities turn the line.
         let turned = teeth.teeth.map(|(gear, tooth)| {
             let own = gear.lead_curve(problem.side, tooth);
             own.map_or(0.0, |curve| curve.range()) / gear.gear().base_radius()
@@ -241,66 +543,251 @@ impl<'a> Leads<'a> {
         } else {
             plays[0] - plays[0] / 1.2
         };
+        // A free gear that leads turn moves the line by its eccentricity.
+        let play = off + cell.over.side.off[1] * turned / cell.line_length(found);
+        // Leads of the locked tooth move the contact along the line.
+        let by_lead = [1.0 / shapes[0].base, -1.0 / shapes[1].base];
         let tips = [0, 1].map(|k| {
             let roll = found[0].rolls()[k].min(found[1].rolls()[k]);
-            let play = off + turned;
-            [
-                shapes[k].base,
-                shapes[k].tip_roll,
-                roll - shapes[k].tip_roll - play,
-                -twists[k],
-            ]
+            Tip {
+                base: shapes[k].base,
+                roll: shapes[k].tip_roll,
+                excess: roll - shapes[k].tip_roll - play,
+                rate: -twists[k],
+                by_lead: by_lead[k],
+                pull: 0.0,
+                share: 0.0,
+                play: play + 1.2 * plays[k],
+            }
         });
-        Leads {
-            knots: teeth.knots(face, |_, place| place),
+        let arms = found.each_ref().map(|one| -shapes[1].base / one.by_turn[1]);
+        let arm = cell.over.side.off[1] * (plays[1] + turned);
+        let pair = PairOverFace {
+            knots: Vec::new(),
             teeth,
             face,
             turned,
             tips,
+            arms: [arms[0].min(arms[1]) - arm, arms[0].max(arms[1]) + arm],
+            leaning: [[0.0; 3]; 2],
+            bend: 0.0,
+            open: 0.0,
+        };
+        let mut pair = match &cell.leaning {
+            Some(frames) => pair.with_leans(cell, frames, step, found)?,
+            None => pair,
+        };
+        let section = |k, height| pair.teeth.section_of(k, height);
+        pair.knots = pair.teeth.knots(pair.face, section);
+        let passed = pair.tips.iter().filter(|tip| tip.pull < 0.0);
+        let mut places: Vec<f64> = passed
+            .flat_map(|tip| {
+                let at = |b: f64| tip.beyond(b, pair.teeth.leads(b)[0]);
+                pair.knots
+                    .windows(2)
+                    .filter_map(move |ends| zero(at, [ends[0], ends[1]]))
+            })
+            .collect();
+        pair.knots.append(&mut places);
+        pair.knots.sort_by(f64::total_cmp);
+        Some(pair)
+    }
+
+    /// This pair with leaning axes, which have `frames` at both ends of the cell.
+    fn with_leans(
+        mut self,
+        cell: &SideCell<'a>,
+        frames: &[LeaningFrame; 2],
+        step: i64,
+        found: &[Separation; 2],
+    ) -> Option<PairOverFace<'a>> {
+        cell.over.effort.spend(LEANING_STEP);
+        let (assembly, bases) = (cell.assembly, cell.bases());
+        let [from, to] = self.face;
+        let (middle, half) = (0.5 * (from + to), (0.5 * (to - from)).max(LEAST_HALF_FACE));
+        let places = [middle - half, middle, middle + half];
+        let mut sections = Vec::with_capacity(6);
+        for (end, frame) in frames.iter().enumerate() {
+            for b in places {
+                sections.push(cell.on_line(frame, end, step, b)?);
+            }
         }
+        let of = |end: usize, place: usize| &sections[3 * end + place];
+        self.leaning = [0, 1].map(|end| {
+            let [v, w, x] = [0, 1, 2].map(|place| of(end, place).gap - found[end].gap);
+            let (rate, curve) = (
+                0.5 * (x - v) / half,
+                0.5 * (x - 2.0 * w + v) / (half * half),
+            );
+            [
+                w - middle * (rate - curve * middle),
+                rate - 2.0 * curve * middle,
+                curve,
+            ]
+        });
+        // The line through the values at both ends of the face: its value at 0, and its rate.
+        let line = |v: f64, x: f64| {
+            let rate = 0.5 * (x - v) / half;
+            [v - rate * places[0], rate]
+        };
+        let heights = [0, 1].map(|k| {
+            let mean = |place: usize| 0.5 * (of(0, place).heights[k] + of(1, place).heights[k]);
+            line(mean(0), mean(2))
+        });
+        // Heights beside these lines.
+        let beside = [0, 1].map(|k| {
+            let each = (0..6).map(|j| {
+                let own = heights[k][0] + heights[k][1] * places[j % 3];
+                (sections[j].heights[k] - own).abs()
+            });
+            1.1 * each.fold(0.0, f64::max)
+        });
+        let own = heights.map(|[at_0, rate]| [at_0, 1.0 + rate]);
+        self.teeth = self.teeth.with_heights(own);
+        let members = cell.members();
+        self.face = [0, 1].map(|which| {
+            let ends = [0, 1].map(|k| {
+                let own = assembly.own_face(members[k])[which];
+                let beyond = if which == 0 { -beside[k] } else { beside[k] };
+                self.teeth.section_of(k, own) + beyond
+            });
+            if which == 0 {
+                ends[0].max(ends[1])
+            } else {
+                ends[0].min(ends[1])
+            }
+        });
+        let steepest = self.teeth.steepest(self.face);
+        let by_leads = steepest[0] * beside[0] + steepest[1] * beside[1];
+        self.bend = cell.lean_bend(found) + HIGHER_ORDERS * by_leads / bases[1];
+        let lean = assembly.most_lean();
+        let length = cell.line_length(found);
+        let slope = lean * assembly.center_distance() / length;
+        // A cubic leaves the parabola through three of its points by a sixth of its third derivative times 2 h³/(3 √3).
+        let third = 3.0 * slope.powi(3) / (length * length) * half.powi(3) / 15.5;
+        // As much again for the heights along the line.
+        self.open = 2.0 * HIGHER_ORDERS * third / bases[1] + cell.other_contact(found, self.turned);
+        let most = |value: fn(&OnLine) -> f64| {
+            sections.iter().map(value).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let wobbles = cell.gears().map(|gear| gear.wobble());
+        let turns = cell.turns();
+        let turning = wobbles[0] * turns[0] + wobbles[1] * turns[1] + lean * slope * half / length;
+        // Of the corners of the locked and of the free tip, which stand nearer to their axes than the line.
+        let windings = [most(|one| one.winding), most(|one| -one.winding)];
+        for (k, tip) in self.tips.iter_mut().enumerate() {
+            let least = [0, 1, 2].map(|place| of(0, place).rolls[k].min(of(1, place).rolls[k]));
+            let [at_0, rate] = line(least[0], least[2]);
+            let sag = (0.5 * (least[0] + least[2]) - least[1]).max(0.0);
+            let play = found[0].rolls()[k].min(found[1].rolls()[k]) - tip.roll - tip.excess;
+            tip.excess = at_0 - tip.roll - play - 1.1 * sag;
+            tip.rate = rate;
+            let arm = tip.base * tip.roll;
+            let gain = windings[k]
+                + HIGHER_ORDERS * cell.wound() * turning
+                + lean * (steepest[0] + steepest[1] + lean);
+            let outward = (1.0 + tip.roll * tip.roll).sqrt() / tip.roll;
+            tip.share = (HIGHER_ORDERS * cell.wound() * lean * outward).min(1.0);
+            if gain > 0.0 {
+                // The roll beyond it may be greater by `play`: more by that or by all that the corner gains.
+                let more = (arm * gain * play).min(0.5 * HIGHER_ORDERS * arm * gain * gain);
+                self.open += more / self.arms[0];
+            }
+            tip.pull = -arm * gain;
+        }
+        self.turned += 1.1 * most(|one| one.turned);
+        Some(self)
+    }
+
+    /// Bound on the rotation at an end of the cell over a part of the face, rad, without the room of tips.
+    fn simple(&self, end: usize, part: [f64; 2]) -> f64 {
+        let lead = self.teeth.greatest_lead(part);
+        let [at_0, rate, curve] = self.leaning[end];
+        let [one, other] = part.map(|b| rate * b + curve * b * b);
+        // A parabola rises above its chord by a quarter of the square of its width at most.
+        let width = part[1] - part[0];
+        let above = (-0.25 * curve * width * width).max(0.0);
+        let arm = if lead > 0.0 {
+            self.arms[0]
+        } else {
+            self.arms[1]
+        };
+        lead / arm + (at_0 + one.max(other) + above + self.bend)
+    }
+
+    /// Bound on the rotation, rad, that a lean adds where a corner touches a fillet in a part of the face.
+    fn at_fillet(&self, part: [f64; 2]) -> f64 {
+        let more = self.tips.iter().map(|tip| {
+            let passed = part.map(|b| tip.excess + tip.rate * b);
+            let passed = passed[0].max(passed[1]) + tip.play + self.turned;
+            -tip.pull.min(0.0) * passed.max(0.0)
+        });
+        more.fold(0.0, f64::max) / self.arms[0]
+    }
+
+    /// Bound on the rotation at an end of the cell, rad.
+    fn greatest(&self, end: usize) -> f64 {
+        let [least, most] = self.arms.map(|arm| {
+            let along = self.leaning[end].map(|factor| factor * arm);
+            self.greatest_along(along) / arm
+        });
+        least.max(most) + self.bend
     }
 
     /// The room that both tips leave at `b`, and its rate.
     fn room(&self, b: f64) -> [f64; 2] {
+        let (lead, rate) = (self.teeth.leads(b)[0], self.teeth.rates(b)[0]);
         let mut room = [0.0; 2];
-        for [base, tip, excess, rate] in self.tips {
-            let beyond = (excess + rate * b).max(0.0);
-            if beyond > 0.0 {
-                let (sin, cos) = beyond.sin_cos();
-                room[0] += base * (tip * (1.0 - cos) + beyond - sin);
-                room[1] += base * (tip * sin + 1.0 - cos) * rate;
-            }
+        for tip in &self.tips {
+            let [own, closing] = tip.room(tip.beyond(b, lead));
+            room[0] += own;
+            room[1] += closing * (tip.rate + tip.by_lead * rate);
         }
         room
     }
 
-    /// Bound of `Σ δ(b)` less the room of the tips, over the face.
-    fn greatest(&self) -> f64 {
-        if self.face[0] == self.face[1] {
-            return self.teeth.lead(self.face[0]) - self.room(self.face[0])[0];
+    /// Greatest second derivative of the room of tips by leads of the locked tooth, which bend with one of `bends` between two places, mm per
+    /// mm²: their rolls beyond the ends bend.
+    fn most_hollow(&self, ends: [f64; 2], [least, most]: [f64; 2]) -> f64 {
+        let hollow = |tip: &Tip| {
+            let beyond = ends.map(|b| tip.beyond(b, self.teeth.leads(b)[0]));
+            let beyond = beyond[0].max(beyond[1]).clamp(0.0, 1.0) * 1.01;
+            let bend = (-tip.by_lead * least).max(-tip.by_lead * most).max(0.0);
+            bend * tip.base * (tip.roll + beyond) * beyond
+        };
+        self.tips.iter().map(hollow).sum()
+    }
+
+    /// Bound of `Σ δ(b)` and a parabola, mm, less the room of the tips, over the face.
+    fn greatest_along(&self, parabola: [f64; 3]) -> f64 {
+        let [from, to] = self.face;
+        let [at_0, rate, curve] = parabola;
+        if from == to {
+            let along = at_0 + from * (rate + from * curve);
+            return self.teeth.lead(from) + along - self.room(from)[0];
         }
         let stretches = self.knots.windows(2);
-        let bounds = stretches.map(|ends| self.greatest_between([ends[0], ends[1]]));
+        let bounds = stretches.map(|ends| self.greatest_between(parabola, [ends[0], ends[1]]));
         bounds.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The bound between two knots.
-    fn greatest_between(&self, [from, to]: [f64; 2]) -> f64 {
-        // Rates just inside, where each lead is one cubic.
+    fn greatest_between(&self, [at_0, rate, curve]: [f64; 3], [from, to]: [f64; 2]) -> f64 {
+        let value = |b: f64| self.teeth.lead(b) + (at_0 + b * (rate + b * curve));
+        let slope = |b: f64| self.teeth.rate(b) + (rate + 2.0 * b * curve);
+        // Just inside, where each lead is one cubic.
         let beside = 1e-9 * (to - from);
         let [low, high] = [from + beside, to - beside];
-        let values = [self.teeth.lead(from), self.teeth.lead(to)];
-        let rates = [self.teeth.rate(low), self.teeth.rate(high)];
-        let is_hollow = rates[1] > rates[0];
-        let chord = (values[1] - values[0]) / (to - from);
+        let bends = self.teeth.bends([low, high]);
+        let most = bends[0][1] + bends[1][1] + 2.0 * curve;
+        // The hollow part is filled up to its chord.
+        let hollow = (most + self.most_hollow([from, to], bends[0])).max(0.0);
         let at = |b: f64| {
-            let (lead, rate) = if is_hollow {
-                (values[0] + chord * (b - from), chord)
-            } else {
-                (self.teeth.lead(b), self.teeth.rate(b.clamp(low, high)))
-            };
-            let [room, closing] = self.room(b);
-            (lead - room, rate - closing)
+            let inside = b.clamp(low, high);
+            let ([room, _], [_, closing]) = (self.room(b), self.room(inside));
+            let filled = 0.5 * hollow * (b - from) * (to - b);
+            let filling = 0.5 * hollow * (from + to - 2.0 * b);
+            (value(b) + filled - room, slope(inside) + filling - closing)
         };
         let (mut a, mut b) = ((from, at(from)), (to, at(to)));
         if a.1.1 <= 0.0 {
@@ -332,4 +819,11 @@ impl<'a> Leads<'a> {
         }
         bound
     }
+}
+
+/// The place between two others at which `value` is 0, if its sign differs there.
+fn zero(value: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> Option<f64> {
+    let is_below = value(from) < 0.0;
+    let differs = (value(to) < 0.0) != is_below;
+    differs.then(|| bisect(from, to, 0.0, |b| (value(b) < 0.0) == is_below)[0])
 }

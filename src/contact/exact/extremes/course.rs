@@ -33,7 +33,7 @@ pub(super) struct SideCourse<'a> {
     mirror: f64,
     /// Sense in which the locked gear turns.
     pub sense: f64,
-    /// Eccentricities of the locked and the free gear.
+    /// Eccentricities of the locked and the free gear, where leaning axes shift the locked one of a section further.
     pub off: [f64; 2],
     pub on_line: Option<LineBends>,
     pub dips: Vec<Dip>,
@@ -59,7 +59,8 @@ impl<'a> Course<'a> {
         effort: &'a Effort,
     ) -> Course<'a> {
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
-        let off = gears.map(|gear| gear.eccentricity());
+        let mut off = gears.map(|gear| gear.eccentricity());
+        off[0] += assembly.most_shift();
         let onward = -gears[0].face().ascending();
         let turns = assembly
             .face()
@@ -109,13 +110,20 @@ impl<'a> Course<'a> {
 
     /// Whether all matings are equal: all teeth are equal, and there is no runout.
     pub fn repeats(&self) -> bool {
-        self.sides.iter().all(|side| {
-            let teeth = [&side.problem.locked, &side.problem.free];
-            let alike = teeth
-                .iter()
-                .all(|teeth| teeth.extremes.0 == teeth.extremes.1);
-            alike && side.off == [0.0; 2] && self.assembly.has_one_lead()
-        })
+        self.has_equal_teeth(0) && self.has_equal_teeth(1)
+    }
+
+    /// Whether all teeth of the locked (0) or the free gear (1) are equal, and it has no runout.
+    fn has_equal_teeth(&self, k: usize) -> bool {
+        let gear = self
+            .assembly
+            .gear([self.assembly.locked(), self.assembly.free()][k]);
+        let is_round = gear.eccentricity() == 0.0 && gear.wobble() == 0.0;
+        let is_equal = |side: &SideCourse| {
+            let teeth = [&side.problem.locked, &side.problem.free][k];
+            teeth.extremes.0 == teeth.extremes.1
+        };
+        is_round && self.assembly.has_one_lead() && self.sides.iter().all(is_equal)
     }
 
     /// The mating `fraction` of a pitch past mating number `index`; a whole pitch is the next mating.
@@ -132,17 +140,9 @@ impl<'a> Course<'a> {
     /// The first of all matings equal to mating number `index`, by least wheel tooth, then least pinion tooth. If all teeth of one gear are
     /// equal, each tooth of the other has several.
     pub fn first_alike(&self, index: u64) -> u64 {
-        let alike = |k: usize| {
-            self.sides.iter().all(|side| {
-                let teeth = [&side.problem.locked, &side.problem.free][k];
-                teeth.extremes.0 == teeth.extremes.1
-                    && side.off[k] == 0.0
-                    && self.assembly.has_one_lead()
-            })
-        };
         let counts = [self.assembly.locked(), self.assembly.free()]
             .map(|member| u64::from(self.assembly.teeth(member)));
-        let others = match [alike(0), alike(1)] {
+        let others = match [0, 1].map(|k| self.has_equal_teeth(k)) {
             [true, false] if self.matings == counts[1] => counts[0],
             [false, true] if self.matings == counts[0] => counts[1],
             _ => 1,

@@ -75,6 +75,8 @@ pub enum Doubt {
     ContactLost,
     /// The drawings leave more open than is wanted.
     Drawing,
+    /// Sections of leaning axes leave more out than is wanted.
+    Sections,
 }
 
 /// A bound for the whole cycle, rad, and the reason why it is too far away.

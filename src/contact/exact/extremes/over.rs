@@ -291,7 +291,7 @@ impl<'a> Over<'a> {
             [0, 1].map(|k| ends[k].room(found[k].gap) - (slack - clearance))
         };
         for dip in &self.side.dips {
-            let clearance = self.clearance(&places, dip, enough);
+            let clearance = self.clearance(&places, dip, enough, self.side.turns);
             if clearance >= enough {
                 continue;
             }
@@ -301,12 +301,12 @@ impl<'a> Over<'a> {
         }
     }
 
-    /// Additional room of `dip` against endless involutes, rad, over the whole face; exact where less than `enough`.
-    fn clearance(&self, places: &Places, dip: &Dip, enough: f64) -> f64 {
+    /// Additional room of `dip` against endless involutes, rad, over sections with the least and the greatest of `turns` of the locked teeth,
+    /// rad; exact where less than `enough`.
+    fn clearance(&self, places: &Places, dip: &Dip, enough: f64, [from, to]: [f64; 2]) -> f64 {
         let problem = self.side.problem;
         let lines = Lines::new(places.distances, problem.sum());
         // Over a face: the piece of turn with the least room.
-        let [from, to] = self.side.turns;
         let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
         let pieces = pieces.ceil().max(1.0);
         let half = 0.5 * (to - from) / pieces;
@@ -325,16 +325,25 @@ impl<'a> Over<'a> {
         clearance.fold(f64::INFINITY, f64::min)
     }
 
-    /// Least additional room of all tip corners on fillets at `step` against endless involutes, rad, with teeth turned by up to `turned` rad;
-    /// exact where less than `enough`.
-    pub fn least_clearance(&self, step: i64, enough: f64, turned: f64) -> f64 {
+    /// Least additional room of all tip corners on fillets at `step` against endless involutes, rad, over sections with the least and the
+    /// greatest of `turns` of the locked teeth; exact where less than `enough`. Teeth are turned by up to `turned` rad, and centres
+    /// displaced by up to `shift` mm.
+    pub fn least_clearance(
+        &self,
+        step: i64,
+        enough: f64,
+        turns: [f64; 2],
+        (turned, shift): (f64, f64),
+    ) -> f64 {
         let places = self.places(&self.ends, step);
+        let (least, most) = places.distances;
         let places = Places {
-            play: places.play + turned,
+            play: places.play + turned + 2.0 * shift / self.side.problem.distance,
+            distances: (least - shift, most + shift),
             ..places
         };
         let clearances = self.side.dips.iter();
-        let clearances = clearances.map(|dip| self.clearance(&places, dip, enough));
+        let clearances = clearances.map(|dip| self.clearance(&places, dip, enough, turns));
         clearances.fold(f64::INFINITY, f64::min)
     }
 

@@ -12,9 +12,9 @@
 
 use crate::contact::Effort;
 use crate::contact::exact::flank_problem::PosedFlanks;
+use crate::contact::exact::leaning::LeaningFrame;
 use crate::contact::exact::separation::{Separation, lowest_roll};
-use crate::contact::exact::shape::{C, turn};
-use crate::pair::{FacingTeeth, GearPair, Member};
+use crate::pair::{FacingTeeth, GearPair};
 
 /// Effort of one evaluation of a pair, nodes (tuned: 0.2 µs).
 const LOOK: u64 = 1;
@@ -50,68 +50,9 @@ pub(super) struct AlongFace<'a> {
     nominal: f64,
     /// Where axes lean: how the frame changes along the face.
     leaning: Option<LeaningFrame>,
+    /// Bound of the lean's effect on a gap of the face, mm along the base tangent.
+    most_leaning: f64,
     effort: &'a Effort,
-}
-
-/// Leans in the frame of a pose, mm per mm.
-#[derive(Debug, Clone, Copy)]
-struct LeaningFrame {
-    /// Move of the locked outline's centre, relative to the free axis.
-    locked_centre: C,
-    /// Move of the free outline's centre at gap 0.
-    free_centre: C,
-    /// Lean of the locked toothing, and of the free shaft.
-    locked: C,
-    free_shaft: C,
-    /// Bound of its effect on a gap of the face, mm along the base tangent.
-    most: f64,
-}
-
-impl LeaningFrame {
-    /// `None` where axes are parallel.
-    fn new(assembly: &GearPair, posed: &PosedFlanks) -> Option<LeaningFrame> {
-        if !assembly.leans() {
-            return None;
-        }
-        let mirror = posed.mirror();
-        let [x, y] = assembly.lean();
-        let axes = C::new(x, mirror * y);
-        let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
-        let own = gears.map(|gear| {
-            let lean = gear.lean(0.0);
-            C::new(lean.x, mirror * lean.y)
-        });
-        // At rotation 0 tooth 1 is on +x in `lean` and in this frame.
-        let locked = -posed.turned * own[0];
-        // The picture is turned by half a turn where the pinion is free.
-        let (shaft, free_shaft) = match assembly.free() {
-            Member::Wheel => (axes, C::ZERO),
-            Member::Pinion => (C::ZERO, -axes),
-        };
-        let wound = gears[0].gear().basic_data().base_helix_angle().tan();
-        let reach = gears[0].reach() + gears[1].reach();
-        let most = assembly.most_shift() + assembly.most_lean() * wound * reach;
-        Some(LeaningFrame {
-            locked_centre: axes + locked,
-            free_centre: own[1] * posed.origin.conj(),
-            locked: shaft + locked,
-            free_shaft,
-            most,
-        })
-    }
-
-    /// Leans of the locked and of the free toothing at a gap.
-    fn leans(&self, gap: f64) -> [C; 2] {
-        [self.locked, self.free_shaft + self.free_centre * turn(gap)]
-    }
-
-    /// The teeth of `posed` with the centres of the section at `b`, mm.
-    fn at<'a>(&self, posed: &PosedFlanks<'a>, b: f64) -> PosedFlanks<'a> {
-        let mut here = *posed;
-        here.centre += self.locked_centre * b;
-        here.free_centre += self.free_centre * b;
-        here
-    }
 }
 
 /// A stretch between knots, in several parts where the leads are hollow.
@@ -123,10 +64,6 @@ fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64
     let count = if sag > 1e-12 { HOLLOW_PARTS } else { 1 };
     let at = move |part: usize| from + (to - from) * (part as f64 / count as f64);
     (0..count).map(move |part| [at(part), at(part + 1)])
-}
-
-fn dot(a: C, b: C) -> f64 {
-    a.re * b.re + a.im * b.im
 }
 
 /// A pair of teeth, and its step.
@@ -152,12 +89,16 @@ impl<'a> AlongFace<'a> {
         effort: &'a Effort,
     ) -> AlongFace<'a> {
         let members = [assembly.locked(), assembly.free()];
+        let gears = members.map(|member| assembly.gear(member));
+        let wound = gears[0].gear().basic_data().base_helix_angle().tan();
+        let reach = gears[0].reach() + gears[1].reach();
         AlongFace {
             assembly,
             posed,
             twists: members.map(|member| posed.twist(assembly, member)),
             nominal,
             leaning: LeaningFrame::new(assembly, posed),
+            most_leaning: assembly.most_shift() + assembly.most_lean() * wound * reach,
             effort,
         }
     }
@@ -234,7 +175,6 @@ impl<'a> AlongFace<'a> {
         // A gap of an eccentric free gear changes by up to this much more than on a fixed line.
         let off = problem.free_off.norm();
         let more = off / (base - off);
-        let leaning = self.leaning.map_or(0.0, |leaning| leaning.most);
         let may_exceed = |ends: &[f64; 2]| {
             if !is_bound {
                 return true;
@@ -243,7 +183,7 @@ impl<'a> AlongFace<'a> {
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
-            let most = from.max(to).max(middle) + bend + leaning;
+            let most = from.max(to).max(middle) + bend + self.most_leaning;
             endless.gap + (most + more * most.abs()) / base > floor
         };
         let face = self.own_face(pair.step);
@@ -290,68 +230,15 @@ impl<'a> AlongFace<'a> {
         if !found.touches {
             return None;
         }
-        let more = self.turns_by_lean(pair, b, &here, &found, leaning);
-        found.gap += found.by_turn[0] * more[0] + found.by_turn[1] * more[1];
+        let touch = leaning.touch(b, &here, &found);
+        let problem = self.posed.problem;
+        let bases = [problem.locked.shape.base, problem.free.shape.base];
+        let before = pair.teeth.leads(b);
+        for k in [0, 1] {
+            let lead = pair.teeth.leads(b + touch.heights[k])[k] - before[k];
+            found.gap += found.by_turn[k] * (touch.turns[k] - lead / bases[k]);
+        }
         Some(found)
-    }
-
-    /// Turns of both flanks of a step by the lean, rad, where they touch in `here`.
-    fn turns_by_lean(
-        &self,
-        pair: &PairOfTeeth,
-        b: f64,
-        here: &PosedFlanks,
-        found: &Separation,
-        leaning: &LeaningFrame,
-    ) -> [f64; 2] {
-        let problem = self.posed.problem;
-        let shapes = [&problem.locked.shape, &problem.free.shape];
-        let e = -turn(found.direction());
-        let normal = C::new(e.im, -e.re);
-        let heights = self.heights(b, here, found, leaning);
-        let leans = leaning.leans(found.gap);
-        [0, 1].map(|k| {
-            let lean = leans[k];
-            let square = lean.norm_sqr();
-            if square == 0.0 {
-                return 0.0;
-            }
-            let root = (1.0 + square).sqrt();
-            let height = heights[k];
-            let lead = pair.teeth.leads(b + height)[k] - pair.teeth.leads(b)[k];
-            let outward = if k == 0 { normal } else { -normal };
-            let along = (height - b * (root - 1.0)) * root;
-            let stretch = (1.0 - 1.0 / root) / square * along * dot(outward, lean);
-            height * self.twists[k] - (lead + stretch) / shapes[k].base
-        })
-    }
-
-    /// Heights of the point where two teeth touch over the section, mm, along the leaning axis of each gear.
-    fn heights(
-        &self,
-        b: f64,
-        here: &PosedFlanks,
-        found: &Separation,
-        leaning: &LeaningFrame,
-    ) -> [f64; 2] {
-        let problem = self.posed.problem;
-        let shapes = [&problem.locked.shape, &problem.free.shape];
-        let centres = [here.centre, here.free_centre * turn(found.gap)];
-        let rolls = found.rolls();
-        let ends = shapes.map(|shape| [lowest_roll(shape), shape.tip_roll]);
-        let on = [0, 1].map(|k| rolls[k].clamp(ends[k][0], ends[k][1]));
-        // The gear whose corner touches; on the line of action either has the point.
-        let k = usize::from(on[0] == rolls[0] && on[1] != rolls[1]);
-        // E = ∓e^{iβ}, turned back to the corner's own tangent: P = C + r_b E (1 − iξ).
-        let sign = if k == 0 { -1.0 } else { 1.0 };
-        let e = sign * turn(found.direction() - rolls[k] + on[k]);
-        let point = centres[k] + e * C::new(1.0, -on[k]) * shapes[k].base;
-        let leans = leaning.leans(found.gap);
-        [0, 1].map(|k| {
-            let lean = leans[k];
-            let root = (1.0 + lean.norm_sqr()).sqrt();
-            b * (root - 1.0) + dot(lean, point - centres[k]) / root
-        })
     }
 
     /// Both ends of the face of a step, mm, where the teeth of both gears are in the section where they touch.
@@ -389,7 +276,7 @@ impl<'a> AlongFace<'a> {
             if !found.touches {
                 return own;
             }
-            b = own - self.heights(b, &here, &found, leaning)[k];
+            b = own - leaning.touch(b, &here, &found).heights[k];
         }
         b
     }

@@ -213,7 +213,7 @@ impl<'a> Leaning<'a> {
         let mates = rolls[1].map(|roll| (length - bases[1] * roll) / bases[0]);
         let (least, most) = (rolls[0][0].max(mates[1]), rolls[0][1].min(mates[0]));
         let teeth = gears.map(|gear| gear.gear().basic_data().teeth());
-        let most_steps = i64::from(teeth[0].max(teeth[1])) / 2;
+        let most_steps = (i64::from(teeth[0].max(teeth[1])) / 2).min(self.steps_in_reach());
         // From the line of centres outwards: the first facing of a tooth is the one that can touch.
         let mut is_turned = teeth.map(|teeth| vec![false; teeth as usize]);
         let steps = (0..=2 * most_steps).map(|k| if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 });
@@ -248,6 +248,21 @@ impl<'a> Leaning<'a> {
                 }
             }
         }
+    }
+
+    /// Steps from the pair nearest to the line of centres to the last that can reach each other.
+    fn steps_in_reach(&self) -> i64 {
+        let distance = self.pair.center_distance();
+        let reach = Member::BOTH.map(|member| self.pair.gear(member).reach());
+        let steps = Member::BOTH.map(|member| {
+            let [own, mate] = [reach[member as usize], reach[1 - member as usize]];
+            // The angle at which the circles of both tips cross.
+            let cos = (own * own + distance * distance - mate * mate) / (2.0 * own * distance);
+            let pitch = self.pair.gear(member).gear().basic_data().angular_pitch();
+            (cos.clamp(-1.0, 1.0).acos() / pitch).ceil() as i64
+        });
+        // The flank and the far corner of a tooth are less than a pitch apart.
+        steps[0].max(steps[1]) + 2
     }
 
     fn centre(&self, member: Member) -> Vector2<f64> {

@@ -52,12 +52,18 @@ impl Envelopes {
             assembly.gear(assembly.free()),
         );
         // A tie below the greatest gap must not be ruled out: the points of both gears move by less than this.
-        let farthest = problem.distance.max(locked.reach() + free.reach());
+        // Leaning axes shift the outlines of a section.
+        let shift = assembly.most_shift();
+        let farthest = problem.distance.max(locked.reach() + free.reach()) + shift;
         let margin =
             room + 4.0 * problem.tie_at(farthest) * (farthest + problem.locked.shape.tip_radius);
         Envelopes {
             locked: Arc::new(Envelope::new(locked.gear(), margin, 0.0)),
-            free: Arc::new(Envelope::new(free.gear(), margin, free.eccentricity())),
+            free: Arc::new(Envelope::new(
+                free.gear(),
+                margin,
+                free.eccentricity() + shift,
+            )),
         }
     }
 }

@@ -143,7 +143,7 @@ impl Helical {
     ) -> (Cow<'a, Section>, Pose) {
         if self.assembly.leans() {
             let (pair, here) = pose.section(&self.assembly, b);
-            return (Cow::Owned(Section::new(&pair)), here);
+            return (Cow::Owned(self.plane.leaning(&pair)), here);
         }
         let section = match kept {
             Some(section) => Cow::Borrowed(section),

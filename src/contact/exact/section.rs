@@ -96,6 +96,13 @@ impl Section {
         }
     }
 
+    /// A section of leaning axes of the pair whose measuring plane this is; [`Pose::section`] made `pair`.
+    pub fn leaning(&self, pair: &GearPair) -> Section {
+        let problems = Side::BOTH.map(|side| FlankProblem::new(pair, side));
+        let outer = OuterGears::new(pair, &problems);
+        Section::of(pair, problems, self.envelopes.clone(), outer)
+    }
+
     /// One of its sides.
     pub fn side(&self, side: Side) -> &FlankProblem {
         match side {

@@ -23,7 +23,7 @@ const LOOK: u64 = 1;
 const BESIDE: f64 = 1e-7;
 
 /// Rounds to the section with a height of a leaning gear: the lean's square is left.
-const ROUNDS_OF_HEIGHTS: usize = 3;
+const ROUNDS_OF_HEIGHTS: usize = 2;
 
 /// Distance of the sections beside each other, mm, that give the rate of leaning axes: the rate is right to a millionth of it.
 const NEIGHBOUR: f64 = 1e-3;
@@ -70,6 +70,10 @@ fn parts(teeth: &FacingTeeth, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64
 struct PairOfTeeth<'a> {
     step: i64,
     teeth: FacingTeeth<'a>,
+    /// The stretch of the face on which it is on the line of action, mm; without one, the place nearest to it.
+    window: [f64; 2],
+    /// Bound of its gap without leads and leans.
+    most: f64,
 }
 
 /// The gap of a pair in a section, and its rate along the face, rad/mm.
@@ -114,17 +118,17 @@ impl<'a> AlongFace<'a> {
             self.effort.spend(LOOK);
             (step, Separation::endless(self.posed, step, self.nominal))
         });
-        let mut endless: Vec<(i64, Separation)> =
-            endless.filter(|(_, found)| found.touches).collect();
-        endless.sort_by(|one, other| other.1.gap.total_cmp(&one.1.gap));
-        for (step, endless) in endless {
-            let window = self.on_line(&endless);
-            let pair = PairOfTeeth {
-                step,
-                teeth: self.posed.facing_teeth(self.assembly, step),
-            };
-            for ends in self.stretches(&pair, &endless, best - tie) {
-                if let Some(look) = self.greatest(&pair, ends, window) {
+        let mut pairs: Vec<PairOfTeeth> = endless
+            .filter(|(_, endless)| endless.touches)
+            .map(|(step, endless)| self.pair(step, &endless))
+            .collect();
+        pairs.sort_by(|one, other| other.most.total_cmp(&one.most));
+        for pair in pairs {
+            for (ends, most) in self.stretches(&pair, best - tie) {
+                if most <= best - tie {
+                    break;
+                }
+                if let Some(look) = self.greatest(&pair, ends) {
                     best = best.max(look.gap);
                     found.push(look);
                 }
@@ -138,6 +142,46 @@ impl<'a> AlongFace<'a> {
         let mut places: Vec<f64> = found.into_iter().map(|look| look.b).collect();
         places.dedup();
         places
+    }
+
+    /// The pair of a step with these endless involutes.
+    fn pair(&self, step: i64, endless: &Separation) -> PairOfTeeth<'a> {
+        let window = self.on_line(endless);
+        let teeth = self.posed.facing_teeth(self.assembly, step);
+        // Beyond its line a pair falls along the face: it is tightest in the section nearest to it.
+        let turns = self.twists.map(|twist| twist * window[0]);
+        self.effort.spend(LOOK);
+        let nearest = Separation::turned(self.posed, step, self.nominal, turns);
+        let most = if nearest.touches {
+            nearest.gap + self.beside(&teeth, &nearest)
+        } else {
+            endless.gap
+        };
+        PairOfTeeth {
+            step,
+            teeth,
+            window,
+            most: most.min(endless.gap),
+        }
+    }
+
+    /// Bound of what leads and leans take from the room of the tips that a pair has passed in `nearest`, rad: they turn its teeth.
+    fn beside(&self, teeth: &FacingTeeth, nearest: &Separation) -> f64 {
+        let problem = self.posed.problem;
+        let bases = [problem.locked.shape.base, problem.free.shape.base];
+        let leads = teeth.teeth.map(|(gear, tooth)| {
+            let curve = gear.lead_curve(teeth.side, tooth);
+            curve.map_or(0.0, |curve| curve.range())
+        });
+        let along = leads[0] + leads[1] + self.most_leaning;
+        let turned = along * (1.0 / bases[0] + 1.0 / bases[1]);
+        let (rolls, on) = (nearest.rolls(), nearest.rolls_on_arcs());
+        // The room of a tip passed by ω grows with ω at most by √(1 + ξ²) ω.
+        let passed = [0, 1].map(|k| {
+            let beyond = (rolls[k] - on[k]).abs() + turned;
+            bases[k] * (1.0 + on[k] * on[k]).sqrt() * beyond * turned
+        });
+        2.0 * (passed[0] + passed[1]) / bases[1]
     }
 
     /// The stretch of the face, mm, on which a pair with these endless involutes is on the line of action, up to the slight turns by leads.
@@ -165,8 +209,9 @@ impl<'a> AlongFace<'a> {
         }
     }
 
-    /// Stretches of the face between knots of both leads of a step in which its gap may exceed `floor`.
-    fn stretches(&self, pair: &PairOfTeeth, endless: &Separation, floor: f64) -> Vec<[f64; 2]> {
+    /// Stretches of the face between knots of both leads of a step in which its gap may exceed `floor`, with their bounds of it, the greatest
+    /// first.
+    fn stretches(&self, pair: &PairOfTeeth, floor: f64) -> Vec<([f64; 2], f64)> {
         let problem = self.posed.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let base = shapes[1].base;
@@ -175,23 +220,31 @@ impl<'a> AlongFace<'a> {
         // A gap of an eccentric free gear changes by up to this much more than on a fixed line.
         let off = problem.free_off.norm();
         let more = off / (base - off);
-        let may_exceed = |ends: &[f64; 2]| {
+        let bounded = |ends: [f64; 2]| {
             if !is_bound {
-                return true;
+                return (ends, f64::INFINITY);
             }
             let leads = [ends[0], 0.5 * (ends[0] + ends[1]), ends[1]].map(|b| pair.teeth.lead(b));
             // A crown between the ends rises above their chord by a quarter of the rise of twice the middle.
             let [from, middle, to] = leads;
             let bend = (middle - 0.5 * (from + to)).max(0.0);
             let most = from.max(to).max(middle) + bend + self.most_leaning;
-            endless.gap + (most + more * most.abs()) / base > floor
+            (ends, pair.most + (most + more * most.abs()) / base)
         };
+        // Leans move the ends of the face: far pairs are left out before that is known.
+        let leads = pair.teeth.greatest_lead(self.assembly.face()) + self.most_leaning;
+        if is_bound && pair.most + (leads + more * leads.abs()) / base <= floor {
+            return Vec::new();
+        }
         let face = self.own_face(pair.step);
         let section = |k, place| self.section_of(pair.step, k, place);
         let knots = pair.teeth.knots(face, section);
         let all = knots.windows(2).map(|ends| [ends[0], ends[1]]);
         let parts = all.flat_map(|ends| parts(&pair.teeth, ends));
-        parts.filter(may_exceed).collect()
+        let bounded = parts.map(bounded).filter(|(_, most)| *most > floor);
+        let mut bounded: Vec<([f64; 2], f64)> = bounded.collect();
+        bounded.sort_by(|one, other| other.1.total_cmp(&one.1));
+        bounded
     }
 
     /// The gap of a step at `b`, mm; `None` where the teeth do not face each other.
@@ -200,10 +253,10 @@ impl<'a> AlongFace<'a> {
         let bases = [problem.locked.shape.base, problem.free.shape.base];
         let leads = pair.teeth.leads(b);
         let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-        let found = self.separation(pair, b, turns)?;
+        let found = self.separation(pair, b, turns, self.nominal)?;
         let smooth = if self.leaning.is_some() {
             let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
-            let [after, before] = beside.map(|b| self.separation(pair, b, turns));
+            let [after, before] = beside.map(|b| self.separation(pair, b, turns, found.gap));
             (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
         } else {
             found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
@@ -217,16 +270,23 @@ impl<'a> AlongFace<'a> {
         })
     }
 
-    /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist; `None` where they do not face each other.
-    fn separation(&self, pair: &PairOfTeeth, b: f64, turns: [f64; 2]) -> Option<Separation> {
+    /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist, found from about the gap `near`; `None` where
+    /// they do not face each other.
+    fn separation(
+        &self,
+        pair: &PairOfTeeth,
+        b: f64,
+        turns: [f64; 2],
+        near: f64,
+    ) -> Option<Separation> {
         self.effort.spend(LOOK);
         let turned = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let Some(leaning) = &self.leaning else {
-            let found = Separation::turned(self.posed, pair.step, self.nominal, turned);
+            let found = Separation::turned(self.posed, pair.step, near, turned);
             return Some(found).filter(|found| found.touches);
         };
         let here = leaning.at(self.posed, b);
-        let mut found = Separation::turned(&here, pair.step, self.nominal, turned);
+        let mut found = Separation::turned(&here, pair.step, near, turned);
         if !found.touches {
             return None;
         }
@@ -281,12 +341,12 @@ impl<'a> AlongFace<'a> {
         b
     }
 
-    /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to `window`. `None` where
-    /// the teeth do not face each other.
-    fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2], window: [f64; 2]) -> Option<Look> {
+    /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to its window. `None`
+    /// where the teeth do not face each other.
+    fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<Look> {
         let beside = BESIDE * (to - from);
         let inside = |b: f64| b.clamp(from + beside, to - beside);
-        let [start, end] = window.map(inside);
+        let [start, end] = pair.window.map(inside);
         let low = self.look(pair, start)?;
         let high = self.look(pair, end)?;
         if low.rate > 0.0 && high.rate < 0.0 {

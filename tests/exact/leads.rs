@@ -293,14 +293,15 @@ fn reference_extremes() {
         let found = ExactKernel::new(&pair)
             .extremes(&pair, Mating::FIRST, pitches, 1e-5)
             .unwrap();
-        // The reference's poses are right to 1e-6 µm, and no denser than its sampling.
+        // The reference's poses are right to 1e-6 µm, to 5e-6 µm where axes lean, and no denser than its sampling.
+        let off = if leans(case) { 5e-6 } else { 1e-6 };
         let expected = |end: &str| number(&case["extremes"][end], "j_wt_um");
         for (extreme, end) in [(found.least, "least"), (found.greatest, "greatest")] {
             let extreme = extreme.unwrap();
             let [low, high] = [extreme.low, extreme.high].map(|mm| mm * 1000.0);
             let value = expected(end);
             assert!(
-                low <= value + 1e-6 && value <= high + 1e-6,
+                low <= value + off && value <= high + off,
                 "{name} {end}: {low} {value} {high}"
             );
             assert!(high - low <= 0.01, "{name} {end}: {low} {high}");

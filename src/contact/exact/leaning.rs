@@ -1,7 +1,7 @@
 //! Teeth of leaning axes in the frame of a pose: centres, leans, and turns of flanks along the face.
 //!
 //! [`crate::pair::Pose::section`] derives the section of a leaning gear. Here its centres and the turns of its flanks are functions of the
-//! place along the face, in the frame of [`super::flank_problem`], for the search of the tightest place and for bounds.
+//! place along the face. The search of the tightest place uses them, and so do the bounds of extremes.
 
 use super::flank_problem::PosedFlanks;
 use super::separation::Separation;

@@ -248,7 +248,7 @@ impl<'a> SideCell<'a> {
             let pair = PairOverFace::new(self, step, &found)?;
             let [from, to] = pair.face;
             if from > to {
-                // Nowhere are the teeth of both gears.
+                // No section has the teeth of both gears.
                 continue;
             }
             let simple = [0, 1].map(|k| pair.simple(k, pair.face));
@@ -481,6 +481,9 @@ struct Tip {
     share: f64,
     /// Greatest roll above the least over the cell, rad.
     play: f64,
+    /// The form roll, rad, and the tightness, mm/rad, that a lean may add below it, where a section has the contact at the form circle.
+    form: f64,
+    below: f64,
 }
 
 impl Tip {
@@ -558,6 +561,8 @@ impl<'a> PairOverFace<'a> {
                 pull: 0.0,
                 share: 0.0,
                 play: play + 1.2 * plays[k],
+                form: shapes[k].form_roll,
+                below: 0.0,
             }
         });
         let arms = found.each_ref().map(|one| -shapes[1].base / one.by_turn[1]);
@@ -673,7 +678,7 @@ impl<'a> PairOverFace<'a> {
         let wobbles = cell.gears().map(|gear| gear.wobble());
         let turns = cell.turns();
         let turning = wobbles[0] * turns[0] + wobbles[1] * turns[1] + lean * slope * half / length;
-        // Of the corners of the locked and of the free tip, which stand nearer to their axes than the line.
+        // The corners of the locked and of the free tip stand nearer to their axes than the line.
         let windings = [most(|one| one.winding), most(|one| -one.winding)];
         for (k, tip) in self.tips.iter_mut().enumerate() {
             let least = [0, 1, 2].map(|place| of(0, place).rolls[k].min(of(1, place).rolls[k]));
@@ -694,6 +699,7 @@ impl<'a> PairOverFace<'a> {
                 self.open += more / self.arms[0];
             }
             tip.pull = -arm * gain;
+            tip.below = HIGHER_ORDERS * tip.base * tip.form.abs() * windings[0].max(windings[1]);
         }
         self.turned += 1.1 * most(|one| one.turned);
         Some(self)
@@ -719,10 +725,12 @@ impl<'a> PairOverFace<'a> {
     fn at_fillet(&self, part: [f64; 2]) -> f64 {
         let more = self.tips.iter().map(|tip| {
             let passed = part.map(|b| tip.excess + tip.rate * b);
-            let passed = passed[0].max(passed[1]) + tip.play + self.turned;
-            -tip.pull.min(0.0) * passed.max(0.0)
+            let [least, most] = [passed[0].min(passed[1]), passed[0].max(passed[1])];
+            let passed = most + tip.play + self.turned;
+            let below = tip.form - (tip.roll + least - self.turned);
+            -tip.pull.min(0.0) * passed.max(0.0) + tip.below * below.max(0.0)
         });
-        more.fold(0.0, f64::max) / self.arms[0]
+        more.sum::<f64>() / self.arms[0]
     }
 
     /// Bound on the rotation at an end of the cell, rad.

@@ -148,7 +148,7 @@ impl<'a> AlongFace<'a> {
     fn pair(&self, step: i64, endless: &Separation) -> PairOfTeeth<'a> {
         let window = self.on_line(endless);
         let teeth = self.posed.facing_teeth(self.assembly, step);
-        // Beyond its line a pair falls along the face: it is tightest in the section nearest to it.
+        // The gap of a pair falls along the face beyond its line: it is tightest in the section nearest to it.
         let turns = self.twists.map(|twist| twist * window[0]);
         self.effort.spend(LOOK);
         let nearest = Separation::turned(self.posed, step, self.nominal, turns);
@@ -215,7 +215,7 @@ impl<'a> AlongFace<'a> {
         let problem = self.posed.problem;
         let shapes = [&problem.locked.shape, &problem.free.shape];
         let base = shapes[1].base;
-        // An edge at the form circle reaches farther than the endless involute.
+        // An edge at the form circle stands beyond the endless involute.
         let is_bound = shapes.iter().all(|shape| shape.corners().len() == 1);
         // A gap of an eccentric free gear changes by up to this much more than on a fixed line.
         let off = problem.free_off.norm();

@@ -9,6 +9,9 @@
 //! a flank's pitch deviation, at d:    ±c/c_w for each of the four flanks that touch
 //! runout F_r = 2 e:                   ∂j_wt/∂e = −2 tan α_wt cos θ,  θ between the high tooth and the line of centres
 //! centre distance:                    ∂j_wt/∂a = 2 tan α_wt
+//! lead deviation of a flank:          −1/c_w for each of the four flanks that touch
+//! lean of the axes in their plane:    at most 2 tan α_wt max |b − b_a| over the face; a holds at b_a
+//! lean of the axes out of it:         at most the face width
 //! ```
 //!
 //! These hold for contacts of involutes. At a tip corner they differ by the square of its angle off the line of action.
@@ -32,6 +35,12 @@ pub struct Uncertainty {
     pub runout: f64,
     /// Uncertainty of the centre distance, mm.
     pub center_distance: f64,
+    /// Uncertainty of each flank's lead deviation where it touches, mm.
+    pub lead: f64,
+    /// Uncertainty of the lean of the axes, in their plane and out of it, mm per mm.
+    pub lean: f64,
+    /// The place along the axes at which the centre distance holds, mm from the measuring plane.
+    pub distance_at: f64,
     /// Coverage factor `k` of the displayed uncertainty.
     pub coverage: f64,
 }
@@ -48,12 +57,18 @@ impl Uncertainty {
         let per_thickness = thickness::per_normal_thickness(basic_data) * per_base;
         let per_shift = 2.0 * angle.tan();
         let mut square = (per_shift * self.center_distance).powi(2);
+        let [from, to] = assembly.face();
+        let off = (from - self.distance_at)
+            .abs()
+            .max((to - self.distance_at).abs());
+        square += (per_shift * off * self.lean).powi(2) + ((to - from) * self.lean).powi(2);
         for (index, member) in Member::BOTH.into_iter().enumerate() {
             let [right, left] = touching.map(|contact| contact.touch(member).tooth);
             let flanks: f64 = if right == left { 1.0 } else { 0.5f64.sqrt() };
             square += (per_base * self.base_thickness[index]).powi(2);
             square += (per_thickness * flanks * self.per_tooth).powi(2);
             square += 2.0 * (per_reference * self.pitch).powi(2);
+            square += 2.0 * (per_base * self.lead).powi(2);
             let rotation = extreme.pose.rotation(assembly, member);
             let toward = assembly.gear(member).towards_mate(rotation);
             square += (per_shift * toward * 0.5 * self.runout).powi(2);

@@ -362,6 +362,11 @@ impl AsBuilt {
         self.wobble
     }
 
+    /// The tooth, fractional, towards which the teeth lean away from the reference face.
+    pub fn wobble_tooth(&self) -> f64 {
+        self.wobble_tooth
+    }
+
     /// Displacement of the outline's centre per mm along the axis away from the viewer, with tooth 1 turned to the angle `tooth_1`.
     pub(crate) fn lean(&self, tooth_1: f64) -> Vector2<f64> {
         UnitComplex::new(tooth_1 + self.tooth_angle(self.wobble_tooth))

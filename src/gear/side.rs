@@ -117,6 +117,15 @@ impl Face {
         }
     }
 
+    /// Both ends of teeth that run `from` … `to`, mm from the measuring plane away from the viewer, as heights over that plane away from this
+    /// reference face, that of the reference face first.
+    pub fn heights(self, [from, to]: [f64; 2]) -> [f64; 2] {
+        match self {
+            Face::Front => [from, to],
+            Face::Back => [-to, -from],
+        }
+    }
+
     /// Number of the tooth `steps` places counter-clockwise of `tooth` on a gear with this number of `teeth`.
     pub fn counter_clockwise(self, teeth: u32, tooth: u32, steps: i64) -> u32 {
         let ascending = match self {

@@ -110,6 +110,9 @@ pub enum MeasurementError {
         /// The cause.
         error: GearError,
     },
+    /// Leads about the datum axis from which the wobble cannot be taken.
+    #[error("{0}")]
+    DatumLeads(&'static str),
     /// Deviations that leave a tooth without tip or neck, or a space without room.
     #[error("{error}")]
     Deviations {

@@ -4,6 +4,10 @@
 
 use crate::gear::{BasicGearData, Flank, Probe};
 
+/// Distance of a wobble in leads from the stated one, over the length of the teeth, that is no contradiction, µm: readings of runouts and leads
+/// of 1 µm each leave as much.
+const MOST_WOBBLE_APART_UM: f64 = 2.0;
+
 /// A finding about the measurements of one gear.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
@@ -29,6 +33,15 @@ pub enum Finding {
     RunoutWithoutDirection {
         /// `F_r`, µm.
         total_um: f64,
+    },
+    /// Leads about the datum axis contain a wobble.
+    WobbleInLeads {
+        /// Its lean over the length of the teeth, µm.
+        um: f64,
+        /// The tooth towards which the teeth lean away from the reference face.
+        tooth: f64,
+        /// Distance from the stated one, µm over the length of the teeth.
+        apart_um: Option<f64>,
     },
     /// Pitch about the datum axis contains an eccentricity.
     EccentricityInPitch(EccentricityNote),
@@ -177,6 +190,9 @@ impl Finding {
             | Finding::ProfileOfSomeTeeth { .. }
             | Finding::LeadOfSomeTeeth { .. }
             | Finding::ThicknessField { .. } => true,
+            Finding::WobbleInLeads { apart_um, .. } => {
+                apart_um.is_none_or(|um| um <= MOST_WOBBLE_APART_UM)
+            }
             _ => false,
         }
     }

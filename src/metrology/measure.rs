@@ -6,7 +6,8 @@ use super::pitch_statement::PitchStatement;
 use super::runout::{Runout, RunoutStatement};
 use super::settle::{FlankStatements, Flanks, StatedTooth};
 use super::thickness_statement::{ThicknessStatement, Toleranced};
-use super::{contradictions, lead, outliers, plausibility, profile};
+use super::wobble::Wobble;
+use super::{contradictions, datum_leads, lead, outliers, plausibility, profile};
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Lead, Modification, Pitch};
 
@@ -30,12 +31,16 @@ pub struct Measurements {
     pub pitch: Option<PitchStatement>,
     /// Runout.
     pub runout: RunoutStatement,
+    /// Lean of the teeth's axis.
+    pub wobble: Wobble,
     /// Profile deviations of the gear's own right flanks and of its left ones.
     ///
     /// A span, a dimension over pins and a pitch belong to the flanks at the contacts; other thickness statements to the involutes.
     pub profiles: [Modification; 2],
     /// Lead deviations of the gear's own right flanks and of its left ones.
     pub leads: [Lead; 2],
+    /// Whether the traces of the leads were measured about the datum axis: they contain the wobble.
+    pub leads_about_datum: bool,
 }
 
 /// A second statement of the tooth thickness.
@@ -79,8 +84,10 @@ impl Measurements {
             cross_check: None,
             pitch: None,
             runout: RunoutStatement::None,
+            wobble: Wobble::default(),
             profiles: Default::default(),
             leads: Default::default(),
+            leads_about_datum: false,
         }
     }
 
@@ -97,6 +104,9 @@ impl Measurements {
             }
         };
         self.check_leads()?;
+        if self.leads_about_datum {
+            return self.measure_about_datum();
+        }
         let of_involutes = self.check_profiles(pitch.as_ref())?;
         let (own, datum) = match (&self.pitch, of_involutes.as_ref()) {
             (Some(statement), Some(curves)) if statement.is_datum() => {
@@ -109,6 +119,8 @@ impl Measurements {
             per_tooth: self.per_tooth_um.iter().map(|um| um / 1000.0).collect(),
             pitch: own,
             high_tooth: 1.0,
+            wobble: self.wobble.lean,
+            wobble_tooth: self.wobble.tooth,
             profiles: self.profiles.clone(),
             leads: self.leads.clone(),
             ..Deviations::default()
@@ -139,6 +151,29 @@ impl Measurements {
                 Err(errors)
             }
         }
+    }
+
+    /// As [`Measurements::measure`], with leads about the datum axis. A stated wobble counts, else that of the leads.
+    fn measure_about_datum(&self) -> Result<MeasuredGear, Vec<MeasurementError>> {
+        let found = datum_leads::separate(&self.design, &self.leads, &self.runout);
+        let (found, leads) = found.map_err(|error| vec![error])?;
+        let is_stated = self.wobble.lean > 0.0;
+        let own = Measurements {
+            leads,
+            leads_about_datum: false,
+            wobble: if is_stated { self.wobble } else { found },
+            ..self.clone()
+        };
+        let mut gear = own.measure()?;
+        let [near, far] = self.leads.each_ref().map(|lead| lead.face)[0];
+        let over_um = 1000.0 * (far - near);
+        let apart = self.wobble.apart(&found, &self.design.basic_data);
+        gear.findings.push(Finding::WobbleInLeads {
+            um: over_um * found.lean,
+            tooth: found.tooth,
+            apart_um: is_stated.then_some(over_um * apart),
+        });
+        Ok(gear)
     }
 
     /// Errors of the thickness and the runout alone, for invalid pitch or per-tooth thickness.

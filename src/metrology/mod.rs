@@ -34,6 +34,7 @@
 //! ```
 
 mod contradictions;
+mod datum_leads;
 mod error;
 mod finding;
 mod flank_correlation;
@@ -46,6 +47,7 @@ mod profile;
 mod runout;
 mod settle;
 mod thickness_statement;
+mod wobble;
 
 pub use error::{DeviationCause, Fits, LeadKey, MeasurementError, ProfileKey, StatementRole};
 pub use finding::{
@@ -58,3 +60,4 @@ pub use measure::{CrossCheck, MeasuredGear, Measurements};
 pub use pitch_statement::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
 pub use runout::{ProbeReadings, ReadWith, Runout, RunoutStatement};
 pub use thickness_statement::{ThicknessStatement, Toleranced, chord_height};
+pub use wobble::{RunoutAt, Wobble};

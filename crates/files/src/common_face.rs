@@ -4,7 +4,7 @@ use super::gear::GearPart;
 use super::table::Table;
 
 /// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears that are alike along it. `offset` is the
-/// place of the pinion's measuring plane. `leans`: axes are not parallel.
+/// place of the pinion's measuring plane. `leans`: axes are not known to be parallel.
 ///
 /// The lengths of wheel and pinion are `factors` times those stated.
 /// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.
@@ -28,7 +28,7 @@ pub fn common_face(
     if one.angle_deg == 0.0 {
         let mut gears = [wheel, pinion].into_iter();
         let why = if leans {
-            "the axes lean"
+            "the axes lean, or may lean"
         } else if gears.any(GearPart::has_leads) {
             "the mate has leads"
         } else {

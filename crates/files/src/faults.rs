@@ -112,6 +112,10 @@ fn of_flanks(
             };
             return table.problem(&lead::key_of(table, flank, key), reason, help);
         }
+        MeasurementError::DatumLeads(_) => (
+            "lead.axis",
+            "give traces of single teeth of both flanks and the runout with its high_tooth, or write axis = \"own\" if the wobble is not in them",
+        ),
         MeasurementError::PitchOffHalf { flank, .. } => (
             pitch.map_or("pitch", |sheet| sheet.key(flank)),
             "check the unit (µm) and whether the values are single or cumulative",

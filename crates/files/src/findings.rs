@@ -30,6 +30,22 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             ascii(*sum_um, 2),
             ascii(*rounding_um, 2),
         ),
+        Finding::WobbleInLeads {
+            um,
+            tooth,
+            apart_um,
+        } => {
+            let counts = match apart_um {
+                None => "the gear wobbles so".to_owned(),
+                Some(apart) => format!("the stated wobble counts, {} µm off it", ascii(*apart, 2)),
+            };
+            format!(
+                "{}: the leads about the bore contain a wobble of {} µm over the teeth, towards tooth {}; it is taken out of them, and {counts}",
+                key("lead.axis"),
+                ascii(*um, 2),
+                ascii(*tooth, 2)
+            )
+        }
         Finding::RunoutReadings(readings) => {
             let key = key("runout.file");
             format!("{key}: {}", runout::readings(readings))

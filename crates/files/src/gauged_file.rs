@@ -52,7 +52,7 @@ pub fn gauged_file(
         gear: GearSpec {
             thickness,
             runout: RunoutSpec {
-                total_um: 2e3 * eccentricity.amount,
+                total_um: Some(2e3 * eccentricity.amount),
                 high_tooth: Some(eccentricity.high_tooth),
                 ..RunoutSpec::default()
             },

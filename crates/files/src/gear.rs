@@ -6,7 +6,7 @@ use super::inches::MM_PER_INCH;
 use super::lead::{self, LeadGear, Leads};
 use super::pitch::PitchSheet;
 use super::profile::{self, Profiles};
-use super::runout::Runout;
+use super::runout::{Runout, StatedTeeth};
 use super::sheet::StatedGear;
 use super::spec::{Either, GearSpec, RackSpec, System};
 use super::statements::Statements;
@@ -102,7 +102,13 @@ impl GearPart {
             Some(spec)
         });
         let runout = file.read(&table.path_of("runout"));
-        let runout = runout.and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth));
+        let heights = |face: Face| Some(self.helix?.face_mm.map(|ends| face.heights(ends)));
+        let stated = StatedTeeth {
+            basic_data: self.basic_data.as_ref(),
+            heights: face.and_then(|face| heights(face.unwrap_or_default())),
+        };
+        let runout = runout
+            .and_then(|spec| Runout::read(table, spec.unwrap_or_default(), teeth, Some(&stated)));
         let sheet = match file.read(&table.path_of("pitch")) {
             Some(Some(spec)) => PitchSheet::read(table, spec, teeth),
             absent => absent.map(|_| None),
@@ -182,6 +188,7 @@ impl GearPart {
         let gear = measurements.measure().map_err(errors).ok()?;
         let mut spec = file.read::<GearSpec>(name)??;
         self.describe(&statements, &gear.findings, header_warnings);
+        self.warnings.extend_from_slice(&statements.runout.warnings);
         let leads = statements.leads.as_ref();
         self.warnings
             .extend(leads.into_iter().flat_map(Leads::warnings).cloned());

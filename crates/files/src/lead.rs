@@ -9,7 +9,7 @@ use super::numbers::shortest;
 use super::sheet::Header;
 use super::spec::{
     Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd,
-    ReliefShape, SlopeLength, SpurSlopeSpec, TraceStart,
+    ReliefShape, SlopeLength, SpurSlopeSpec, TeethEnd,
 };
 use super::table::Table;
 use super::traces::{Along, Measured};
@@ -28,6 +28,7 @@ pub struct Leads {
     zero_mm: f64,
     range_mm: [f64; 2],
     over: SlopeLength,
+    pub axis: LeadAxis,
     /// Both ends of the teeth, mm from the measuring plane away from the reference face.
     face: [f64; 2],
     hand: Hand,
@@ -67,18 +68,8 @@ impl Leads {
                 "give the length of the teeth along the axis: leads run over all of it",
             );
         };
-        if spec.axis == LeadAxis::Datum {
-            return table.refuse(
-                "axis",
-                "not modelled yet: leads about the bore contain the wobble of the teeth, allowed is \"own\"",
-                "subtract the wobble (the slope that runs as a sine about the gear), and write axis = \"own\"",
-            );
-        }
         let basic_data = part.basic_data?;
-        let face = match face {
-            Face::Front => [from, to],
-            Face::Back => [-to, -from],
-        };
+        let face = face.heights([from, to]);
         let width = to - from;
         let mut warnings = Vec::new();
         let is_helical = helix.angle_deg != 0.0;
@@ -117,7 +108,7 @@ impl Leads {
         };
         let measured = Measured::new(part.teeth, along);
         let mut flanks = flanks::read(&table, spec.flanks, &measured)?;
-        if spec.from == TraceStart::Far {
+        if spec.from == TeethEnd::Far {
             for flank in &mut flanks {
                 flank.trace = flank.trace.take().map(|traces| match traces {
                     Either::One(one) => Either::One(turned(one, width)),
@@ -132,6 +123,7 @@ impl Leads {
             zero_mm,
             range_mm,
             over: spec.over,
+            axis: spec.axis,
             face,
             hand,
             headers: measured.into_headers(),
@@ -196,8 +188,8 @@ impl Leads {
             zero_mm: Some(self.zero_mm),
             range_mm: Some(self.range_mm),
             over: self.over,
-            from: TraceStart::Reference,
-            axis: LeadAxis::Own,
+            from: TeethEnd::Reference,
+            axis: self.axis,
         }
     }
 }
@@ -283,8 +275,9 @@ fn open_conventions(
     let has_slopes = has(|flank| flank.slope_um.is_some() || flank.helix_slope_um.is_some());
     let has_traces = has(|flank| flank.trace.is_some());
     let has_crowning = has(|flank| flank.crowning_um.is_some());
-    let mut traces = flanks().flat_map(|flank| flank.trace.iter().flat_map(Either::as_list));
-    let lacks_direction = traces.any(|trace| trace.direction.is_none());
+    let traces = || flanks().flat_map(|flank| flank.trace.iter().flat_map(Either::as_list));
+    let has_teeth = traces().any(|trace| trace.tooth.is_some() || trace.table.is_some());
+    let lacks_direction = traces().any(|trace| trace.direction.is_none());
     let conventions = [
         (
             "over",
@@ -295,6 +288,11 @@ fn open_conventions(
             "from",
             has_traces,
             "heights of traces count from the reference face; write from = \"reference\", or \"far\" where they begin at the other end".to_owned(),
+        ),
+        (
+            "axis",
+            has_teeth,
+            "traces count as measured about the axis of the teeth; write axis = \"own\", or \"datum\" where it was the bore".to_owned(),
         ),
         (
             "zero_mm",

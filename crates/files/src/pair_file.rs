@@ -135,7 +135,19 @@ impl<'a> PairTables<'a> {
         temperature::check_unequal(&table, factors)?;
         // The distance of the measuring planes expands as the wheel does.
         let offset = face_offset_mm.unwrap_or(0.0) * warm[0];
-        let leans = lean != [0.0; 2];
+        let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
+        let is_uncertain = uncertainty.is_some_and(|stated| stated.misalignment_um.is_some());
+        if is_uncertain && assembly.over_mm().is_none() {
+            return table.refuse(
+                "uncertainty.misalignment_um",
+                "given without assembly.misalignment, to whose length it refers",
+                "add misalignment = { over_mm = … } to [assembly], or remove it",
+            );
+        }
+        let wobbles = |(_, wheel, pinion): &(Material, AsBuilt, AsBuilt)| {
+            wheel.wobble() + pinion.wobble() > 0.0
+        };
+        let leans = is_uncertain || lean != [0.0; 2] || materials.iter().any(wobbles);
         let face = common_face::common_face(&table, gears, (offset, leans), factors)?;
         // Teeth are counted in the wheel's measuring plane.
         if face[0] < face[1] && face_offset_mm.is_some() {
@@ -148,7 +160,6 @@ impl<'a> PairTables<'a> {
         let accuracy: AccuracySpec = self.file.read("accuracy")?.unwrap_or_default();
         let compare: CompareSpec = self.file.read("compare")?.unwrap_or_default();
         let require: Option<RequireSpec> = self.file.read("require")?;
-        let uncertainty: Option<UncertaintySpec> = self.file.read("uncertainty")?;
         let (stem, title) = names(&self.file, self.path);
         let title = title?;
         warnings.extend(unit_slips::warnings("assembly", &assembly));
@@ -186,7 +197,10 @@ impl<'a> PairTables<'a> {
         };
         let gears = materials.first();
         let uncertainty = uncertainty.zip(gears).map(|(stated, (_, wheel, pinion))| {
-            stated.of_gears([(&spec.wheel, wheel), (&spec.pinion, pinion)])
+            stated.of_pair(
+                &spec.assembly,
+                [(&spec.wheel, wheel), (&spec.pinion, pinion)],
+            )
         });
         let study = Study {
             title,

@@ -4,7 +4,7 @@ use super::lead::Leads;
 use super::pitch::PitchSheet;
 use super::profile::Profiles;
 use super::runout::Runout;
-use super::spec::{CrossCheckSpec, StatementSpec, ThicknessSpec};
+use super::spec::{CrossCheckSpec, LeadAxis, StatementSpec, ThicknessSpec};
 use super::table::Table;
 use super::thickness;
 use gearlash::gear::{Face, Flank, GearDesign};
@@ -38,7 +38,12 @@ impl Statements<'_> {
                 .map(CrossCheckSpec::measured),
             pitch: self.pitch.as_ref().map(PitchSheet::measured),
             runout: self.runout.measured(),
+            wobble: self.runout.wobble,
             profiles: self.profiles.measured(&self.design.basic_data),
+            leads_about_datum: self
+                .leads
+                .as_ref()
+                .is_some_and(|leads| leads.axis == LeadAxis::Datum),
             leads: self.leads.as_ref().map(Leads::measured).unwrap_or_default(),
         }
     }

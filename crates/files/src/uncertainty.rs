@@ -1,12 +1,16 @@
 //! `[uncertainty]`: standard uncertainties of the measurements, converted for the library.
 
-use super::spec::{GearSpec, ThicknessSpec, UncertaintySpec};
+use super::spec::{AssemblySpec, GearSpec, ThicknessSpec, UncertaintySpec};
 use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::gear::{AsBuilt, thickness};
 
 impl UncertaintySpec {
     /// In mm for the library, with the thickness of each gear by its statement.
-    pub(crate) fn of_gears(&self, gears: [(&GearSpec, &AsBuilt); 2]) -> Uncertainty {
+    pub(crate) fn of_pair(
+        &self,
+        assembly: &AssemblySpec,
+        gears: [(&GearSpec, &AsBuilt); 2],
+    ) -> Uncertainty {
         let mm = 1e-3;
         Uncertainty {
             base_thickness: gears
@@ -15,6 +19,12 @@ impl UncertaintySpec {
             pitch: self.pitch_um * mm,
             runout: self.runout_um * mm,
             center_distance: self.center_distance_um * mm,
+            lead: self.lead_um.unwrap_or(0.0) * mm,
+            lean: self
+                .misalignment_um
+                .zip(assembly.over_mm())
+                .map_or(0.0, |(um, over)| um * mm / over),
+            distance_at: assembly.holds_at(),
             coverage: self.coverage_factor,
         }
     }

@@ -53,7 +53,8 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
     let drawn = spec.and_then(|spec| drawn(&table, spec, scale));
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
     let runout = file.read(&table.path_of("runout"));
-    let runout = runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth));
+    let runout =
+        runout.and_then(|spec| Runout::read(&table, spec.unwrap_or_default(), teeth, None));
     file.is_good(name).then_some(())?;
     let (spec, path, data) = drawn?;
     let (face, runout, thickness) = (face?.unwrap_or_default(), runout?, thickness?);
@@ -88,7 +89,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
         );
     }
     let high_tooth = runout.high_tooth.unwrap_or(1.0);
-    if runout.total_um > 0.0 && runout.high_tooth.is_none() {
+    if runout.total() > 0.0 && runout.high_tooth.is_none() {
         return table.refuse(
             "runout.high_tooth",
             "missing, an outline's runout needs its direction",
@@ -105,7 +106,7 @@ pub(super) fn read(file: &Checked, name: &str) -> Option<OutlinePart> {
             "count from the first tooth of the drawing",
         );
     }
-    let turned = gear.with_runout(scale * runout.total_um / 2000.0, high_tooth);
+    let turned = gear.with_runout(scale * runout.total() / 2000.0, high_tooth);
     let gear = table.keep("runout.total_um", turned, "give the runout in µm")?;
     let offset = thickness.and_then(|thickness| thickness.flank_offset_mm);
     let offset = offset.map_or(Toleranced::Single(0.0), Either::toleranced);

@@ -71,6 +71,14 @@ impl AssemblySpec {
         }
     }
 
+    /// Length along the axes over which their deviations are stated, mm.
+    pub fn over_mm(&self) -> Option<f64> {
+        match &self.center_distance_mm {
+            CenterDistanceSpec::Ends(ends) => Some(ends.length().abs()),
+            _ => self.misalignment.map(|stated| stated.over_mm),
+        }
+    }
+
     /// The centre distance in the wheel's measuring plane where a stated one is `mm`.
     pub fn in_measuring_plane(&self, mm: f64) -> f64 {
         let ([in_plane, out_of_plane], at) = (self.lean(), self.holds_at());

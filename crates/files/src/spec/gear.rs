@@ -106,6 +106,11 @@ impl GearSpec {
         Some(self.face_mm?.map(|end| self.scale() * end))
     }
 
+    /// Both ends of the teeth as stated, mm over the measuring plane away from the reference face, that of the reference face first.
+    pub fn heights(&self) -> Option<[f64; 2]> {
+        Some(self.reference_face.heights(self.face_mm?))
+    }
+
     /// The gear with every length and deviation multiplied by its factor.
     pub(crate) fn scaled(&self) -> Result<GearSpec, serde_json::Error> {
         let mut gear = serde_json::to_value(self)?;

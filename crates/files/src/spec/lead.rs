@@ -27,8 +27,8 @@ pub struct LeadSpec {
     pub over: SlopeLength,
     /// End from which heights of traces count.
     #[serde(default)]
-    pub from: TraceStart,
-    /// Axis of the measurement; "datum" is not modelled yet.
+    pub from: TeethEnd,
+    /// Axis of the measurement; "datum": traces contain the wobble, which is taken out of them.
     #[serde(default)]
     pub axis: LeadAxis,
 }
@@ -157,11 +157,11 @@ pub enum SlopeLength {
     Face,
 }
 
-/// The end of the teeth from which the heights of traces count.
+/// An end of the teeth.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(inline)]
-pub enum TraceStart {
+pub enum TeethEnd {
     /// The end of the reference face.
     #[default]
     Reference,

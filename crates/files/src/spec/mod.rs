@@ -29,11 +29,11 @@ pub use assembly::{
 pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
 pub(crate) use explained::as_clause;
 pub use explained::explained;
-pub use flanks::{PitchSpec, ReadingPlace, RunoutSpec};
+pub use flanks::{FaceRunoutSpec, PitchSpec, ReadingPlace, RunoutPlaneSpec, RunoutSpec};
 pub use gear::{GearSpec, RackSpec, System};
 pub use lead::{
     EndReliefSpec, FlankLeadSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd, SlopeLength,
-    SpurSlopeSpec, TraceDirection, TraceStart,
+    SpurSlopeSpec, TeethEnd, TraceDirection,
 };
 pub use outline::{
     CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, OutlineThicknessSpec, PointsKind,

@@ -3,8 +3,10 @@
 use super::rules::{above_zero, within};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_with::skip_serializing_none;
 
 /// Standard uncertainties of what was measured, µm; the expanded uncertainty of least and greatest backlash follows.
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct UncertaintySpec {
@@ -29,6 +31,12 @@ pub struct UncertaintySpec {
     /// Uncertainty of the centre distance.
     #[schemars(transform = within(0.0, 1e6))]
     pub center_distance_um: f64,
+    /// Uncertainty of the lead deviation of a flank where it touches.
+    #[schemars(transform = within(0.0, 1e6))]
+    pub lead_um: Option<f64>,
+    /// Uncertainty of both deviations of the shafts, over the length of assembly.misalignment.
+    #[schemars(transform = within(0.0, 1e6))]
+    pub misalignment_um: Option<f64>,
     /// Coverage factor of the expanded uncertainty.
     #[schemars(transform = above_zero(10.0))]
     pub coverage_factor: f64,
@@ -44,6 +52,8 @@ impl Default for UncertaintySpec {
             pitch_um: 0.0,
             runout_um: 0.0,
             center_distance_um: 0.0,
+            lead_um: None,
+            misalignment_um: None,
             coverage_factor: 2.0,
         }
     }

@@ -219,7 +219,8 @@ pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member)
 pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt {
     match pair.spec.assembly.face_offset_mm {
         Some(offset)
-            if member == Member::Pinion && (pair.study.is_helical() || gear.has_leads()) =>
+            if member == Member::Pinion
+                && (pair.study.is_helical() || gear.has_leads() || gear.wobble() > 0.0) =>
         {
             gear.section_at(-offset)
         }

@@ -2,12 +2,13 @@
 
 use super::population::ToleranceFile;
 use crate::spec::{
-    BearingClearanceSpec, Either, GearSpec, PairSpec, PitchSpec, Revolutions, RunoutSpec,
-    StatementSpec, SweepSpec, ThicknessSpec,
+    BearingClearanceSpec, Either, FaceRunoutSpec, GearSpec, PairSpec, PitchSpec, Revolutions,
+    RunoutSpec, StatementSpec, SweepSpec, TeethEnd, ThicknessSpec,
 };
 use gearlash::error::Error;
 use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
+use gearlash::metrology::Wobble;
 use gearlash::pair::Member;
 use gearlash::population::{Assembly, Sample};
 use serde_json::Value;
@@ -58,6 +59,23 @@ pub fn sha256(text: &str) -> String {
 
 fn signed(text: &str) -> String {
     format!("{WRITTEN}{}\n{text}", sha256(text))
+}
+
+/// The wobble of `gear` as the runout of a shoulder of the reference diameter, on the reference face of a gear stated as `own`.
+fn wobble(gear: &AsBuilt, own: &GearSpec) -> Option<FaceRunoutSpec> {
+    let data = gear.gear().basic_data();
+    let wobble = Wobble {
+        lean: gear.wobble(),
+        tooth: gear.wobble_tooth(),
+    };
+    let diameter_mm = 2.0 * data.reference_radius();
+    let [near, _] = own.heights()?;
+    (wobble.lean > 0.0).then(|| FaceRunoutSpec {
+        um: 1e3 * wobble.lean * diameter_mm,
+        diameter_mm,
+        high_tooth: wobble.tooth_at(data, near),
+        face: Some(TeethEnd::Reference),
+    })
 }
 
 /// Whether `text` is an unchanged file of [`worst_file`].
@@ -185,7 +203,8 @@ impl ToleranceFile {
                 ..ThicknessSpec::default()
             },
             runout: RunoutSpec {
-                total_um: 2e3 * eccentricity,
+                total_um: Some(2e3 * eccentricity),
+                face_runout: wobble(gear, own),
                 high_tooth: (eccentricity > 0.0).then(|| gear.high_tooth()),
                 ..RunoutSpec::default()
             },

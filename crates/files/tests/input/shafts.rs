@@ -2,7 +2,11 @@
 
 use super::leads::{SPUR, j_bt};
 use super::*;
+use gearlash::analysis::extremes::extremes;
+use gearlash::contact::Method;
 use gearlash::gear::{Side, involute::inv};
+use gearlash::pair::{Mating, Pose};
+use std::ops::ControlFlow;
 
 /// The spur pair of 20 mm, face to face over `face`, with these keys of the wheel and of `[assembly]`.
 fn spur(face: [f64; 2], wheel: &str, assembly: &str) -> PairFile {
@@ -123,4 +127,158 @@ fn other_distances_keep_the_lean() {
     assert!((file.study.lean[0] - 1e-4).abs() < 1e-12);
     let (echo, kept) = (file.spec.assembly.lean(), file.study.lean);
     assert!((echo[0] - kept[0]).abs() < 1e-15 && file.spec.assembly.holds_at() == 0.0);
+}
+
+/// The pair of 36 and 24 teeth over `face` with a runout of the gear called `name`.
+fn with_runout(face: [f64; 2], name: &str, runout: &str) -> PairFile {
+    let text = SPUR.replace("[-10, 10]", &format!("{face:?}"));
+    let keys = |own: &str| if own == name { runout } else { "" };
+    study(
+        &text
+            .replace("WHEEL", keys("wheel"))
+            .replace("PINION", keys("pinion")),
+    )
+}
+
+/// Two planes at the ends of teeth of 20 mm, centred at the first; the reference face is in front, or at the back.
+fn planes(um: f64, tooth: f64) -> String {
+    format!(
+        "runout.planes = [{{ from_reference_face_mm = 0, total_um = 0, high_tooth = 1 }}, \
+         {{ from_reference_face_mm = 20, total_um = {um}, high_tooth = {tooth} }}]"
+    )
+}
+
+/// A shoulder on a diameter of 50 mm.
+fn shoulder(um: f64, tooth: f64, face: &str) -> String {
+    format!(
+        "runout = {{ total_um = 0, face_runout = {{ um = {um}, diameter_mm = 50, high_tooth = {tooth}, face = \"{face}\" }} }}"
+    )
+}
+
+/// Displaced by 2 µm at the far end towards the mate, the axes are nearer by it there; away from it, nothing is lost. A shoulder of 50 mm that
+/// runs out by 5 µm leans as much.
+#[test]
+fn wobble_brings_the_far_end_nearer() {
+    for (name, teeth, face) in [("wheel", 36.0, [0.0, 20.0]), ("pinion", 24.0, [-20.0, 0.0])] {
+        let plain = j_bt(&with_runout(face, name, ""), (1, 1), Side::Right);
+        let loss =
+            |runout: &str| plain - j_bt(&with_runout(face, name, runout), (1, 1), Side::Right);
+        // The locked wheel's tooth 1 points at the pinion but for a fifth of a pitch, and the pinion's as much less.
+        let file = with_runout(face, name, "");
+        let run = &file.study.runs().unwrap()[0];
+        let pair = run.assembly.data().unwrap();
+        let mating = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Right,
+            fraction: 0.2,
+        };
+        let member = if name == "wheel" {
+            Member::Wheel
+        } else {
+            Member::Pinion
+        };
+        let pose = Pose::new(pair, mating);
+        let gear = pair.gear(member);
+        let ascending = gear.face().ascending() * gear.gear().basic_data().angular_pitch();
+        let towards = 1.0 + (-pose.rotation(pair, member) / ascending).rem_euclid(teeth);
+        let away = 1.0 + (towards - 1.0 + 0.5 * teeth).rem_euclid(teeth);
+        for (towards, away) in [
+            (planes(4.0, towards), planes(4.0, away)),
+            (
+                shoulder(5.0, towards, "reference"),
+                shoulder(5.0, away, "reference"),
+            ),
+            (shoulder(5.0, away, "far"), shoulder(5.0, towards, "far")),
+        ] {
+            let found = loss(&towards);
+            assert!((found - nearer(2.0)).abs() < 2e-4, "{towards}: {found}");
+            let found = loss(&away);
+            assert!(found.abs() < 2e-4, "{away}: {found}");
+        }
+    }
+}
+
+/// The planes of helical teeth count their own teeth: a straight axis has another high tooth in each.
+#[test]
+fn an_eccentric_helical_gear_does_not_wobble() {
+    let lead_mm = std::f64::consts::PI * 3.0 * 20.0 / 15f64.to_radians().sin();
+    let wound = 30.0 / lead_mm * 20.0;
+    for (hand, face, sense) in [
+        ("right", "front", 1.0),
+        ("left", "front", -1.0),
+        ("right", "back", 1.0),
+    ] {
+        let keys = format!(
+            "helix_angle_deg = 15\nhand = \"{hand}\"\nface_mm = [-15, 15]\nreference_face = \"{face}\"\n\
+             runout.planes = [{{ from_reference_face_mm = 0, total_um = 20, high_tooth = 4 }}, \
+             {{ from_reference_face_mm = 30, total_um = 20, high_tooth = {} }}]",
+            4.0 - sense * wound
+        );
+        let mate = if hand == "right" { "left" } else { "right" };
+        let pinion =
+            format!("teeth = 30\nhelix_angle_deg = 15\nface_width_mm = 30\nhand = \"{mate}\"\n");
+        let file = study(
+            &PAIR
+                .replace("teeth = 20\n", &format!("teeth = 20\n{keys}\n"))
+                .replace("teeth = 30\n", &pinion)
+                .replace("75.2", "78.0"),
+        );
+        let wheel = &file.study.materials[0].1;
+        assert!(wheel.wobble() < 1e-12, "{hand} {face}: {}", wheel.wobble());
+        assert!((wheel.eccentricity() - 0.01).abs() < 1e-12);
+        assert!((wheel.high_tooth() - (4.0 - 0.5 * sense * wound)).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_shoulder_says_the_way_it_looks() {
+    let file = with_runout(
+        CENTRED,
+        "wheel",
+        "runout = { total_um = 0, face_runout = { um = 5, diameter_mm = 50, high_tooth = 1 } }",
+    );
+    let warnings = file.warnings.join("\n");
+    assert!(
+        warnings.contains("wheel.runout.face_runout.face: not stated"),
+        "{warnings}"
+    );
+    assert_eq!(
+        file.spec.wheel.runout.face_runout.unwrap().face,
+        Some(gearlash_files::spec::TeethEnd::Reference)
+    );
+}
+
+/// Sources: the derivatives of the closed forms, at the ends of the face.
+#[test]
+fn uncertain_leads_and_shafts_widen_the_result() {
+    let (tan, cos) = (
+        (1.0 - (base() / 60.2).powi(2)).sqrt() / (base() / 60.2),
+        base() / 60.2,
+    );
+    let cases = [
+        ("lead_um = 1", "", 2.0 * 2.0 / cos),
+        ("misalignment_um = 10", "", 2e-1 * (20.0 * tan).hypot(20.0)),
+        (
+            "misalignment_um = 10",
+            ", at_mm = 30",
+            2e-1 * (80.0 * tan).hypot(20.0),
+        ),
+    ];
+    for (uncertain, at, expected) in cases {
+        let keys = format!("{}\n[uncertainty]\n{uncertain}", lean(0.0, 0.0, at));
+        let file = spur(CENTRED, "", &keys);
+        let found = extremes(&file.study, Method::Exact { certify: false }, &|| {
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        let least = found.each[0].least.as_ref().unwrap();
+        let stated = file.study.uncertainty.unwrap();
+        let pair = least.assembly.data().unwrap();
+        let um = 1e3 * stated.of(pair, &least.pose.simulated).unwrap();
+        assert!(
+            (um - expected).abs() < 1e-9,
+            "{uncertain}: {um}, {expected}"
+        );
+    }
 }

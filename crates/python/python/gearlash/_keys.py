@@ -42,6 +42,10 @@ class Runout(TypedDict, total=False):
     """F_r: twice the eccentricity."""
     high_tooth: float
     """The tooth of the runout; without it every direction counts."""
+    planes: Sequence[Mapping[str, float]]
+    """Runouts at two heights in place of both: ``from_reference_face_mm``, ``total_um``, ``high_tooth``."""
+    face_runout: Mapping[str, Any]
+    """Axial runout of a shoulder: ``um``, ``diameter_mm``, ``high_tooth``, ``face``."""
     file: str
     """Readings in place of both, + = outwards; with the keys of a table."""
     at: str

@@ -3,7 +3,7 @@
 use super::figures::inspections;
 use super::page::Page;
 use super::phrases::{plain, sentence, symbol};
-use super::stated::{high_tooth, lead, pitch, profile, runout, thickness};
+use super::stated::{face_runout, high_tooth, lead, pitch, profile, runout, thickness};
 use super::table::{Table, cells, columns};
 use super::{grades, notes};
 use crate::chart::PictureError;
@@ -88,6 +88,10 @@ pub(super) fn section(page: &Page, gears: [&GearSpec; 2]) -> Result<Markup, Pict
         "| high tooth | –",
         gears.map(|gear| high_tooth(&gear.runout)),
     ));
+    if gears.iter().any(|gear| gear.runout.face_runout.is_some()) {
+        let name = "f_ax | axial runout of a shoulder, the wobble of the teeth |";
+        rows.push((name, gears.map(|gear| face_runout(&gear.runout))));
+    }
     let name = section(
         "F_p | pitch deviations |",
         "F_p | pitch deviations, transverse section |",

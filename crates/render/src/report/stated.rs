@@ -4,7 +4,7 @@ use gearlash::gear::MeasuringBody;
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::{
     BandSpec, Either, FlankLeadSpec, FlankProfileSpec, LeadSpec, LengthSpec, PitchSpec,
-    ProfileSpec, ReliefShape, RunoutSpec, ThicknessSpec,
+    ProfileSpec, ReliefShape, RunoutPlaneSpec, RunoutSpec, ThicknessSpec,
 };
 
 /// A single value, or `min … max`.
@@ -101,12 +101,32 @@ fn fitted_number(number: f64) -> String {
 
 /// `F_r`, µm.
 pub(super) fn runout(stated: &RunoutSpec) -> String {
-    fitted_number(stated.total_um)
+    let at = |plane: &RunoutPlaneSpec| {
+        let height = fitted_number(plane.from_reference_face_mm);
+        format!("{} at {height} mm", fitted_number(plane.total_um))
+    };
+    let planes = stated
+        .planes
+        .map(|planes| planes.each_ref().map(at).join(", "));
+    planes.unwrap_or_else(|| fitted_number(stated.total()))
 }
 
 /// The tooth of the runout.
 pub(super) fn high_tooth(stated: &RunoutSpec) -> String {
-    stated.high_tooth.map_or("–".to_owned(), fitted_number)
+    let planes = stated.planes.map(|planes| {
+        planes
+            .map(|plane| fitted_number(plane.high_tooth))
+            .join(", ")
+    });
+    planes.unwrap_or_else(|| stated.high_tooth.map_or("–".to_owned(), fitted_number))
+}
+
+/// Axial runout of a shoulder: "14 µm at 100 mm, tooth 12".
+pub(super) fn face_runout(stated: &RunoutSpec) -> String {
+    stated.face_runout.map_or("–".to_owned(), |face| {
+        let [um, mm, tooth] = [face.um, face.diameter_mm, face.high_tooth].map(fitted_number);
+        format!("{um} µm at a diameter of {mm} mm, tooth {tooth}")
+    })
 }
 
 /// Kind and number of the pitch deviations. `by_tooth`: the teeth differ in thickness.

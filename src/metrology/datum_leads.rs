@@ -1,0 +1,304 @@
+//! Leads measured about the datum axis contain the wobble of the teeth, and on helical gears their eccentricity. Both are taken out of them.
+//!
+//! Seen on its reference face, a gear has its outline's centre at `e_0 + t h` at the height `h`. The flank with the outward normal `n` moves by
+//!
+//! ```text
+//! δ(h) = n(h)·(e_0 + t h) + s τ' r_b t·q(h)
+//! ```
+//!
+//! along the base tangent, to first order in `e_0` and `t`. `q` is the place of the trace, on the reference circle, which winds by the twist `τ'`
+//! per mm, and `s` the sense of the flank. The second term is the move of the tilted flank along the axis. Every trace has its own constant, and all traces of the flanks of one side share a
+//! slope and a crown. The least squares of what is left give `t`. Eccentricity and wobble of a helical gear are hardly distinct in leads, so `e_0`
+//! must be known.
+
+use super::error::MeasurementError;
+use super::runout::{Runout, RunoutStatement};
+use super::wobble::Wobble;
+use crate::gear::{BasicGearData, Face, Flank, GearDesign, Lead, involute};
+use nalgebra::{Matrix2, UnitComplex, Vector2};
+
+/// Least share of the wobble's effect, in its worst direction, that slopes and crowns do not explain. Two teeth opposite each other leave
+/// `tan² α`, a tenth, by their two flanks.
+const DISTINCT: f64 = 0.02;
+
+/// Flanks on the reference circle.
+struct Probed {
+    data: BasicGearData,
+    /// Half the angle of a tooth on the reference circle, rad.
+    half_angle: f64,
+    /// `e_0`, mm.
+    eccentricity: Vector2<f64>,
+}
+
+impl Probed {
+    fn new(design: &GearDesign, runout: &Runout) -> Probed {
+        let data = design.basic_data;
+        let base = 0.5 * design.nominal_base_thickness() / data.base_radius();
+        let high = runout.high_tooth.unwrap_or(1.0);
+        Probed {
+            half_angle: base - involute::inv(data.transverse_pressure_angle()),
+            eccentricity: direction(&data, high) * runout.eccentricity(),
+            data,
+        }
+    }
+
+    /// Effects of the eccentricity, mm, and of the lean in both directions, mm per unit.
+    fn effects(&self, (tooth, flank): (u32, Flank), height: f64) -> (f64, Vector2<f64>) {
+        let data = &self.data;
+        let (s, alpha) = (flank.sense(), data.transverse_pressure_angle());
+        let own = angle(data, f64::from(tooth)) + s * self.half_angle;
+        let place = own + height * data.twist();
+        let (sin, cos) = (place - s * alpha).sin_cos();
+        let normal = s * Vector2::new(-sin, cos);
+        let point = UnitComplex::new(place) * Vector2::new(data.reference_radius(), 0.0);
+        let lean = height * normal + s * data.twist() * data.base_radius() * point;
+        (normal.dot(&self.eccentricity), lean)
+    }
+}
+
+/// Angle of a tooth seen on the reference face, rad.
+fn angle(data: &BasicGearData, tooth: f64) -> f64 {
+    Face::Front.ascending() * (tooth - 1.0) * data.angular_pitch()
+}
+
+fn direction(data: &BasicGearData, tooth: f64) -> Vector2<f64> {
+    UnitComplex::new(angle(data, tooth)) * Vector2::new(1.0, 0.0)
+}
+
+/// Subtracts the mean.
+fn centred(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let values: Vec<f64> = values.collect();
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    values.into_iter().map(|value| value - mean).collect()
+}
+
+fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(one, other)| one * other).sum()
+}
+
+/// The wobble in `leads` about the datum axis, and these leads about the axis of the teeth.
+///
+/// # Errors
+/// Traces that do not determine it; an eccentricity of helical teeth that is not known.
+pub(super) fn separate(
+    design: &GearDesign,
+    leads: &[Lead; 2],
+    runout: &RunoutStatement,
+) -> Result<(Wobble, [Lead; 2]), MeasurementError> {
+    let refused = |why| Err(MeasurementError::DatumLeads(why));
+    let is_known = runout.readings().is_none();
+    let runout = runout.runout();
+    if design.basic_data.hand().is_some()
+        && (!is_known || runout.total_um > 0.0 && runout.high_tooth.is_none())
+    {
+        return refused(
+            "the traces of helical teeth contain the eccentricity, whose size and direction must be stated",
+        );
+    }
+    let probed = Probed::new(design, &runout);
+    let (mut left, mut right) = (Matrix2::zeros(), Vector2::zeros());
+    let mut all = 0.0;
+    for (flank, lead) in Flank::BOTH.into_iter().zip(leads) {
+        // Height and its square, both effects of the lean, the trace without the eccentricity.
+        let mut columns: [Vec<f64>; 5] = Default::default();
+        for trace in &lead.traces {
+            let Some(tooth) = trace.tooth else {
+                return refused(
+                    "a trace for all teeth shows no wobble, which differs from tooth to tooth",
+                );
+            };
+            let points = || trace.points.iter();
+            let effects = |height: f64| probed.effects((tooth, flank), height);
+            let lean = |axis: usize| points().map(move |(height, _)| effects(*height).1[axis]);
+            columns[0].extend(centred(points().map(|(height, _)| *height)));
+            columns[1].extend(centred(points().map(|(height, _)| height * height)));
+            columns[2].extend(centred(lean(0)));
+            columns[3].extend(centred(lean(1)));
+            columns[4].extend(centred(
+                points().map(|(height, mm)| mm - effects(*height).0),
+            ));
+        }
+        all += dot(&columns[2], &columns[2]) + dot(&columns[3], &columns[3]);
+        for k in 0..2 {
+            let (own, others) = columns[k..].split_at_mut(1);
+            let square = dot(&own[0], &own[0]);
+            for other in others.iter_mut().filter(|_| square > 0.0) {
+                let share = dot(&own[0], other) / square;
+                for (value, own) in other.iter_mut().zip(&own[0]) {
+                    *value -= share * own;
+                }
+            }
+        }
+        let [_, _, x, y, found] = &columns;
+        left += Matrix2::new(dot(x, x), dot(x, y), dot(x, y), dot(y, y));
+        right += Vector2::new(dot(x, found), dot(y, found));
+    }
+    let least = left.symmetric_eigenvalues().min();
+    let inverse = left.try_inverse().filter(|_| least > DISTINCT * 0.5 * all);
+    let Some(inverse) = inverse else {
+        return refused(
+            "the traces do not tell the wobble from the slope of all teeth: three teeth or more around the gear are needed",
+        );
+    };
+    let lean: Vector2<f64> = inverse * right;
+    let data = &design.basic_data;
+    let pitches = Face::Front.ascending() * lean.y.atan2(lean.x) / data.angular_pitch();
+    let wobble = Wobble {
+        lean: lean.norm(),
+        tooth: 1.0 + pitches.rem_euclid(f64::from(data.teeth())),
+    };
+    let mut own = leads.clone();
+    for (flank, lead) in Flank::BOTH.into_iter().zip(&mut own) {
+        for trace in &mut lead.traces {
+            for (height, mm) in &mut trace.points {
+                let tooth = trace.tooth.unwrap_or(1);
+                let (by_eccentricity, by_lean) = probed.effects((tooth, flank), *height);
+                *mm -= by_eccentricity + by_lean.dot(&lean);
+            }
+        }
+    }
+    Ok((wobble, own))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Hand, Trace};
+    use nalgebra::Vector3;
+
+    const LEAN: f64 = 2e-4;
+
+    /// A point of a flank, by roll and height.
+    fn point(
+        probed: &Probed,
+        (tooth, flank): (u32, Flank),
+        roll: f64,
+        height: f64,
+    ) -> Vector3<f64> {
+        let (data, s) = (&probed.data, flank.sense());
+        let base = probed.half_angle + involute::inv(data.transverse_pressure_angle());
+        let start = angle(data, f64::from(tooth)) + s * base + height * data.twist();
+        // r_b (E + ξ E') of the unwound string.
+        let (sin, cos) = (start - s * roll).sin_cos();
+        let r = data.base_radius();
+        Vector3::new(
+            r * (cos - s * roll * sin),
+            r * (sin + s * roll * cos),
+            height,
+        )
+    }
+
+    /// Trace of a rigid gear tilted by `t` and displaced by `e`: the move of each point along the normal of its flank in space.
+    fn trace(probed: &Probed, place: (u32, Flank), t: Vector2<f64>, e: Vector2<f64>) -> Trace {
+        let roll = probed.data.transverse_pressure_angle().tan();
+        let points = (0..=20).map(|k| {
+            let h = 0.1 * f64::from(k) * 15.0 - 12.0;
+            let at = |roll, h| point(probed, place, roll, h);
+            let d = 1e-5;
+            let along = (
+                at(roll + d, h) - at(roll - d, h),
+                at(roll, h + d) - at(roll, h - d),
+            );
+            let mut normal = along.0.cross(&along.1).normalize();
+            // Outwards: away from the tooth's centre line.
+            let middle = angle(&probed.data, f64::from(place.0)) + h * probed.data.twist();
+            let across = Vector3::new(-middle.sin(), middle.cos(), 0.0) * place.1.sense();
+            normal *= normal.dot(&across).signum();
+            let p = at(roll, h);
+            let moved = Vector3::new(e.x + t.x * h, e.y + t.y * h, -t.dot(&p.xy()));
+            let shape = 0.004 * h / 15.0 - 0.006 * (h - 3.0) * (h - 3.0) / 225.0;
+            (h, 0.3 + shape + moved.dot(&normal) / normal.xy().norm())
+        });
+        Trace {
+            tooth: Some(place.0),
+            points: points.collect(),
+        }
+    }
+
+    /// Crown, slope and eccentricity do not disturb it; what is left is crown and slope.
+    #[test]
+    fn the_wobble_of_a_rigid_gear_is_found() {
+        let data = BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap();
+        for (beta, hand, teeth) in [
+            (0.0, Hand::Right, vec![1, 6, 11, 16]),
+            (8.0, Hand::Left, vec![1, 8, 14]),
+            (21.0, Hand::Right, vec![2, 7, 12, 17]),
+            (35.0, Hand::Left, vec![1, 6, 11, 16]),
+        ] {
+            let data = data.with_helix(f64::to_radians(beta), hand).unwrap();
+            let design = GearDesign::standard(data);
+            let (total_um, high_tooth) = (14.0, 4.5);
+            let runout = Runout {
+                total_um,
+                high_tooth: Some(high_tooth),
+            };
+            let probed = Probed::new(&design, &runout);
+            let stated = RunoutStatement::Total {
+                total_um,
+                high_tooth: Some(high_tooth),
+            };
+            let t = direction(&data, 9.25) * LEAN;
+            let leads = Flank::BOTH.map(|flank| Lead {
+                traces: teeth
+                    .iter()
+                    .map(|tooth| trace(&probed, (*tooth, flank), t, probed.eccentricity))
+                    .collect(),
+                ..Lead::default()
+            });
+            let (found, own) = separate(&design, &leads, &stated).unwrap();
+            assert!((found.lean - LEAN).abs() < 1e-9, "{beta}: {}", found.lean);
+            assert!((found.tooth - 9.25).abs() < 1e-4, "{beta}: {}", found.tooth);
+            for trace in own.iter().flat_map(|lead| &lead.traces) {
+                let shape = |h: f64| 0.004 * h / 15.0 - 0.006 * (h - 3.0) * (h - 3.0) / 225.0;
+                let zero = trace.points[0].1 - shape(trace.points[0].0);
+                for (h, mm) in &trace.points {
+                    assert!((mm - zero - shape(*h)).abs() < 1e-7, "{beta}");
+                }
+            }
+        }
+    }
+
+    /// Source: lead.md. `f_Hβ` runs as a sine about the gear, amplitude `|t| L/cos² β_b`.
+    #[test]
+    fn slopes_run_as_a_sine_about_the_gear() {
+        let data = BasicGearData::new(40, 3.0, 20f64.to_radians()).unwrap();
+        for beta in [0.0f64, 8.0, 21.0, 35.0] {
+            let data = data.with_helix(beta.to_radians(), Hand::Right).unwrap();
+            let probed = Probed::new(&GearDesign::standard(data), &Runout::default());
+            let t = Vector2::new(LEAN, 0.0);
+            let slopes = (1..=40).map(|tooth| {
+                let heights = (0..=20).map(|k| f64::from(k) - 10.0);
+                let effect = |h: f64| probed.effects((tooth, Flank::Right), h).1.dot(&t);
+                let [sum, square] = heights.fold([0.0; 2], |[sum, square], h| {
+                    [sum + h * effect(h), square + h * h]
+                });
+                sum / square
+            });
+            let amplitude = slopes.fold(0.0, f64::max);
+            let expected = LEAN / data.base_helix_angle().cos().powi(2);
+            assert!(
+                (amplitude / expected - 1.0).abs() < 4e-3,
+                "{beta}: {amplitude} {expected}"
+            );
+        }
+    }
+
+    #[test]
+    fn traces_that_do_not_show_it_are_refused() {
+        let design = GearDesign::standard(BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap());
+        let probed = Probed::new(&design, &Runout::default());
+        let zero = Vector2::zeros();
+        let of = |teeth: &[u32]| {
+            let traces = teeth
+                .iter()
+                .map(|tooth| trace(&probed, (*tooth, Flank::Left), zero, zero));
+            let left = Lead {
+                traces: traces.collect(),
+                ..Lead::default()
+            };
+            separate(&design, &[Lead::default(), left], &RunoutStatement::None)
+        };
+        assert!(of(&[]).is_err() && of(&[3]).is_err() && of(&[3, 13]).is_err());
+        assert!(of(&[3, 10, 16]).is_ok());
+    }
+}

@@ -1,12 +1,13 @@
 //! The mesh cycles of a study, and the search of each: at its centre distance, and at both ends of the bearing clearance.
 
 use super::assembles_from::AssemblesFrom;
+use super::axes::{Axes, Axis, BearingEnds};
 use super::directions::{self, AnyDirection, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
 use super::phases::{phase, phase_count};
 use super::study::{RunPlan, Study};
 use crate::contact::{
-    Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
+    Doubt, Effort, End, ExactKernel, Extreme, Extremes, OutlineCycle, OutlineKernel, PROVEN_WIDTH,
     PROVEN_WIDTH_DRAWN, Status,
 };
 use crate::error::Error;
@@ -26,6 +27,7 @@ pub fn proven_width(assembly: &AssembledPair) -> f64 {
 }
 
 /// A run and the start of its cycle.
+#[derive(Clone)]
 pub(super) struct Planned {
     pub run: RunPlan,
     first: Mating,
@@ -37,6 +39,10 @@ pub(super) struct Planned {
     phases: u64,
     /// Its assembly phase, if several are searched.
     pub phase: Option<(u32, u32)>,
+    /// [`Study::open_lean`].
+    open_lean: [f64; 2],
+    /// [`Study::bearing_ends`].
+    bearing_ends: Option<BearingEnds>,
 }
 
 /// Extremes of a cycle, and their poses: least, greatest, lost.
@@ -57,6 +63,55 @@ pub(super) struct SearchedEnd {
     pub pose: Option<Directed>,
 }
 
+/// The status that says more of the worst pose.
+fn worse(one: Status, other: Status) -> Status {
+    let ranked = [
+        Status::Clear,
+        Status::Interference,
+        Status::Unproven,
+        Status::NoContact,
+        Status::Jammed,
+    ];
+    let rank = |status| ranked.iter().position(|ranked| *ranked == status);
+    if rank(other) > rank(one) { other } else { one }
+}
+
+impl Searched {
+    /// The pose at this place in the list of poses.
+    fn pose(&self, index: usize) -> Option<Directed> {
+        let poses = self.poses.iter().flat_map(|poses| {
+            let matings = poses.matings.iter();
+            matings.map(|mating| (poses.assembly.clone(), *mating))
+        });
+        let (assembly, mating) = poses.into_iter().nth(index)?;
+        Some(Directed {
+            assembly,
+            matings: vec![mating],
+        })
+    }
+
+    /// One end of the bearing clearance of `assembly`: the least, or the greatest.
+    fn end(self, assembly: AssembledPair, is_least: bool) -> SearchedEnd {
+        let found = self.found;
+        let (extreme, index) = if is_least {
+            (found.least, 0)
+        } else {
+            (found.greatest, usize::from(found.least.is_some()))
+        };
+        let pose = self
+            .poses
+            .into_iter()
+            .nth(index)
+            .filter(|_| extreme.is_some());
+        SearchedEnd {
+            assembly: pose.as_ref().map_or(assembly, |pose| pose.assembly.clone()),
+            status: found.status,
+            extreme,
+            pose,
+        }
+    }
+}
+
 impl Planned {
     /// Wheel and pinion tooth that name its assembly phase; `None` if the pair has only one, or all are equal.
     pub fn covers(&self) -> Option<(u32, u32)> {
@@ -64,7 +119,135 @@ impl Planned {
             .then_some((self.first.wheel_tooth, self.first.pinion_tooth))
     }
 
+    /// The extremes, over all leans of the axes that are open.
     pub fn search(&self) -> Result<Searched, Error> {
+        match &self.run.assembly {
+            AssembledPair::Data(pair) if self.open_lean != [0.0; 2] => {
+                self.over_axes(&Axes::new(pair, self.open_lean, None), pair)
+            }
+            _ => self.search_as_stated(),
+        }
+    }
+
+    /// The extremes of `pair` over all places of its axes. [`super::axes`] says why they are.
+    fn over_axes(&self, axes: &Axes, pair: &GearPair) -> Result<Searched, Error> {
+        let here = |axis: &Axis| self.with(axis.of(pair)?.into()).search_as_stated();
+        let all = |list: &[Axis]| {
+            list.iter()
+                .map(here)
+                .collect::<Result<Vec<Searched>, Error>>()
+        };
+        let (possible, corners) = (all(&axes.possible)?, all(&axes.corners)?);
+        let slack = axes.squares(pair) / pair.operating_pressure_angle().cos();
+        let every = || possible.iter().chain(&corners);
+        let status = every()
+            .map(|one| one.found.status)
+            .fold(Status::Clear, worse);
+        let is_lost = |one: &&Searched| one.found.lost.is_some() && one.found.status == status;
+        let lost = possible.iter().find(is_lost);
+        let lost = lost.and_then(|one| {
+            let before =
+                usize::from(one.found.least.is_some()) + usize::from(one.found.greatest.is_some());
+            one.pose(before)
+        });
+        let mut poses = Vec::new();
+        let mut best = |is_least: bool, hidden: Status| {
+            let of = |one: &Searched| {
+                if is_least {
+                    one.found.least
+                } else {
+                    one.found.greatest
+                }
+            };
+            let better = |one: &f64, other: &f64| (one < other) == is_least && one != other;
+            let mut best: Option<(Extreme, Directed)> = None;
+            for one in possible.iter().filter(|_| status != hidden) {
+                let Some(extreme) = of(one) else { continue };
+                if best
+                    .as_ref()
+                    .is_none_or(|(best, _)| better(&extreme.found, &best.found))
+                {
+                    let before = !is_least && one.found.least.is_some();
+                    best = one.pose(usize::from(before)).map(|pose| (extreme, pose));
+                }
+            }
+            let (extreme, pose) = best?;
+            poses.push(pose);
+            Some(extreme)
+        };
+        let (least, greatest) = (best(true, Status::Jammed), best(false, Status::NoContact));
+        let low = every().map(|one| one.found.least.map_or(f64::NEG_INFINITY, |least| least.low));
+        let high = possible
+            .iter()
+            .filter_map(|one| one.found.least)
+            .map(|least| least.high);
+        let least = least.map(|extreme| Extreme {
+            low: low.fold(f64::INFINITY, f64::min) - slack,
+            high: high.fold(f64::INFINITY, f64::min),
+            ..extreme
+        });
+        let low = possible
+            .iter()
+            .filter_map(|one| one.found.greatest)
+            .map(|greatest| greatest.low);
+        let low = low.fold(f64::NEG_INFINITY, f64::max);
+        let greatest = match greatest {
+            Some(extreme) => Some(Extreme {
+                low,
+                high: self.section_bound(axes, pair)?.max(low),
+                ..extreme
+            }),
+            None => None,
+        };
+        let doubted = |extreme: Extreme| Extreme {
+            doubt: extreme
+                .doubt
+                .or((!extreme.is_proven()).then_some(Doubt::Axes)),
+            ..extreme
+        };
+        poses.extend(lost.clone());
+        let from = possible.iter().filter_map(|one| one.assembles_from);
+        let to = possible.iter().filter_map(|one| one.meshes_to);
+        Ok(Searched {
+            found: Extremes {
+                matings: possible.first().map_or(0, |one| one.found.matings),
+                status,
+                least: least.map(doubted),
+                greatest: greatest.map(doubted),
+                lost: lost.and_then(|pose| pose.matings.first().copied()),
+            },
+            poses,
+            assembles_from: from
+                .reduce(|one, other| if other.high > one.high { other } else { one }),
+            meshes_to: to.reduce(|one, other| if other.low < one.low { other } else { one }),
+        })
+    }
+
+    /// Upper bound of `j_wt`, mm, by one section.
+    fn section_bound(&self, axes: &Axes, pair: &GearPair) -> Result<f64, Error> {
+        let section = axes.section(pair)?;
+        let radii = [pair, &section].map(|pair| pair.operating_pitch_radius(pair.free()));
+        let found = self.with(section.into()).search_as_stated()?.found;
+        let high = found
+            .greatest
+            .map_or(f64::INFINITY, |greatest| greatest.high);
+        // The lost motion of a section at a greater distance is that at a lesser radius.
+        Ok(high * (radii[0] / radii[1]).max(1.0))
+    }
+
+    /// This cycle of another pair with the same teeth.
+    fn with(&self, assembly: AssembledPair) -> Planned {
+        Planned {
+            run: RunPlan {
+                assembly,
+                ..self.run.clone()
+            },
+            ..self.clone()
+        }
+    }
+
+    /// The extremes with the axes where they are stated.
+    fn search_as_stated(&self) -> Result<Searched, Error> {
         let assembly = match &self.run.assembly {
             AssembledPair::Data(pair) => pair,
             AssembledPair::Drawn(pair) => {
@@ -144,6 +327,16 @@ impl Planned {
 
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
+        if let AssembledPair::Data(pair) = assembly
+            && (self.bearing_ends.is_some() || self.open_lean != [0.0; 2])
+        {
+            let moved = match self.bearing_ends {
+                Some(_) => pair.clone(),
+                None => pair.at(pair.center_distance() + farther)?,
+            };
+            let axes = Axes::new(&moved, self.open_lean, self.bearing_ends);
+            return Ok(self.over_axes(&axes, &moved)?.end(moved.into(), is_least));
+        }
         let assembly = assembly.at(assembly.center_distance() + farther)?;
         let of = |found: &Extremes| match is_least {
             true => found.least,
@@ -178,7 +371,7 @@ impl Planned {
         })
     }
 
-    /// The extremes of `pair` over the cycle: only the least, or only the greatest, if the other is not needed.
+    /// The extremes of `pair` over the cycle, and all leans of the axes that are open: only the least, or only the greatest, if the other is not needed.
     pub fn end(
         &self,
         pair: &AssembledPair,
@@ -191,6 +384,9 @@ impl Planned {
                 return Ok(self.end_of_outlines(pair, End::of(is_least)));
             }
         };
+        if self.open_lean != [0.0; 2] {
+            return Ok(self.with(pair.clone().into()).search()?.found);
+        }
         if is_open(pair) {
             return Ok(self.any_direction(pair, effort)?.found);
         }
@@ -301,6 +497,8 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                 distinct,
                 differ,
                 phases: count,
+                open_lean: study.open_lean,
+                bearing_ends: study.bearing_ends,
             });
         }
     }

@@ -3,6 +3,7 @@
 //! A [`Plan`] lists the parts and their work; [`Analysis::run`] does it, each pose once.
 
 pub mod assembles_from;
+pub mod axes;
 pub mod backlash_map;
 pub mod compare;
 pub mod curves;

@@ -1,5 +1,6 @@
 //! A study of a pair: two gears as measured, their positions, and the poses to run. Lengths in mm unless the name says µm.
 
+use super::axes::BearingEnds;
 use super::requirement::Requirements;
 use super::uncertainty::Uncertainty;
 use crate::error::{Error, GearError};
@@ -79,12 +80,16 @@ pub struct Study {
     pub face: [f64; 2],
     /// Lean of the pinion's axis from the wheel's, mm per mm ([`GearPair::with_lean`]).
     pub lean: [f64; 2],
+    /// Greatest further lean in either sense, in the plane of the axes and out of it, mm per mm. Extremes cover all leans up to it; single poses have none.
+    pub open_lean: [f64; 2],
+    /// Bearings with another clearance at each end; extremes cover all places of the axes in them.
+    pub bearing_ends: Option<BearingEnds>,
     /// Centre distances `a` in the wheel's measuring plane, mm, distinct; those of a file in ascending order.
     pub center_distances: Vec<f64>,
     /// Least and greatest distance, mm, if [`Study::center_distances`] samples a tolerance band. Backlash grows with
     /// the distance: the least is at the low end of the band, the greatest at the high end.
     pub band: Option<[f64; 2]>,
-    /// `c`, mm: radial clearance of both bearings together.
+    /// `c`, mm: radial clearance of both bearings together, in the measuring plane.
     pub bearing_clearance: f64,
     /// The poses of every run; `None`: exactly the rows of `measured`.
     pub sweep: Option<SweepPlan>,
@@ -176,6 +181,8 @@ impl Study {
             locked,
             face: [0.0; 2],
             lean: [0.0; 2],
+            open_lean: [0.0; 2],
+            bearing_ends: None,
             center_distances,
             band: None,
             bearing_clearance: 0.0,

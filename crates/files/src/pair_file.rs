@@ -75,7 +75,18 @@ impl<'a> PairTables<'a> {
         let (stated, mut center_distances) = (stated?, center_distances?);
         let mut band = stated.band_mm();
         let assembly = self.assembly.clone()?;
-        let lean = assembly.lean();
+        let (lean, open_lean) = (assembly.lean(), assembly.open_lean());
+        let bearing_ends = assembly.bearing_clearance_mm.ends();
+        if open_lean != [0.0; 2] {
+            if assembly.holds_at() != 0.0 && open_lean[0] != 0.0 {
+                return table.refuse(
+                    "assembly.misalignment.at_mm",
+                    "given beside an in-plane deviation of unknown sense, allowed is 0",
+                    "state the centre distance in the wheel's measuring plane",
+                );
+            }
+            remarks.push("assembly.misalignment: least and greatest of the verdict are over all deviations up to max, in either sense; single poses have none".to_owned());
+        }
         if assembly.holds_at() != 0.0 && lean != [0.0; 2] {
             self.check_rows("assembly.misalignment.at_mm")?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
@@ -147,7 +158,11 @@ impl<'a> PairTables<'a> {
         let wobbles = |(_, wheel, pinion): &(Material, AsBuilt, AsBuilt)| {
             wheel.wobble() + pinion.wobble() > 0.0
         };
-        let leans = is_uncertain || lean != [0.0; 2] || materials.iter().any(wobbles);
+        let leans = is_uncertain
+            || open_lean != [0.0; 2]
+            || bearing_ends.is_some()
+            || lean != [0.0; 2]
+            || materials.iter().any(wobbles);
         let face = common_face::common_face(&table, gears, (offset, leans), factors)?;
         // Teeth are counted in the wheel's measuring plane.
         if face[0] < face[1] && face_offset_mm.is_some() {
@@ -209,6 +224,8 @@ impl<'a> PairTables<'a> {
             locked,
             face,
             lean,
+            open_lean,
+            bearing_ends,
             center_distances,
             band,
             bearing_clearance: bearings.sum_mm(),

@@ -34,7 +34,8 @@ const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 
 /// Radial play that no bearing has.
 pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
-    let members = [("wheel", bearings.wheel), ("pinion", bearings.pinion)];
+    let [wheel, pinion] = bearings.each().map(|[one, other]| one.max(other));
+    let members = [("wheel", wheel), ("pinion", pinion)];
     let large = members.into_iter().filter(|(_, mm)| *mm > MOST_PLAY_MM);
     let warnings = large.map(|(name, mm)| {
         format!(

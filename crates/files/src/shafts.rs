@@ -12,6 +12,17 @@ const DOUBTED: f64 = 5e-3;
 
 /// Checks that the keys of the shafts go together.
 pub fn check_keys(file: &Table, spec: &AssemblySpec) -> Option<()> {
+    if let Some([one, _]) = spec
+        .bearing_clearance_mm
+        .at_mm
+        .filter(|[one, other]| one == other)
+    {
+        return file.refuse(
+            "assembly.bearing_clearance_mm.at_mm",
+            format!("both bearings are at {one} mm, allowed are two places"),
+            "write at_mm = [place, place], along the axes from the wheel's measuring plane",
+        );
+    }
     const ENDS: &str = "assembly.center_distance_mm.ends_mm";
     let CenterDistanceSpec::Ends(ends) = &spec.center_distance_mm else {
         return Some(());
@@ -51,8 +62,8 @@ pub fn check(
     gears: Option<&(Material, AsBuilt, AsBuilt)>,
 ) -> Option<Vec<String>> {
     let mut warnings = Vec::new();
-    let [in_plane, out_of_plane] = spec.lean();
-    let shafts = in_plane.hypot(out_of_plane);
+    let ([in_plane, out_of_plane], open) = (spec.lean(), spec.open_lean());
+    let shafts = (in_plane.abs() + open[0]).hypot(out_of_plane.abs() + open[1]);
     let wobbles = gears.map_or([0.0; 2], |(_, wheel, pinion)| {
         [wheel.wobble(), pinion.wobble()]
     });
@@ -88,12 +99,13 @@ pub fn check(
     let is_open = spec
         .misalignment
         .is_some_and(|stated| stated.at_mm.is_none());
+    let in_plane = in_plane.abs() + open[0];
     if is_open && in_plane != 0.0 && !matches!(spec.center_distance_mm, CenterDistanceSpec::Ends(_))
     {
         warnings.push(format!(
             "assembly.misalignment.at_mm: not stated, the centre distance counts as that in the wheel's measuring plane; write at_mm = 0, or the \
              place along the axes where it was measured: it changes by {} µm every 10 mm",
-            ascii(1e4 * in_plane.abs(), 2)
+            ascii(1e4 * in_plane, 2)
         ));
     }
     Some(warnings)

@@ -3,6 +3,7 @@
 import pickle
 import subprocess
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,8 +13,8 @@ import gearlash
 GOOD = {"teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0}
 
 
-def pair(distance: float = 40.1) -> gearlash.Pair:
-    return gearlash.Pair(gearlash.Gear(**GOOD), gearlash.Gear(**GOOD), distance)
+def pair(distance: float = 40.1, **assembly: Any) -> gearlash.Pair:
+    return gearlash.Pair(gearlash.Gear(**GOOD), gearlash.Gear(**GOOD), distance, **assembly)
 
 
 def test_a_file_is_refused_in_the_words_of_the_command(fixtures, tmp_path) -> None:
@@ -47,6 +48,8 @@ def test_all_problems_of_a_gear_are_told_at_once() -> None:
         (lambda: gearlash.Gear(**GOOD, profile=object()), "gear.profile = object"),
         (lambda: gearlash.Gear(**GOOD, lead={"crowning_um": 8}), "gear.face_width_mm"),
         (lambda: gearlash.Gear(**GOOD, pitch={"right_um": np.zeros(3)}), "gear.pitch"),
+        (lambda: pair(misalignment={"in_plane_um": 8.0}), "assembly.misalignment.over_mm"),
+        (lambda: pair(misalignment={"in_plane_um": 8.0, "over_mm": 90.0}), "wheel.face_width_mm"),
         (lambda: gearlash.read("no such file.toml"), "there is no such file"),
         (lambda: pair(30.0), "assembly.center_distance_mm"),
         (lambda: pair().at(30.0), "center_distance_mm"),

@@ -71,6 +71,13 @@ pub fn read_match(
     if !errors.is_empty() {
         return Err(errors);
     }
+    if pair.study.open_lean != [0.0; 2] || pair.study.bearing_ends.is_some() {
+        let problem = Problem::of_file(
+            "axes of unknown lean are not matched",
+            "state signed deviations in assembly.misalignment, and one bearing clearance for each gear",
+        );
+        return Err(vec![InputError::of(path, vec![problem])]);
+    }
     let distances = &pair.study.center_distances;
     let ends = |fold: fn(f64, f64) -> f64| distances.iter().copied().reduce(fold);
     let ends = pair

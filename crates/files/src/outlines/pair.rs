@@ -87,6 +87,12 @@ pub(crate) fn read(tree: &Tree) -> Option<AnyPair> {
             "leave it out",
         ),
         (
+            "bearing_clearance_mm.at_mm",
+            assembly.bearing_clearance_mm.at_mm.is_some(),
+            "an outline is solved in one section: axes stay parallel",
+            "give one clearance for each gear",
+        ),
+        (
             "center_distance_mm",
             matches!(assembly.center_distance_mm, CenterDistanceSpec::Ends(_)),
             "an outline is solved in one section: axes are parallel",

@@ -1,10 +1,12 @@
 //! The assembly of the pair, and the poses to run and to compare.
 
 use super::rules::{
-    at_least, at_most_one, beside, deviation, exactly_one, length, list_length, whole, within,
+    at_least, at_most_one, beside, beside_places, deviation, exactly_one, length, list_length,
+    number_at_least, whole, within,
 };
 use super::value::{Either, one_or_list};
 use crate::numbers::{rounded, shortest};
+use gearlash::analysis::axes::BearingEnds;
 use gearlash::error::GearError;
 use gearlash::pair::{DesignatedDistance, ISO_286_SOURCE, Member};
 use schemars::{JsonSchema, Schema};
@@ -34,7 +36,7 @@ pub struct AssemblySpec {
     pub locked: Member,
     /// Radial play of each gear on its axis.
     #[serde(default, deserialize_with = "both_or_each")]
-    #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = at_least(0.0))]
+    #[schemars(with = "Either<f64, BearingClearanceSpec>", transform = number_at_least(0.0))]
     pub bearing_clearance_mm: BearingClearanceSpec,
     /// Deviation of the shafts from parallel.
     pub misalignment: Option<MisalignmentSpec>,
@@ -58,6 +60,12 @@ impl AssemblySpec {
             CenterDistanceSpec::Ends(ends) => [ends.lean(out_of_plane), out_of_plane],
             _ => [in_plane, out_of_plane],
         }
+    }
+
+    /// Greatest further lean of the pinion's axis in either sense, mm per mm: in the plane of the axes, and out of it.
+    pub fn open_lean(&self) -> [f64; 2] {
+        let stated = self.misalignment.as_ref().map(MisalignmentSpec::open_lean);
+        stated.unwrap_or_default()
     }
 
     /// The place along the axes at which the first stated centre distance holds, mm from the wheel's measuring plane.
@@ -90,11 +98,15 @@ impl AssemblySpec {
 
     /// This assembly at `distances` in the wheel's measuring plane, mm, with the same axes.
     pub fn at(mut self, distances: Vec<f64>) -> AssemblySpec {
-        let [in_plane, out_of_plane] = self.lean();
+        let (lean, open) = (self.lean(), self.open_lean());
         if let CenterDistanceSpec::Ends(ends) = &self.center_distance_mm {
-            let over_mm = ends.length();
-            let [in_plane_um, out_of_plane_um] =
-                [in_plane, out_of_plane].map(|lean| 1e3 * lean * over_mm);
+            let over_mm = ends.length().abs();
+            let [in_plane_um, out_of_plane_um] = [0, 1].map(|k| match open[k] {
+                0.0 => Either::One(1e3 * lean[k] * over_mm),
+                most => Either::Other(GreatestSpec {
+                    max: 1e3 * most * over_mm,
+                }),
+            });
             self.misalignment = Some(MisalignmentSpec {
                 in_plane_um,
                 out_of_plane_um,
@@ -122,18 +134,18 @@ fn across(mm: f64, out_of_plane: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct MisalignmentSpec {
-    /// In-plane deviation f_Σδ; plus: the axes are farther apart at the end away from the viewer.
-    #[serde(default)]
+    /// In-plane deviation f_Σδ; plus: farther apart away from the viewer.
+    #[serde(default = "parallel")]
     #[schemars(transform = deviation())]
-    pub in_plane_um: f64,
-    /// Out-of-plane deviation f_Σβ; plus: the end of the pinion's axis away from the viewer stands higher in the picture.
-    #[serde(default)]
+    pub in_plane_um: Either<f64, GreatestSpec>,
+    /// Out-of-plane deviation f_Σβ; plus: the pinion stands higher there.
+    #[serde(default = "parallel")]
     #[schemars(transform = deviation())]
-    pub out_of_plane_um: f64,
-    /// Length along the axes over which both are stated, as the bearing span.
+    pub out_of_plane_um: Either<f64, GreatestSpec>,
+    /// Length over which both are stated.
     #[schemars(transform = length())]
     pub over_mm: f64,
-    /// Place along the axes at which the centre distance holds, from the wheel's measuring plane away from the viewer; default: 0.
+    /// Place where the centre distance holds, from the wheel's measuring plane; default: 0.
     #[schemars(transform = within(-1e6, 1e6))]
     pub at_mm: Option<f64>,
 }
@@ -141,8 +153,32 @@ pub struct MisalignmentSpec {
 impl MisalignmentSpec {
     /// Lean in and out of the plane of the axes, mm per mm.
     fn lean(&self) -> [f64; 2] {
-        [self.in_plane_um, self.out_of_plane_um].map(|um| um / 1e3 / self.over_mm)
+        [self.in_plane_um, self.out_of_plane_um].map(|stated| match stated {
+            Either::One(um) => um / 1e3 / self.over_mm,
+            Either::Other(_) => 0.0,
+        })
     }
+
+    /// Greatest lean of an unknown sense in and out of the plane of the axes, mm per mm.
+    fn open_lean(&self) -> [f64; 2] {
+        [self.in_plane_um, self.out_of_plane_um].map(|stated| match stated {
+            Either::One(_) => 0.0,
+            Either::Other(greatest) => greatest.max / 1e3 / self.over_mm,
+        })
+    }
+}
+
+fn parallel() -> Either<f64, GreatestSpec> {
+    Either::One(0.0)
+}
+
+/// A deviation of unknown sense.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct GreatestSpec {
+    /// Its greatest amount; the verdict covers all up to it, in either sense.
+    #[schemars(transform = within(0.0, 1e7))]
+    pub max: f64,
 }
 
 /// `centre_distance_mm` is `center_distance_mm`.
@@ -345,29 +381,71 @@ impl DistanceEndsSpec {
     }
 }
 
-/// One for each gear.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
+/// One for each gear; in bearings at two places one for both or each, and the places.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline, transform = clearance_keys)]
 pub struct BearingClearanceSpec {
     /// The wheel's, mm.
-    pub wheel: f64,
+    #[schemars(transform = at_least(0.0))]
+    pub wheel: Either<f64, [f64; 2]>,
     /// The pinion's, mm.
-    pub pinion: f64,
+    #[schemars(transform = at_least(0.0))]
+    pub pinion: Either<f64, [f64; 2]>,
+    /// Places of both bearings, from the wheel's measuring plane: the verdict covers axes that tilt in them.
+    #[schemars(transform = within(-1e6, 1e6))]
+    pub at_mm: Option<[f64; 2]>,
+}
+
+impl Default for BearingClearanceSpec {
+    fn default() -> BearingClearanceSpec {
+        BearingClearanceSpec::of([0.0; 2])
+    }
+}
+
+/// A list needs its places.
+fn clearance_keys(schema: &mut Schema) {
+    beside_places(schema, &["wheel", "pinion"], "at_mm");
 }
 
 impl BearingClearanceSpec {
-    /// The sum of both, mm: the gears can approach by this much.
+    /// Clearance of the wheel and of the pinion, mm.
+    pub fn of([wheel, pinion]: [f64; 2]) -> BearingClearanceSpec {
+        BearingClearanceSpec {
+            wheel: Either::One(wheel),
+            pinion: Either::One(pinion),
+            at_mm: None,
+        }
+    }
+
+    /// Clearance of each gear at both ends, mm, wheel first.
+    pub fn each(&self) -> [[f64; 2]; 2] {
+        [self.wheel, self.pinion].map(|stated| match stated {
+            Either::One(mm) => [mm; 2],
+            Either::Other(ends) => ends,
+        })
+    }
+
+    /// Bearings whose places are stated.
+    pub fn ends(&self) -> Option<BearingEnds> {
+        let [wheel, pinion] = self.each();
+        Some(BearingEnds {
+            at: self.at_mm?,
+            clearance: [0, 1].map(|k| wheel[k] + pinion[k]),
+        })
+    }
+
+    /// The sum of both in the measuring plane, mm: the gears can approach by this much.
     pub fn sum_mm(&self) -> f64 {
-        self.wheel + self.pinion
+        let [wheel, pinion] = self.each();
+        self.ends()
+            .map_or(wheel[0] + pinion[0], |ends| ends.at(0.0))
     }
 }
 
 fn both_or_each<'de, D: Deserializer<'de>>(from: D) -> Result<BearingClearanceSpec, D::Error> {
     Ok(match Either::deserialize(from)? {
-        Either::One(both) => BearingClearanceSpec {
-            wheel: both,
-            pinion: both,
-        },
+        Either::One(both) => BearingClearanceSpec::of([both; 2]),
         Either::Other(each) => each,
     })
 }

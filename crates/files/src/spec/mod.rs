@@ -23,8 +23,8 @@ mod value;
 pub use crate::sheet::number::Decimal as DecimalSign;
 pub use assembly::{
     AccuracySpec, AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, CompareSpec,
-    DesignatedDistanceSpec, DistanceBandSpec, DistanceEndsSpec, MeasuredSpec, MisalignmentSpec,
-    Phases, Revolutions, SweepSpec,
+    DesignatedDistanceSpec, DistanceBandSpec, DistanceEndsSpec, GreatestSpec, MeasuredSpec,
+    MisalignmentSpec, Phases, Revolutions, SweepSpec,
 };
 pub(crate) use assembly::{DEFAULT_STEPS, ExtremePhases, MOST_DISTANCES};
 pub(crate) use explained::as_clause;

@@ -19,6 +19,20 @@ pub fn at_least(least: f64) -> impl Fn(&mut Schema) {
     bounds("number", json!({ "minimum": number(least) }))
 }
 
+/// An alternative that is a number is `least` or more.
+pub fn number_at_least(least: f64) -> impl Fn(&mut Schema) {
+    move |schema| {
+        if let Some(Value::Array(options)) = schema.get_mut("anyOf") {
+            for option in options
+                .iter_mut()
+                .filter(|option| option["type"] == "number")
+            {
+                option["minimum"] = number(least);
+            }
+        }
+    }
+}
+
 /// Every number is above 0 and at most `most`.
 pub fn above_zero(most: f64) -> impl Fn(&mut Schema) {
     bounds(
@@ -83,6 +97,17 @@ pub fn beside_list(schema: &mut Schema, key: &str, list: &str, others: &[&str]) 
     let is_list = json!({ "required": [list], "properties": { list: { "type": "array" } } });
     let others = others.iter().map(|other| required(&[other]));
     depend(schema, key, any_of([is_list].into_iter().chain(others)));
+}
+
+/// A list at one of `keys` requires `places`.
+pub fn beside_places(schema: &mut Schema, keys: &[&str], places: &str) {
+    for key in keys {
+        let is_list = json!({ "required": [key], "properties": { *key: { "type": "array" } } });
+        also(
+            schema,
+            json!({ "if": is_list, "then": { "required": [key, places] } }),
+        );
+    }
 }
 
 /// `key` is not allowed beside any of `others`.

@@ -10,31 +10,31 @@ use serde_with::skip_serializing_none;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct UncertaintySpec {
-    /// Uncertainty of a span.
+    /// A span.
     #[schemars(transform = within(0.0, 1e6))]
     pub span_um: f64,
-    /// Uncertainty of a dimension over pins.
+    /// A dimension over pins.
     #[schemars(transform = within(0.0, 1e6))]
     pub over_pins_um: f64,
-    /// Uncertainty of a thickness stated in any other way.
+    /// A thickness stated in any other way.
     #[schemars(transform = within(0.0, 1e6))]
     pub allowance_um: f64,
-    /// Uncertainty of a tooth against the others.
+    /// A tooth against the others.
     #[schemars(transform = within(0.0, 1e6))]
     pub per_tooth_um: f64,
-    /// Uncertainty of the pitch deviation of a flank.
+    /// The pitch deviation of a flank.
     #[schemars(transform = within(0.0, 1e6))]
     pub pitch_um: f64,
-    /// Uncertainty of the runout of each gear.
+    /// The runout of each gear.
     #[schemars(transform = within(0.0, 1e6))]
     pub runout_um: f64,
-    /// Uncertainty of the centre distance.
+    /// The centre distance.
     #[schemars(transform = within(0.0, 1e6))]
     pub center_distance_um: f64,
-    /// Uncertainty of the lead deviation of a flank where it touches.
+    /// The lead deviation of a flank where it touches.
     #[schemars(transform = within(0.0, 1e6))]
     pub lead_um: Option<f64>,
-    /// Uncertainty of both deviations of the shafts, over the length of assembly.misalignment.
+    /// Both deviations of the shafts, over the length of assembly.misalignment.
     #[schemars(transform = within(0.0, 1e6))]
     pub misalignment_um: Option<f64>,
     /// Coverage factor of the expanded uncertainty.

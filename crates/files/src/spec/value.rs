@@ -128,7 +128,7 @@ fn allowance_keys(schema: &mut Schema) {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline, transform = table_file_keys)]
 pub struct TableFileSpec {
-    /// CSV, .xlsx or text protocol.
+    /// A table.
     pub file: String,
     /// Sheet of any .xlsx file that has several such tables.
     pub sheet: Option<String>,

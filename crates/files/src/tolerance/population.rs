@@ -109,6 +109,17 @@ fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
             "remove the temperature",
         );
     }
+    if pair.study.open_lean != [0.0; 2] || pair.study.bearing_ends.is_some() {
+        return file.refuse(
+            if pair.study.bearing_ends.is_some() {
+                "assembly.bearing_clearance_mm.at_mm"
+            } else {
+                "assembly.misalignment"
+            },
+            "given together with tolerance, which draws no axes that lean",
+            "state signed deviations and one clearance for each gear",
+        );
+    }
     let Some(distance) = spec.center_distance_mm.nominal_mm() else {
         return file.refuse(
             "assembly.center_distance_mm",

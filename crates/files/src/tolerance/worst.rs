@@ -125,10 +125,8 @@ impl ToleranceFile {
         spec.pinion = self.gear_spec(pinion, Member::Pinion);
         spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
         if !is_own {
-            spec.assembly.bearing_clearance_mm = BearingClearanceSpec {
-                wheel: assembly.clearance(),
-                pinion: 0.0,
-            };
+            spec.assembly.bearing_clearance_mm =
+                BearingClearanceSpec::of([assembly.clearance(), 0.0]);
         }
         spec.sweep = Some(SweepSpec {
             revolutions: Some(Revolutions::Wheel),

@@ -252,6 +252,7 @@ fn open_conventions_are_warned_of() {
     let expected = [
         "wheel.lead.over",
         "wheel.lead.from",
+        "wheel.lead.axis",
         "pinion.lead.over",
         "pinion.lead.zero_mm",
         "pinion.lead.trace.direction",

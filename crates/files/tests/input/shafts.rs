@@ -282,3 +282,155 @@ fn uncertain_leads_and_shafts_widen_the_result() {
         );
     }
 }
+
+/// The least and the greatest `j_wt` of the whole cycle, within the bearings where they have clearance, as µm on the base circles: attained, and their
+/// bounds.
+fn of_cycle(file: &PairFile) -> [(f64, [f64; 2]); 2] {
+    let found = extremes(&file.study, Method::Exact { certify: false }, &|| {
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    let run = &found.each[0];
+    let ends = match &run.bearings {
+        Some(play) => [&play.pressed.extreme, &play.apart.extreme],
+        None => [&run.least, &run.greatest],
+    };
+    ends.map(|extreme| {
+        let extreme = extreme.as_ref().unwrap();
+        let per_base = 1e3 * base() / extreme.assembly.center_distance();
+        (
+            extreme.found() * per_base,
+            [extreme.low, extreme.high].map(|mm| mm * per_base),
+        )
+    })
+}
+
+/// Of every direction the worst counts: nearer at one end, or askew. The greatest is that of parallel axes, which the measuring plane bounds.
+#[test]
+fn a_misalignment_of_unknown_sense_takes_the_worst() {
+    let plain = of_cycle(&spur(CENTRED, "", "center_distance_mm = 60.2"));
+    let cases = [
+        ("in_plane_um = { max = 10 }", nearer(1.0)),
+        ("out_of_plane_um = { max = 10 }", skew(2.0)),
+        (
+            "in_plane_um = { max = 10 }, out_of_plane_um = { max = 10 }",
+            skew(2.0),
+        ),
+        // A stated component and an unknown one.
+        (
+            "in_plane_um = 10, out_of_plane_um = { max = 1 }",
+            nearer(1.0),
+        ),
+    ];
+    for (keys, expected) in cases {
+        let keys = format!(
+            "center_distance_mm = 60.2\nmisalignment = {{ {keys}, over_mm = 100, at_mm = 0 }}"
+        );
+        let [(least, [low, high]), (greatest, [from, to])] = of_cycle(&spur(CENTRED, "", &keys));
+        assert!(
+            (plain[0].0 - least - expected).abs() < 2e-3,
+            "{keys}: {least}"
+        );
+        assert!(low <= least + 1e-9 && least <= high + 1e-9, "{keys}");
+        if !keys.contains("= 10, out") {
+            assert!((greatest - plain[1].0).abs() < 1e-3, "{keys}: {greatest}");
+        }
+        assert!(
+            from <= greatest + 1e-9 && greatest <= to + 1e-9 && to < plain[1].0 + 1e-3,
+            "{keys}: {from} {to}"
+        );
+    }
+}
+
+/// Bearings at both ends of the teeth with 3 µm together: right flanks take all of it at one end, left ones at the other. Pulled apart, the axes are
+/// farther by 3 µm.
+#[test]
+fn axes_tilt_in_their_bearings() {
+    let at = |keys: &str| {
+        of_cycle(&spur(
+            CENTRED,
+            "",
+            &format!("center_distance_mm = 60.2\nbearing_clearance_mm = {keys}"),
+        ))
+    };
+    let plain = of_cycle(&spur(CENTRED, "", "center_distance_mm = 60.2"));
+    let [(least, [low, high]), (greatest, [from, to])] =
+        at("{ wheel = 0.002, pinion = 0.001, at_mm = [-10, 10] }");
+    assert!((plain[0].0 - least - 6.0).abs() < 5e-3, "{least}");
+    assert!(
+        low <= least + 1e-9 && least <= high + 1e-9 && low > least - 1.0,
+        "{low}"
+    );
+    assert!(
+        (plain[1].0 - greatest - nearer(-3.0)).abs() < 2e-3,
+        "{greatest}"
+    );
+    assert!(
+        from <= greatest + 1e-9 && greatest <= to + 1e-9 && to < greatest + 1e-2,
+        "{to}"
+    );
+    // Other clearances at the far bearing: 2 µm and 6 µm are 4 µm in the middle.
+    let [(least, _), (greatest, _)] =
+        at("{ wheel = [0.001, 0.005], pinion = 0.001, at_mm = [-10, 10] }");
+    assert!((plain[0].0 - least - 8.0).abs() < 1e-2, "{least}");
+    let found = greatest - plain[1].0;
+    assert!((found + nearer(-2.0)).abs() < 5e-3, "{found}");
+}
+
+/// Leads about the bore of a wheel that wobbles are slopes that run as a sine about the gear: `n·t` a mm. The wobble is found in them, and the teeth are
+/// straight about their own axis. Where it is stated too, it counts once.
+#[test]
+fn leads_about_the_bore_contain_the_wobble() {
+    let pitch = std::f64::consts::TAU / 36.0;
+    let slope = |tooth: f64, sense: f64| {
+        let place = -(tooth - 1.0) * pitch + sense * (0.25 * pitch - 20f64.to_radians());
+        let lean = -(8.0 - 1.0) * pitch;
+        2.0 * sense * (lean - place).sin()
+    };
+    let traces = |sense: f64| {
+        let each = [1, 10, 19, 28].map(|tooth| {
+            format!(
+                "{{ tooth = {tooth}, from_reference_face_mm = [0, 20], deviation_um = [0, {}] }}",
+                slope(f64::from(tooth), sense)
+            )
+        });
+        each.join(", ")
+    };
+    let leads = |axis: &str| {
+        format!(
+            "lead = {{ axis = \"{axis}\", from = \"reference\", zero_mm = 0, right.trace = [{}], left.trace = [{}] }}",
+            traces(-1.0),
+            traces(1.0)
+        )
+    };
+    let face = [0.0, 20.0];
+    let file = with_runout(face, "wheel", &leads("datum"));
+    let wheel = &file.study.materials[0].1;
+    assert!((wheel.wobble() - 1e-4).abs() < 1e-8, "{}", wheel.wobble());
+    assert!(
+        (wheel.wobble_tooth() - 8.0).abs() < 1e-2,
+        "{}",
+        wheel.wobble_tooth()
+    );
+    let remarks = file.remarks.join("\n");
+    assert!(
+        remarks.contains("wobble of 2.00 µm over the teeth, towards tooth 8.00"),
+        "{remarks}"
+    );
+    let stated = planes(4.0, 8.0);
+    let j = |keys: &str| j_bt(&with_runout(face, "wheel", keys), (1, 1), Side::Right);
+    let expected = j(&stated);
+    assert!((j(&leads("datum")) - expected).abs() < 1e-4);
+    assert!((j(&format!("{}\n{stated}", leads("datum"))) - expected).abs() < 1e-4);
+    assert!((j(&leads("own")) - expected).abs() > 0.1);
+    let other = with_runout(
+        face,
+        "wheel",
+        &format!("{}\n{}", leads("datum"), planes(12.0, 8.0)),
+    );
+    let warnings = other.warnings.join("\n");
+    assert!(
+        warnings.contains("the stated wobble counts, 4.00 µm off it"),
+        "{warnings}"
+    );
+}

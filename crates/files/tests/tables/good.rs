@@ -157,7 +157,7 @@ fn runout_is_the_first_harmonic_of_the_readings() {
             wheel.high_tooth()
         );
         let stated = &study.spec.wheel.runout;
-        assert_eq!(stated.total_um, 2000.0 * wheel.eccentricity());
+        assert_eq!(stated.total(), 2000.0 * wheel.eccentricity());
         assert_eq!(stated.high_tooth, Some(wheel.high_tooth()));
         assert_eq!(study.warnings.len(), 1);
         for words in [

@@ -238,11 +238,19 @@ pub(super) fn assembly(page: &Page, spec: &AssemblySpec) -> Markup {
     if !study.is_drawn() {
         rows.push(("α_wt | operating pressure angle | °", angle));
     }
-    let [wheel, pinion] = [clearance.wheel, clearance.pinion].map(shortest);
+    let each = clearance.each().map(|ends| {
+        let mut ends = ends.map(shortest).to_vec();
+        ends.dedup();
+        ends.join(", ")
+    });
     rows.push((
         "| radial bearing clearance, wheel / pinion | mm",
-        format!("{wheel} / {pinion}"),
+        each.join(" / "),
     ));
+    if let Some(at) = clearance.at_mm {
+        let name = "| bearings, from the wheel’s measuring plane away from the viewer | mm";
+        rows.push((name, at.map(shortest).join(", ")));
+    }
     rows.push(("| locked gear |", study.locked.name().to_owned()));
     stated(rows)
 }

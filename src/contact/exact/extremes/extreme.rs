@@ -77,6 +77,8 @@ pub enum Doubt {
     Drawing,
     /// Sections of leaning axes leave more out than is wanted.
     Sections,
+    /// Axes without a stated place are bounded all together.
+    Axes,
 }
 
 /// A bound for the whole cycle, rad, and the reason why it is too far away.

@@ -3,6 +3,7 @@
 use super::assembles_from::AssemblesFrom;
 use super::axes::{Axes, Axis, BearingEnds};
 use super::directions::{self, AnyDirection, Directed, Search, is_open};
+use super::face_loss::FaceLoss;
 use super::meshes_to::MeshesTo;
 use super::phases::{phase, phase_count};
 use super::study::{RunPlan, Study};
@@ -13,7 +14,7 @@ use crate::contact::{
 use crate::error::Error;
 use crate::gear::Side;
 use crate::outline::{AssembledPair, OutlinePair};
-use crate::pair::{GearPair, Mating, Member, SweepPlan, ToothNumbers};
+use crate::pair::{FaceDeviation, GearPair, Mating, Member, SweepPlan, ToothNumbers};
 
 /// Width of a proven bracket of `j_wt`, mm.
 pub const WIDTH: f64 = PROVEN_WIDTH;
@@ -51,6 +52,7 @@ pub(super) struct Searched {
     pub poses: Vec<Directed>,
     pub assembles_from: Option<AssemblesFrom>,
     pub meshes_to: Option<MeshesTo>,
+    pub face_loss: Option<FaceLoss>,
 }
 
 /// Extremes at one end of the bearing clearance.
@@ -260,6 +262,7 @@ impl Planned {
                     found,
                     assembles_from,
                     meshes_to: None,
+                    face_loss: None,
                 });
             }
         };
@@ -274,6 +277,7 @@ impl Planned {
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
                 meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
+                face_loss: self.face_loss(assembly, &all.found)?,
                 found: all.found,
                 poses: all.poses,
             });
@@ -284,8 +288,26 @@ impl Planned {
             poses: vec![self.poses_of(&found, assembles_from)],
             assembles_from,
             meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
+            face_loss: self.face_loss(assembly, &found)?,
             found,
         })
+    }
+
+    /// The loss of the least `found` by deviations along the face; `None` for a pair without any.
+    fn face_loss(&self, pair: &GearPair, found: &Extremes) -> Result<Option<FaceLoss>, Error> {
+        if !pair.deviates_along_face() {
+            return Ok(None);
+        }
+        let held = |found: &Extremes| {
+            let holds = |least: &Extreme| least.low.is_finite() && least.high.is_finite();
+            Some(found.least.filter(holds)?.found)
+        };
+        let without = |kinds: &[FaceDeviation]| {
+            let pair = pair.without(kinds);
+            let effort = &self.effort(&pair);
+            Ok(held(&self.end(&pair.into(), true, effort)?))
+        };
+        FaceLoss::new(|kind| pair.has(kind), held(found), without).map(Some)
     }
 
     /// The poses of `found`, and the binding pose at the distance from which the pair assembles, for checks that search distances.

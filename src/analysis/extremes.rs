@@ -10,6 +10,7 @@ use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
 use super::cycles::{Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans};
 use super::directions::{Directed, is_open};
+use super::face_loss::FaceLoss;
 use super::meshes_to::MeshesTo;
 use super::phases::phase_count;
 use super::simulate::simulate_plans;
@@ -48,6 +49,8 @@ pub struct RunExtremes {
     pub assembles_from: Option<AssemblesFrom>,
     /// For a pair out of mesh: the centre distance up to which it is in mesh.
     pub meshes_to: Option<MeshesTo>,
+    /// Loss of the least by deviations along the face; `None` for a pair without any.
+    pub face_loss: Option<FaceLoss>,
     /// Extremes with the axes moved together and apart by the bearing clearance; `None` without clearance.
     pub bearings: Option<BearingPlay>,
 }
@@ -189,6 +192,7 @@ impl RunExtremes {
             lost: found.lost.and_then(|_| poses.next()),
             assembles_from: searched.assembles_from,
             meshes_to: searched.meshes_to,
+            face_loss: searched.face_loss,
             bearings,
         }
     }

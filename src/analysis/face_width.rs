@@ -1,4 +1,4 @@
-//! Cost of the face width of helical gears: extremes of the lost motion over nested faces.
+//! Cost of the face width of pairs that vary along the face: extremes of the lost motion over nested faces.
 
 use super::extremes::{RunExtreme, RunExtremes, extremes};
 use super::study::Study;
@@ -82,7 +82,8 @@ impl<'a> FaceExtreme<'a> {
     }
 }
 
-/// The extremes of `study` over parts of its common face, from one section to the whole face (`full` is its result); empty for spur gears.
+/// The extremes of `study` over parts of its common face, from one section to the whole face (`full` is its result); empty for a pair
+/// whose sections are all equal.
 ///
 /// The parts are nested about the middle of the common face, like narrower gears in the same place; the measuring plane
 /// stays fixed. A wider part never has more play.
@@ -95,7 +96,7 @@ pub fn over_widths(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<AtWidth>, Error> {
-    if !study.is_helical() || full.is_empty() {
+    if !study.varies_along_face() || full.is_empty() {
         return Ok(Vec::new());
     }
     let [from, to] = study.face;
@@ -124,7 +125,7 @@ pub fn over_widths(
 
 /// Number of searches of [`over_widths`] over the runs of a study.
 pub(super) fn searches(study: &Study) -> u64 {
-    if study.is_helical() {
+    if study.varies_along_face() {
         u64::from(WIDTHS - 1)
     } else {
         0

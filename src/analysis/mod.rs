@@ -11,6 +11,7 @@ mod cycles;
 pub mod diagnosis;
 mod directions;
 pub mod extremes;
+pub mod face_loss;
 pub mod face_width;
 pub mod measured;
 pub mod meshes_to;
@@ -184,9 +185,9 @@ pub struct Analysis<'a> {
     pub over_distance: Vec<OverDistance>,
     /// Backlash of a drawn pair over the centre distance.
     pub maps: Vec<BacklashMap>,
-    /// The extremes over parts of the common face of helical gears; empty for spur gears.
+    /// The extremes over parts of the common face; empty for a pair whose sections are all equal.
     pub widths: Vec<AtWidth>,
-    /// The field of action of helical gears at the binding pose.
+    /// The field of action at the binding pose; `None` for a pair whose sections are all equal.
     pub field: Option<Field>,
     /// Measured values with their bands.
     pub measured: Vec<MeasuredMating>,
@@ -253,7 +254,7 @@ impl<'a> Analysis<'a> {
         if plan.curves {
             analysis.maps = BacklashMap::of_study(study, &analysis.extremes.each, tick)?;
         }
-        if plan.curves && plan.extremes && study.is_helical() {
+        if plan.curves && plan.extremes && study.varies_along_face() {
             (progress.stage)("(face width)");
             let full = &analysis.extremes.each;
             analysis.widths = face_width::over_widths(study, full, method, tick)?;
@@ -268,7 +269,7 @@ impl<'a> Analysis<'a> {
                 stage(&format!("({doing})"));
                 Ok(())
             };
-            let (runs, extremes) = (&analysis.runs, &analysis.extremes.runs);
+            let (runs, extremes) = (&analysis.runs, &analysis.extremes);
             analysis.diagnosis = diagnosis::diagnose(study, runs, extremes, &mut step, tick)?;
             analysis.failed_checks = analysis.diagnosis.failed();
         } else if plan.extremes {

@@ -270,6 +270,18 @@ impl Study {
         gears.any(|(_, wheel, _)| wheel.gear().basic_data().hand().is_some())
     }
 
+    /// Whether teeth deviate along the face: lead deviations, or leaning axes.
+    pub fn deviates_along_face(&self) -> bool {
+        let pairs = self.center_distances.first().map(|a| self.pairs(*a));
+        let mut pairs = pairs.into_iter().flatten().flatten();
+        pairs.any(|(_, pair)| pair.data().is_some_and(GearPair::deviates_along_face))
+    }
+
+    /// Whether transverse sections differ along the face.
+    pub fn varies_along_face(&self) -> bool {
+        self.is_helical() || self.deviates_along_face()
+    }
+
     /// Whether its poses cover whole revolutions.
     pub fn sweeps(&self) -> bool {
         matches!(

@@ -5,6 +5,7 @@ use super::eccentricity::{Eccentricity, eccentricity};
 use super::flanks::{PitchReadings, ThicknessReadings, pitch, thickness};
 use super::formula::{Formula, formula};
 use super::grades::{GradedReading, grades};
+use super::lead::{FaceReadings, along_face};
 use super::pins::{Pins, pins};
 use super::profile::{ProfileReadings, profile};
 use super::roll::{Roll, roll};
@@ -31,8 +32,10 @@ pub struct Settings {
     pub master_teeth: Option<u32>,
     /// Poses per pitch of the roll test.
     pub steps_per_pitch: u32,
-    /// Ends of the face of a helical gear, mm along the axis from its measuring plane, on which the master rolls.
+    /// Ends of the face, mm along the axis from the measuring plane. The master of a helical gear rolls on it.
     pub face: [f64; 2],
+    /// Evaluation range of leads, heights from the reference face's end of the teeth, mm; default: that of ISO 1328-1.
+    pub lead_range: Option<[f64; 2]>,
     /// Evaluation ranges of the profiles of the own right flanks and the own left ones, as radii in mm; default: root
     /// form circle to tip circle.
     pub evaluation: [Option<[f64; 2]>; 2],
@@ -47,6 +50,7 @@ impl Default for Settings {
             master_teeth: None,
             steps_per_pitch: 16,
             face: [0.0; 2],
+            lead_range: None,
             evaluation: [None; 2],
         }
     }
@@ -70,6 +74,8 @@ pub struct Gauged {
     pub thickness: Result<ThicknessReadings, Unmeasured>,
     /// Profile deviation of both flanks.
     pub profile: Result<ProfileReadings, Unmeasured>,
+    /// Leads, and readings at several heights; `None` for a gear that does not deviate along its face.
+    pub along_face: Option<FaceReadings>,
     /// The tip circle's centre.
     pub eccentricity: Result<Eccentricity, Unmeasured>,
     /// Double-flank roll test.
@@ -105,7 +111,8 @@ pub fn gauge(
     let pin = settings.pin.unwrap_or(usual_pin(gear.gear()));
     let spans = spans(&work, k);
     let pins = seats(&work, pin).and_then(|seats| pins(&work, pin, seats));
-    let runout = runout(&work, settings.ball.unwrap_or(pin));
+    let ball = settings.ball.unwrap_or(pin);
+    let runout = runout(&work, ball);
     let roll = roll(
         gear,
         settings.master_teeth,
@@ -150,6 +157,7 @@ pub fn gauge(
         thickness,
         root,
         profile: profile(&work, settings.evaluation),
+        along_face: along_face(gear, settings.face, settings.lead_range, (k, ball)),
         eccentricity: Ok(eccentricity(&work)),
         roll,
     })

@@ -24,51 +24,53 @@ const LEVEL: f64 = 100.0;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ProfileReadings {
     /// Profiles of the gear's own right flanks, then of its left ones.
-    pub flanks: [FlankProfiles; 2],
+    pub flanks: [FlankTraces; 2],
+    /// Their evaluation ranges as diameters, mm.
+    pub evaluated_diameters: [[f64; 2]; 2],
     /// Bound on the error of each deviation, mm.
     pub error: f64,
 }
 
-/// Profiles of the flanks of one side.
+/// Profiles or leads of the flanks of one side.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct FlankProfiles {
-    /// The evaluation range as roll lengths `r_b ξ`, mm.
+pub struct FlankTraces {
+    /// The evaluation range: roll lengths `r_b ξ` of profiles, heights of leads, mm.
     pub evaluated: [f64; 2],
-    /// Evaluation range as diameters, mm.
-    pub evaluated_diameters: [f64; 2],
-    /// Distinct profiles.
-    pub shapes: Vec<ProfileReading>,
-    /// Index of the profile of each tooth, tooth 1 first.
+    /// Distinct traces.
+    pub shapes: Vec<TraceReading>,
+    /// Index of the trace of each tooth, tooth 1 first.
     pub of_tooth: Vec<usize>,
 }
 
-/// One profile.
+/// One profile or lead.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct ProfileReading {
-    /// Over the whole flank: roll length `r_b ξ` and deviation, mm.
+pub struct TraceReading {
+    /// Over the whole flank: roll length `r_b ξ` or height, and deviation, mm.
     pub points: Vec<(f64, f64)>,
     /// Ends of the mean line, at those of the evaluation range.
     pub mean_line: [(f64, f64); 2],
-    /// Profile slope deviation `f_Hα`, mm.
+    /// Slope deviation, mm: `f_Hα` of a profile; material of a lead that grows away from the reference face.
     pub slope: f64,
-    /// Profile form deviation `f_fα`, mm.
+    /// Form deviation `f_fα` or `f_fβ`, mm.
     pub form: f64,
-    /// Total profile deviation `F_α`, mm.
+    /// Total deviation `F_α` or `F_β`, mm.
     pub total: f64,
+    /// Crowning over the evaluation range, mm: rise of the middle of the least-squares parabola above the chord of its ends.
+    pub crowning: f64,
 }
 
 impl ProfileReadings {
     /// The profiles of a gear's own flank.
-    pub fn flank(&self, own: Flank) -> &FlankProfiles {
+    pub fn flank(&self, own: Flank) -> &FlankTraces {
         &self.flanks[own.index()]
     }
 
     /// Whether any profile deviates by more than rounding.
     pub fn deviates(&self) -> bool {
         let mut shapes = self.flanks.iter().flat_map(|flank| &flank.shapes);
-        let off = |shape: &ProfileReading| {
+        let off = |shape: &TraceReading| {
             let mut points = shape.points.iter();
             points.any(|point| point.1.abs() > LEVEL * self.error)
         };
@@ -76,25 +78,25 @@ impl ProfileReadings {
     }
 }
 
-impl FlankProfiles {
-    /// The profile of a tooth, from 1.
-    pub fn tooth(&self, tooth: u32) -> &ProfileReading {
+impl FlankTraces {
+    /// The trace of a tooth, from 1.
+    pub fn tooth(&self, tooth: u32) -> &TraceReading {
         &self.shapes[self.of_tooth[tooth as usize - 1]]
     }
 
     /// `of` for each tooth, tooth 1 first.
-    pub fn by_tooth(&self, of: impl Fn(&ProfileReading) -> f64) -> Vec<f64> {
+    pub fn by_tooth(&self, of: impl Fn(&TraceReading) -> f64) -> Vec<f64> {
         let teeth = self.of_tooth.iter();
         teeth.map(|&shape| of(&self.shapes[shape])).collect()
     }
 
     /// Mean over the teeth.
-    pub fn mean(&self, of: impl Fn(&ProfileReading) -> f64) -> f64 {
+    pub fn mean(&self, of: impl Fn(&TraceReading) -> f64) -> f64 {
         mean(self.by_tooth(of).into_iter())
     }
 
     /// The value of greatest amount, with its sign, and its tooth.
-    pub fn worst(&self, of: impl Fn(&ProfileReading) -> f64) -> (u32, f64) {
+    pub fn worst(&self, of: impl Fn(&TraceReading) -> f64) -> (u32, f64) {
         let teeth = (1..).zip(self.by_tooth(of));
         let greater = |worst: (u32, f64), (tooth, value): (u32, f64)| {
             if value.abs() > worst.1.abs() {
@@ -120,11 +122,19 @@ pub(super) fn profile(
     if !work.as_built.gear().is_generated() {
         return Err(Unmeasured("the flanks are no involutes".to_owned()));
     }
+    let gear = work.as_built.gear();
+    let base = gear.base_radius();
+    let rolls = radii.map(|radii| match radii {
+        Some(radii) => radii.map(|radius| involute::roll_at(radius, base)),
+        None => [gear.form_roll(), gear.tip_roll()],
+    });
     let ((right, one), (left, other)) = (
-        of_flank(work, Flank::Right, radii[0])?,
-        of_flank(work, Flank::Left, radii[1])?,
+        of_flank(work, Flank::Right, rolls[0])?,
+        of_flank(work, Flank::Left, rolls[1])?,
     );
+    let diameters = |ends: [f64; 2]| ends.map(|xi| 2.0 * involute::radius_at(xi, base));
     Ok(ProfileReadings {
+        evaluated_diameters: rolls.map(diameters),
         flanks: [right, left],
         error: one.max(other),
     })
@@ -134,15 +144,11 @@ pub(super) fn profile(
 fn of_flank(
     work: &Workpiece,
     own: Flank,
-    radii: Option<[f64; 2]>,
-) -> Result<(FlankProfiles, f64), Unmeasured> {
+    asked: [f64; 2],
+) -> Result<(FlankTraces, f64), Unmeasured> {
     let gear = work.as_built.gear();
     let base = gear.base_radius();
     let side = work.as_built.face().seen_from_front(own);
-    let asked = match radii {
-        Some(radii) => radii.map(|radius| involute::roll_at(radius, base)),
-        None => [gear.form_roll(), gear.tip_roll()],
-    };
     let of_tooth: Vec<usize> = (1..=gear.basic_data().teeth())
         .map(|tooth| work.as_built.shape_of(side, tooth))
         .collect();
@@ -182,9 +188,8 @@ fn of_flank(
         error = f64::max(error, bound);
         shapes.push(found);
     }
-    let profiles = FlankProfiles {
+    let profiles = FlankTraces {
         evaluated: asked.map(|xi| base * xi),
-        evaluated_diameters: asked.map(|xi| 2.0 * involute::radius_at(xi, base)),
         shapes,
         of_tooth,
     };
@@ -193,7 +198,7 @@ fn of_flank(
 
 /// The evaluation of the points `within` the range, which are evenly spread. Each represents the stretch half way to
 /// its neighbours, the first and the last half of that.
-fn evaluate(points: Vec<(f64, f64)>, within: &[(f64, f64)]) -> ProfileReading {
+pub(super) fn evaluate(points: Vec<(f64, f64)>, within: &[(f64, f64)]) -> TraceReading {
     let last = within.len() - 1;
     let weight = |k: usize| if k == 0 || k == last { 0.5 } else { 1.0 };
     let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
@@ -205,7 +210,12 @@ fn evaluate(points: Vec<(f64, f64)>, within: &[(f64, f64)]) -> ProfileReading {
     let rise = sum(&|one, value| (one - at) * (value - off)) / square;
     let [from, to] = ends(within.iter().map(|point| point.0));
     let on_line = |length: f64| (length, off + rise * (length - at));
-    ProfileReading {
+    // The parabola that is square to every straight line over the range.
+    let mean_square = square / last as f64;
+    let bend = |one: f64| (one - at).powi(2) - mean_square;
+    let bent = sum(&|one, value| bend(one) * value) / sum(&|one, _| bend(one).powi(2));
+    TraceReading {
+        crowning: -bent * (0.5 * (to - from)).powi(2),
         points,
         mean_line: [on_line(from), on_line(to)],
         slope: rise * (to - from),

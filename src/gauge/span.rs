@@ -137,7 +137,11 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
             if sections[i] == 0.0 {
                 turns[i]
             } else {
-                UnitComplex::new(data.twist() * sections[i]) * turns[i]
+                let (side, tooth, _) = ends[i];
+                let gear = work.as_built;
+                let lead = gear.lead(side, tooth, sections[i]) - gear.lead(side, tooth, 0.0);
+                let by_lead = side.sense() * lead / gear.gear().base_radius();
+                UnitComplex::new(data.twist() * sections[i] + by_lead) * turns[i]
             }
         };
         let placed = [0, 1].map(|i: usize| {

@@ -209,7 +209,7 @@ impl AsBuilt {
         };
         let exaggerated = AsBuilt {
             modified: self.modified_of(&gear, factor)?,
-            leads: self.leads_by(|curve| curve.scaled(factor)),
+            leads: self.leads_by(1.0, |curve| curve.scaled(factor)),
             offsets: Side::BOTH.map(enlarged),
             eccentricity: factor * self.eccentricity,
             wobble: factor * self.wobble,
@@ -227,7 +227,7 @@ impl AsBuilt {
         let gear = self.gear.expanded(factor)?;
         Ok(AsBuilt {
             modified: self.modified_of(&gear, factor)?,
-            leads: self.leads_by(|curve| curve.enlarged(factor)),
+            leads: self.leads_by(factor, |curve| curve.enlarged(factor)),
             height: factor * self.height,
             eccentricity: factor * self.eccentricity,
             gear,
@@ -668,10 +668,38 @@ impl AsBuilt {
         }
     }
 
-    /// The leads with `change` applied to every curve.
-    fn leads_by(&self, change: impl Fn(&DeviationCurve) -> DeviationCurve) -> Option<Arc<Leads>> {
+    /// This gear without lead deviations.
+    pub(crate) fn without_leads(&self) -> AsBuilt {
+        AsBuilt {
+            leads: None,
+            ..self.with_leads_turned(|curve| -curve.at(self.height))
+        }
+    }
+
+    /// This gear without wobble.
+    pub(crate) fn without_wobble(&self) -> AsBuilt {
+        AsBuilt {
+            wobble: 0.0,
+            ..self.clone()
+        }
+    }
+
+    /// The leads with `change` applied to every curve, and heights multiplied by `factor`.
+    fn leads_by(
+        &self,
+        factor: f64,
+        change: impl Fn(&DeviationCurve) -> DeviationCurve,
+    ) -> Option<Arc<Leads>> {
         let leads = self.leads.as_deref()?;
-        Some(Arc::new(leads.map(change)))
+        Some(Arc::new(leads.map(factor, change)))
+    }
+
+    /// Both ends of the stretch over which every lead trace was measured, mm from this section away from the viewer, the lesser first; `None`
+    /// without traces.
+    pub fn traced(&self) -> Option<[f64; 2]> {
+        let ends = self.leads.as_deref()?.traced()?;
+        let [one, other] = ends.map(|end| self.inwards() * (end - self.height));
+        Some([one.min(other), one.max(other)])
     }
 
     /// Least and greatest deviation, mm, of each shape on a side.

@@ -166,7 +166,11 @@ impl Lead {
 
 /// The leads of a gear's own right and left flanks.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Leads([FlankLeads; 2]);
+pub(super) struct Leads {
+    flanks: [FlankLeads; 2],
+    /// Heights between which every trace has points, mm; `None` without traces.
+    traced: Option<[f64; 2]>,
+}
 
 /// The leads of one flank of all teeth: few curves, and the curve of each tooth.
 #[derive(Debug, Clone, PartialEq)]
@@ -193,35 +197,47 @@ impl Leads {
             }
             Ok(FlankLeads::of(lead.curves(teeth)?))
         });
-        Ok(Some(Leads([right?, left?])))
+        let traces = leads.iter().flat_map(|lead| &lead.traces);
+        let ends =
+            traces.filter_map(|trace| Some([trace.points.first()?.0, trace.points.last()?.0]));
+        let traced = ends.reduce(|one, other| [one[0].max(other[0]), one[1].min(other[1])]);
+        Ok(Some(Leads {
+            flanks: [right?, left?],
+            traced,
+        }))
+    }
+
+    /// Heights between which every trace has points, mm; `None` without traces.
+    pub fn traced(&self) -> Option<[f64; 2]> {
+        self.traced
     }
 
     /// Number of different leads on a flank.
     pub fn shapes(&self, flank: Flank) -> usize {
-        self.0[flank.index()].curves.len()
+        self.flanks[flank.index()].curves.len()
     }
 
     /// Index of a tooth's lead on a flank.
     pub fn shape_of(&self, flank: Flank, tooth: u32) -> usize {
-        let own = self.0[flank.index()].of_tooth.get(tooth as usize - 1);
+        let own = self.flanks[flank.index()].of_tooth.get(tooth as usize - 1);
         own.map_or(0, |&shape| shape as usize)
     }
 
     /// A lead of a flank, by its index.
     pub fn shape(&self, flank: Flank, shape: usize) -> &DeviationCurve {
-        &self.0[flank.index()].curves[shape]
+        &self.flanks[flank.index()].curves[shape]
     }
 
-    /// These leads with `change` applied to every curve.
-    pub fn map(&self, change: impl Fn(&DeviationCurve) -> DeviationCurve) -> Leads {
-        Leads(self.0.each_ref().map(|flank| {
-            FlankLeads {
-                curves: (flank.curves.iter())
-                    .map(|curve| Arc::new(change(curve)))
-                    .collect(),
-                of_tooth: flank.of_tooth.clone(),
-            }
-        }))
+    /// These leads with `change` applied to every curve, and heights multiplied by `factor`.
+    pub fn map(&self, factor: f64, change: impl Fn(&DeviationCurve) -> DeviationCurve) -> Leads {
+        let flanks = self.flanks.each_ref().map(|flank| FlankLeads {
+            curves: (flank.curves.iter())
+                .map(|curve| Arc::new(change(curve)))
+                .collect(),
+            of_tooth: flank.of_tooth.clone(),
+        });
+        let traced = self.traced.map(|ends| ends.map(|end| factor * end));
+        Leads { flanks, traced }
     }
 }
 

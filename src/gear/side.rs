@@ -67,7 +67,7 @@ impl Flank {
     pub const BOTH: [Flank; 2] = [Flank::Right, Flank::Left];
 
     /// Index in a list of both flanks, right first.
-    pub(crate) fn index(self) -> usize {
+    pub fn index(self) -> usize {
         self as usize
     }
 

@@ -57,6 +57,26 @@ impl Member {
     }
 }
 
+/// A kind of deviation along the face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FaceDeviation {
+    /// Lead deviations of flanks.
+    Lead,
+    /// Teeth that lean on their shaft.
+    Wobble,
+    /// Shafts that are not parallel.
+    Shafts,
+}
+
+impl FaceDeviation {
+    /// All kinds, each at the index of its number.
+    pub const ALL: [FaceDeviation; 3] = [
+        FaceDeviation::Lead,
+        FaceDeviation::Wobble,
+        FaceDeviation::Shafts,
+    ];
+}
+
 /// Greatest relative difference of the modules of two mating gears: that of a hot plastic gear (1e-4/K, 200 K) and a steel gear.
 pub const MOST_UNEQUAL: f64 = 0.02;
 
@@ -269,6 +289,35 @@ impl GearPair {
     /// Whether teeth deviate along the face: lead deviations, or leaning axes.
     pub fn deviates_along_face(&self) -> bool {
         self.has_leads() || self.leans()
+    }
+
+    /// Whether this pair has a kind of deviation along the face.
+    pub fn has(&self, kind: FaceDeviation) -> bool {
+        match kind {
+            FaceDeviation::Lead => self.has_leads(),
+            FaceDeviation::Wobble => self.wheel.wobble() != 0.0 || self.pinion.wobble() != 0.0,
+            FaceDeviation::Shafts => self.lean != [0.0; 2],
+        }
+    }
+
+    /// This pair without some kinds of deviation along the face. Pitch and thickness hold where each lead is 0.
+    pub fn without(&self, kinds: &[FaceDeviation]) -> GearPair {
+        kinds.iter().fold(self.clone(), |pair, kind| match kind {
+            FaceDeviation::Lead => GearPair {
+                wheel: pair.wheel.without_leads(),
+                pinion: pair.pinion.without_leads(),
+                ..pair
+            },
+            FaceDeviation::Wobble => GearPair {
+                wheel: pair.wheel.without_wobble(),
+                pinion: pair.pinion.without_wobble(),
+                ..pair
+            },
+            FaceDeviation::Shafts => GearPair {
+                lean: [0.0; 2],
+                ..pair
+            },
+        })
     }
 
     /// Whether either gear has profile deviations.

@@ -106,7 +106,7 @@ fn each_pitch_of_the_clearance_ticks_once() {
     let runs = simulate(&study, exact, &|| ControlFlow::Continue(())).unwrap();
     let runs = compare(runs, study.tolerance_um);
     let ticks = AtomicUsize::new(0);
-    diagnose(&study, &runs, &[], &mut |_| Ok(()), &|| {
+    diagnose(&study, &runs, &Default::default(), &mut |_| Ok(()), &|| {
         ticks.fetch_add(1, Ordering::Relaxed);
         ControlFlow::Continue(())
     })

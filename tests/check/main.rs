@@ -1,5 +1,6 @@
 //! Checks of a pair: classes of contact, what they cost, limits by formula and as measured.
 
+mod along_face;
 mod assembles;
 mod bearings;
 mod classes;
@@ -75,7 +76,7 @@ fn diagnosed(study: &Study) -> Diagnosis {
         ControlFlow::Continue(())
     });
     let runs = compare(runs.unwrap(), study.tolerance_um);
-    diagnose(study, &runs, &[], &mut |_| Ok(()), &|| {
+    diagnose(study, &runs, &Default::default(), &mut |_| Ok(()), &|| {
         std::ops::ControlFlow::Continue(())
     })
     .unwrap()

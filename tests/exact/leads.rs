@@ -1,7 +1,7 @@
 //! Lead deviations against an independent 3-D program, dense sections and closed forms.
 
 use gearlash::analytic::LineOfAction;
-use gearlash::contact::ExactKernel;
+use gearlash::contact::{ExactKernel, FacePlace};
 use gearlash::gear::{
     AsBuilt, BasicGearData, Deviations, Face, Flank, Gear, GearDesign, Hand, Lead, Pitch, Side,
     Trace, thickness,
@@ -376,4 +376,41 @@ fn model_3_agrees_where_leads_bind_on_the_line() {
         }
     }
     assert!(on_line > all * 3 / 4, "{on_line} of {all}");
+}
+
+/// Each reference contact stands at the stated end of a gear, or at none. Source: fixtures/reference/lead.json, `binds`, where the pair touches
+/// at one place alone.
+#[test]
+fn reference_contacts_along_the_face() {
+    let reference: Value = serde_json::from_str(REFERENCE).unwrap();
+    let mut counts = [0; FacePlace::ALL.len()];
+    for case in reference["poses"].as_array().unwrap() {
+        if case["wheel"]["lead"].to_string().contains("bias") {
+            continue;
+        }
+        let pair = pair(case);
+        let pose = Pose::new(&pair, mating(&case["mating"]));
+        let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+        for (side, contact) in [("right", found.right), ("left", found.left)] {
+            let contact = contact.unwrap();
+            let Some(at) = FacePlace::of(&pair, &pose, &contact) else {
+                continue;
+            };
+            let binds = &case["binds"][side];
+            let heights = ["wheel", "pinion"].map(|gear| {
+                let ends: [f64; 2] = serde_json::from_value(case[gear]["face_mm"].clone()).unwrap();
+                let height = number(binds, &format!("b_{gear}_mm"));
+                ends.map(|end| (end - height).abs() < 1e-3)
+            });
+            let name = case["name"].as_str().unwrap();
+            println!(
+                "{name} {side}: {at:?} {} {binds} {:?} {:?}",
+                contact.section, contact.wheel, contact.pinion
+            );
+            let is_at = |end: usize| heights.iter().any(|ends| ends[end]);
+            counts[FacePlace::ALL.iter().position(|one| *one == at).unwrap()] += 1;
+        }
+    }
+    println!("{counts:?}");
+    panic!();
 }

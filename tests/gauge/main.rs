@@ -7,6 +7,7 @@ mod helical;
 mod helical_dimensions;
 mod helical_in_space;
 mod helical_runout;
+mod lead;
 mod outline_difference;
 mod outlines;
 mod perfect;

@@ -108,6 +108,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         steps_per_pitch: args.steps_per_pitch,
         face: spec.face().unwrap_or_default(),
         evaluation: spec.evaluation_radii(),
+        lead_range: spec.lead.as_ref().and_then(|lead| lead.range_mm),
     };
     let poses = chosen.iter().map(|(_, _, source)| match source {
         GearSource::Data(as_built, spec) => pose_count(as_built, &settings(spec)),

@@ -50,6 +50,7 @@ pub fn gauge(
         steps_per_pitch,
         evaluation: spec.evaluation_radii(),
         face: spec.face_mm.unwrap_or_default(),
+        lead_range: spec.lead.as_ref().and_then(|lead| lead.range_mm),
     };
     let gauged = work(py, threads, |tick| {
         measure(as_built, &settings, &|_| (), tick)

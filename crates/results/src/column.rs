@@ -140,6 +140,8 @@ pub struct Column<R> {
     key: Option<String>,
     csv: Option<String>,
     rank: u8,
+    /// Whether CSV has it only for pairs that deviate along the face.
+    along_face: bool,
     unit: Unit,
     heading: Option<layout::Column>,
     /// Its values are empty.
@@ -155,6 +157,7 @@ impl<R: 'static> Column<R> {
             key: Some(key.to_owned()),
             csv: Some(key.replace('.', "_")),
             rank: 1,
+            along_face: false,
             unit,
             heading: None,
             array: None,
@@ -185,6 +188,12 @@ impl<R: 'static> Column<R> {
     pub fn rank(mut self, rank: u8) -> Column<R> {
         self.rank = rank;
         self
+    }
+
+    /// Last in CSV, and only for pairs that deviate along the face.
+    pub fn along_face(mut self) -> Column<R> {
+        self.along_face = true;
+        self.rank(u8::MAX)
     }
 
     /// The heading for people.
@@ -279,6 +288,7 @@ impl<R: Row> Columns<R> {
                 key: column.key.as_ref().map(|key| format!("{prefix}.{key}")),
                 csv: column.csv.as_ref().map(joined),
                 rank: column.rank,
+                along_face: column.along_face,
                 unit: column.unit,
                 heading: None,
                 array: None,
@@ -312,18 +322,22 @@ impl<R: Row> Columns<R> {
         columns.filter_map(|column| column.key.as_deref().or(column.csv.as_deref()))
     }
 
-    /// The names of the columns in CSV.
-    pub fn csv_names(&self) -> impl Iterator<Item = &str> {
-        let names = self.csv.iter();
-        names.filter_map(|number| self.columns[*number].csv.as_deref())
+    /// The columns in CSV, with or without those along the face.
+    fn in_csv(&self, along_face: bool) -> impl Iterator<Item = &Column<R>> {
+        let columns = self.csv.iter().map(|number| &self.columns[*number]);
+        columns.filter(move |column| along_face || !column.along_face)
     }
 
-    /// The values of `row` in CSV.
-    pub fn csv_values(&self, row: &R) -> Vec<Value> {
-        let numbers = self.csv.iter();
-        numbers
-            .map(|number| (self.columns[*number].value)(row))
-            .collect()
+    /// The names of the columns in CSV, with or without those along the face.
+    pub fn csv_names(&self, along_face: bool) -> impl Iterator<Item = &str> {
+        self.in_csv(along_face)
+            .filter_map(|column| column.csv.as_deref())
+    }
+
+    /// The values of `row` in CSV, with or without those along the face.
+    pub fn csv_values(&self, row: &R, along_face: bool) -> Vec<Value> {
+        let columns = self.in_csv(along_face);
+        columns.map(|column| (column.value)(row)).collect()
     }
 
     /// The numpy arrays of `rows`.
@@ -351,13 +365,16 @@ impl<R: Row> Columns<R> {
     /// None: the text is in memory.
     pub fn csv(&self, rows: &[R]) -> csv::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(self.csv_names())?;
+        writer.write_record(self.csv_names(false))?;
         for row in rows {
-            let cells = self.csv_values(row).into_iter().map(|value| match value {
-                Value::Absent | Value::Null => String::new(),
-                Value::Text(text) => cell(&text),
-                value => display_text(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
-            });
+            let cells = self
+                .csv_values(row, false)
+                .into_iter()
+                .map(|value| match value {
+                    Value::Absent | Value::Null => String::new(),
+                    Value::Text(text) => cell(&text),
+                    value => display_text(&value, Unit::Plain, BacklashUnit::Um, f64::NAN),
+                });
             writer.write_record(cells)?;
         }
         csv_text(writer)
@@ -673,10 +690,10 @@ mod tests {
         assert_eq!(json(&found), r#"{"place":{"x_mm":[1.5,2.0]},"tooth":3}"#);
         assert_eq!(json(&lost), r#"{"place":null,"tooth":4}"#);
         assert!(json_of(&columns.object(&lost)).unwrap().contains("null"));
-        let names: Vec<&str> = columns.csv_names().collect();
+        let names: Vec<&str> = columns.csv_names(false).collect();
         assert_eq!(names, ["tooth", "x_mm", "y_mm"]);
         let values = [Value::Count(3), Value::Number(1.5), Value::Number(2.0)];
-        assert_eq!(columns.csv_values(&found), values);
+        assert_eq!(columns.csv_values(&found, false), values);
         let text = columns.table(
             &[found, lost],
             |_| 1.0,

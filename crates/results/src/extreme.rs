@@ -7,7 +7,7 @@ use gearlash::analysis::extremes::{BearingPlay, RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Doubt;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::{Member, arcmin};
+use gearlash::pair::{FaceDeviation, Member, arcmin};
 use serde_json::json;
 use std::sync::LazyLock;
 
@@ -125,6 +125,14 @@ fn of_run(verdict: &Verdict, run: &RunExtremes) -> serde_json::Value {
     );
     if let Some(to) = run.meshes_to {
         distance("meshes_to_mm", Some([to.low, to.high]), to.doubt);
+    }
+    if let Some(loss) = &run.face_loss {
+        let um = |kind| loss.by(kind).map(|mm| mm * 1e3);
+        value["along_face_um"] = json!({
+            "lead": um(FaceDeviation::Lead),
+            "wobble": um(FaceDeviation::Wobble),
+            "shafts": um(FaceDeviation::Shafts),
+        });
     }
     value["least"] = json!(one(&run.least));
     value["greatest"] = json!(one(&run.greatest));

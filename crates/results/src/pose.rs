@@ -5,11 +5,11 @@ use crate::layout;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{
-    Contact, ContactClass, LostMotion, PoseClass, PoseResult, Status, Unproven,
+    Contact, ContactClass, FacePlace, LostMotion, PoseClass, PoseResult, Status, Unproven,
 };
 use gearlash::gear::Side;
 use gearlash::outline::AssembledPair;
-use gearlash::pair::{Backlash, GearPair, Mating, Member, arcmin};
+use gearlash::pair::{Backlash, GearPair, Mating, Member, Pose, arcmin};
 use gearlash_files::numbers::um_ascii;
 use serde_json::json;
 use std::f64::consts::{PI, TAU};
@@ -51,7 +51,7 @@ impl PoseRow {
         let (data, found) = (assembly.data(), result.proven());
         let contact = |side, contact: fn(&LostMotion) -> Option<&Contact>| {
             let found = found.filter(|found| found.angle().is_some())?;
-            Some(ContactRow::new(data, side, contact(found)?))
+            Some(ContactRow::new(data, side, &result.pose, contact(found)?))
         };
         PoseRow {
             class: data.map(|pair| result.class(pair)),
@@ -262,20 +262,28 @@ pub struct ContactRow {
     /// `None` for a drawn pair.
     class: Option<ContactClass>,
     varies_along_face: bool,
+    /// `None` for a pair that does not deviate along the face.
+    at: Option<FacePlace>,
 }
 
 impl ContactRow {
-    /// The row of the `contact` on `side` of `pair`; `pair` is `None` for a drawn pair.
-    pub fn new(pair: Option<&GearPair>, side: Side, contact: &Contact) -> ContactRow {
+    /// The row of the `contact` on `side` of `pair` at `pose`; `pair` is `None` for a drawn pair.
+    pub fn new(pair: Option<&GearPair>, side: Side, pose: &Pose, contact: &Contact) -> ContactRow {
         ContactRow {
+            at: pair.and_then(|pair| FacePlace::of(pair, pose, contact)),
             contact: *contact,
             class: pair.map(|pair| ContactClass::of(pair, side, contact)),
             varies_along_face: pair.is_some_and(GearPair::varies_along_face),
         }
     }
 
-    /// The class of the contact, with the touching tip and the moment where they are known.
+    /// The class of the contact, with the touching tip, the moment and the place along the face where they are known.
     pub fn class_words(&self) -> String {
+        let class = self.class_alone();
+        (self.at).map_or(class.clone(), |at| format!("{class}, {}", at.words()))
+    }
+
+    fn class_alone(&self) -> String {
         let Some(class) = self.class else {
             let Contact { wheel, pinion, .. } = &self.contact;
             return format!("{} on {}", wheel.curve.name(), pinion.curve.name());
@@ -294,7 +302,8 @@ impl ContactRow {
     fn words(&self) -> String {
         let Contact { wheel, pinion, .. } = &self.contact;
         let curves = format!("{}-{}", wheel.curve.name(), pinion.curve.name());
-        format!("{},{} {curves}", wheel.tooth, pinion.tooth)
+        let words = format!("{},{} {curves}", wheel.tooth, pinion.tooth);
+        (self.at).map_or(words.clone(), |at| format!("{words} {}", at.words()))
     }
 }
 
@@ -310,8 +319,9 @@ impl Row for ContactRow {
                 "pinion_radius_mm" Plain [no_csv] => row.contact.pinion.radius;
                 "point_mm.0" Place [no_csv, page("x_mm")] => row.contact.point.x;
                 "point_mm.1" Place [no_csv, page("y_mm")] => row.contact.point.y;
-                "section_mm" Plain [no_csv] => row.contact.section;
+                "section_mm" Plain [along_face] => row.contact.section;
                 "" Plain [only_page("section_mm")] => Value::optional(row.varies_along_face.then_some(row.contact.section));
+                "at" Plain [along_face] => Value::optional(row.at.map(FacePlace::name));
                 "normal.0" Plain [no_csv] => row.contact.normal.x;
                 "normal.1" Plain [no_csv] => row.contact.normal.y;
                 "" Angle [only_page("normal_rad")] => row.contact.normal.y.atan2(row.contact.normal.x);

@@ -25,6 +25,8 @@ type Out<'w> = Box<dyn Write + 'w>;
 pub struct ResultWriter<'w> {
     json: Option<Json<Out<'w>>>,
     csv: Option<csv::Writer<Out<'w>>>,
+    /// Whether CSV has the columns of pairs that deviate along the face.
+    along_face: bool,
 }
 
 impl<'w> ResultWriter<'w> {
@@ -57,12 +59,17 @@ impl<'w> ResultWriter<'w> {
             json.key("runs")?;
             json.open_list()?;
         }
+        let along_face = file.study.deviates_along_face();
         let mut csv = csv.map(csv::Writer::from_writer);
         if let Some(csv) = &mut csv {
-            let names = PoseRow::columns().csv_names();
+            let names = PoseRow::columns().csv_names(along_face);
             csv.write_record(names).map_err(of_csv)?;
         }
-        Ok(ResultWriter { json, csv })
+        Ok(ResultWriter {
+            json,
+            csv,
+            along_face,
+        })
     }
 
     /// Writes the next piece; the poses of a block are converted to text on all cores.
@@ -104,7 +111,7 @@ impl<'w> ResultWriter<'w> {
                     .as_ref()
                     .map(|layout| layout.text(&columns.object(&row)));
                 let csv = if with_csv {
-                    columns.csv_values(&row)
+                    columns.csv_values(&row, self.along_face)
                 } else {
                     Vec::new()
                 };

@@ -1,4 +1,4 @@
-//! The field of action of helical gears at one pose: the contacts of tooth pairs over the common face and along the path of contact.
+//! The field of action at one pose: the contacts of tooth pairs over the common face and along the path of contact.
 //!
 //! In every transverse section involutes touch on the line of action, the common tangent of the displaced base circles. It is the same in
 //! all sections, because their centres are constant along the face. The contact of a pair moves along it with the twist of the teeth. At
@@ -9,6 +9,8 @@
 //! ```
 //!
 //! counts from the pitch point towards the pinion's end of the tangent of length `T`. It changes by `∓ tan β_b` per mm: a straight line.
+//!
+//! With leads the gap of a pair varies along its line, and leaning axes bend the line. Then its points are those of each section.
 
 use super::stretches::stretches;
 use super::tangent::{PathLimit, Tangent};
@@ -54,10 +56,12 @@ pub struct FieldSide {
     /// Stretches along the face, mm, with contact on a fillet, a root or an undercut edge before any involute; each end
     /// within [`super::STRETCH_END`]. A stretch is found if one of `sections` is in it.
     pub fillets: Vec<[f64; 2]>,
+    /// Leads of the binding teeth over the face, wheel first: mm along the face, mm; empty for gears without leads.
+    pub leads: [Vec<(f64, f64)>; 2],
 }
 
 /// The contact line of a tooth pair, now or after a further turn of the free gear.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactLine {
     /// Wheel tooth.
@@ -66,10 +70,28 @@ pub struct ContactLine {
     pub pinion_tooth: u32,
     /// Both ends: mm along the face, mm along the path.
     pub ends: [[f64; 2]; 2],
-    /// Gap between the flanks along the line of action, mm: 0 for the binding pair.
+    /// Gap between the flanks along the line of action, mm: 0 for the binding pair. The least of `points`.
     pub gap: f64,
+    /// Points where the gap varies along the face: mm along the face, mm along the path, gap, mm. Empty where it is constant.
+    pub points: Vec<[f64; 3]>,
     /// Whether its teeth hold the free gear.
     pub binds: bool,
+}
+
+impl ContactLine {
+    /// Gap at a place along the face, mm; `None` beyond the line.
+    fn gap_at(&self, at: f64) -> Option<f64> {
+        let [[from, _], [to, _]] = self.ends;
+        let next = self.points.partition_point(|point| point[0] < at);
+        match (self.points.get(next.wrapping_sub(1)), self.points.get(next)) {
+            (Some(one), Some(other)) => {
+                let part = (at - one[0]) / (other[0] - one[0]);
+                Some(one[2] + part * (other[2] - one[2]))
+            }
+            (None, Some(first)) if first[0] == at => Some(first[2]),
+            _ => (self.points.is_empty() && (from..=to).contains(&at)).then_some(self.gap),
+        }
+    }
 }
 
 /// The contact that holds the free gear.
@@ -101,11 +123,11 @@ pub struct FieldSection {
 }
 
 impl Field {
-    /// The field of action of helical gears at `pose`. `None` for spur gears, without a proven lost motion, or if the
-    /// displaced base circles overlap.
+    /// The field of action at `pose`. `None` for a pair whose sections are all equal, without a proven lost motion, or if the displaced base
+    /// circles overlap.
     pub fn of(assembly: &GearPair, pose: &PoseResult) -> Option<Field> {
         let found = pose.proven().filter(|found| found.angle().is_some())?;
-        if !assembly.is_helical() {
+        if !assembly.varies_along_face() {
             return None;
         }
         let pose = &pose.pose;
@@ -187,9 +209,11 @@ impl<'a> HeldSide<'a> {
             limits,
             lines: Vec::new(),
         };
-        held.lines = SideContact::all(assembly, pose, side)
-            .filter_map(|line| held.line(&line))
-            .collect();
+        if !assembly.deviates_along_face() {
+            held.lines = SideContact::all(assembly, pose, side)
+                .filter_map(|line| held.line(&line))
+                .collect();
+        }
         Some(held)
     }
 
@@ -220,7 +244,57 @@ impl<'a> HeldSide<'a> {
             pinion_tooth: pinion,
             ends,
             gap: self.gap(line.rotation - self.contact.rotation),
+            points: Vec::new(),
             binds: (wheel, pinion) == self.teeth(),
+        })
+    }
+
+    /// The contact lines of a pair that deviates along the face, from its sections.
+    fn lines_of(&self, sections: &[SectionAlone]) -> Vec<ContactLine> {
+        let mut lines: Vec<ContactLine> = Vec::new();
+        for alone in sections {
+            let (pair, here) = (&alone.pair, &alone.pose);
+            let held = here.free_rotation() + self.contact.rotation - self.pose.free_rotation();
+            let Some(tangent) = Tangent::new(pair, here, self.side, held) else {
+                continue;
+            };
+            for contact in SideContact::all(pair, here, self.side) {
+                let teeth = by_member(pair, contact.locked_tooth, contact.free_tooth);
+                let rolls = by_member(pair, contact.locked_roll, contact.free_roll);
+                let place = tangent.place([rolls.0, rolls.1]);
+                let gap = self.gap(contact.rotation - held);
+                let point = [alone.at, place, gap];
+                let end = [alone.at, place];
+                let is_of =
+                    |line: &&mut ContactLine| (line.wheel_tooth, line.pinion_tooth) == teeth;
+                match lines.iter_mut().find(is_of) {
+                    Some(line) => {
+                        line.ends[1] = end;
+                        line.gap = line.gap.min(gap);
+                        line.points.push(point);
+                    }
+                    None => lines.push(ContactLine {
+                        wheel_tooth: teeth.0,
+                        pinion_tooth: teeth.1,
+                        ends: [end; 2],
+                        gap,
+                        points: vec![point],
+                        binds: teeth == self.teeth(),
+                    }),
+                }
+            }
+        }
+        lines
+    }
+
+    /// Leads of the binding teeth in each section, wheel first.
+    fn leads(&self, sections: &[SectionAlone]) -> [Vec<(f64, f64)>; 2] {
+        let teeth = self.teeth();
+        [(Member::Wheel, teeth.0), (Member::Pinion, teeth.1)].map(|(member, tooth)| {
+            let gear = self.assembly.gear(member);
+            let lead = |alone: &SectionAlone| (alone.at, gear.lead(self.side, tooth, alone.at));
+            let with = self.assembly.has_leads().then_some(sections);
+            with.into_iter().flatten().map(lead).collect()
         })
     }
 
@@ -246,13 +320,16 @@ impl<'a> HeldSide<'a> {
         };
         let alike = (found.error + self.contact.error) * self.radius() + ROUNDING;
         let touches = |line: &ContactLine| {
-            let [[from, _], [to, _]] = line.ends;
-            (from..=to).contains(&alone.at) && line.gap <= gap + alike
+            let here = line.gap_at(alone.at);
+            here.is_some_and(|here| here <= gap + alike)
         };
         kind.is_non_involute() && !self.lines.iter().any(touches)
     }
 
-    fn field(self, sections: &[SectionAlone]) -> FieldSide {
+    fn field(mut self, sections: &[SectionAlone]) -> FieldSide {
+        if self.assembly.deviates_along_face() {
+            self.lines = self.lines_of(sections);
+        }
         let looks: Vec<(f64, bool)> = sections
             .iter()
             .map(|alone| (alone.at, self.is_off_involutes(alone)))
@@ -272,6 +349,7 @@ impl<'a> HeldSide<'a> {
             },
             sections: sections.iter().map(|alone| self.section(alone)).collect(),
             fillets: stretches(&looks, is_off),
+            leads: self.leads(sections),
             lines: self.lines,
         }
     }

@@ -2,8 +2,10 @@
 
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::extremes::CycleExtremes;
+use crate::analysis::face_loss::FaceLoss;
 use crate::analysis::study::Material;
-use crate::contact::{Contact, ContactClass, ContactKind, ToothPlace, Unproven};
+use crate::contact::{Contact, ContactClass, ContactKind, FacePlace, ToothPlace, Unproven};
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member};
 use std::collections::HashSet;
@@ -25,6 +27,12 @@ pub struct PoseEvidence {
     pub(super) first_unproven: Option<(Mating, Unproven)>,
     /// Contacts on the wheel and on the pinion.
     touched: [Touched; 2],
+    /// Contacts of right and of left flanks by their place along the face, in the order of [`FacePlace::ALL`].
+    pub(super) places: [[usize; FacePlace::ALL.len()]; 2],
+    /// Whether a contact of the cycle's extremes is at an end of the face.
+    pub(super) extreme_at_end: bool,
+    /// Loss of the least by deviations along the face, the greatest of all phases; `None` if unknown or for a pair without any.
+    pub(super) face_loss: Option<FaceLoss>,
 }
 
 /// The contacts on one gear.
@@ -51,6 +59,9 @@ impl PoseEvidence {
             unproven: 0,
             first_unproven: None,
             touched: Default::default(),
+            places: Default::default(),
+            extreme_at_end: false,
+            face_loss: None,
         }
     }
 
@@ -77,6 +88,11 @@ impl PoseEvidence {
             return;
         };
         let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
+        for (counts, at) in self.places.iter_mut().zip(places(&self.assembly, pose)) {
+            if let Some(at) = at {
+                counts[at as usize] += 1;
+            }
+        }
         for (touched, member) in self.touched.iter_mut().zip(Member::BOTH) {
             let mut is_below = false;
             for (side, contact) in sides {
@@ -88,15 +104,32 @@ impl PoseEvidence {
         }
     }
 
-    /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any.
-    pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> PoseEvidence {
+    /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any, and its loss along the face.
+    pub(super) fn with_least_of(mut self, extremes: &CycleExtremes) -> PoseEvidence {
         let here = (self.assembly.center_distance(), self.material);
-        let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-        let poses = extremes.iter().filter(|run| place(run) == here);
-        let poses = poses.flat_map(|run| &run.poses);
-        self.least = poses.fold(self.least, |found, pose| {
-            least(found, pose.simulated.backlash)
+        let losses = extremes
+            .each
+            .iter()
+            .filter(|run| (run.assembly.center_distance(), run.material) == here);
+        let losses = losses.filter_map(|run| run.face_loss);
+        self.face_loss = losses.reduce(|one, other| {
+            let is_greater = other
+                .all
+                .zip(one.all)
+                .is_some_and(|(other, one)| other > one);
+            if is_greater { other } else { one }
         });
+        let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
+        let poses = extremes.runs.iter().filter(|run| place(run) == here);
+        for run in poses {
+            for pose in &run.poses {
+                self.least = least(self.least, pose.simulated.backlash);
+                let assembly = run.run.assembly.data();
+                let places = assembly.map(|pair| places(pair, pose)).unwrap_or_default();
+                let is_at_end = |at| matches!(at, FacePlace::NearEnd | FacePlace::FarEnd);
+                self.extreme_at_end |= places.into_iter().flatten().any(is_at_end);
+            }
+        }
         self
     }
 
@@ -107,6 +140,11 @@ impl PoseEvidence {
         for other in all {
             sum.contact.extend(&other.contact);
             sum.least = least(sum.least, other.least);
+            for (own, other) in sum.places.iter_mut().zip(&other.places) {
+                for (own, other) in own.iter_mut().zip(other) {
+                    *own += other;
+                }
+            }
             sum.unproven += other.unproven;
             sum.first_unproven = sum.first_unproven.or_else(|| other.first_unproven.clone());
             for (own, member) in sum.touched.iter_mut().zip(Member::BOTH) {
@@ -136,6 +174,17 @@ impl PoseEvidence {
             why.reason
         ))
     }
+}
+
+/// Places of the right and the left contact along the face; `None` without a contact, and for a pair that does not deviate along it.
+fn places(pair: &GearPair, pose: &ComparedPose) -> [Option<FacePlace>; 2] {
+    let result = &pose.simulated;
+    let found = result.proven();
+    let sides = [
+        found.and_then(|found| found.right),
+        found.and_then(|found| found.left),
+    ];
+    sides.map(|contact| FacePlace::of(pair, &result.pose, &contact?))
 }
 
 impl Touched {

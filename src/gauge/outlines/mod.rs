@@ -38,6 +38,7 @@ pub fn gauge_outline(gear: &OutlineGear, span_teeth: Option<u32>, pin: Option<f6
         pitch_datum: Err(no_involute()),
         thickness: Err(no_involute()),
         profile: Err(no_involute()),
+        along_face: None,
         eccentricity: Err(no_involute()),
         roll: Err(no_involute()),
         root: Err(no_involute()),

@@ -154,11 +154,11 @@ impl DrawnChart {
         })
     }
 
-    /// The field of action of helical gears at the pose that binds.
+    /// The field of action at the pose that binds.
     pub fn field(args: &Args, study: Study) -> Result<DrawnChart, Error> {
-        if !study.is_helical() {
+        if !study.varies_along_face() {
             return Err(Error::Usage(
-                "--kind field is for helical gears: along the face of spur gears nothing changes"
+                "--kind field is for helical gears, leads and leaning axes: along the face of this pair nothing changes"
                     .to_owned(),
             ));
         }

@@ -1,4 +1,4 @@
-//! The field of action of helical gears: contact lines over the common face, and the gap of each section alone.
+//! The field of action: contact lines over the common face, the gap of each section alone, and the leads of the teeth that bind.
 
 use super::captions::entry;
 use super::paint::Look;
@@ -32,6 +32,13 @@ const NAMED: usize = 2;
 const NO_GAP_UM: f64 = 5e-3;
 /// Least height of the curve of gaps, µm, above its rounding.
 const LEAST_UM: f64 = 1.0;
+/// Height of the panel with the leads of the teeth that bind.
+const LEADS_HEIGHT: f64 = 132.0;
+/// Number of shades of contact points, and the opacity at the greatest gap.
+const SHADES: usize = 8;
+const PALEST: f64 = 0.12;
+/// Half the height of a line of contact points, as a share of the axis.
+const HALF_POINT: f64 = 0.012;
 
 /// The field of action. Each side has its contact lines, and below them the transverse gap of each section.
 ///
@@ -41,20 +48,37 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
     let Some(x) = range(field.face.into_iter(), [0.0; 2], 1e-3) else {
         return Err(PictureError("there is no common face".to_owned()));
     };
-    let panels: Vec<Panel> = field
-        .sides
-        .iter()
-        .flat_map(|side| [lines(side, x), gaps(side, x)])
-        .collect();
-    let mut entries = vec![
-        entry("contact lines of right flanks", Look::Right, Swatch::Line),
-        entry(
+    let sides = &field.sides;
+    let varies = sides.iter().any(varies);
+    let panels: Vec<Panel> = if varies {
+        let lines = sides.iter().map(|side| lines(side, x));
+        let leads = sides.iter().filter_map(|side| leads(side, x));
+        lines.chain([room(sides, x)]).chain(leads).collect()
+    } else {
+        let each = sides.iter();
+        each.flat_map(|side| [lines(side, x), gaps(&[side], x)])
+            .collect()
+    };
+    let words = if varies {
+        [
+            "contact points of right flanks",
+            "of left flanks (pale: a gap is left)",
+        ]
+    } else {
+        [
+            "contact lines of right flanks",
             "of left flanks (bold: the pair that binds)",
-            Look::Left,
-            Swatch::Line,
-        ),
+        ]
+    };
+    let mut entries = vec![
+        entry(words[0], Look::Right, Swatch::Line),
+        entry(words[1], Look::Left, Swatch::Line),
         entry("end of the path of contact", Look::Limit, Swatch::Line),
     ];
+    if sides.iter().any(|side| leads(side, x).is_some()) {
+        entries.push(entry("lead of the wheel", Look::Plain, Swatch::Line));
+        entries.push(entry("of the pinion", Look::Third, Swatch::Line));
+    }
     let point = |side: &FieldSide| binding_line(side).is_none();
     if field.sides.iter().any(point) {
         entries.push(entry("where it binds", Look::Plain, Swatch::Dot));
@@ -98,13 +122,19 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
             Anchor::End,
         ));
     }
+    let most = side.lines.iter().flat_map(|line| &line.points);
+    let most = most.fold(LEAST_UM * 1e-3, |most, point| most.max(point[2]));
     for line in &side.lines {
-        let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
-        marks.push(Mark::line(
-            points,
-            side_look(side.side),
-            WIDTHS[usize::from(line.binds)],
-        ));
+        if line.points.is_empty() {
+            let points: Vec<Point> = line.ends.map(|[z, place]| (z, Some(place))).to_vec();
+            marks.push(Mark::line(
+                points,
+                side_look(side.side),
+                WIDTHS[usize::from(line.binds)],
+            ));
+        } else {
+            marks.extend(shaded(line, side.side, most, HALF_POINT * (y[1] - y[0])));
+        }
         marks.extend(label(line, side, x));
     }
     let binding = &side.binding;
@@ -127,9 +157,85 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     }
 }
 
+/// Whether gaps vary along contact lines.
+fn varies(side: &FieldSide) -> bool {
+    side.lines.iter().any(|line| !line.points.is_empty())
+}
+
+/// The contact points of a line, paler where a gap is left; `most` is the palest gap, mm.
+fn shaded(line: &ContactLine, side: Side, most: f64, half: f64) -> Vec<Mark> {
+    let shade = |point: &[f64; 3]| ((point[2] / most).sqrt() * SHADES as f64).round();
+    let mut marks = Vec::new();
+    let mut from = 0;
+    for to in 1..line.points.len() {
+        let ends =
+            to + 1 == line.points.len() || shade(&line.points[to]) != shade(&line.points[from]);
+        if ends {
+            let points = &line.points[from..=to];
+            let edge = |off: f64| points.iter().map(|p| (p[0], Some(p[1] + off))).collect();
+            let part = shade(&line.points[from]) / SHADES as f64;
+            let opacity = 1.0 - (1.0 - PALEST) * part;
+            marks.push(Mark::band(
+                edge(-half),
+                edge(half),
+                side_look(side),
+                opacity,
+            ));
+            from = to;
+        }
+    }
+    marks
+}
+
+/// The room of both sides over the face.
+fn room(sides: &[FieldSide; 2], x: [f64; 2]) -> Panel {
+    let [right, left] = sides;
+    let panel = gaps(&[right, left], x);
+    Panel {
+        title: format!(
+            "Room over the face: transverse gap of each section; right binds {}, left {}",
+            binding_words(right),
+            binding_words(left)
+        ),
+        ..panel
+    }
+}
+
+/// The leads of the teeth that bind on one side, and their sum; `None` without leads.
+fn leads(side: &FieldSide, x: [f64; 2]) -> Option<Panel> {
+    let [wheel, pinion] = &side.leads;
+    let curve = |lead: &[(f64, f64)]| -> Vec<Point> {
+        lead.iter().map(|&(z, mm)| (z, Some(1e3 * mm))).collect()
+    };
+    let sum: Vec<(f64, f64)> = (wheel.iter().zip(pinion))
+        .map(|(wheel, pinion)| (wheel.0, wheel.1 + pinion.1))
+        .collect();
+    let all = [wheel, pinion, &sum];
+    let values = all.into_iter().flatten().map(|point| 1e3 * point.1);
+    let y = range(values, [0.1; 2], LEAST_UM)?;
+    let mut marks = vec![Mark::level(x, 0.0, Look::Limit, 0.8)];
+    marks.push(Mark::line(curve(wheel), Look::Plain, 1.0));
+    marks.push(Mark::line(curve(pinion), Look::Third, 1.4));
+    marks.push(Mark::line(curve(&sum), side_look(side.side), 2.0));
+    let binding = &side.binding;
+    Some(Panel {
+        title: format!(
+            "Leads of the {} flanks of wheel {} and pinion {}, and their sum",
+            side.side.name(),
+            binding.wheel_tooth,
+            binding.pinion_tooth
+        ),
+        x: Axis::new("axial position z, mm, away from the viewer", x),
+        y: Axis::new("more material, µm", y),
+        height: LEADS_HEIGHT,
+        marks,
+    })
+}
+
 /// The ends along the face of the binding contact line. Only involutes touch along a line, over the whole of theirs.
 fn binding_line(side: &FieldSide) -> Option<[f64; 2]> {
-    let line = side.lines.iter().find(|line| line.binds);
+    let binds = |line: &&ContactLine| line.binds && line.points.is_empty();
+    let line = side.lines.iter().find(binds);
     let ends = line?.ends.map(|end| end[0]);
     let is_line = side.binding.kind == ContactKind::Involute && ends[1] - ends[0] > SHORT;
     is_line.then_some(ends)
@@ -229,27 +335,24 @@ fn spacing(side: &FieldSide) -> Option<f64> {
         .reduce(f64::min)
 }
 
-/// The gap of each section.
-fn gaps(side: &FieldSide, x: [f64; 2]) -> Panel {
+/// The gap of each section on these sides.
+fn gaps(sides: &[&FieldSide], x: [f64; 2]) -> Panel {
     let value = |section: &FieldSection| section.gap.map(|gap| gap * 1e3);
-    let y = range(
-        side.sections.iter().filter_map(value).chain([0.0]),
-        [0.08; 2],
-        LEAST_UM,
-    );
+    let all = sides.iter().flat_map(|side| &side.sections);
+    let y = range(all.filter_map(value).chain([0.0]), [0.08; 2], LEAST_UM);
     let y = y.unwrap_or([0.0, LEAST_UM]);
-    let mut marks = shades(side);
-    marks.push(Mark::line(
-        side.sections.iter().map(|s| (s.at, value(s))).collect(),
-        side_look(side.side),
-        1.6,
-    ));
-    marks.extend(binding_point(side, 0.0));
+    let mut marks: Vec<Mark> = sides.iter().flat_map(|side| shades(side)).collect();
+    for side in sides {
+        marks.push(Mark::line(
+            side.sections.iter().map(|s| (s.at, value(s))).collect(),
+            side_look(side.side),
+            1.6,
+        ));
+        marks.extend(binding_point(side, 0.0));
+    }
+    let fillets: String = sides.iter().map(|side| fillets(side)).collect();
     Panel {
-        title: format!(
-            "Transverse gap of each section, the gears in contact{}",
-            fillets(side)
-        ),
+        title: format!("Transverse gap of each section, the gears in contact{fillets}"),
         x: Axis::new("axial position z, mm, away from the viewer", x),
         y: Axis::new("transverse gap, µm", y),
         height: HEIGHTS[1],

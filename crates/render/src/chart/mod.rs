@@ -32,6 +32,6 @@ pub use field::field;
 pub use inspection::inspection;
 pub use lines::{LineAxes, LineSeries, lines};
 pub use paint::Look;
-pub use profiles::profiles;
+pub use profiles::{leads, profiles};
 pub use revolution::{revolution, revolution_in};
 pub use sheet::{Chart, Heading, PictureError};

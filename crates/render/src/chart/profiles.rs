@@ -1,13 +1,12 @@
-//! Profile deviation over the roll length, in the layout of an inspection sheet: one panel per flank, the evaluation range
-//! shaded.
+//! Profile and lead deviations in the layout of an inspection sheet: one panel per flank, the evaluation range shaded.
 
 use super::captions::entry;
 use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Swatch, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
-use gearlash::gauge::{FlankProfiles, ProfileReading, ProfileReadings};
-use gearlash::gear::Flank;
+use gearlash::gauge::{FlankTraces, LeadReadings, ProfileReadings, TraceReading};
+use gearlash::gear::{Flank, PitchAxis};
 use gearlash_files::numbers::{fixed, um};
 
 /// Most curves beside the worst one; more could not be distinguished.
@@ -23,9 +22,68 @@ pub fn profiles(
     read: &ProfileReadings,
     least: f64,
 ) -> Result<Chart, PictureError> {
+    let words = |side: Flank, profile: &TraceReading| {
+        let [from, to] = read.evaluated_diameters[side.index()].map(|d| fixed(d, 3));
+        format!(
+            "f_Hα {}, f_fα {}, F_α {} µm · evaluated over d {from} … {to} mm",
+            um(profile.slope, 2),
+            um(profile.form, 2),
+            um(profile.total, 2),
+        )
+    };
+    let details = "plus = more material, against the involute of the mean thickness";
+    traces(
+        heading,
+        &read.flanks,
+        ("roll length, mm", details),
+        least,
+        words,
+    )
+}
+
+/// The leads of both flanks. The y axis is at least `least` high, µm.
+///
+/// # Errors
+/// As [`profiles`].
+pub fn leads(heading: &Heading, read: &LeadReadings, least: f64) -> Result<Chart, PictureError> {
+    let words = |side: Flank, lead: &TraceReading| {
+        let [from, to] = read.flank(side).evaluated.map(|z| fixed(z, 2));
+        format!(
+            "f_Hβ {}{}, f_fβ {}, F_β {}, C_β {} µm · evaluated over {from} … {to} mm",
+            um(read.helix_slope(side, lead), 2),
+            if read.is_helical {
+                ""
+            } else {
+                " (as right hand)"
+            },
+            um(lead.form, 2),
+            um(lead.total, 2),
+            um(read.crowning(lead), 2),
+        )
+    };
+    let details = match read.axis {
+        PitchAxis::Own => "plus = more material, about the axis of the teeth",
+        PitchAxis::Datum => "plus = more material, about the rotation axis",
+    };
+    traces(
+        heading,
+        &read.flanks,
+        ("from the reference face, mm", details),
+        least,
+        words,
+    )
+}
+
+/// Traces of both flanks, right first. `words` describes one of a side.
+fn traces(
+    heading: &Heading,
+    flanks: &[FlankTraces; 2],
+    (x_axis, details): (&str, &str),
+    least: f64,
+    words: impl Fn(Flank, &TraceReading) -> String,
+) -> Result<Chart, PictureError> {
     let points = || {
-        let flanks = read.flanks.iter();
-        let shapes = flanks.flat_map(|flank| &flank.shapes);
+        let shapes = flanks.iter().flat_map(|flank| &flank.shapes);
         shapes.flat_map(|shape| &shape.points)
     };
     let x = range(points().map(|point| point.0), [0.02; 2], 1e-9);
@@ -37,7 +95,7 @@ pub fn profiles(
     let (Some(x), Some(y)) = (x, y) else {
         return Err(PictureError("there are no values to draw".to_owned()));
     };
-    let several = read.flanks.iter().any(|flank| flank.shapes.len() > 1);
+    let several = flanks.iter().any(|flank| flank.shapes.len() > 1);
     let mut entries = vec![
         entry("right flanks", Look::Right, Swatch::Line),
         entry("left flanks", Look::Left, Swatch::Line),
@@ -50,48 +108,50 @@ pub fn profiles(
     let panels: Vec<Panel> = Flank::BOTH
         .into_iter()
         .zip([Look::Right, Look::Left])
-        .map(|(side, look)| panel(side, look, read.flank(side), [x, y]))
+        .map(|(side, look)| {
+            let flank = &flanks[side.index()];
+            let axes = [Axis::new(x_axis, x), Axis::new("deviation, µm", y)];
+            panel(side, look, flank, axes, &words)
+        })
         .collect();
-    let details = "plus = more material, against the involute of the mean thickness";
     sheet::draw(heading, details, &entries, &panels)
 }
 
 /// Opacity of the evaluation range.
 const SHADE: f64 = 0.16;
 
-fn panel(side: Flank, look: Look, flank: &FlankProfiles, [x, y]: [[f64; 2]; 2]) -> Panel {
+fn panel(
+    side: Flank,
+    look: Look,
+    flank: &FlankTraces,
+    [x, y]: [Axis; 2],
+    words: &impl Fn(Flank, &TraceReading) -> String,
+) -> Panel {
     let worst = flank.worst_tooth();
-    let profile = flank.tooth(worst);
+    let trace = flank.tooth(worst);
     let mut marks = vec![Mark::shade(flank.evaluated, Look::Limit, SHADE)];
     let line = |points: Vec<Point>, look, width| Mark::line(points, look, width);
-    let curve = |profile: &ProfileReading| -> Vec<Point> {
-        let points = profile.points.iter();
+    let curve = |trace: &TraceReading| -> Vec<Point> {
+        let points = trace.points.iter();
         points.map(|&(at, mm)| (at, Some(1e3 * mm))).collect()
     };
-    let others = flank.shapes.iter().filter(|other| *other != profile);
+    let others = flank.shapes.iter().filter(|other| *other != trace);
     marks.extend(
         others
             .take(MOST_OTHERS)
             .map(|other| line(curve(other), Look::Limit, 0.8)),
     );
-    marks.push(line(curve(profile), look, 1.6));
-    let mean = profile.mean_line.map(|(at, mm)| (at, Some(1e3 * mm)));
+    marks.push(line(curve(trace), look, 1.6));
+    let mean = trace.mean_line.map(|(at, mm)| (at, Some(1e3 * mm)));
     marks.push(line(mean.to_vec(), Look::Plain, 0.8));
     let tooth = match flank.shapes.len() {
         1 => "all teeth".to_owned(),
         _ => format!("worst tooth {worst}"),
     };
-    let [from, to] = flank.evaluated_diameters.map(|d| fixed(d, 3));
     Panel {
-        title: format!(
-            "{} flanks, {tooth} · f_Hα {}, f_fα {}, F_α {} µm · evaluated over d {from} … {to} mm",
-            side.name(),
-            um(profile.slope, 2),
-            um(profile.form, 2),
-            um(profile.total, 2),
-        ),
-        x: Axis::new("roll length, mm", x),
-        y: Axis::new("deviation, µm", y),
+        title: format!("{} flanks, {tooth} · {}", side.name(), words(side, trace)),
+        x,
+        y,
         height: HEIGHT,
         marks,
     }

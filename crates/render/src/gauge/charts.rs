@@ -5,7 +5,7 @@
 
 use crate::chart::{
     BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
-    lines, profiles,
+    leads, lines, profiles,
 };
 use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
@@ -28,6 +28,7 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError
     let mut files = length_charts(gauged)?;
     files.extend(deviation_charts(gauged)?);
     files.extend(profile_chart(gauged)?);
+    files.extend(lead_charts(gauged)?);
     files.extend(roll_chart(gauged)?);
     Ok(files)
 }
@@ -321,6 +322,22 @@ fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Pictur
     file(gauged, Chart::PROFILE, |heading| {
         profiles(heading, read, 100.0 * LEVEL)
     })
+}
+
+/// Leads over the height, about the axis of the teeth, and about the rotation axis where they differ.
+fn lead_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
+    let Some(found) = &gauged.gauged.along_face else {
+        return Ok(Vec::new());
+    };
+    let own = found.own.as_ref().ok();
+    let datum = found.datum.as_ref().ok();
+    let datum = datum.filter(|datum| own.is_none_or(|own| own.flanks != datum.flanks));
+    let all = [(Chart::LEAD_OWN, own), (Chart::LEAD_DATUM, datum)];
+    let drawn = all.into_iter().filter_map(|(chart, read)| {
+        let read = read?;
+        file(gauged, chart, |heading| leads(heading, read, 100.0 * LEVEL)).transpose()
+    });
+    drawn.collect()
 }
 
 /// The double-flank roll test as a curve over one revolution.

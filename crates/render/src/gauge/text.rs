@@ -2,7 +2,7 @@
 
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{
-    Eccentricity, FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading,
+    Eccentricity, FaceReadings, FlankTraces, Gauged, GradedReading, PitchReadings, TraceReading,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
 use gearlash_files::characters::plain;
@@ -91,35 +91,89 @@ fn deviations(read: &Gauged) -> String {
         && profile.deviates()
     {
         for side in Flank::BOTH {
+            let [from, to] = profile.evaluated_diameters[side.index()].map(|mm| ascii(mm, 3));
             let words = profile_words(profile.flank(side));
+            let words = format!("{words} (d {from} to {to} mm)");
             let _ = writeln!(text, "profile, {} flanks: {words}", side.name());
         }
     }
+    text += &read.along_face.as_ref().map_or(String::new(), along_face);
     text
 }
 
-/// Slope, form and total: the value of every tooth, or their mean and the worst.
-fn profile_words(flank: &FlankProfiles) -> String {
-    type Value = fn(&ProfileReading) -> f64;
-    let of: [(&str, Value); 3] = [
-        ("f_Hα", |one| one.slope),
-        ("f_fα", |one| one.form),
-        ("F_α", |one| one.total),
-    ];
-    let one = |(symbol, of): (&str, Value)| {
-        let mean = um_ascii(flank.mean(of), 3);
-        match flank.shapes.len() {
-            1 => format!("{symbol} {mean} µm"),
-            _ => {
-                let (tooth, worst) = flank.worst(of);
-                let worst = um_ascii(worst, 3);
-                format!("{symbol} {mean} µm on average, {worst} at tooth {tooth}")
-            }
+/// Slope, form and total of profiles.
+fn profile_words(flank: &FlankTraces) -> String {
+    let slope = flank_words(flank, "f_Hα", |one| one.slope);
+    let form = flank_words(flank, "f_fα", |one| one.form);
+    let total = flank_words(flank, "F_α", |one| one.total);
+    format!("{slope}, {form}, {total}")
+}
+
+/// A value of every tooth, or the mean and the worst.
+fn flank_words(flank: &FlankTraces, symbol: &str, of: impl Fn(&TraceReading) -> f64) -> String {
+    let mean = um_ascii(flank.mean(&of), 3);
+    match flank.shapes.len() {
+        1 => format!("{symbol} {mean} µm"),
+        _ => {
+            let (tooth, worst) = flank.worst(of);
+            let worst = um_ascii(worst, 3);
+            format!("{symbol} {mean} µm on average, {worst} at tooth {tooth}")
         }
-    };
-    let [from, to] = flank.evaluated_diameters;
-    let (from, to) = (ascii(from, 3), ascii(to, 3));
-    format!("{} (d {from} to {to} mm)", of.map(one).join(", "))
+    }
+}
+
+/// Leads, spans and runout along the face.
+fn along_face(found: &FaceReadings) -> String {
+    let mut text = String::new();
+    for lead in [&found.own, &found.datum].into_iter().flatten() {
+        for side in Flank::BOTH {
+            let flank = lead.flank(side);
+            let slope = flank_words(flank, "f_Hβ", |one| lead.helix_slope(side, one));
+            let form = flank_words(flank, "f_fβ", |one| one.form);
+            let total = flank_words(flank, "F_β", |one| one.total);
+            let crown = flank_words(flank, "C_β", |one| lead.crowning(one));
+            let hand = if lead.is_helical {
+                ""
+            } else {
+                " (as right hand)"
+            };
+            let _ = writeln!(
+                text,
+                "lead, {}, {} flanks: {slope}{hand}, {form}, {total}, {crown}",
+                lead.axis.name(),
+                side.name()
+            );
+        }
+    }
+    for read in &found.sections {
+        let span = read
+            .spans
+            .as_ref()
+            .map(|spans| format!(", W_k {} mm", ascii(spans.mean(), 6)));
+        let runout = read
+            .runout
+            .as_ref()
+            .map(|runout| format!(", F_r {} µm", um_ascii(runout.total(), 3)));
+        let _ = writeln!(
+            text,
+            "{} mm from the reference face{}{} ({})",
+            ascii(read.height, 3),
+            span.unwrap_or_default(),
+            runout.unwrap_or_default(),
+            eccentricity(&read.eccentricity)
+        );
+    }
+    let face = &found.face_runout;
+    if face.amount > 0.0 {
+        let _ = writeln!(
+            text,
+            "runout of the reference face on d {} mm: {} µm, high at tooth {}",
+            ascii(face.diameter, 3),
+            um_ascii(face.amount, 3),
+            ascii(face.high_tooth, 2)
+        );
+    }
+    text
 }
 
 fn eccentricity(found: &Eccentricity) -> String {

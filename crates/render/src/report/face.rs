@@ -1,4 +1,4 @@
-//! Helical gears: the effect of the face width, the place of contact over the face, and definitions of backlash.
+//! Pairs that vary along the face: the effect of the face width, the place of contact over the face, and definitions of backlash.
 
 use super::figures::svg;
 use super::page::Page;
@@ -15,7 +15,7 @@ use maud::{Markup, html};
 
 /// Whether a page has this section.
 pub(super) fn is_of(page: &Page) -> bool {
-    page.report.pair.study.is_helical()
+    page.report.pair.study.varies_along_face()
 }
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
@@ -28,8 +28,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             (widths(page))
             h3 { "Field of action" }
             (field(page)?)
-            h3 { "Four backlashes of one lost motion" }
-            (definitions(page))
+            @if page.report.pair.study.is_helical() {
+                h3 { "Four backlashes of one lost motion" }
+                (definitions(page))
+            }
         }
     })
 }
@@ -43,9 +45,14 @@ fn widths(page: &Page) -> Markup {
     let rows = widths.iter().map(|at| row(at, one_section));
     html! {
         p {
-            "Helical teeth stop the free gear where the first section of the common face does: a wider face never has more play. Between perfect "
-            "involutes, and with eccentricities alone, every section stops it at the same rotation and the width costs nothing; pitch deviations, tips "
-            "and fillets make it cost."
+            @if page.report.pair.study.deviates_along_face() {
+                "The first section of the common face to touch stops the free gear: a wider face never has more play. Leads and leaning axes make the "
+                "width cost, most where right and left flanks bind at opposite ends."
+            } @else {
+                "Helical teeth stop the free gear where the first section of the common face does: a wider face never has more play. Between perfect "
+                "involutes, and with eccentricities alone, every section stops it at the same rotation and the width costs nothing; pitch deviations, tips "
+                "and fillets make it cost."
+            }
         }
         @if widths.is_empty() {
             p { "Left out: the extremes over the face were not looked for." }
@@ -124,8 +131,14 @@ fn field(page: &Page) -> Result<Markup, PictureError> {
         figure.chart.tall tabindex="0" {
             (svg(&drawn))
             figcaption.hint {
+                @if page.report.pair.study.deviates_along_face() {
+                    "The places where each tooth pair would touch, paler the wider its gap along the line of action in the transverse section; numbers beside "
+                    "them are its teeth and its least gap. Room over the face is how much farther each section alone would let the free gear turn: where it is 0 "
+                    "the gears touch. The leads are those of the teeth that bind."
+                } @else {
                 "Each tooth pair touches along a line that climbs the path of contact by tan β" sub { "b" } " a mm of face; numbers beside it are its teeth and the gap that is left, along the line of action in the transverse section (the gap along the "
                 "normal of the flanks is cos β" sub { "b" } " of it). The curve below is how much farther each section alone would let the free gear turn: where it is 0 the gears touch."
+                }
             }
         }
     })

@@ -44,7 +44,13 @@ pub fn draw(viewed: &Viewed, number: usize) -> String {
             "wheel tooth {} on pinion tooth {}, {}",
             contact.wheel.tooth,
             contact.pinion.tooth,
-            ContactRow::new(run.run.assembly.data(), side, &contact).class_words()
+            ContactRow::new(
+                run.run.assembly.data(),
+                side,
+                &pose.simulated.pose,
+                &contact
+            )
+            .class_words()
         ),
     };
     let (j_wt, bound) = (

@@ -21,7 +21,7 @@ fn diagnosed(case: &Case, method: Method) -> Diagnosis {
     diagnose(
         &case.study,
         &case.compared(method),
-        &[],
+        &Default::default(),
         &mut |_| Ok(()),
         &|| std::ops::ControlFlow::Continue(()),
     )

@@ -303,9 +303,13 @@ fn a_report_vouches_for_nothing() {
     let case = Case::low_tips();
     let runs = case.compared(CERTIFIED);
     let doubtful = doubtful(&runs, 2);
-    let diagnosis = diagnose(&case.study, &runs, &[], &mut |_| Ok(()), &|| {
-        std::ops::ControlFlow::Continue(())
-    })
+    let diagnosis = diagnose(
+        &case.study,
+        &runs,
+        &Default::default(),
+        &mut |_| Ok(()),
+        &|| std::ops::ControlFlow::Continue(()),
+    )
     .unwrap();
     let analysis = Analysis {
         maps: Vec::new(),

@@ -3,8 +3,9 @@
 use super::{GaugedGear, GearSource};
 use gearlash::contact::Touch;
 use gearlash::gauge::{
-    BallReading, FlankProfiles, Gauged, GradedReading, OverPins, PitchReadings, ProfileReading,
-    RollPose, Span, Unmeasured,
+    BallReading, FaceReadings, FlankTraces, Gauged, GradedReading, LeadReadings, OverPins,
+    PitchReadings, ProfileReadings, RollPose, SectionReadings, Span, Spans, TraceReading,
+    Unmeasured,
 };
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
 use gearlash_files::characters;
@@ -67,8 +68,8 @@ fn gear(gauged: &GaugedGear) -> Value {
         })),
         "profile": reading_or_reason(&read.profile, |found| json!({
             "error_bound_um": found.error * 1e3,
-            "right": profiles(found.flank(Flank::Right)),
-            "left": profiles(found.flank(Flank::Left)),
+            "right": profiles(found, Flank::Right),
+            "left": profiles(found, Flank::Left),
         })),
         "grades": reading_or_reason(&read.grades, |graded| json!({
             "source": GRADE_SOURCE,
@@ -87,6 +88,9 @@ fn gear(gauged: &GaugedGear) -> Value {
             "between": poses(&found.between),
         })),
     });
+    if let Some(found) = &read.along_face {
+        shown["along_face"] = along_face(found);
+    }
     match gauged.gear {
         GearSource::Data(gear, spec) => {
             if let Some(hand) = gear.gear().basic_data().hand() {
@@ -199,30 +203,80 @@ fn pitch(found: &PitchReadings) -> Value {
     })
 }
 
-/// Values by tooth, and each distinct curve with its first tooth.
-fn profiles(flank: &FlankProfiles) -> Value {
-    let um = |of: fn(&ProfileReading) -> f64| {
-        let values = flank.by_tooth(of).into_iter();
-        values.map(|mm| mm * 1e3).collect::<Vec<f64>>()
+fn profiles(found: &ProfileReadings, own: Flank) -> Value {
+    let flank = found.flank(own);
+    let head = json!({
+        "evaluated_roll_length_mm": flank.evaluated,
+        "evaluated_mm": found.evaluated_diameters[own.index()],
+    });
+    traces(flank, "roll_length_mm", head)
+}
+
+/// Leads of both flanks about one axis.
+fn leads(found: &LeadReadings) -> Value {
+    let flank = |own: Flank| {
+        let flank = found.flank(own);
+        let head = json!({
+            "evaluated_from_reference_face_mm": flank.evaluated,
+            "helix_slope_um": um(flank, |lead| found.helix_slope(own, lead)),
+            "crowning_um": um(flank, |lead| found.crowning(lead)),
+        });
+        traces(flank, "from_reference_face_mm", head)
     };
-    let curve = |(shape, profile): (usize, &ProfileReading)| {
-        let tooth = flank.of_tooth.iter().position(|&of| of == shape);
-        let points = || profile.points.iter();
+    json!({
+        "error_bound_um": found.error * 1e3,
+        "right": flank(Flank::Right),
+        "left": flank(Flank::Left),
+    })
+}
+
+/// What the gauges read along the face.
+fn along_face(found: &FaceReadings) -> Value {
+    let section = |read: &SectionReadings| {
         json!({
-            "tooth": tooth.map(|index| index + 1),
-            "roll_length_mm": points().map(|point| point.0).collect::<Vec<f64>>(),
-            "deviation_um": points().map(|point| point.1 * 1e3).collect::<Vec<f64>>(),
+            "from_reference_face_mm": read.height,
+            "spans_mm": read.spans.as_ref().ok().map(Spans::ends),
+            "mean_span_mm": read.spans.as_ref().ok().map(Spans::mean),
+            "runout_um": read.runout.as_ref().ok().map(|runout| runout.total() * 1e3),
+            "eccentricity_um": read.eccentricity.amount * 1e3,
+            "high_tooth": read.eccentricity.high_tooth,
         })
     };
     json!({
-        "evaluated_roll_length_mm": flank.evaluated,
-        "evaluated_mm": flank.evaluated_diameters,
-        "slope_um": um(|profile| profile.slope),
-        "form_um": um(|profile| profile.form),
-        "total_um": um(|profile| profile.total),
-        "curve_of_tooth": flank.of_tooth,
-        "curves": flank.shapes.iter().enumerate().map(curve).collect::<Vec<_>>(),
+        "lead_own": reading_or_reason(&found.own, leads),
+        "lead_datum": reading_or_reason(&found.datum, leads),
+        "sections": found.sections.iter().map(section).collect::<Vec<_>>(),
+        "face_runout": {
+            "um": found.face_runout.amount * 1e3,
+            "diameter_mm": found.face_runout.diameter,
+            "high_tooth": found.face_runout.high_tooth,
+        },
     })
+}
+
+/// Values of `of` by tooth, µm.
+fn um(flank: &FlankTraces, of: impl Fn(&TraceReading) -> f64) -> Vec<f64> {
+    let values = flank.by_tooth(of).into_iter();
+    values.map(|mm| mm * 1e3).collect()
+}
+
+/// `shown` with the values by tooth, and each distinct curve over `place` with its first tooth.
+fn traces(flank: &FlankTraces, place: &str, mut shown: Value) -> Value {
+    let curve = |(shape, trace): (usize, &TraceReading)| {
+        let tooth = flank.of_tooth.iter().position(|&of| of == shape);
+        let points = || trace.points.iter();
+        json!({
+            "tooth": tooth.map(|index| index + 1),
+            place: points().map(|point| point.0).collect::<Vec<f64>>(),
+            "deviation_um": points().map(|point| point.1 * 1e3).collect::<Vec<f64>>(),
+        })
+    };
+    shown["slope_um"] = json!(um(flank, |trace| trace.slope));
+    shown["form_um"] = json!(um(flank, |trace| trace.form));
+    shown["total_um"] = json!(um(flank, |trace| trace.total));
+    shown["curve_of_tooth"] = json!(flank.of_tooth);
+    shown["curves"] = flank.shapes.iter().enumerate().map(curve).collect();
+    shown
 }
 
 /// A grade; null beyond the last one, with the tolerance of the last one.

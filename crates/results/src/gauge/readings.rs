@@ -2,7 +2,7 @@
 
 use super::GaugedGear;
 use crate::layout::{self, Screen, Table};
-use gearlash::gauge::{Gauged, OverPins, Pins, PitchReadings, ProfileReading};
+use gearlash::gauge::{Gauged, OverPins, Pins, PitchReadings, TraceReading};
 use gearlash::gear::{Flank, PitchAxis};
 use gearlash_files::characters::csv_text;
 use gearlash_files::numbers::ascii;
@@ -97,7 +97,7 @@ fn cumulative(read: &Gauged, axis: PitchAxis, flank: Flank) -> Option<Vec<f64>> 
 }
 
 /// Profile deviations; `None` where no flank deviates.
-fn profile(read: &Gauged, flank: Flank, of: fn(&ProfileReading) -> f64) -> Option<Vec<f64>> {
+fn profile(read: &Gauged, flank: Flank, of: fn(&TraceReading) -> f64) -> Option<Vec<f64>> {
     let found = read.profile.as_ref().ok()?;
     found
         .deviates()
@@ -193,8 +193,12 @@ impl Chart {
     pub const ROLL: Chart = Chart("roll");
     /// Profile deviation.
     pub const PROFILE: Chart = Chart("profile");
+    /// Leads about the axis of the teeth.
+    pub const LEAD_OWN: Chart = Chart("lead_own");
+    /// Leads about the rotation axis.
+    pub const LEAD_DATUM: Chart = Chart("lead_datum");
     /// Every chart.
-    pub const ALL: [Chart; 10] = [
+    pub const ALL: [Chart; 12] = [
         Chart::SPANS,
         Chart::PINS,
         Chart::THREE_PINS,
@@ -205,6 +209,8 @@ impl Chart {
         Chart::THICKNESS,
         Chart::ROLL,
         Chart::PROFILE,
+        Chart::LEAD_OWN,
+        Chart::LEAD_DATUM,
     ];
 
     /// Its file name without extension, for the gear of `stem`.

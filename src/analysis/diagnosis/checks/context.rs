@@ -66,6 +66,16 @@ impl CheckContext<'_> {
         checks.extend(Member::BOTH.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
         checks.extend(Member::BOTH.map(|member| self.tip(member)));
+        if self.assembly.deviates_along_face() {
+            checks.push(of_poses(self.edge_contact()));
+            checks.extend(self.face_use());
+            checks.extend(
+                Member::BOTH
+                    .iter()
+                    .filter_map(|member| self.lead_covers(*member)),
+            );
+            checks.extend(self.tilt());
+        }
         Ok(checks)
     }
 

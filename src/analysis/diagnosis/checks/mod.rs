@@ -1,5 +1,6 @@
 //! Every check of a pair (design section 7), for each centre distance and material.
 
+mod along_face;
 mod clearance;
 mod context;
 mod interference;
@@ -99,7 +100,7 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
 pub fn diagnose(
     study: &Study,
     runs: &[ComparedRun],
-    extremes: &[ComparedRun],
+    extremes: &CycleExtremes,
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Diagnosis, Error> {
@@ -119,7 +120,7 @@ pub fn diagnose(
             None => {
                 let of_material = runs.iter().filter(|run| run.run.material == material);
                 let matings = of_material.flat_map(matings_of);
-                let start = Start::new(assembly, material, matings, &evidence, extremes);
+                let start = Start::new(assembly, material, matings, &evidence, &extremes.runs);
                 step("zero-backlash centre distance")?;
                 let zero = start.zero()?;
                 step("onset of non-involute contact")?;
@@ -175,7 +176,7 @@ pub fn failed_checks(
         let Some(group) = PoseEvidence::sum(group) else {
             continue;
         };
-        let group = group.with_least_of(&cycle.runs);
+        let group = group.with_least_of(cycle);
         let (assembly, material) = (&group.assembly, group.material);
         let context = CheckContext {
             assembly,

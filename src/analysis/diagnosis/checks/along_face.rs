@@ -1,0 +1,170 @@
+//! Deviations along the face: the places where teeth touch, the backlash that is lost, and the extent of what was measured.
+
+use super::context::{CheckContext, hundredths, percent};
+use crate::analysis::diagnosis::check::{Check, Verdict};
+use crate::analysis::extremes::WIDTH;
+use crate::contact::FacePlace;
+use crate::gear::Side;
+use crate::pair::{FaceDeviation, Member};
+
+/// Lean of the axes, mm per mm, above which sections describe the teeth poorly.
+const RECOMMENDED_LEAN: f64 = 5e-3;
+
+/// Length of a face, mm, that no trace needs to cover: rounding of stated heights.
+const COVERED_WITHIN: f64 = 1e-6;
+
+/// The names of the shares of contacts: right flanks, then left flanks, each in the order of [`FacePlace::ALL`].
+const SHARES: [[&str; 4]; 2] = [
+    [
+        "right_near_end_percent",
+        "right_far_end_percent",
+        "right_tip_edge_percent",
+        "right_inside_percent",
+    ],
+    [
+        "left_near_end_percent",
+        "left_far_end_percent",
+        "left_tip_edge_percent",
+        "left_inside_percent",
+    ],
+];
+
+impl CheckContext<'_> {
+    /// The share of contacts at an end of the face.
+    pub(super) fn edge_contact(&self) -> Check {
+        let places = &self.evidence.places;
+        let count = |side: Side, at: FacePlace| places[side.index()][at as usize];
+        let all = |side: Side| places[side.index()].iter().sum::<usize>();
+        let shares = Side::BOTH.into_iter().flat_map(|side| {
+            let of = FacePlace::ALL.into_iter();
+            of.map(move |at| {
+                let name = SHARES[side.index()][at as usize];
+                (name, percent(count(side, at), all(side)))
+            })
+        });
+        let at_ends = |side| count(side, FacePlace::NearEnd) + count(side, FacePlace::FarEnd);
+        let [right, left] = Side::BOTH.map(at_ends);
+        let share = percent(right + left, all(Side::Right) + all(Side::Left));
+        let words = |side: Side| {
+            let found = FacePlace::ALL.into_iter().filter(|at| count(side, *at) > 0);
+            let found = found.map(|at| {
+                let share = percent(count(side, at), all(side));
+                format!("{} {share:.0} %", at.words())
+            });
+            let found: Vec<String> = found.collect();
+            format!("{} flanks: {}", side.name(), found.join(", "))
+        };
+        Check {
+            unproven: None,
+            id: "edge_contact",
+            title: "contacts at an end of the face",
+            gear: None,
+            formula: None,
+            outlines: Some(share),
+            limit: Some(0.0),
+            margin: Some(-share),
+            unit: "%",
+            verdict: Verdict::unless(
+                right + left == 0 && !self.evidence.extreme_at_end,
+                Verdict::Warn,
+            ),
+            details: shares.collect(),
+            note: Side::BOTH.map(words).join("; "),
+        }
+    }
+
+    /// The loss of the least backlash by all deviations along the face; `None` without extremes of the cycle.
+    pub(super) fn face_use(&self) -> Option<Check> {
+        let loss = self.evidence.face_loss?;
+        let (all, without) = (loss.all, loss.least_without);
+        let margin = without.zip(all).map(|(without, all)| without - all);
+        let kinds = [
+            (FaceDeviation::Lead, "lead_um", "lead"),
+            (FaceDeviation::Wobble, "wobble_um", "wobble"),
+            (FaceDeviation::Shafts, "shafts_um", "shafts"),
+        ];
+        let own = kinds.iter().filter(|(kind, ..)| self.assembly.has(*kind));
+        let words = own.filter_map(|(kind, _, name)| {
+            Some(format!("{name} {} µm", hundredths(loss.by(*kind)?)))
+        });
+        let words: Vec<String> = words.collect();
+        let check = Check {
+            unproven: None,
+            id: "face_use",
+            title: "least backlash lost along the face",
+            gear: None,
+            formula: None,
+            outlines: all,
+            limit: without,
+            margin,
+            unit: "mm",
+            verdict: Verdict::unless(
+                margin.is_none_or(|margin| margin >= 0.0) || without.is_some_and(|mm| mm < 0.0),
+                Verdict::Warn,
+            ),
+            details: kinds
+                .iter()
+                .filter_map(|(kind, key, _)| Some((*key, loss.by(*kind)? * 1e3)))
+                .collect(),
+            note: words.join(", "),
+        };
+        Some(match all {
+            Some(_) => check,
+            None => check.not_proven("the least backlash with or without them is not bounded"),
+        })
+    }
+
+    /// The part of the common face that a lead trace of a gear does not cover; `None` without traces.
+    pub(super) fn lead_covers(&self, member: Member) -> Option<Check> {
+        let [from, to] = self.assembly.gear(member).traced()?;
+        let face = self.assembly.face();
+        let missing = (from - face[0]).max(0.0) + (face[1] - to).max(0.0);
+        Some(Check {
+            unproven: None,
+            id: "lead_covers",
+            title: "common face beyond the lead traces",
+            gear: Some(member),
+            formula: Some(missing),
+            outlines: None,
+            limit: Some(0.0),
+            margin: Some(-missing),
+            unit: "mm",
+            verdict: Verdict::unless(missing <= COVERED_WITHIN, Verdict::Warn),
+            details: vec![("traced_from_mm", from), ("traced_to_mm", to)],
+            note: if missing <= COVERED_WITHIN {
+                String::new()
+            } else {
+                format!(
+                    "traces from b = {from:.3} to {to:.3} mm, common face from {:.3} to {:.3} mm",
+                    face[0], face[1]
+                )
+            },
+        })
+    }
+
+    /// The error of sections of leaning axes; `None` for parallel axes.
+    pub(super) fn tilt(&self) -> Option<Check> {
+        if !self.assembly.leans() {
+            return None;
+        }
+        let lean = self.assembly.most_lean();
+        // Of both sides, as j_wt.
+        let left_out =
+            2.0 * self.assembly.left_out() / self.assembly.operating_pressure_angle().cos();
+        let margin = WIDTH - left_out;
+        Some(Check {
+            unproven: None,
+            id: "tilt",
+            title: "error of sections of leaning axes",
+            gear: None,
+            formula: Some(left_out),
+            outlines: None,
+            limit: Some(WIDTH),
+            margin: Some(margin),
+            unit: "mm",
+            verdict: Verdict::unless(margin >= 0.0 && lean <= RECOMMENDED_LEAN, Verdict::Warn),
+            details: vec![("lean_rad", lean), ("left_out_um", left_out * 1e3)],
+            note: format!("{:.4} µm at {lean:.1e} rad", left_out * 1e3),
+        })
+    }
+}

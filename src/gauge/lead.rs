@@ -1,0 +1,328 @@
+//! Readings along the face: leads about both axes, and spans and runout at several heights.
+//!
+//! A stylus follows each flank on the reference circle, section by section, while the machine turns with the helix. The further turn of the
+//! flank, times the base radius, is its lead deviation along the transverse base tangent, plus = more material, 0 in the measuring plane.
+//! About the axis of the teeth a trace shows the lead alone. About the rotation axis it contains wobble, and on helical teeth eccentricity. A
+//! leaning tooth shows in a section its own height `b + t·q`, where `q` leads from the axis of the teeth to the point
+//! ([`crate::pair::Pose::section`]).
+//!
+//! The evaluation follows ISO 1328-1 with a straight line as design lead. `C_β` is the least-squares parabola, over the whole face.
+
+use super::Unmeasured;
+use super::eccentricity::{Eccentricity, eccentricity};
+use super::profile::{FlankTraces, TraceReading, evaluate};
+use super::runout::{RunoutReadings, runout};
+use super::span::{Spans, spans};
+use super::workpiece::Workpiece;
+use crate::gear::{AsBuilt, Flank, Hand, Lead, PitchAxis};
+use crate::parallel;
+use nalgebra::{Point2, UnitComplex, Vector2};
+
+/// Points over the face, and over the evaluation range.
+const POINTS: usize = 41;
+/// Multiple of its bound below which two traces are one.
+const ALIKE: f64 = 100.0;
+/// Share of the face that the evaluation range leaves out at each end, unless one module is less (ISO 1328-1).
+const LEFT_OUT: f64 = 0.05;
+
+/// What is read along the face of a gear that deviates there.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FaceReadings {
+    /// Leads about the axis of the teeth.
+    pub own: Result<LeadReadings, Unmeasured>,
+    /// Leads about the rotation axis.
+    pub datum: Result<LeadReadings, Unmeasured>,
+    /// Readings at both ends of the evaluation range and in its middle.
+    pub sections: Vec<SectionReadings>,
+    /// Runout of a shoulder that was machined with the teeth.
+    pub face_runout: FaceRunout,
+}
+
+/// Readings at one height.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SectionReadings {
+    /// Height from the reference face's end of the teeth, mm.
+    pub height: f64,
+    /// `W_k`.
+    pub spans: Result<Spans, Unmeasured>,
+    /// `F_r`.
+    pub runout: Result<RunoutReadings, Unmeasured>,
+    /// The centre of the tip circle.
+    pub eccentricity: Eccentricity,
+}
+
+/// Axial runout of the reference face, from the eccentricities at two heights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FaceRunout {
+    /// Total reading, mm; 0 if it is not above its error.
+    pub amount: f64,
+    /// Diameter on which it is read, mm: the reference circle.
+    pub diameter: f64,
+    /// Tooth at which the face stands out most, fractional.
+    pub high_tooth: f64,
+    /// Bound on the error of `amount`, mm.
+    pub error: f64,
+}
+
+/// Leads of all flanks about one axis.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct LeadReadings {
+    /// The axis of the measurement.
+    pub axis: PitchAxis,
+    /// Leads of the gear's own right flanks, then of its left ones, over the height from the reference face's end of the teeth.
+    pub flanks: [FlankTraces; 2],
+    /// Whether the teeth are helical.
+    pub is_helical: bool,
+    /// The hand of the teeth; right for spur gears.
+    hand: Hand,
+    /// Width of the face, mm.
+    width: f64,
+    /// Bound on the error of each deviation, mm.
+    pub error: f64,
+}
+
+impl LeadReadings {
+    /// The leads of a gear's own flank.
+    pub fn flank(&self, own: Flank) -> &FlankTraces {
+        &self.flanks[own.index()]
+    }
+
+    /// `f_Hβ` of a lead, mm: plus = greater helix angle, of spur gears as if they were right hand.
+    pub fn helix_slope(&self, own: Flank, lead: &TraceReading) -> f64 {
+        Lead::slope_of_helix(lead.slope, self.hand, own)
+    }
+
+    /// `C_β` of a lead, mm: a parabola, 0 in the middle, this much less material at both ends of the face.
+    pub fn crowning(&self, lead: &TraceReading) -> f64 {
+        let [(from, _), (to, _)] = lead.mean_line;
+        lead.crowning * (self.width / (to - from)).powi(2)
+    }
+}
+
+/// The face of a gear: its ends, and heights on it.
+#[derive(Clone, Copy)]
+struct OwnFace {
+    /// Ends along the axis, mm from the measuring plane.
+    ends: [f64; 2],
+    /// Whether the reference face is in front.
+    is_front: bool,
+    /// Evaluation range, heights, mm.
+    range: [f64; 2],
+}
+
+impl OwnFace {
+    fn width(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// Place along the axis of a height.
+    fn place(&self, height: f64) -> f64 {
+        if self.is_front {
+            self.ends[0] + height
+        } else {
+            self.ends[1] - height
+        }
+    }
+}
+
+/// Reads leads, spans over `k` teeth, and runout with a `ball`, along the face; `None` for a gear that does not deviate there. The heights of
+/// `range` count from the reference face's end of the teeth.
+pub(super) fn along_face(
+    gear: &AsBuilt,
+    ends: [f64; 2],
+    range: Option<[f64; 2]>,
+    (k, ball): (u32, f64),
+) -> Option<FaceReadings> {
+    let deviates = gear.has_leads() || gear.wobble() != 0.0;
+    if !deviates || ends[0] >= ends[1] {
+        return None;
+    }
+    let width = ends[1] - ends[0];
+    let basic_data = gear.gear().basic_data();
+    let margin = basic_data.module().min(LEFT_OUT * width);
+    let face = OwnFace {
+        ends,
+        is_front: gear.face().ascending() < 0.0,
+        range: range.unwrap_or([margin, width - margin]),
+    };
+    let [from, to] = face.range;
+    let heights = [from, 0.5 * (from + to), to];
+    let at = heights.map(|height| gear.section_at(face.place(height)));
+    let sections: Vec<SectionReadings> = (at.iter().zip(heights))
+        .map(|(section, height)| {
+            let work = Workpiece::new(section);
+            SectionReadings {
+                height,
+                spans: spans(&work, k),
+                runout: runout(&work, ball),
+                eccentricity: eccentricity(&work),
+            }
+        })
+        .collect();
+    Some(FaceReadings {
+        own: leads(gear, &face, PitchAxis::Own),
+        datum: leads(gear, &face, PitchAxis::Datum),
+        face_runout: face_runout(gear, &face, &sections[0], &sections[2]),
+        sections,
+    })
+}
+
+/// The axial runout from the readings of two sections.
+fn face_runout(
+    gear: &AsBuilt,
+    face: &OwnFace,
+    near: &SectionReadings,
+    far: &SectionReadings,
+) -> FaceRunout {
+    let basic_data = gear.gear().basic_data();
+    let centre = |read: &SectionReadings| {
+        // Teeth wind along the axis; the frame of the measuring plane does not.
+        let wound = basic_data.twist() * face.place(read.height);
+        let found = &read.eccentricity;
+        let direction = gear.tooth_angle(found.high_tooth) + wound;
+        found.amount * Vector2::new(direction.cos(), direction.sin())
+    };
+    let diameter = 2.0 * basic_data.reference_radius();
+    let per_height = diameter / (far.height - near.height);
+    let off = (centre(far) - centre(near)) * per_height;
+    let error = (near.eccentricity.error + far.eccentricity.error) * per_height;
+    let angle = gear.face().ascending() * off.y.atan2(off.x);
+    let is_seen = off.norm() > error;
+    FaceRunout {
+        amount: if is_seen { off.norm() } else { 0.0 },
+        diameter,
+        high_tooth: if is_seen {
+            basic_data.tooth_towards(angle)
+        } else {
+            1.0
+        },
+        error,
+    }
+}
+
+/// Measures the lead of every flank about `axis`.
+fn leads(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings, Unmeasured> {
+    let heights = |[from, to]: [f64; 2]| {
+        let step = move |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
+        (0..POINTS).map(step)
+    };
+    let all: Vec<f64> = heights([0.0, face.width()])
+        .chain(heights(face.range))
+        .collect();
+    let sections: Vec<AsBuilt> = (all.iter())
+        .map(|height| gear.section_at(face.place(*height)))
+        .collect();
+    let work = Workpiece::new(gear);
+    let teeth = gear.gear().basic_data().teeth();
+    let mut error = 0.0;
+    let mut flanks = Vec::new();
+    for own in Flank::BOTH {
+        let read = parallel::map(1..=teeth, |tooth| {
+            let stylus = Stylus {
+                work: &work,
+                own,
+                tooth,
+                axis,
+            };
+            let (start, _) = stylus.turn(gear)?;
+            let mut worst = 0.0;
+            let deviations = sections.iter().map(|section| {
+                let (turn, error) = stylus.turn(section)?;
+                worst = f64::max(worst, 2.0 * error);
+                Some(stylus.deviation(turn - start))
+            });
+            let deviations: Vec<f64> = deviations.collect::<Option<_>>()?;
+            let points: Vec<(f64, f64)> = all.iter().copied().zip(deviations).collect();
+            let (whole, within) = points.split_at(POINTS);
+            Some((evaluate(whole.to_vec(), within), worst))
+        });
+        let mut shapes: Vec<TraceReading> = Vec::new();
+        let mut of_tooth = Vec::new();
+        for (tooth, found) in (1..).zip(read) {
+            let Some((found, bound)) = found else {
+                return Err(Unmeasured(format!(
+                    "the stylus leaves the {} flank of tooth {tooth}",
+                    own.name()
+                )));
+            };
+            error = f64::max(error, bound);
+            let is_alike = |one: &TraceReading| {
+                let mut points = one.points.iter().zip(&found.points);
+                points.all(|(one, other)| (one.1 - other.1).abs() <= ALIKE * bound)
+            };
+            let known = shapes.iter().position(is_alike);
+            of_tooth.push(known.unwrap_or(shapes.len()));
+            if known.is_none() {
+                shapes.push(found);
+            }
+        }
+        flanks.push(FlankTraces {
+            evaluated: face.range,
+            shapes,
+            of_tooth,
+        });
+    }
+    let [right, left] = <[FlankTraces; 2]>::try_from(flanks).expect("there are two flanks");
+    let hand = gear.gear().basic_data().hand();
+    Ok(LeadReadings {
+        axis,
+        flanks: [right, left],
+        is_helical: hand.is_some(),
+        hand: hand.unwrap_or(Hand::Right),
+        width: face.width(),
+        error,
+    })
+}
+
+/// The stylus on one flank.
+struct Stylus<'a> {
+    work: &'a Workpiece<'a>,
+    own: Flank,
+    tooth: u32,
+    axis: PitchAxis,
+}
+
+impl Stylus<'_> {
+    /// Angle of the flank on the reference circle in a section, rad, from the tooth's undisturbed centre line, and its error as an arc, mm;
+    /// `None` off the flank.
+    fn turn(&self, section: &AsBuilt) -> Option<(f64, f64)> {
+        let data = section.gear().basic_data();
+        let (radius, tooth) = (data.reference_radius(), self.tooth);
+        let side = section.face().seen_from_front(self.own);
+        let along = UnitComplex::new(-section.tooth_angle(f64::from(tooth)));
+        let turn = UnitComplex::new(section.flank_offset(side, tooth));
+        let is_datum = self.axis == PitchAxis::Datum;
+        let centre = if is_datum {
+            Point2::from(along * -section.displacement(0.0))
+        } else {
+            Point2::origin()
+        };
+        let (at, error) = self
+            .work
+            .crossing(side, tooth, turn.inverse() * centre, radius)?;
+        let point = turn * at;
+        let arm = point - centre;
+        let angle = arm.y.atan2(arm.x);
+        let rise = if is_datum {
+            (along * section.lean(0.0)).dot(&point.coords)
+        } else {
+            0.0
+        };
+        let lead = section.lead(side, tooth, rise) - section.lead(side, tooth, 0.0);
+        let base = section.gear().base_radius();
+        Some((
+            angle + data.twist() * rise + side.sense() * lead / base,
+            error,
+        ))
+    }
+
+    /// Material of a further turn, mm along the base tangent.
+    fn deviation(&self, turn: f64) -> f64 {
+        let gear = self.work.as_built;
+        gear.face().seen_from_front(self.own).sense() * turn * gear.gear().base_radius()
+    }
+}

@@ -1,0 +1,213 @@
+//! Readings along the face give back the leads, the wobble and the eccentricity that were put in. Sources: ISO 1328-1, ISO 21771, and closed forms.
+
+use super::helical::helical;
+use super::*;
+use gearlash::gauge::FaceReadings;
+use gearlash::gear::{Flank, Hand, Lead, PitchAxis, Side};
+use std::f64::consts::TAU;
+
+/// Heights of the ends of the teeth from the measuring plane, away from the reference face, and the evaluation range.
+const ENDS: [f64; 2] = [-15.0, 25.0];
+const RANGE: [f64; 2] = [-13.0, 23.0];
+
+fn lead(slope: f64, crowning: f64) -> Lead {
+    Lead {
+        face: ENDS,
+        range: RANGE,
+        slope,
+        crowning,
+        ..Lead::default()
+    }
+}
+
+fn built(beta_deg: f64, face: Face, deviations: &Deviations) -> AsBuilt {
+    let design = match beta_deg {
+        0.0 => design(25, 3.0, 20.0, 0.1),
+        _ => helical(25, 3.0, beta_deg, Hand::Left, 0.1),
+    };
+    AsBuilt::new(Gear::nominal(design).unwrap(), face, deviations).unwrap()
+}
+
+fn read(gear: &AsBuilt) -> FaceReadings {
+    let face = match gear.face() {
+        Face::Front => ENDS,
+        Face::Back => [-ENDS[1], -ENDS[0]],
+    };
+    let settings = Settings {
+        face,
+        lead_range: Some(RANGE.map(|height| height - ENDS[0])),
+        span_teeth: Some(3),
+        ..quick()
+    };
+    measure(gear, settings).along_face.unwrap()
+}
+
+/// Slope and crowning come out as they went in, about both axes, with `f_Hβ` positive where the helix angle is greater. A straight line has
+/// no form, and a parabola of `C_β` over the face the form `C_β L²/b²`.
+#[test]
+fn leads_come_out_as_they_went_in() {
+    for beta_deg in [0.0, 21.0] {
+        for face in [Face::Front, Face::Back] {
+            // A spur gear is read as if it were right hand.
+            let hand = if beta_deg == 0.0 {
+                Hand::Right
+            } else {
+                Hand::Left
+            };
+            let (right, left, crown) = (0.010, -0.006, 0.008);
+            let deviations = Deviations {
+                leads: [
+                    lead(Lead::slope_of_helix(right, hand, Flank::Right), 0.0),
+                    lead(Lead::slope_of_helix(left, hand, Flank::Left), crown),
+                ],
+                ..Deviations::default()
+            };
+            let found = read(&built(beta_deg, face, &deviations));
+            for read in [found.own.unwrap(), found.datum.unwrap()] {
+                let bound = 10.0 * read.error + PICOMETRE;
+                let flank = read.flank(Flank::Right);
+                assert_eq!((flank.shapes.len(), flank.of_tooth.len()), (1, 25));
+                let one = &flank.shapes[0];
+                assert!(
+                    (read.helix_slope(Flank::Right, one) - right).abs() < bound,
+                    "{one:?}"
+                );
+                assert!((one.total - right).abs() < bound && one.form < bound);
+                assert!(read.crowning(one).abs() < bound);
+                let one = &read.flank(Flank::Left).shapes[0];
+                assert!(
+                    (read.helix_slope(Flank::Left, one) - left).abs() < bound,
+                    "{one:?}"
+                );
+                assert!((read.crowning(one) - crown).abs() < bound, "{one:?}");
+                let share = (RANGE[1] - RANGE[0]) / (ENDS[1] - ENDS[0]);
+                assert!(
+                    (one.form - crown * share * share).abs() < bound,
+                    "{}",
+                    one.form
+                );
+            }
+            assert_eq!(found.face_runout.amount, 0.0);
+        }
+    }
+}
+
+/// A wobble `t` alone: traces about the axis of the teeth are straight. About the rotation axis `f_Hβ` is a sine round the gear of amplitude
+/// `|t| L/cos² β_b`, within 0.1 % for traces that wind. Source: the exact section of a leaning gear, to first order.
+#[test]
+fn wobble_is_a_sine_in_leads_about_the_rotation_axis() {
+    let wobble = 2e-4;
+    for beta_deg in [0.0, 21.0] {
+        for face in [Face::Front, Face::Back] {
+            let deviations = Deviations {
+                wobble,
+                wobble_tooth: 3.5,
+                ..Deviations::default()
+            };
+            let gear = built(beta_deg, face, &deviations);
+            let found = read(&gear);
+            let (own, datum) = (found.own.unwrap(), found.datum.unwrap());
+            assert_eq!([own.axis, datum.axis], [PitchAxis::Own, PitchAxis::Datum]);
+            let cos = gear.gear().basic_data().base_helix_angle().cos();
+            let expected = wobble * (RANGE[1] - RANGE[0]) / (cos * cos);
+            for flank in Flank::BOTH {
+                assert!(own.flank(flank).shapes[0].total < 10.0 * own.error);
+                let slopes = datum.flank(flank).by_tooth(|one| one.slope);
+                let wave = |shift: f64| -> f64 {
+                    let parts = (0..)
+                        .zip(&slopes)
+                        .map(|(k, slope)| slope * (TAU * f64::from(k) / 25.0 + shift).sin());
+                    parts.sum::<f64>() * 2.0 / 25.0
+                };
+                let amplitude = wave(0.0).hypot(wave(TAU / 4.0));
+                assert!(
+                    (amplitude / expected - 1.0).abs() < 2e-3,
+                    "{beta_deg} {face:?} {flank:?}: {amplitude} {expected}"
+                );
+            }
+        }
+    }
+}
+
+/// Runout at a height is twice `|e_0 + t h|`, and the reference face runs out by `|t| d` where the far end leans to (closed form).
+#[test]
+fn runout_at_heights_and_of_the_face_is_what_was_put_in() {
+    let towards = |tooth: f64| {
+        let angle = TAU * tooth / 25.0;
+        [angle.cos(), angle.sin()]
+    };
+    for beta_deg in [0.0, 21.0] {
+        for face in [Face::Front, Face::Back] {
+            let deviations = Deviations {
+                eccentricity: 0.008,
+                high_tooth: 7.25,
+                wobble: 3e-4,
+                wobble_tooth: 16.5,
+                ..Deviations::default()
+            };
+            let gear = built(beta_deg, face, &deviations);
+            let found = read(&gear);
+            for section in &found.sections {
+                let height = section.height + ENDS[0];
+                let [e, t] = [(0.008, 7.25), (3e-4 * height, 16.5)]
+                    .map(|(amount, tooth)| towards(tooth).map(|part| amount * part));
+                let expected = (e[0] + t[0]).hypot(e[1] + t[1]);
+                let read = &section.eccentricity;
+                assert!(
+                    (read.amount - expected).abs() < 10.0 * read.error,
+                    "{read:?} {expected}"
+                );
+                // A ball in each of 25 spaces misses the high place by at most half a pitch.
+                let total = section.runout.as_ref().unwrap().total();
+                assert!(
+                    total <= 2.0 * expected + 1e-5 && total > 1.9 * expected,
+                    "{total}"
+                );
+            }
+            let runout = found.face_runout;
+            let diameter = 2.0 * gear.gear().basic_data().reference_radius();
+            assert!((runout.amount - 3e-4 * diameter).abs() < 10.0 * runout.error);
+            assert!((runout.high_tooth - 16.5).abs() < 1e-5, "{runout:?}");
+        }
+    }
+}
+
+/// A span at a height: `W_k + cos β_b (δ_R(b_R) + δ_L(b_L))`, `b_R − b_L = ± W_k sin β_b` (closed form).
+#[test]
+fn spans_at_heights_contain_the_leads_of_both_flanks() {
+    for beta_deg in [0.0, 21.0] {
+        for face in [Face::Front, Face::Back] {
+            let deviations = Deviations {
+                leads: [lead(0.012, 0.0), lead(0.005, 0.0)],
+                ..Deviations::default()
+            };
+            let gear = built(beta_deg, face, &deviations);
+            let plain = built(beta_deg, face, &Deviations::default());
+            let settings = Settings {
+                span_teeth: Some(3),
+                ..quick()
+            };
+            let nominal = measure(&plain, settings).spans.unwrap().mean();
+            let angle = gear.gear().basic_data().base_helix_angle();
+            let inwards = if face == Face::Front { 1.0 } else { -1.0 };
+            for section in read(&gear).sections {
+                let place = inwards * (section.height + ENDS[0]);
+                for span in section.spans.unwrap().readings {
+                    let [left, right] = span.sections;
+                    assert!(((right - left).abs() - nominal * angle.sin()).abs() < 1e-4);
+                    let sides = [(Flank::Left, left), (Flank::Right, right)];
+                    let leads = sides.map(|(flank, beside)| {
+                        let side: Side = face.seen_from_front(flank);
+                        gear.lead(side, 1, place + beside)
+                    });
+                    let expected = nominal + angle.cos() * (leads[0] + leads[1]);
+                    assert!(
+                        (span.length - expected).abs() < 1e-7,
+                        "{} {expected}",
+                        span.length
+                    );
+                }
+            }
+        }
+    }
+}

@@ -86,6 +86,21 @@ pub struct CycleExtremes {
     pub runs: Vec<ComparedRun>,
 }
 
+impl CycleExtremes {
+    /// The greatest loss by deviations along the face of the runs at a centre distance, mm, of a material; `None` without any.
+    pub fn face_loss(&self, center_distance: f64, material: Material) -> Option<FaceLoss> {
+        let here = |run: &&RunExtremes| {
+            (run.assembly.center_distance(), run.material) == (center_distance, material)
+        };
+        let losses = self
+            .each
+            .iter()
+            .filter(here)
+            .filter_map(|run| run.face_loss);
+        losses.reduce(|one, other| if other.all > one.all { other } else { one })
+    }
+}
+
 /// A pose and its pair. A runout without direction has its high tooth at the worst place.
 #[derive(Debug, Clone)]
 pub struct PairPose {

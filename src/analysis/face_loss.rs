@@ -1,7 +1,7 @@
 //! Cost of the deviations along the face over the mesh cycle.
 //!
 //! The loss by one kind of deviation is the least `j_wt` of the cycle without it, all others kept, minus the least with all. Losses need not
-//! add up: two deviations that stand at opposite ends of the face share one.
+//! add up: two deviations that bind at one end of the face share the greater one.
 
 use crate::pair::FaceDeviation;
 
@@ -20,7 +20,7 @@ impl FaceLoss {
     /// The losses of a pair whose least is `least`, from the least without some kinds of deviation.
     ///
     /// # Errors
-    /// Those of `without`.
+    /// Errors of `without`.
     pub(super) fn new<E>(
         has: impl Fn(FaceDeviation) -> bool,
         least: Option<f64>,

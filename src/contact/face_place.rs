@@ -40,7 +40,8 @@ impl FacePlace {
             let height = height(assembly, pose, contact, member);
             assembly.own_face(member).map(|end| end - height)
         });
-        let is_at = |end: usize| heights.iter().any(|ends| ends[end].abs() <= AT_END);
+        let [from, to] = assembly.face();
+        let is_at = |end: usize| from < to && heights.iter().any(|ends| ends[end].abs() <= AT_END);
         Some(if is_at(0) {
             FacePlace::NearEnd
         } else if is_at(1) {

@@ -25,7 +25,7 @@ const ALIKE: f64 = 100.0;
 /// Share of the face that the evaluation range leaves out at each end, unless one module is less (ISO 1328-1).
 const LEFT_OUT: f64 = 0.05;
 
-/// What is read along the face of a gear that deviates there.
+/// Readings along the face of a gear that deviates there.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FaceReadings {
@@ -37,6 +37,16 @@ pub struct FaceReadings {
     pub sections: Vec<SectionReadings>,
     /// Runout of a shoulder that was machined with the teeth.
     pub face_runout: FaceRunout,
+}
+
+impl FaceReadings {
+    /// The leads about the axis of the teeth, and those about the rotation axis where they differ.
+    pub fn leads(&self) -> impl Iterator<Item = &LeadReadings> {
+        let own = self.own.as_ref().ok();
+        let datum = self.datum.as_ref().ok();
+        let datum = datum.filter(|datum| own.is_none_or(|own| own.flanks != datum.flanks));
+        own.into_iter().chain(datum)
+    }
 }
 
 /// Readings at one height.
@@ -115,6 +125,16 @@ struct OwnFace {
 }
 
 impl OwnFace {
+    fn new(gear: &AsBuilt, ends: [f64; 2], range: Option<[f64; 2]>) -> OwnFace {
+        let width = ends[1] - ends[0];
+        let margin = gear.gear().basic_data().module().min(LEFT_OUT * width);
+        OwnFace {
+            ends,
+            is_front: gear.face().ascending() < 0.0,
+            range: range.unwrap_or([margin, width - margin]),
+        }
+    }
+
     fn width(&self) -> f64 {
         self.ends[1] - self.ends[0]
     }
@@ -141,14 +161,7 @@ pub(super) fn along_face(
     if !deviates || ends[0] >= ends[1] {
         return None;
     }
-    let width = ends[1] - ends[0];
-    let basic_data = gear.gear().basic_data();
-    let margin = basic_data.module().min(LEFT_OUT * width);
-    let face = OwnFace {
-        ends,
-        is_front: gear.face().ascending() < 0.0,
-        range: range.unwrap_or([margin, width - margin]),
-    };
+    let face = OwnFace::new(gear, ends, range);
     let [from, to] = face.range;
     let heights = [from, 0.5 * (from + to), to];
     let at = heights.map(|height| gear.section_at(face.place(height)));
@@ -164,8 +177,8 @@ pub(super) fn along_face(
         })
         .collect();
     Some(FaceReadings {
-        own: leads(gear, &face, PitchAxis::Own),
-        datum: leads(gear, &face, PitchAxis::Datum),
+        own: about(gear, &face, PitchAxis::Own),
+        datum: about(gear, &face, PitchAxis::Datum),
         face_runout: face_runout(gear, &face, &sections[0], &sections[2]),
         sections,
     })
@@ -204,8 +217,21 @@ fn face_runout(
     }
 }
 
+/// The leads of every flank of a gear about the axis of its teeth, which are between `ends`, mm from the measuring plane. The heights of the
+/// evaluation range count from the reference face's end of the teeth (default: that of ISO 1328-1).
+///
+/// # Errors
+/// A flank that the stylus leaves.
+pub fn leads(
+    gear: &AsBuilt,
+    ends: [f64; 2],
+    range: Option<[f64; 2]>,
+) -> Result<LeadReadings, Unmeasured> {
+    about(gear, &OwnFace::new(gear, ends, range), PitchAxis::Own)
+}
+
 /// Measures the lead of every flank about `axis`.
-fn leads(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings, Unmeasured> {
+fn about(gear: &AsBuilt, face: &OwnFace, axis: PitchAxis) -> Result<LeadReadings, Unmeasured> {
     let heights = |[from, to]: [f64; 2]| {
         let step = move |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
         (0..POINTS).map(step)

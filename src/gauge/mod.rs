@@ -36,7 +36,7 @@ pub use flanks::{PitchReadings, ThicknessReadings};
 pub use formula::Formula;
 pub use gauged::{Gauged, Settings, gauge, graded, pin_sizes, pitches, pose_count, profiles};
 pub use grades::GradedReading;
-pub use lead::{FaceReadings, FaceRunout, LeadReadings, SectionReadings};
+pub use lead::{FaceReadings, FaceRunout, LeadReadings, SectionReadings, leads};
 pub use outlines::gauge_outline;
 pub use pins::{OverPins, Pins};
 pub use profile::{FlankTraces, ProfileReadings, TraceReading};

@@ -51,7 +51,9 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     let nominal = design.nominal_base_thickness();
     let cos = basic_data.pressure_angle().cos();
     // Base thickness by the flanks.
-    let spans = read.spans.as_ref().ok();
+    // Anvils on helical teeth touch beside the measuring plane, where leads add to the thickness.
+    let has_leads = as_built.has_leads() && basic_data.hand().is_some();
+    let spans = read.spans.as_ref().ok().filter(|_| !has_leads);
     let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());
     let (base, error) = match (read.thickness, spans) {
         (Ok(arcs), _) => {

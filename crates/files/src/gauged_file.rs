@@ -8,8 +8,8 @@
 
 use crate::characters::plain;
 use crate::spec::{
-    CrossCheckSpec, Either, GearFileSpec, GearSpec, LengthSpec, PitchSpec, RunoutSpec, SpanSpec,
-    StatementSpec, ThicknessSpec,
+    CrossCheckSpec, Either, GearFileSpec, GearSpec, LeadSpec, LengthSpec, PitchSpec, RunoutSpec,
+    SpanSpec, StatementSpec, ThicknessSpec,
 };
 use gearlash::gauge::{Gauged, Spans, StatedThickness, Unmeasured};
 use gearlash::gear::Flank;
@@ -60,6 +60,11 @@ pub fn gauged_file(
                 right_um: pitch(Flank::Right),
                 left_um: pitch(Flank::Left),
                 ..PitchSpec::default()
+            }),
+            // Thickness and pitch were read in the measuring plane.
+            lead: spec.lead.clone().map(|lead| LeadSpec {
+                zero_mm: None,
+                ..lead
             }),
             ..spec.clone()
         },

@@ -1,7 +1,7 @@
 //! Accuracy grades of gears that deviate.
 
-use gearlash::gauge::{GradedReading, PitchReadings, ProfileReadings, Unmeasured};
-use gearlash::gauge::{graded, pitches, profiles};
+use gearlash::gauge::{GradedReading, LeadReadings, PitchReadings, ProfileReadings, Unmeasured};
+use gearlash::gauge::{graded, leads, pitches, profiles};
 use gearlash::gear::Inspection;
 use gearlash_files::AnyPair;
 
@@ -18,6 +18,8 @@ pub struct GearGrades {
     pub pitches: Vec<PitchReadings>,
     /// Profiles, where the file states their deviations.
     pub profile: Option<ProfileReadings>,
+    /// Leads about the axis of the teeth, where the file states their deviations.
+    pub lead: Option<LeadReadings>,
 }
 
 /// The grades of each gear that has deviations or a required grade. The gauge grades the one of most material.
@@ -29,7 +31,8 @@ pub fn grades(pair: &AnyPair) -> Vec<GearGrades> {
     let deviating = [("wheel", wheel, specs[0]), ("pinion", pinion, specs[1])]
         .into_iter()
         .filter(|(_, gear, spec)| {
-            spec.grade.is_some() || spec.profile.is_some() || Inspection::of(gear).deviates()
+            let stated = spec.grade.is_some() || spec.profile.is_some() || spec.lead.is_some();
+            stated || Inspection::of(gear).deviates()
         });
     deviating
         .map(|(name, gear, spec)| GearGrades {
@@ -41,6 +44,8 @@ pub fn grades(pair: &AnyPair) -> Vec<GearGrades> {
                 .profile
                 .as_ref()
                 .and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
+            lead: (spec.lead.as_ref().zip(spec.face()))
+                .and_then(|(lead, face)| leads(gear, face, lead.range_mm).ok()),
         })
         .collect()
 }

@@ -2,8 +2,6 @@
 
 use super::contact_count::ContactCount;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
-use crate::analysis::extremes::CycleExtremes;
-use crate::analysis::face_loss::FaceLoss;
 use crate::analysis::study::Material;
 use crate::contact::{Contact, ContactClass, ContactKind, FacePlace, ToothPlace, Unproven};
 use crate::gear::Side;
@@ -31,8 +29,6 @@ pub struct PoseEvidence {
     pub(super) places: [[usize; FacePlace::ALL.len()]; 2],
     /// Whether a contact of the cycle's extremes is at an end of the face.
     pub(super) extreme_at_end: bool,
-    /// Loss of the least by deviations along the face, the greatest of all phases; `None` if unknown or for a pair without any.
-    pub(super) face_loss: Option<FaceLoss>,
 }
 
 /// The contacts on one gear.
@@ -61,7 +57,6 @@ impl PoseEvidence {
             touched: Default::default(),
             places: Default::default(),
             extreme_at_end: false,
-            face_loss: None,
         }
     }
 
@@ -104,23 +99,11 @@ impl PoseEvidence {
         }
     }
 
-    /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any, and its loss along the face.
-    pub(super) fn with_least_of(mut self, extremes: &CycleExtremes) -> PoseEvidence {
+    /// Adds the least `j_wt` of the cycle from the poses of `extremes`, if they have any.
+    pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> PoseEvidence {
         let here = (self.assembly.center_distance(), self.material);
-        let losses = extremes
-            .each
-            .iter()
-            .filter(|run| (run.assembly.center_distance(), run.material) == here);
-        let losses = losses.filter_map(|run| run.face_loss);
-        self.face_loss = losses.reduce(|one, other| {
-            let is_greater = other
-                .all
-                .zip(one.all)
-                .is_some_and(|(other, one)| other > one);
-            if is_greater { other } else { one }
-        });
         let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-        let poses = extremes.runs.iter().filter(|run| place(run) == here);
+        let poses = extremes.iter().filter(|run| place(run) == here);
         for run in poses {
             for pose in &run.poses {
                 self.least = least(self.least, pose.simulated.backlash);

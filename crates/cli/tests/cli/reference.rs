@@ -316,6 +316,7 @@ fn the_reference_explains_every_key_of_results() {
     for (name, file) in [
         ("simulate", "../docs/files/drawing.toml"),
         ("check", "../docs/files/jams.toml"),
+        ("check", "../docs/files/lead.toml"),
         ("compare", "../docs/files/jams.toml"),
     ] {
         let mut command = gearlash(folder.path());

@@ -329,12 +329,11 @@ fn lead_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureErro
     let Some(found) = &gauged.gauged.along_face else {
         return Ok(Vec::new());
     };
-    let own = found.own.as_ref().ok();
-    let datum = found.datum.as_ref().ok();
-    let datum = datum.filter(|datum| own.is_none_or(|own| own.flanks != datum.flanks));
-    let all = [(Chart::LEAD_OWN, own), (Chart::LEAD_DATUM, datum)];
-    let drawn = all.into_iter().filter_map(|(chart, read)| {
-        let read = read?;
+    let drawn = found.leads().filter_map(|read| {
+        let chart = match read.axis {
+            PitchAxis::Own => Chart::LEAD_OWN,
+            PitchAxis::Datum => Chart::LEAD_DATUM,
+        };
         file(gauged, chart, |heading| leads(heading, read, 100.0 * LEVEL)).transpose()
     });
     drawn.collect()

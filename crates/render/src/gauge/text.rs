@@ -125,7 +125,7 @@ fn flank_words(flank: &FlankTraces, symbol: &str, of: impl Fn(&TraceReading) -> 
 /// Leads, spans and runout along the face.
 fn along_face(found: &FaceReadings) -> String {
     let mut text = String::new();
-    for lead in [&found.own, &found.datum].into_iter().flatten() {
+    for lead in found.leads() {
         for side in Flank::BOTH {
             let flank = lead.flank(side);
             let slope = flank_words(flank, "f_Hβ", |one| lead.helix_slope(side, one));

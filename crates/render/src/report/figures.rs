@@ -210,7 +210,10 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         h3 { "Deviations tooth by tooth" }
         (draw("wheel", wheel)?)
         (draw("pinion", pinion)?)
-        @for gear in page.report.grades { (profiles(page, gear)?) }
+        @for gear in page.report.grades {
+            (profiles(page, gear)?)
+            (leads(page, gear)?)
+        }
     })
 }
 
@@ -222,6 +225,17 @@ fn profiles(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
     let title = format!("Profile deviations of the {}", gear.name);
     let prefix = format!("profile-{}", gear.name);
     let drawn = chart::profiles(&heading(page, &prefix, &title), read, LEAST_PROFILE)?;
+    Ok(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
+}
+
+/// Lead deviation of a gear over the height, where it has any.
+fn leads(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
+    let Some(read) = &gear.lead else {
+        return Ok(html! {});
+    };
+    let title = format!("Lead deviations of the {}", gear.name);
+    let prefix = format!("lead-{}", gear.name);
+    let drawn = chart::leads(&heading(page, &prefix, &title), read, LEAST_PROFILE)?;
     Ok(html! { figure.chart.tall tabindex="0" { (svg(&drawn)) } })
 }
 

@@ -75,7 +75,7 @@ impl CheckContext<'_> {
 
     /// The loss of the least backlash by all deviations along the face; `None` without extremes of the cycle.
     pub(super) fn face_use(&self) -> Option<Check> {
-        let loss = self.evidence.face_loss?;
+        let loss = self.face_loss?;
         let (all, without) = (loss.all, loss.least_without);
         let margin = without.zip(all).map(|(without, all)| without - all);
         let kinds = [
@@ -148,7 +148,7 @@ impl CheckContext<'_> {
             return None;
         }
         let lean = self.assembly.most_lean();
-        // Of both sides, as j_wt.
+        // Both sides together, as j_wt.
         let left_out =
             2.0 * self.assembly.left_out() / self.assembly.operating_pressure_angle().cos();
         let margin = WIDTH - left_out;

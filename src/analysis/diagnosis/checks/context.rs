@@ -7,6 +7,7 @@ use crate::analysis::diagnosis::pose_evidence::PoseEvidence;
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
 use crate::analysis::directions::is_open;
 use crate::analysis::extremes::{CycleExtremes, WIDTH};
+use crate::analysis::face_loss::FaceLoss;
 use crate::contact::Status;
 use crate::error::Error;
 use crate::gear::Gear;
@@ -37,6 +38,8 @@ pub(super) struct SearchedDistances<'a> {
 pub(super) struct CheckContext<'a> {
     pub assembly: &'a GearPair,
     pub evidence: &'a PoseEvidence,
+    /// Loss of the least by deviations along the face; `None` if unknown or for a pair without any.
+    pub face_loss: Option<FaceLoss>,
     pub allow_off_line: bool,
 }
 

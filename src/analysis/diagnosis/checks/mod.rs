@@ -112,7 +112,7 @@ pub fn diagnose(
         let Some(group) = PoseEvidence::sum(group) else {
             continue;
         };
-        let group = group.with_least_of(extremes);
+        let group = group.with_least_of(&extremes.runs);
         let (assembly, material) = (&group.assembly, group.material);
         let known = searched.iter().find(|entry| entry.0 == material).cloned();
         let (_, zero, onset) = match known {
@@ -133,6 +133,7 @@ pub fn diagnose(
         let context = CheckContext {
             assembly,
             evidence: &group,
+            face_loss: extremes.face_loss(assembly.center_distance(), material),
             allow_off_line: study.allow_off_line_contact,
         };
         let pitches = pitches(assembly, &distinct(group_runs.iter().flat_map(matings_of)));
@@ -176,11 +177,12 @@ pub fn failed_checks(
         let Some(group) = PoseEvidence::sum(group) else {
             continue;
         };
-        let group = group.with_least_of(cycle);
+        let group = group.with_least_of(&cycle.runs);
         let (assembly, material) = (&group.assembly, group.material);
         let context = CheckContext {
             assembly,
             evidence: &group,
+            face_loss: cycle.face_loss(assembly.center_distance(), material),
             allow_off_line: study.allow_off_line_contact,
         };
         let start = || -> Result<Start, Error> {

@@ -144,6 +144,30 @@ fn checks_along_the_face() {
     assert!((lead - 1e3 * loss).abs() < 1e-6);
 }
 
+/// Sections of leaning spur gears leave nothing out. A lean above 5e-3 rad is beyond what is recommended.
+#[test]
+fn tilt_is_warned_of() {
+    for (lean, verdict) in [(1e-3, Verdict::Pass), (6e-3, Verdict::Warn)] {
+        let pair = with_leads(Default::default());
+        let pair = pair.with_lean([lean, 0.0]).unwrap();
+        let pose = Pose::new(&pair, mating(1, 1));
+        let found = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+        // The axes are nearer to each other at the near end.
+        let at = FacePlace::of(&pair, &pose, &found.right.unwrap());
+        assert_eq!(at, Some(FacePlace::NearEnd));
+        let mut study = Study::of_pair("leaning", &pair, 1);
+        study.sweep = Some(SweepPlan::Matings {
+            matings: vec![(1, 1)],
+            fractions: vec![0.0],
+        });
+        let found = diagnosed(&study);
+        let tilt = check(&found, "tilt", None);
+        assert_eq!((tilt.formula, tilt.verdict), (Some(0.0), verdict));
+        assert!(tilt.details.contains(&("lean_rad", lean)));
+        assert_eq!(check(&found, "edge_contact", None).verdict, Verdict::Warn);
+    }
+}
+
 /// A trace from 2 to 35 mm of a face of 40 mm leaves 7 mm of it open, on either face of the gear.
 #[test]
 fn short_traces_are_warned_of() {

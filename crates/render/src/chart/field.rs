@@ -33,7 +33,7 @@ const NO_GAP_UM: f64 = 5e-3;
 /// Least height of the curve of gaps, µm, above its rounding.
 const LEAST_UM: f64 = 1.0;
 /// Height of the panel with the leads of the teeth that bind.
-const LEADS_HEIGHT: f64 = 132.0;
+const LEADS_HEIGHT: f64 = 150.0;
 /// Number of shades of contact points, and the opacity at the greatest gap.
 const SHADES: usize = 8;
 const PALEST: f64 = 0.12;
@@ -53,7 +53,12 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
     let panels: Vec<Panel> = if varies {
         let lines = sides.iter().map(|side| lines(side, x));
         let leads = sides.iter().filter_map(|side| leads(side, x));
-        lines.chain([room(sides, x)]).chain(leads).collect()
+        let [right, left] = sides;
+        let room = Panel {
+            title: "Room over the face: transverse gap of each section".to_owned(),
+            ..gaps(&[right, left], x)
+        };
+        lines.chain([room]).chain(leads).collect()
     } else {
         let each = sides.iter();
         each.flat_map(|side| [lines(side, x), gaps(&[side], x)])
@@ -185,20 +190,6 @@ fn shaded(line: &ContactLine, side: Side, most: f64, half: f64) -> Vec<Mark> {
         }
     }
     marks
-}
-
-/// The room of both sides over the face.
-fn room(sides: &[FieldSide; 2], x: [f64; 2]) -> Panel {
-    let [right, left] = sides;
-    let panel = gaps(&[right, left], x);
-    Panel {
-        title: format!(
-            "Room over the face: transverse gap of each section; right binds {}, left {}",
-            binding_words(right),
-            binding_words(left)
-        ),
-        ..panel
-    }
 }
 
 /// The leads of the teeth that bind on one side, and their sum; `None` without leads.

@@ -36,7 +36,7 @@ pub fn profiles(
         heading,
         &read.flanks,
         ("roll length, mm", details),
-        least,
+        (least, &[]),
         words,
     )
 }
@@ -61,6 +61,13 @@ pub fn leads(heading: &Heading, read: &LeadReadings, least: f64) -> Result<Chart
             um(read.crowning(lead), 2),
         )
     };
+    let worst = read
+        .flanks
+        .iter()
+        .map(|flank| flank.tooth(flank.worst_tooth()));
+    let lines: Vec<f64> = worst
+        .flat_map(|lead| lead.mean_line.map(|end| end.1))
+        .collect();
     let details = match read.axis {
         PitchAxis::Own => "plus = more material, about the axis of the teeth",
         PitchAxis::Datum => "plus = more material, about the rotation axis",
@@ -69,17 +76,17 @@ pub fn leads(heading: &Heading, read: &LeadReadings, least: f64) -> Result<Chart
         heading,
         &read.flanks,
         ("from the reference face, mm", details),
-        least,
+        (least, &lines),
         words,
     )
 }
 
-/// Traces of both flanks, right first. `words` describes one of a side.
+/// Traces of both flanks, right first. `words` describes one of a side. The y axis is at least `least` high, µm, and holds `more` values, mm.
 fn traces(
     heading: &Heading,
     flanks: &[FlankTraces; 2],
     (x_axis, details): (&str, &str),
-    least: f64,
+    (least, more): (f64, &[f64]),
     words: impl Fn(Flank, &TraceReading) -> String,
 ) -> Result<Chart, PictureError> {
     let points = || {
@@ -88,7 +95,7 @@ fn traces(
     };
     let x = range(points().map(|point| point.0), [0.02; 2], 1e-9);
     let y = range(
-        points().map(|point| 1e3 * point.1).chain([0.0]),
+        (points().map(|point| 1e3 * point.1).chain([0.0])).chain(more.iter().map(|mm| 1e3 * mm)),
         [0.08; 2],
         least,
     );

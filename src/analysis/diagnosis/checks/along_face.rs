@@ -73,44 +73,37 @@ impl CheckContext<'_> {
         }
     }
 
-    /// The loss of the least backlash by all deviations along the face; `None` without extremes of the cycle.
+    /// The loss of the least backlash by all deviations along the face; `None` where a bracket does not hold.
     pub(super) fn face_use(&self) -> Option<Check> {
         let loss = self.face_loss?;
-        let (all, without) = (loss.all, loss.least_without);
-        let margin = without.zip(all).map(|(without, all)| without - all);
+        let (all, without) = (loss.all?, loss.least_without?);
         let kinds = [
             (FaceDeviation::Lead, "lead_um", "lead"),
             (FaceDeviation::Wobble, "wobble_um", "wobble"),
             (FaceDeviation::Shafts, "shafts_um", "shafts"),
         ];
-        let own = kinds.iter().filter(|(kind, ..)| self.assembly.has(*kind));
-        let words = own.filter_map(|(kind, _, name)| {
-            Some(format!("{name} {} µm", hundredths(loss.by(*kind)?)))
-        });
-        let words: Vec<String> = words.collect();
-        let check = Check {
+        let known = kinds.map(|(kind, key, name)| Some((kind, key, name, loss.by(kind)?)));
+        let known: Vec<_> = known.into_iter().flatten().collect();
+        let own = known.iter().filter(|(kind, ..)| self.assembly.has(*kind));
+        let words: Vec<String> = own
+            .map(|(.., name, loss)| format!("{name} {} µm", hundredths(*loss)))
+            .collect();
+        Some(Check {
             unproven: None,
             id: "face_use",
             title: "least backlash lost along the face",
             gear: None,
             formula: None,
-            outlines: all,
-            limit: without,
-            margin,
+            outlines: Some(all),
+            limit: Some(without),
+            margin: Some(without - all),
             unit: "mm",
-            verdict: Verdict::unless(
-                margin.is_none_or(|margin| margin >= 0.0) || without.is_some_and(|mm| mm < 0.0),
-                Verdict::Warn,
-            ),
-            details: kinds
+            verdict: Verdict::unless(without < 0.0 || all <= without, Verdict::Warn),
+            details: known
                 .iter()
-                .filter_map(|(kind, key, _)| Some((*key, loss.by(*kind)? * 1e3)))
+                .map(|(_, key, _, loss)| (*key, loss * 1e3))
                 .collect(),
             note: words.join(", "),
-        };
-        Some(match all {
-            Some(_) => check,
-            None => check.not_proven("the least backlash with or without them is not bounded"),
         })
     }
 

@@ -210,7 +210,12 @@ impl Planned {
         poses.extend(lost.clone());
         let from = possible.iter().filter_map(|one| one.assembles_from);
         let to = possible.iter().filter_map(|one| one.meshes_to);
+        let value = |one: &Searched| one.found.least.map_or(f64::INFINITY, |least| least.found);
+        let tightest = possible
+            .iter()
+            .min_by(|one, other| value(one).total_cmp(&value(other)));
         Ok(Searched {
+            face_loss: tightest.and_then(|one| one.face_loss),
             found: Extremes {
                 matings: possible.first().map_or(0, |one| one.found.matings),
                 status,

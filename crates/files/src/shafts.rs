@@ -1,7 +1,7 @@
 //! Shafts that are not parallel: `assembly.misalignment`, and centre distances at two places.
 
 use super::numbers::ascii;
-use super::spec::{AssemblySpec, CenterDistanceSpec};
+use super::spec::{AssemblySpec, CenterDistanceSpec, Either};
 use super::table::Table;
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
@@ -12,6 +12,27 @@ const DOUBTED: f64 = 5e-3;
 
 /// Checks that the keys of the shafts go together.
 pub fn check_keys(file: &Table, spec: &AssemblySpec) -> Option<()> {
+    for (key, greatest) in ["in_plane_um", "out_of_plane_um"]
+        .iter()
+        .zip(spec.open_lean())
+    {
+        if greatest < 0.0 {
+            return file.refuse(
+                &format!("assembly.misalignment.{key}.max"),
+                "below 0, allowed is a number of µm, 0 or more: it counts in either sense",
+                "write the greatest amount",
+            );
+        }
+    }
+    let bearings = &spec.bearing_clearance_mm;
+    let is_list = |stated| matches!(stated, Either::Other(_));
+    if bearings.at_mm.is_none() && (is_list(bearings.wheel) || is_list(bearings.pinion)) {
+        return file.refuse(
+            "assembly.bearing_clearance_mm.at_mm",
+            "missing, expected the places of both bearings beside a clearance at each",
+            "write at_mm = [place, place], along the axes from the wheel's measuring plane",
+        );
+    }
     if let Some([one, _]) = spec
         .bearing_clearance_mm
         .at_mm

@@ -192,7 +192,15 @@ fn wobble_brings_the_far_end_nearer() {
             (shoulder(5.0, away, "far"), shoulder(5.0, towards, "far")),
         ] {
             let found = loss(&towards);
-            assert!((found - nearer(2.0)).abs() < 2e-4, "{towards}: {found}");
+            // The free gear takes its wobble with it from its right contact to its left one: cos α_wt of 2 µm by that turn.
+            let turn = 1e-3 * (plain - found) / gear.gear().base_radius();
+            let turned = if name == "pinion" {
+                skew(2.0) * turn
+            } else {
+                0.0
+            };
+            let off = found - nearer(2.0) - turned;
+            assert!(off.abs() < 2e-4, "{towards}: {found}");
             let found = loss(&away);
             assert!(found.abs() < 2e-4, "{away}: {found}");
         }
@@ -418,11 +426,12 @@ fn leads_about_the_bore_contain_the_wobble() {
         "{remarks}"
     );
     let stated = planes(4.0, 8.0);
-    let j = |keys: &str| j_bt(&with_runout(face, "wheel", keys), (1, 1), Side::Right);
+    let j = |keys: &str| j_bt(&with_runout(face, "wheel", keys), (8, 8), Side::Right);
     let expected = j(&stated);
     assert!((j(&leads("datum")) - expected).abs() < 1e-4);
     assert!((j(&format!("{}\n{stated}", leads("datum"))) - expected).abs() < 1e-4);
-    assert!((j(&leads("own")) - expected).abs() > 0.1);
+    // About the axis of the teeth they would be leads of four teeth alone.
+    assert!(j(&leads("own")) - expected > 1.0);
     let other = with_runout(
         face,
         "wheel",
@@ -432,5 +441,27 @@ fn leads_about_the_bore_contain_the_wobble() {
     assert!(
         warnings.contains("the stated wobble counts, 4.00 µm off it"),
         "{warnings}"
+    );
+}
+
+#[test]
+fn what_cannot_be_is_refused_at_its_key() {
+    let refused = |keys: &str| {
+        let folder = TempDir::new().unwrap();
+        let path = folder.path().join("pair.toml");
+        let text = SPUR.replace("WHEEL", "").replace("PINION", "");
+        let keys = format!("center_distance_mm = 60.2\n{keys}");
+        fs::write(&path, text.replace("center_distance_mm = 60.2", &keys)).unwrap();
+        read(&path).unwrap_err().to_string()
+    };
+    let found = refused("misalignment = { in_plane_um = { max = -10 }, over_mm = 100 }");
+    assert!(
+        found.contains("assembly.misalignment.in_plane_um.max = -10: below 0"),
+        "{found}"
+    );
+    let found = refused("bearing_clearance_mm = { wheel = [0.005, 0.01], pinion = 0.005 }");
+    assert!(
+        found.contains("assembly.bearing_clearance_mm.at_mm: missing"),
+        "{found}"
     );
 }

@@ -106,6 +106,26 @@ fn leads_bind_where_their_closed_form_is_greatest_and_cost_that_much() {
     }
 }
 
+/// Shafts that lean by `θ` over a face `b` cost `sin α_wt θ b` in the plane of the axes and `cos α_wt θ b` out of it, along the base tangent and to
+/// first order.
+#[test]
+fn leaning_shafts_cost_their_closed_form() {
+    let theta = 1e-4;
+    let pair = with_leads(Default::default());
+    let alpha = pair.operating_pressure_angle();
+    for (lean, loss) in [([theta, 0.0], alpha.tan()), ([0.0, theta], 1.0)] {
+        let pair = pair.clone().with_lean(lean).unwrap();
+        let found = extremes_of(&pair).face_loss.unwrap();
+        let loss = loss * theta * (FACE[1] - FACE[0]);
+        let shafts = found.by(FaceDeviation::Shafts).unwrap();
+        assert!(
+            (shafts - loss).abs() < 2e-3 * loss,
+            "{lean:?}: {shafts} {loss}"
+        );
+        assert_eq!(found.by(FaceDeviation::Lead), Some(0.0));
+    }
+}
+
 /// The checks of a turned helix: both flanks at an end in every pose, `f/cos α_wt` of the backlash lost. A pair without leads has none of them.
 #[test]
 fn checks_along_the_face() {

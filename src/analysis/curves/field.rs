@@ -175,6 +175,14 @@ impl SectionAlone {
             pose: here,
         }
     }
+
+    /// Whether all teeth of leaning gears reach through this section of `assembly`.
+    fn is_whole(&self, assembly: &GearPair) -> bool {
+        let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
+        let beyond = assembly.most_lean() * reach[0].max(reach[1]);
+        let [from, to] = assembly.face();
+        (from + beyond..=to - beyond).contains(&self.at)
+    }
 }
 
 /// One side, with the free gear held by its contact over the whole face.
@@ -252,7 +260,10 @@ impl<'a> HeldSide<'a> {
     /// The contact lines of a pair that deviates along the face, from its sections.
     fn lines_of(&self, sections: &[SectionAlone]) -> Vec<ContactLine> {
         let mut lines: Vec<ContactLine> = Vec::new();
-        for alone in sections {
+        let whole = sections
+            .iter()
+            .filter(|alone| alone.is_whole(self.assembly));
+        for alone in whole {
             let (pair, here) = (&alone.pair, &alone.pose);
             let held = here.free_rotation() + self.contact.rotation - self.pose.free_rotation();
             let Some(tangent) = Tangent::new(pair, here, self.side, held) else {
@@ -300,6 +311,8 @@ impl<'a> HeldSide<'a> {
 
     fn section(&self, alone: &SectionAlone) -> FieldSection {
         let touching = alone.found.as_ref().and_then(|found| found.on(self.side));
+        let is_shown = alone.is_whole(self.assembly) || alone.at == self.contact.section;
+        let touching = touching.filter(|_| is_shown);
         let turn = |here: Contact| {
             let beyond = here.rotation - alone.pose.free_rotation();
             self.gap(beyond - (self.contact.rotation - self.pose.free_rotation()))

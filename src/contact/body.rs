@@ -28,19 +28,42 @@ pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
     })
 }
 
-/// Whether a free flank can touch the far flank of the locked tooth that it faces.
-///
-/// Only gears of three or four teeth can. Both base circles then lie on one side of the contact normal, which is their outer tangent. The
-/// lengths of the flanks along it, `T = r_b ξ`, have the sum `√(B² − (r_b1 − r_b2)²)`, where `B` is the distance of the outlines' centres.
-/// A flank is longest at its tip. A free gear's far flank is never met first, because a force on it turns the gear the other way.
-pub(super) fn may_meet_far_flanks(assembly: &GearPair) -> bool {
-    let gears = Member::BOTH.map(|member| assembly.gear(member));
-    let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
-    let [one, other] = gears.map(|gear| gear.gear());
-    let tips = [one, other].map(|gear| gear.base_radius() * gear.tip_roll());
-    let between = one.base_radius() - other.base_radius();
-    let nearest = assembly.center_distance() - off;
-    (tips[0] + tips[1]).powi(2) >= nearest * nearest - between * between
+/// Where a free half tooth can touch the far flank of the locked tooth that it faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FarFlanks {
+    /// Nowhere.
+    Clear,
+    /// Only beside the tip, on locked teeth that point sideways.
+    BesideTips,
+    /// Anywhere.
+    Open,
+}
+
+impl FarFlanks {
+    /// Those of `assembly`. A free gear's far flank is never met first, because a force on it turns the gear the other way.
+    ///
+    /// The normal at a contact then passes the free axis on its far side. So the locked far involute has a point whose normal passes through
+    /// the axis: `√(B² − r_bL²) − r_bL ξ` away from it, if `B` is the distance of the outlines' centres. The free gear must reach that far.
+    ///
+    /// Two flanks touch only in gears of three or four teeth. Both base circles then lie on one side of the normal, which is their outer
+    /// tangent. The lengths of the flanks along it, `T = r_b ξ`, have the sum `√(B² − (r_bL − r_bF)²)`. A flank is longest at its tip.
+    pub fn of(assembly: &GearPair) -> FarFlanks {
+        let [locked, free] =
+            [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
+        let nearest = assembly.center_distance() - locked.eccentricity() - free.eccentricity();
+        let [bases, tips] = [
+            [locked, free].map(|gear| gear.gear().base_radius()),
+            [locked, free].map(|gear| gear.gear().base_radius() * gear.gear().tip_roll()),
+        ];
+        let between = bases[0] - bases[1];
+        if (tips[0] + tips[1]).powi(2) >= nearest * nearest - between * between {
+            FarFlanks::Open
+        } else if (tips[0] + free.reach()).powi(2) >= nearest * nearest - bases[0] * bases[0] {
+            FarFlanks::BesideTips
+        } else {
+            FarFlanks::Clear
+        }
+    }
 }
 
 /// Whether [`is_solid`] can be true at some pose, which is rare.

@@ -1,16 +1,19 @@
 //! The far flank of a locked tooth: the part past the far corner of its tip land, which a half tooth lacks.
 //!
-//! A free half tooth closes against the locked half tooth that it faces. In gears of three or four teeth it can close
-//! against that tooth's far flank instead, beside the tip land ([`crate::contact::body::may_meet_far_flanks`]). The far
-//! flank is the mirror image of the near one, turned so that its tip corner is the far corner.
+//! A free half tooth closes against the locked half tooth that it faces. It can close against that tooth's far flank instead, beside the tip
+//! land: in gears of three or four teeth, and with its own tip on a tooth that points sideways ([`FarFlanks`]). The far flank is the mirror
+//! image of the near one, turned so that its tip corner is the far corner.
 
 use super::candidate::CandidateContact;
+use super::corner::{nearest_turn, tip_arm};
 use super::curves::SearchExhausted;
 use super::flank_problem::PosedFlanks;
+use super::placed::Placed;
 use super::search::SideRequest;
 use super::tightest::Touching;
+use crate::contact::body::FarFlanks;
 use crate::contact::gap::{
-    Arc, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest, turn,
+    Arc, C, CurveContact, CurvePoint, MOST_NODES, PlacedCurve, common_normal, greatest, turn,
 };
 use crate::gear::{ProfilePart, smooth};
 
@@ -30,16 +33,20 @@ const FREE_PARTS: [ProfilePart; 4] = [
 ///
 /// # Errors
 /// The step of the pair that stays undecided.
-#[cold]
+#[inline]
 pub(super) fn with_far_flanks(
     posed: &PosedFlanks,
+    far_flanks: FarFlanks,
     found: Option<Touching>,
     request: SideRequest,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
-    let Some(mut tightest) = found else {
-        return Ok(None);
+    let Some(mut tightest) = found.filter(|_| far_flanks != FarFlanks::Clear) else {
+        return Ok(found);
     };
     for step in posed.steps() {
+        if far_flanks == FarFlanks::BesideTips && !is_sideways(posed, step) {
+            continue;
+        }
         let floor = (tightest.greatest + posed.problem.tie).max(request.floor);
         if let Some(candidate) =
             far_contact(posed, step, floor, request).map_err(|lost| (step, lost))?
@@ -54,6 +61,24 @@ pub(super) fn with_far_flanks(
     Ok(Some(tightest))
 }
 
+/// Whether a normal of the step's far locked flank passes the free axis on its far side, where the free gear reaches.
+fn is_sideways(posed: &PosedFlanks, step: i64) -> bool {
+    let locked = posed.locked(step);
+    let mirrored = Placed {
+        centre: locked.centre.conj(),
+        direction: far_direction(&locked).conj(),
+        ..locked
+    };
+    let free = &posed.problem.free;
+    let reach = free.shape.tip_radius + posed.problem.free_off.norm();
+    tip_arm(&mirrored) <= 0.0 && nearest_turn(&mirrored) <= reach
+}
+
+/// `e^{iθ}` of the far half of a locked tooth, whose curves are mirrored. Its far corner is the mirror image of the near one, turned.
+fn far_direction(locked: &Placed) -> C {
+    locked.direction * turn(locked.far.arg() + locked.shape.tip_corner().arg())
+}
+
 /// The greatest gap of a step's free half tooth and the locked tooth's far half, if it exceeds `floor`.
 fn far_contact(
     posed: &PosedFlanks,
@@ -63,8 +88,7 @@ fn far_contact(
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
     let (locked, free) = (posed.locked(step), posed.free(step));
     let shape = locked.shape;
-    // Its far corner is the mirror image of the near one, turned.
-    let direction = locked.direction * turn(locked.far.arg() + shape.tip_corner().arg());
+    let direction = far_direction(&locked);
     let far = |part| PlacedCurve {
         mirrored: true,
         direction,

@@ -11,7 +11,7 @@ use super::shape::turn;
 use super::teeth::reduced;
 use super::tightest::Touching;
 use crate::contact::Effort;
-use crate::contact::body::{is_solid, may_be_solid, may_meet_far_flanks, reaches_over_an_axis};
+use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -60,8 +60,8 @@ pub(in crate::contact) struct Section {
     pub bodies: Option<Box<GearPair>>,
     /// Whether no pose can be assembled.
     pub blocked: bool,
-    /// Whether a free tooth can meet a locked tooth's far flank first.
-    meets_far_flanks: bool,
+    /// Where a free tooth can meet a locked tooth's far flank first.
+    far_flanks: FarFlanks,
 }
 
 impl Section {
@@ -139,7 +139,7 @@ impl Section {
         // The left half teeth of both gears mirror the right ones.
         let solver = DirectSolver::new(&right, assembly, envelopes.clone());
         Section {
-            meets_far_flanks: may_meet_far_flanks(assembly),
+            far_flanks: FarFlanks::of(assembly),
             right,
             left,
             envelopes,
@@ -204,13 +204,8 @@ impl Section {
                 effort: request.effort,
                 floor: floor(&posed, request.known, pose),
             };
-            let found = method(&posed, side).and_then(|found| {
-                if self.meets_far_flanks {
-                    with_far_flanks(&posed, found, side)
-                } else {
-                    Ok(found)
-                }
-            });
+            let found = method(&posed, side)
+                .and_then(|found| with_far_flanks(&posed, self.far_flanks, found, side));
             match found {
                 Ok(touching) => {
                     Ok(touching.map(|touching| report::contact(&posed, &touching, self.free)))

@@ -16,7 +16,7 @@
 //! the support `H` about the axis. A piece is *out of reach* at every rotation if a direction keeps it off the disc in which the free piece
 //! turns.
 
-use super::convex::{Convex, along, dot, wrapped};
+use super::convex::{Convex, Support, along, dot, wrapped};
 use crate::contact::gap::{C, turn};
 use std::f64::consts::PI;
 
@@ -90,8 +90,36 @@ impl At {
             room: dot(d, n) - l.reach - f.reach,
             slope: along(d, n) - l.along - f.along,
             radius: l.radius + f.radius,
-            arm: f.lever - along(self.centres[1], n),
+            arm: self.least_arm(f, n),
         }
+    }
+
+    /// The middle between the supporting points of both pieces in the direction near `start` in which these face each other.
+    pub fn middle(&self, [locked, free]: &[Convex; 2], start: C) -> C {
+        let mut n = start;
+        for _ in 0..4 {
+            let here = self.room(locked, free, n.arg(), n);
+            if here.radius > 0.0 {
+                n *= turn((here.slope / here.radius).clamp(-GREATEST_STEP, GREATEST_STEP));
+            }
+        }
+        let point = |piece: &Convex, k: usize, n: C| {
+            let own = n * self.directions[k].conj();
+            let support = piece.support(own.arg(), own);
+            self.centres[k] + n * C::new(support.reach, support.along)
+        };
+        0.5 * (point(locked, 0, n) + point(free, 1, -n))
+    }
+
+    /// The least arm about the free gear's axis of its support against `n`, as far as corners and a land are on the way.
+    #[inline]
+    pub fn least_arm(&self, free: Support, n: C) -> f64 {
+        let arm = free.lever - along(self.centres[1], n);
+        if !(free.ahead > 0.0) {
+            return arm;
+        }
+        let turned = turn(free.ahead.min(self.play));
+        arm.min(-along(self.centres[1] * turned, n))
     }
 
     /// A direction that keeps both pieces apart by more than `need` mm. Newton's method on `s_ν` in a bracket finds it, first from `start`,
@@ -121,8 +149,9 @@ impl At {
         need: f64,
         looks: &mut u32,
     ) -> Option<Apart> {
-        // Directions, relative to the start, that enclose the greatest room.
+        // Directions, relative to the start, that enclose the greatest room, and the room there.
         let (mut low, mut high) = (-HALF_RANGE, HALF_RANGE);
+        let mut ends: [Option<Room>; 2] = [None; 2];
         let mut off = 0.0;
         for tried in 0..MOST_DIRECTIONS {
             *looks += 1;
@@ -134,8 +163,15 @@ impl At {
             }
             if here.slope > 0.0 {
                 low = off;
+                ends[0] = Some(here);
             } else {
                 high = off;
+                ends[1] = Some(here);
+            }
+            if let [Some(one), Some(other)] = ends
+                && greatest_between(one, other, high - low) < need
+            {
+                return None;
             }
             let bend = here.radius + here.room;
             let newton = if bend > 1e-9 {
@@ -201,6 +237,18 @@ impl At {
     }
 }
 
+/// Upper bound of the room between two directions that are `width` rad apart and enclose the greatest: because of `s + s'' ≤ 0` both tangents
+/// bound it.
+fn greatest_between(one: Room, other: Room, width: f64) -> f64 {
+    if width > 0.5 {
+        return f64::INFINITY;
+    }
+    let (rise, fall) = (one.slope, -other.slope);
+    let across = (other.room - one.room + fall * width) / (rise + fall);
+    let bend = 0.5 * width * width * one.room.abs().max(other.room.abs());
+    one.room + rise * across.clamp(0.0, width) + bend
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -249,6 +297,38 @@ mod tests {
                 "{k}: {bend}"
             );
         }
+    }
+
+    /// Source: the room of the turned piece. Eccentric lands whose arms change sign under way, from past the far corner to before the near one.
+    #[test]
+    fn a_room_with_an_arm_does_not_fall() {
+        const PLAY: f64 = 0.4;
+        let shapes = [shape(20), shape(30)];
+        let [locked, free] = shapes
+            .each_ref()
+            .map(|s| Convex::top(s, s.tip_corner().conj()));
+        let mut held = 0;
+        for centre in (0..12).map(|k| C::from_polar(3.0, 0.5 * f64::from(k))) {
+            let turned = |by: f64| At {
+                centres: [C::new(50.4, 0.01), turn(0.02 + by) * centre],
+                play: PLAY,
+                ..at(0.02 + by)
+            };
+            for nu in (0..720).map(|k| wrapped(0.003 + PI * f64::from(k) / 360.0)) {
+                let n = turn(nu);
+                let here = turned(0.0).room(&locked, &free, nu, n);
+                // Towards the mate: behind the axis the room falls again.
+                if !(here.arm > 0.0 && n.re < -0.5) {
+                    continue;
+                }
+                held += 1;
+                for by in [0.02, 0.1, 0.2, PLAY] {
+                    let there = turned(by).room(&locked, &free, nu, n);
+                    assert!(there.room >= here.room - 1e-12, "{nu} {by} {here:?}");
+                }
+            }
+        }
+        assert!(held > 200, "{held}");
     }
 
     /// The room loses no more than its arm and the turn allow as the free gear turns further. Source: the room of the turned piece.

@@ -296,7 +296,16 @@ impl Pair<'_> {
                 let (back, at) = free.reach(one.free, -n);
                 // After a further turn the free piece has another corner towards the line.
                 let next = free.next_corner(one.free, -n, at).unwrap_or(at);
-                open && self.stays(-back - reach, arm(at, n).min(arm(next, n)))
+                // And the arm of a land, whose normals meet at the gear's centre, may fall until its end.
+                let turned = free.before_end_of_land(one.free, -n).min(self.play);
+                let turned = UnitComplex::new(-free.side.sense() * turned);
+                let centre = *axis + turned * (free.centre - axis);
+                let past = if turned.angle() == 0.0 {
+                    f64::INFINITY
+                } else {
+                    arm(centre, n)
+                };
+                open && self.stays(-back - reach, arm(at, n).min(arm(next, n)).min(past))
             }
             Reason::OutOfReach => axis.coords.dot(&n) - free.piece_about(one.free, *axis) > reach,
             Reason::LockedTangents => {
@@ -485,6 +494,16 @@ impl<'a> Half<'a> {
             _ if n.perp(&far) < n.perp(&other) => Some(ends[0]),
             _ => Some(ends[1]),
         }
+    }
+
+    /// Rotation, rad, after which the near corner of a top's land reaches furthest in the direction `n`; 0 if it does so already.
+    fn before_end_of_land(&self, piece: Piece, n: Vector2<f64>) -> f64 {
+        if !matches!(piece, Piece::Top | Piece::Tooth) {
+            return 0.0;
+        }
+        let (_, end) = self.range(ProfilePart::Tip);
+        let n = self.own(self.centre + n);
+        (n.y.atan2(n.x) + end).max(0.0)
     }
 
     /// Reach of one curve, which turns one way by less than half a turn: at an end, or where it turns from rising to falling.

@@ -37,6 +37,8 @@ pub(super) struct Support {
     pub radius: f64,
     /// Least `h'`, mm, while the direction turns clockwise past the next edge between two corners.
     pub lever: f64,
+    /// Turn of the direction, rad, clockwise to the end of a tip land, if that is on the way. The arm may fall until there.
+    pub ahead: f64,
 }
 
 impl Support {
@@ -48,16 +50,42 @@ impl Support {
             along,
             radius: 0.0,
             lever: along,
+            ahead: 0.0,
         }
     }
 
-    /// The support of two points: past their edge it is that of the other one.
-    fn of_edge(points: [C; 2], n: C) -> Support {
-        let [one, other] = points.map(|point| Support::of_point(point, n));
+    /// The support of a land of this radius, mm.
+    fn of_land(radius: f64) -> Support {
+        Support {
+            reach: radius,
+            along: 0.0,
+            radius,
+            lever: 0.0,
+            ahead: 0.0,
+        }
+    }
+
+    fn before_land(self, ahead: f64) -> Support {
+        Support { ahead, ..self }
+    }
+
+    /// The support of two points with an edge on either side.
+    fn of_chord(ends: [C; 2], n: C) -> Support {
+        let [one, other] = ends.map(|point| Support::of_point(point, n));
         Support {
             lever: one.along.min(other.along),
             ..one.further(other)
         }
+    }
+
+    /// The support of two points, the second at the counter-clockwise end of their edge: past it the support is the first.
+    fn of_edge(points: [C; 2], n: C) -> Support {
+        let [first, second] = points.map(|point| Support::of_point(point, n));
+        let second = Support {
+            lever: first.along.min(second.along),
+            ..second
+        };
+        first.further(second)
     }
 
     #[inline]
@@ -127,7 +155,7 @@ impl<'a> Convex<'a> {
             Convex::Top(top) => top.support(omega, n),
             Convex::Tooth(top) => top.support_of_tooth(omega, n),
             Convex::Arc(arc) => arc.support(omega, n),
-            Convex::Chord(ends) => Support::of_edge(*ends, n),
+            Convex::Chord(ends) => Support::of_chord(*ends, n),
         }
     }
 
@@ -250,13 +278,15 @@ impl Top<'_> {
     #[inline]
     fn support(&self, omega: f64, n: C) -> Support {
         let shape = self.shape;
+        let corner = shape.tip_corner();
         let roll = omega + shape.half_base + FRAC_PI_2;
         if roll < shape.form_roll {
             let inwards = dot(n, shape.joint);
             // Within 30° of straight from behind, the edge to the far corner is the next one; of a wide land that corner reaches further.
             let is_behind = inwards < 0.0 && inwards * inwards > 0.75 * shape.joint.norm_sqr();
             return if is_behind || dot(n, self.far) > inwards {
-                Support::of_edge([self.far, shape.joint], n)
+                let ahead = if omega > 0.0 { omega } else { omega + 2.0 * PI };
+                Support::of_edge([self.far, shape.joint], n).before_land(ahead - corner.arg())
             } else {
                 Support::of_point(shape.joint, n)
             };
@@ -267,23 +297,19 @@ impl Top<'_> {
                 along: shape.base,
                 radius: shape.base * roll,
                 lever: shape.base,
+                ahead: 0.0,
             };
         }
         // Clockwise of the corner's own direction the corner, then the land.
-        let corner = shape.tip_corner();
         if along(n, corner) <= 0.0 && dot(n, corner) > 0.0 {
             return Support::of_point(corner, n);
         }
+        let ahead = omega - corner.arg();
         if along(n, self.far) <= 0.0 && dot(n, self.far) > 0.0 {
-            return Support {
-                reach: shape.tip_radius,
-                along: 0.0,
-                radius: shape.tip_radius,
-                lever: 0.0,
-            };
+            return Support::of_land(shape.tip_radius).before_land(ahead);
         }
         // From past the far corner to straight from behind.
-        Support::of_edge([self.far, shape.joint], n)
+        Support::of_edge([self.far, shape.joint], n).before_land(ahead)
     }
 
     fn greatest_radius(&self, omega: f64, play: f64) -> f64 {
@@ -310,14 +336,9 @@ impl Arc {
     fn support(&self, omega: f64, n: C) -> Support {
         let half = 0.5 * (self.high - self.low);
         if wrapped(omega - 0.5 * (self.low + self.high)).abs() <= half {
-            return Support {
-                reach: self.radius,
-                along: 0.0,
-                radius: self.radius,
-                lever: 0.0,
-            };
+            return Support::of_land(self.radius);
         }
-        Support::of_edge(self.ends, n)
+        Support::of_chord(self.ends, n)
     }
 }
 

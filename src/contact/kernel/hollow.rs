@@ -116,6 +116,7 @@ impl Hollow {
             along: f64::NAN,
             radius: f64::NAN,
             lever: f64::MAX,
+            ahead: 0.0,
         };
         for point in &self.knots {
             bound.reach = bound.reach.max(dot(*point, n));
@@ -282,7 +283,7 @@ impl At {
             radius: support.radius,
             omega,
             arm: match owner {
-                0 => support.lever - along(self.centres[1], n),
+                0 => self.least_arm(support, n),
                 _ => along(p, n),
             },
         }

@@ -175,8 +175,8 @@ impl Prover {
                 let posed = section.posed(section.side(side), here);
                 let mut proving = Proving::new(self, &posed, section.free(), found);
                 proving.apart = Some(Vec::new());
-                let held = proving.side(pose, here, contact, b)?;
-                let contact = contact.filter(|contact| contact.section == b);
+                let proven = proving.side(pose, here, contact, b)?;
+                let held = proven.map(|(held, _)| held);
                 sides.push(SideProof {
                     side,
                     section: b,
@@ -184,9 +184,9 @@ impl Prover {
                     until: held
                         .filter(|held| held.play.is_finite())
                         .map(|held| proving.turned(held.rotation + held.play)),
-                    touch: held.zip(contact).and_then(|(held, _)| {
-                        let [locked_tooth, free_tooth] = held.teeth;
-                        let point = proving.common_point(&held)?;
+                    touch: proven.and_then(|(held, touch)| {
+                        let (step, point) = touch?;
+                        let [locked_tooth, free_tooth] = proving.teeth(step);
                         Some(TouchProof {
                             closed: proving.turned(held.rotation - held.closing),
                             locked_tooth,
@@ -313,7 +313,7 @@ impl Along {
 fn lowest(at: &At, n: C, back: Support) -> Lowest {
     Lowest {
         at: dot(at.centres[1], n) - back.reach,
-        arm: back.lever - along(at.centres[1], n),
+        arm: at.least_arm(back, n),
     }
 }
 
@@ -361,23 +361,27 @@ impl<'a> Proving<'a> {
         self.posed.problem
     }
 
-    /// Proves the side at `here`, the pose that `pose` is in the section at `b`, mm; returns the contact.
+    /// Proves the side at `here`, the pose that `pose` is in the section at `b`, mm. Returns the contact, and the step and the point of two
+    /// teeth that touch, if these do in this section.
     fn side(
         &mut self,
         pose: &Pose,
         here: &Pose,
         contact: Option<&Contact>,
         b: f64,
-    ) -> Result<Option<Held>, NotProven> {
+    ) -> Result<Option<(Held, Option<(i64, C)>)>, NotProven> {
         let Some(contact) = contact else {
             return self.nothing().map(|()| None);
         };
         let onward = here.free_rotation() - pose.free_rotation();
         let held = self.held(contact, onward)?;
-        if contact.section == b && self.common_point(&held).is_none() {
-            return Err("nothing is shown to touch");
-        }
-        self.all_apart(&held).map(|()| Some(held))
+        let touch = if contact.section == b {
+            let touch = self.common_point(&held);
+            Some(touch.ok_or("nothing is shown to touch")?)
+        } else {
+            None
+        };
+        self.all_apart(&held).map(|()| Some((held, touch)))
     }
 
     /// `contact` in this frame; the free gear's nominal rotation is `onward` rad from that of the measuring plane.
@@ -442,14 +446,21 @@ impl<'a> Proving<'a> {
         Vector2::new(n.re, n.im)
     }
 
+    /// Numbers of the locked and the free tooth of a step.
+    fn teeth(&self, step: i64) -> [u32; 2] {
+        let (locked, free) = self.posed.places(step);
+        let problem = self.problem();
+        [problem.locked.number(locked), problem.free.number(free)]
+    }
+
     fn tell(&mut self, step: i64, [locked, free]: [Piece; 2], by: Reason, n: C) {
         if self.apart.is_none() {
             return;
         }
-        let (locked_place, free_place) = self.posed.places(step);
+        let [locked_tooth, free_tooth] = self.teeth(step);
         let separation = Separation {
-            locked_tooth: self.problem().locked.number(locked_place),
-            free_tooth: self.problem().free.number(free_place),
+            locked_tooth,
+            free_tooth,
             locked,
             free,
             by,
@@ -762,38 +773,47 @@ impl<'a> Proving<'a> {
         Ok(())
     }
 
-    /// A point in the metal of both touching teeth, closed from `held`; `None` if none is found.
+    /// A point in the metal of two teeth, closed from `held`, and their step; `None` if none is found.
     ///
     /// Closed by `δ`, both outlines overlap by `arm δ` along the normal. Half as deep below the contact of one or the other there is metal
-    /// of both: below either one, unless it is a corner beside which the mate's curve slides.
-    fn common_point(&self, held: &Held) -> Option<C> {
-        let step = self.posed.steps().find(|step| {
-            let (locked, free) = self.posed.places(*step);
-            let problem = self.problem();
-            held.teeth == [problem.locked.number(locked), problem.free.number(free)]
-        })?;
-        let (locked, free) = (self.posed.locked(step), self.posed.free(step));
-        // A point's own rounding is a quarter of that of a room.
-        let need = 0.25 * self.prover.need;
-
+    /// of both: below either one, unless it is a corner beside which the mate's curve slides. The teeth of `held` may tie with others that
+    /// touch before by more than its bound.
+    fn common_point(&self, held: &Held) -> Option<(i64, C)> {
         let deep = held.normal * (0.5 * held.arm * held.closing);
-        let moved = held.point * turn(-held.closing);
-        let back = turn(held.closing - held.rotation);
-        let is_common = |point: &C| {
+        let closed = held.rotation - held.closing;
+        let turned = turn(closed);
+        let is_common = |(step, point): &(i64, C), need: f64| {
+            let (locked, free) = (self.posed.locked(*step), self.posed.free(*step));
             let in_locked =
                 depth(&locked, *point, deep.norm()) > need || far_depth(&locked, *point) > need;
-            in_locked && depth(&free, point * back, deep.norm()) > need
+            in_locked && depth(&free, point * turned.conj(), deep.norm()) > need
         };
+        let named = (self.posed.steps()).find(|step| held.teeth == self.teeth(*step))?;
         // At the end of a root land the mate's flank may be along the radius: there it is deeper towards the centre.
-        let centres = [locked.centre, turn(held.rotation) * free.centre];
+        let (locked, free) = (self.posed.locked(named), self.posed.free(named));
+        let centres = [locked.centre, turned * free.centre];
         let deeper = |point: C| {
             let towards = centres.map(|centre| (centre - point) / (centre - point).norm());
             towards.map(|towards| point + towards * (2.0 * deep.norm()))
         };
-        [held.point - deep, moved + deep]
+        let below = [held.point - deep, held.point * turn(-held.closing) + deep];
+        let near = below.map(|point| iter::once(point).chain(deeper(point)));
+        // Beside a corner there is little metal below it.
+        let across = deep * C::i() * 2.0;
+        let beside = below
             .into_iter()
-            .flat_map(|point| iter::once(point).chain(deeper(point)))
-            .find(is_common)
+            .flat_map(|point| [point + across, point - across]);
+        let tied = self.posed.steps().map(|step| {
+            let Pair { at, tops, .. } = self.pair(step, closed, turned);
+            (step, at.middle(&tops, held.normal))
+        });
+        // A point's own rounding is at most half of that of a room.
+        let need = self.prover.need;
+        let mut near = near.into_iter().flatten().map(|point| (named, point));
+        near.find(|found| is_common(found, 0.5 * need)).or_else(|| {
+            let mut rest = beside.map(|point| (named, point)).chain(tied);
+            rest.find(|found| is_common(found, need))
+        })
     }
 }
 

@@ -4,7 +4,7 @@
 //! rotation in the sense away from contact. The pair that touches at the greater opening is the tighter one.
 
 use super::chord::{Chord, CutGear, Half};
-use crate::contact::body::may_meet_far_flanks;
+use crate::contact::body::FarFlanks;
 use crate::contact::parry::Closest;
 use crate::error::Error;
 use crate::gear::Side;
@@ -97,7 +97,8 @@ impl<'a> FlankProblem<'a> {
         side: Side,
         steps: Range<i64>,
     ) -> impl Iterator<Item = FlankProblem<'a>> {
-        let far = may_meet_far_flanks(teeth.assembly).then_some(side.other());
+        let is_clear = FarFlanks::of(teeth.assembly) == FarFlanks::Clear;
+        let far = (!is_clear).then_some(side.other());
         let sides = [side].into_iter().chain(far);
         steps.flat_map(move |steps| {
             let on = move |locked| FlankProblem::on(teeth, pose, [locked, side], steps);

@@ -4,7 +4,7 @@ use super::chord::CutGear;
 use super::flank_problem::{CutTeeth, FlankProblem};
 use super::search::{FoundTouch, search};
 use crate::contact::Effort;
-use crate::contact::body::{is_solid, may_be_solid, may_meet_far_flanks, reaches_over_an_axis};
+use crate::contact::body::{FarFlanks, is_solid, may_be_solid, reaches_over_an_axis};
 use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -76,7 +76,7 @@ impl<'a> PolygonKernel<'a> {
         let facing: Vec<FlankProblem> =
             FlankProblem::facing(&self.teeth, pose, side, steps.clone()).collect();
         let mut found = search(&facing, self.finest, effort)?;
-        if !found.is_empty() && may_meet_far_flanks(self.teeth.assembly) {
+        if !found.is_empty() && FarFlanks::of(self.teeth.assembly) != FarFlanks::Clear {
             let all: Vec<FlankProblem> =
                 FlankProblem::all(&self.teeth, pose, side, steps).collect();
             found = search(&all, self.finest, effort)?;

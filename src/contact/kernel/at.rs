@@ -94,8 +94,9 @@ impl At {
         }
     }
 
-    /// The middle between the supporting points of both pieces in the direction near `start` in which these face each other.
-    pub fn middle(&self, [locked, free]: &[Convex; 2], start: C) -> C {
+    /// The middle between the supporting points of both pieces in the direction near `start` in which these face each other, if they overlap
+    /// by at most `depth` mm there.
+    pub fn middle(&self, [locked, free]: &[Convex; 2], start: C, depth: f64) -> Option<C> {
         let mut n = start;
         for _ in 0..4 {
             let here = self.room(locked, free, n.arg(), n);
@@ -108,7 +109,9 @@ impl At {
             let support = piece.support(own.arg(), own);
             self.centres[k] + n * C::new(support.reach, support.along)
         };
-        0.5 * (point(locked, 0, n) + point(free, 1, -n))
+        let room = self.room(locked, free, n.arg(), n).room;
+        let touches = room < 0.0 && room >= -depth;
+        touches.then(|| 0.5 * (point(locked, 0, n) + point(free, 1, -n)))
     }
 
     /// The least arm about the free gear's axis of its support against `n`, as far as corners and a land are on the way.

@@ -803,9 +803,9 @@ impl<'a> Proving<'a> {
         let beside = below
             .into_iter()
             .flat_map(|point| [point + across, point - across]);
-        let tied = self.posed.steps().map(|step| {
+        let tied = self.posed.steps().filter_map(|step| {
             let Pair { at, tops, .. } = self.pair(step, closed, turned);
-            (step, at.middle(&tops, held.normal))
+            Some((step, at.middle(&tops, held.normal, 4.0 * deep.norm())?))
         });
         // A point's own rounding is at most half of that of a room.
         let need = self.prover.need;

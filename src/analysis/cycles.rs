@@ -133,7 +133,7 @@ impl Planned {
 
     /// The extremes of `pair` over all places of its axes. [`super::axes`] says why they are.
     fn over_axes(&self, axes: &Axes, pair: &GearPair) -> Result<Searched, Error> {
-        let here = |axis: &Axis| self.with(axis.of(pair)?.into()).search_as_stated();
+        let here = |axis: &Axis| self.stated(axis.of(pair)?).search_as_stated();
         let all = |list: &[Axis]| {
             list.iter()
                 .map(here)
@@ -234,12 +234,21 @@ impl Planned {
     fn section_bound(&self, axes: &Axes, pair: &GearPair) -> Result<f64, Error> {
         let section = axes.section(pair)?;
         let radii = [pair, &section].map(|pair| pair.operating_pitch_radius(pair.free()));
-        let found = self.with(section.into()).search_as_stated()?.found;
+        let found = self.stated(section).search_as_stated()?.found;
         let high = found
             .greatest
             .map_or(f64::INFINITY, |greatest| greatest.high);
         // The lost motion of a section at a greater distance is that at a lesser radius.
         Ok(high * (radii[0] / radii[1]).max(1.0))
+    }
+
+    /// This cycle of another pair with the same teeth, whose axes are where it states them.
+    fn stated(&self, pair: GearPair) -> Planned {
+        Planned {
+            open_lean: [0.0; 2],
+            bearing_ends: None,
+            ..self.with(pair.into())
+        }
     }
 
     /// This cycle of another pair with the same teeth.

@@ -122,7 +122,12 @@ impl AsBuilt {
             high_tooth: deviations.high_tooth,
             any_direction: deviations.any_direction,
             wobble: deviations.wobble,
-            wobble_tooth: deviations.wobble_tooth,
+            // A tooth without a wobble says nothing.
+            wobble_tooth: if deviations.wobble == 0.0 {
+                1.0
+            } else {
+                deviations.wobble_tooth
+            },
             gear,
         };
         let as_built = as_built.with_leads_turned(|curve| curve.at(0.0));

@@ -798,22 +798,15 @@ impl<'a> Proving<'a> {
         };
         let below = [held.point - deep, held.point * turn(-held.closing) + deep];
         let near = below.map(|point| iter::once(point).chain(deeper(point)));
-        // Beside a corner there is little metal below it.
-        let across = deep * C::i() * 2.0;
-        let beside = below
-            .into_iter()
-            .flat_map(|point| [point + across, point - across]);
-        let tied = self.posed.steps().filter_map(|step| {
+        let mut tied = self.posed.steps().filter_map(|step| {
             let Pair { at, tops, .. } = self.pair(step, closed, turned);
             Some((step, at.middle(&tops, held.normal, 4.0 * deep.norm())?))
         });
         // A point's own rounding is at most half of that of a room.
         let need = self.prover.need;
         let mut near = near.into_iter().flatten().map(|point| (named, point));
-        near.find(|found| is_common(found, 0.5 * need)).or_else(|| {
-            let mut rest = beside.map(|point| (named, point)).chain(tied);
-            rest.find(|found| is_common(found, need))
-        })
+        near.find(|found| is_common(found, 0.5 * need))
+            .or_else(|| tied.find(|found| is_common(found, need)))
     }
 }
 

@@ -7,7 +7,7 @@
 //! f = f_0 + n·u(b) − (a square),        0 ≤ square ≤ |u(b)|²/(2 ρ)
 //! ```
 //!
-//! with the normal `n` of its side and the least radius of curvature `ρ` of an involute. What leans add of the second order (see
+//! with the normal `n` of its side and the least radius of curvature `ρ` of an involute. The second-order part of leans (see
 //! [`Pose::section`](crate::pair::Pose::section)) is a square of the other sign, so it is greatest at a corner too. The lost motion is `−max f_R − max f_L`.
 //!
 //! **Least.** A linear `f` is greatest at a corner of a polygon that holds all displacements. So no place has less lost motion than the worst
@@ -49,7 +49,7 @@ impl BearingEnds {
 /// A place of the pinion's axis, from that of the pair.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Axis {
-    /// Farther from the wheel's in the measuring plane, mm.
+    /// Its distance from the wheel's axis beyond the stated one, in the measuring plane, mm.
     farther: f64,
     /// In the plane of the axes and out of it, mm per mm.
     lean: [f64; 2],

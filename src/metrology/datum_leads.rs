@@ -258,7 +258,7 @@ mod tests {
         }
     }
 
-    /// Source: lead.md. `f_Hβ` runs as a sine about the gear, amplitude `|t| L/cos² β_b`.
+    /// Source: a program of rigid bodies: `f_Hβ` runs as a sine about the gear, amplitude `|t| L/cos² β_b`.
     #[test]
     fn slopes_run_as_a_sine_about_the_gear() {
         let data = BasicGearData::new(40, 3.0, 20f64.to_radians()).unwrap();

@@ -46,7 +46,7 @@ impl RunoutAt {
     }
 }
 
-/// The number in the measuring plane of what stands at `tooth` of the section at `height`, mm over that plane.
+/// The number that the tooth `tooth` of the section at `height`, mm over the measuring plane, has in that plane.
 fn unwound(data: &BasicGearData, tooth: f64, height: f64) -> f64 {
     let wound = height * data.twist() / data.angular_pitch();
     1.0 + (tooth - 1.0 - wound).rem_euclid(f64::from(data.teeth()))

@@ -317,7 +317,7 @@ fn poses_of_leaning_axes_are_inside_their_brackets() {
     let reference: Value = serde_json::from_str(REFERENCE).unwrap();
     for case in reference["poses"].as_array().unwrap() {
         let name = case["name"].as_str().unwrap();
-        // Those with traces on all flanks take seconds.
+        // Pairs with traces on all flanks take seconds.
         if !leans(case) || name.contains("everything") {
             continue;
         }

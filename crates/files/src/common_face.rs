@@ -3,7 +3,7 @@
 use super::gear::GearPart;
 use super::table::Table;
 
-/// The common face of both gears, mm from the wheel's measuring plane; of length 0 for spur gears that are alike along it. `offset` is the
+/// The common face of both gears, mm from the wheel's measuring plane. Its length is 0 for spur gears that do not change along it. `offset` is the
 /// place of the pinion's measuring plane. `leans`: axes are not known to be parallel.
 ///
 /// The lengths of wheel and pinion are `factors` times those stated.

@@ -1,7 +1,7 @@
 //! `[lead]`: deviations of the flanks along the face, for both flanks or each.
 //!
-//! Heights of the file count from the reference face's end of the teeth. Those of a [`Lead`] count from the measuring plane, away from the
-//! reference face.
+//! Heights of the file count from the reference face's end of the teeth. A [`Lead`] counts heights from the measuring plane, away from
+//! the reference face.
 
 use super::flanks;
 use super::helix::Helix;
@@ -37,7 +37,7 @@ pub struct Leads {
     warnings: Vec<String>,
 }
 
-/// What leads need to know of their gear, as far as it is known.
+/// The data of a gear that its leads need, as far as they are known.
 pub struct LeadGear<'a> {
     pub teeth: Option<u32>,
     pub module_mm: Option<f64>,

@@ -51,12 +51,12 @@ fn loss(wheel: &str, pinion: &str) -> f64 {
     at(&spur("", "")) - at(&spur(wheel, pinion))
 }
 
-/// Source: lead.md's closed forms, exact where all teeth are alike: the loss is the greatest sum of leads on the right plus that on the left.
+/// Source: a closed form, exact where all teeth are equal: the loss is the greatest sum of leads on the right plus that on the left.
 #[test]
 fn leads_cost_what_closed_forms_say() {
     let crown = "lead = { crowning_um = 8, zero_mm = ZERO }";
     let cases = [
-        // Of a crown nothing where pitch and thickness were measured on it, twice its height where they were measured at an end.
+        // A crown costs nothing if pitch and thickness were measured on it, twice its height if they were measured at an end.
         (crown.replace("ZERO", "10"), 0.0),
         (crown.replace("ZERO", "0"), 16.0),
         (crown.replace("ZERO", "20"), 16.0),

@@ -1,4 +1,5 @@
-//! Shafts that are not parallel, as they are read. Expected values are lead.md's closed forms to first order.
+//! Shafts that are not parallel, as they are read. Expected values are closed forms to first order: `sin α_wt |θ| b` in the plane of the axes,
+//! `cos α_wt |θ| b` out of it.
 
 use super::leads::{SPUR, j_bt};
 use super::*;

@@ -230,7 +230,7 @@ fn leads(found: &LeadReadings) -> Value {
     })
 }
 
-/// What the gauges read along the face.
+/// The readings of the gauges along the face.
 fn along_face(found: &FaceReadings) -> Value {
     let section = |read: &SectionReadings| {
         json!({

@@ -369,7 +369,7 @@ impl<'a> Proving<'a> {
         here: &Pose,
         contact: Option<&Contact>,
         b: f64,
-    ) -> Result<Option<(Held, Option<(i64, C)>)>, NotProven> {
+    ) -> Result<Option<(Held, Option<CommonPoint>)>, NotProven> {
         let Some(contact) = contact else {
             return self.nothing().map(|()| None);
         };
@@ -778,11 +778,11 @@ impl<'a> Proving<'a> {
     /// Closed by `δ`, both outlines overlap by `arm δ` along the normal. Half as deep below the contact of one or the other there is metal
     /// of both: below either one, unless it is a corner beside which the mate's curve slides. The teeth of `held` may tie with others that
     /// touch before by more than its bound.
-    fn common_point(&self, held: &Held) -> Option<(i64, C)> {
+    fn common_point(&self, held: &Held) -> Option<CommonPoint> {
         let deep = held.normal * (0.5 * held.arm * held.closing);
         let closed = held.rotation - held.closing;
         let turned = turn(closed);
-        let is_common = |(step, point): &(i64, C), need: f64| {
+        let is_common = |(step, point): &CommonPoint, need: f64| {
             let (locked, free) = (self.posed.locked(*step), self.posed.free(*step));
             let in_locked =
                 depth(&locked, *point, deep.norm()) > need || far_depth(&locked, *point) > need;
@@ -809,6 +809,9 @@ impl<'a> Proving<'a> {
             .or_else(|| tied.find(|found| is_common(found, need)))
     }
 }
+
+/// The step of two teeth, and a point in the metal of both.
+type CommonPoint = (i64, C);
 
 /// Pieces of the locked and the free tooth: `piece` belongs to gear `owner`, `other` to its mate.
 fn ordered(owner: usize, piece: Piece, other: Piece) -> [Piece; 2] {

@@ -75,7 +75,7 @@ fn lost_motion_as_with_our_own_tables() {
     let (total, tooth) = {
         let study = good(&made, from_file);
         (
-            study.spec.wheel.runout.total_um,
+            study.spec.wheel.runout.total_um.unwrap(),
             study.spec.wheel.runout.high_tooth.unwrap(),
         )
     };

@@ -103,7 +103,6 @@ fn refuses_moved(drawn: &Drawn, found: &LostMotion, proof: &Proof) {
 fn poses_once_left_to_the_polygons_are_proven() {
     for (index, what) in [
         (37685, "the named teeth tie with others that touch first"),
-        (94302, "an eccentric land, past its far corner"),
         (597858, "an eccentric land of few teeth"),
         (
             744097,

@@ -40,7 +40,7 @@ pub(super) enum FarFlanks {
 }
 
 impl FarFlanks {
-    /// Those of `assembly`. A free gear's far flank is never met first, because a force on it turns the gear the other way.
+    /// The far flanks of `assembly` that may be met. A free gear's far flank is never met first, because a force on it turns the gear the other way.
     ///
     /// The normal at a contact then passes the free axis on its far side. So the locked far involute has a point whose normal passes through
     /// the axis: `√(B² − r_bL²) − r_bL ξ` away from it, if `B` is the distance of the outlines' centres. The free gear must reach that far.

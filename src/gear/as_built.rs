@@ -599,6 +599,16 @@ impl AsBuilt {
         curve.map_or([[0.0; 2]; 3], |curve| curve.bounds(from, to))
     }
 
+    /// Bound on the amount of the rate of every lead over `face`, mm from this section, mm per mm.
+    pub(crate) fn steepest_lead(&self, face: [f64; 2]) -> f64 {
+        let teeth = 1..=self.gear.basic_data().teeth();
+        let rates = Side::BOTH.into_iter().flat_map(|side| {
+            let bounds = move |tooth| self.lead_bounds(side, tooth, face)[1];
+            teeth.clone().map(bounds)
+        });
+        rates.flatten().fold(0.0, |most, rate| most.max(rate.abs()))
+    }
+
     /// This gear without leads, with flanks spread over all that leads turn them to over `face`, and `more`, mm along the base tangent: tooth 1
     /// to one limit, all others to the other.
     ///
@@ -775,16 +785,14 @@ impl AsBuilt {
         let basic_data = self.gear.basic_data();
         let angle = b * basic_data.twist();
         let teeth = self.face.ascending() * angle / basic_data.angular_pitch();
-        let count = f64::from(basic_data.teeth());
         let height = self.height + self.inwards() * b;
-        let turned_back = |tooth: f64| 1.0 + (tooth - 1.0 - teeth).rem_euclid(count);
+        let turned_back = |tooth: f64| basic_data.tooth_after(tooth - 1.0 - teeth);
         let (eccentricity, high_tooth) = if self.wobble == 0.0 {
             (self.eccentricity, self.high_tooth)
         } else {
             let centre = self.displacement(0.0) + b * self.lean(0.0);
-            let high =
-                self.face.ascending() * centre.y.atan2(centre.x) / basic_data.angular_pitch();
-            (centre.norm(), 1.0 + high.rem_euclid(count))
+            let angle = self.face.ascending() * centre.y.atan2(centre.x);
+            (centre.norm(), basic_data.tooth_towards(angle))
         };
         AsBuilt {
             eccentricity,
@@ -799,11 +807,10 @@ impl AsBuilt {
     pub(crate) fn turned(self, angle: f64) -> AsBuilt {
         let basic_data = self.gear.basic_data();
         let teeth = self.face.ascending() * angle / basic_data.angular_pitch();
-        let count = f64::from(basic_data.teeth());
         let offsets = self.offsets.each_ref();
         AsBuilt {
             offsets: offsets.map(|side| side.iter().map(|offset| offset + angle).collect()),
-            high_tooth: 1.0 + (self.high_tooth - 1.0 + teeth).rem_euclid(count),
+            high_tooth: basic_data.tooth_after(self.high_tooth - 1.0 + teeth),
             ..self
         }
     }

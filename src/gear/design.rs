@@ -182,8 +182,13 @@ impl BasicGearData {
 
     /// The tooth (fractional, `1 ≤ … < z + 1`) whose undisturbed centre lies at `angle`, rad, from tooth 1 along ascending numbers.
     pub fn tooth_towards(&self, angle: f64) -> f64 {
+        self.tooth_after(angle / self.angular_pitch())
+    }
+
+    /// The tooth (fractional, `1 ≤ … < z + 1`) that is this number of pitches after tooth 1, along ascending numbers.
+    pub(crate) fn tooth_after(&self, pitches: f64) -> f64 {
         let teeth = f64::from(self.teeth);
-        let tooth = 1.0 + (angle / self.angular_pitch()).rem_euclid(teeth);
+        let tooth = 1.0 + pitches.rem_euclid(teeth);
         // rem_euclid of a tiny negative number may round up to z, and so may the sum.
         if tooth < teeth + 1.0 { tooth } else { 1.0 }
     }

@@ -142,10 +142,9 @@ pub(super) fn separate(
     };
     let lean: Vector2<f64> = inverse * right;
     let data = &design.basic_data;
-    let pitches = Face::Front.ascending() * lean.y.atan2(lean.x) / data.angular_pitch();
     let wobble = Wobble {
         lean: lean.norm(),
-        tooth: 1.0 + pitches.rem_euclid(f64::from(data.teeth())),
+        tooth: data.tooth_towards(Face::Front.ascending() * lean.y.atan2(lean.x)),
     };
     let mut own = leads.clone();
     for (flank, lead) in Flank::BOTH.into_iter().zip(&mut own) {

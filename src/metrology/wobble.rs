@@ -49,7 +49,7 @@ impl RunoutAt {
 /// The number that the tooth `tooth` of the section at `height`, mm over the measuring plane, has in that plane.
 fn unwound(data: &BasicGearData, tooth: f64, height: f64) -> f64 {
     let wound = height * data.twist() / data.angular_pitch();
-    1.0 + (tooth - 1.0 - wound).rem_euclid(f64::from(data.teeth()))
+    data.tooth_after(tooth - 1.0 - wound)
 }
 
 impl Wobble {
@@ -66,10 +66,7 @@ impl Wobble {
     pub fn of_planes(data: &BasicGearData, [one, other]: [RunoutAt; 2]) -> (Runout, Wobble) {
         let [first, second] = [one, other].map(|at| at.displacement(data));
         let lean = (second - first) / (other.height - one.height);
-        let tooth = |direction: Vector2<f64>| {
-            let pitches = direction.y.atan2(direction.x) / data.angular_pitch();
-            1.0 + pitches.rem_euclid(f64::from(data.teeth()))
-        };
+        let tooth = |direction: Vector2<f64>| data.tooth_towards(direction.y.atan2(direction.x));
         let centre = first - one.height * lean;
         let wobble = Wobble {
             lean: lean.norm(),
@@ -83,11 +80,14 @@ impl Wobble {
     ///
     /// The teeth lean away from the reference face towards the high point of a shoulder that looks the way of the reference face.
     pub fn of_shoulder(data: &BasicGearData, at: RunoutAt, diameter: f64, is_far: bool) -> Wobble {
-        let teeth = f64::from(data.teeth());
-        let across = if is_far { 0.5 * teeth } else { 0.0 };
+        let across = if is_far {
+            0.5 * f64::from(data.teeth())
+        } else {
+            0.0
+        };
         Wobble {
             lean: at.total_um / 1000.0 / diameter,
-            tooth: 1.0 + (at.tooth(data) - 1.0 + across).rem_euclid(teeth),
+            tooth: data.tooth_after(at.tooth(data) - 1.0 + across),
         }
     }
 

@@ -83,6 +83,24 @@ pub const MOST_UNEQUAL: f64 = 0.02;
 /// Greatest lean of the axes, mm per mm.
 pub const MOST_LEAN: f64 = 2e-2;
 
+/// Half the angle, at the centre of a circle of this radius, of its overlap with a circle of radius `other` that is
+/// `distance` away. `None` without overlap, also for circles that touch in a point.
+pub(crate) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
+    if radius + other <= distance {
+        return None;
+    }
+    if other >= distance {
+        return Some(PI);
+    }
+    let tangent = distance * distance - other * other;
+    Some(if radius * radius >= tangent {
+        (other / distance).asin()
+    } else {
+        let cos = (radius * radius + tangent) / (2.0 * distance * radius);
+        cos.min(1.0).acos()
+    })
+}
+
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearPair {
@@ -212,6 +230,11 @@ impl GearPair {
     pub(crate) fn most_shift(&self) -> f64 {
         let [from, to] = self.face();
         self.most_lean() * from.abs().max(to.abs())
+    }
+
+    /// Bound on the height of a point of a tooth over its section, mm along the leaning axis of its gear.
+    pub(crate) fn most_height(&self) -> f64 {
+        self.most_lean() * self.wheel.reach().max(self.pinion.reach())
     }
 
     /// Bound on what sections of leaning axes leave out of each contact, mm along the base tangent; the teeth are tighter by it

@@ -12,6 +12,7 @@ mod sweep_plan;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};
 pub(crate) use facing_teeth::FacingTeeth;
+pub(crate) use gear_pair::lens_half;
 pub use gear_pair::{FaceDeviation, GearPair, MOST_LEAN, MOST_UNEQUAL, Member};
 pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
 pub use pose::{Mating, Pose, ToothNumbers};

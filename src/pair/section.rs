@@ -20,7 +20,7 @@
 //! The point of contact moves along the flank because `h` changes along it, with the slope `g = tan β_b (α_2 − α_1)·τ̂`. Each side is tighter
 //! by `½ g² ρ` along the base tangent, with `ρ ≤ T/4`: [`GearPair::left_out`].
 
-use super::{GearPair, Member, Pose};
+use super::{GearPair, Member, Pose, lens_half};
 use crate::gear::{AsBuilt, Side};
 use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
@@ -256,10 +256,9 @@ impl<'a> Leaning<'a> {
         let reach = Member::BOTH.map(|member| self.pair.gear(member).reach());
         let steps = Member::BOTH.map(|member| {
             let [own, mate] = [reach[member as usize], reach[1 - member as usize]];
-            // The angle at which the circles of both tips cross.
-            let cos = (own * own + distance * distance - mate * mate) / (2.0 * own * distance);
             let pitch = self.pair.gear(member).gear().basic_data().angular_pitch();
-            (cos.clamp(-1.0, 1.0).acos() / pitch).ceil() as i64
+            let half = lens_half(own, mate, distance).unwrap_or(0.0);
+            (half / pitch).ceil() as i64
         });
         // The flank and the far corner of a tooth are less than a pitch apart.
         steps[0].max(steps[1]) + 2

@@ -178,8 +178,7 @@ impl SectionAlone {
 
     /// Whether all teeth of leaning gears reach through this section of `assembly`.
     fn is_whole(&self, assembly: &GearPair) -> bool {
-        let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
-        let beyond = assembly.most_lean() * reach[0].max(reach[1]);
+        let beyond = assembly.most_height();
         let [from, to] = assembly.face();
         (from + beyond..=to - beyond).contains(&self.at)
     }

@@ -162,12 +162,7 @@ impl PoseEvidence {
 /// Places of the right and the left contact along the face; `None` without a contact, and for a pair that does not deviate along it.
 fn places(pair: &GearPair, pose: &ComparedPose) -> [Option<FacePlace>; 2] {
     let result = &pose.simulated;
-    let found = result.proven();
-    let sides = [
-        found.and_then(|found| found.right),
-        found.and_then(|found| found.left),
-    ];
-    sides.map(|contact| FacePlace::of(pair, &result.pose, &contact?))
+    Side::BOTH.map(|side| FacePlace::of(pair, &result.pose, &result.proven()?.on(side)?))
 }
 
 impl Touched {

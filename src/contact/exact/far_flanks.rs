@@ -20,7 +20,7 @@ use crate::gear::{ProfilePart, smooth};
 /// Parts of a far half tooth that can touch. Its tip land belongs to the near half tooth, too.
 const FAR_PARTS: [ProfilePart; 2] = [ProfilePart::Involute, ProfilePart::Fillet];
 
-/// Parts of the free half tooth that touch a far one. In a jam, the far flank meets a root land. Of three teeth it also meets the far corner
+/// Parts of the free half tooth that touch a far one. In a jam, the far flank meets a root land. With three teeth it also meets the far corner
 /// of a tip land.
 const FREE_PARTS: [ProfilePart; 4] = [
     ProfilePart::Tip,

@@ -12,7 +12,7 @@ use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
 use crate::contact::gap::{Origin, rounding};
 use crate::gear::{AsBuilt, Side};
-use crate::pair::{FacingTeeth, GearPair, Member, Pose};
+use crate::pair::{FacingTeeth, GearPair, Member, Pose, lens_half};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -205,24 +205,6 @@ fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
         return Some(PI);
     }
     Some(half + (locked.eccentricity() / nearest).asin())
-}
-
-/// Half the angle, at the centre of a circle of this radius, of its overlap with a circle of radius `other` that is
-/// `distance` away. `None` without overlap, also for circles that touch in a point.
-pub(in crate::contact) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
-    if radius + other <= distance {
-        return None;
-    }
-    if other >= distance {
-        return Some(PI);
-    }
-    let tangent = distance * distance - other * other;
-    Some(if radius * radius >= tangent {
-        (other / distance).asin()
-    } else {
-        let cos = (radius * radius + tangent) / (2.0 * distance * radius);
-        cos.min(1.0).acos()
-    })
 }
 
 /// The half teeth of one side at one pose.

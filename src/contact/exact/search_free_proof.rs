@@ -22,11 +22,11 @@
 //! axis. Pairs of curves that fail are *open*: branch and bound searches them.
 
 use super::curves::Curves;
-use super::flank_problem::lens_half;
 use super::shape::HalfToothShape;
 use super::teeth::Teeth;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
+use crate::pair::lens_half;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The properties of a pair of gears that hold at every pose.

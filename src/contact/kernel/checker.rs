@@ -747,7 +747,7 @@ mod tests {
                     let farthest = distances.fold(0.0, f64::max);
                     all = all.max(farthest);
                     let over = half.piece_about(piece, axis) - farthest;
-                    // That of the top is of the whole half tooth.
+                    // The piece of the top is the whole half tooth.
                     let allowed = if piece == Piece::Top { f64::MAX } else { 1e-5 };
                     assert!((-1e-12..=allowed).contains(&over), "{piece:?}: {over:e}");
                 }
@@ -770,7 +770,7 @@ mod tests {
         }
     }
 
-    /// What holds by a direction loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of the turned piece.
+    /// A pair that a direction holds apart loses no more than its arm and the turn allow as the free gear turns further. Source: the reach of the turned piece.
     #[test]
     fn what_holds_stays_apart_as_the_free_gear_turns() {
         let assembly = assembly();

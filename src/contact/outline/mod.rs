@@ -15,7 +15,6 @@ mod halves;
 mod teeth;
 
 use super::effort::Effort;
-use super::exact::lens_half;
 use super::gap::{
     C, CurveContact, CurvePoint, Inside, Origin, PathSearch, common_normal, rounding, turn,
 };
@@ -23,7 +22,7 @@ use super::lost_motion::{Contact, Framed, LostMotion, ToothPlace, Touch};
 use super::outline_contact::{ContactNotConfirmed, SearchExhausted};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
-use crate::pair::{Mating, Member};
+use crate::pair::{Mating, Member, lens_half};
 use certificate::{CutSide, Witness};
 pub(crate) use extremes::OutlineCycle;
 use halves::{FreeHalf, LockedHalf};

@@ -81,8 +81,7 @@ impl<'a> AlongFaceCells<'a> {
             return None;
         }
         // Heights of a point of contact over its section, and turns of flanks by their twist.
-        let reach = Member::BOTH.map(|member| assembly.gear(member).reach());
-        let height = assembly.most_lean() * reach[0].max(reach[1]);
+        let height = assembly.most_height();
         let twist = assembly.gear(Member::Wheel).gear().basic_data();
         let turned = height * (twist.base_helix_angle().tan() + assembly.most_lean());
         let [from, to] = assembly.face();
@@ -403,9 +402,9 @@ impl<'a> SideCell<'a> {
         // A height leaves its chord by less than half of its greatest change.
         let way = (gears[0].reach() * turns[0]).max(gears[1].reach() * turns[1]);
         let height = 0.6 * lean * way;
-        let reach = lean * (gears[0].reach() + gears[1].reach());
+        let most = self.assembly.most_height();
         let [from, to] = self.assembly.face();
-        let [one, other] = teeth.steepest([from - reach, to + reach]);
+        let [one, other] = teeth.steepest([from - most, to + most]);
         let by_leads = HIGHER_ORDERS * (one + other) * height / self.bases()[1];
         if found.iter().all(|one| one.is_on_line(self.over.plays())) {
             return by_leads + self.lean_bend(found);

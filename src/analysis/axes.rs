@@ -15,12 +15,14 @@
 //! misalignment are possible themselves. A disc of clearance lies within its polygon, so its bracket is wider.
 //!
 //! **Greatest.** No pair has more lost motion than any of its sections, and that grows with the distance of its axes. One section bounds it:
-//! that whose axes can move least.
+//! that whose axes can move least. Leans also change the heights at which its teeth touch, and with them twist and leads. A height that both
+//! sides share only screws the free gear on. So the twist adds at most `tan β_b θ |P_R − P_L|` along the base tangent, with the contacts `P`
+//! inside of both tip circles.
 //!
 //! A displacement across the line of centres turns it. That is another pose of the cycle, but for the turn of the lean, of the second order.
 
 use crate::error::GearError;
-use crate::pair::{GearPair, Member};
+use crate::pair::{GearPair, Member, lens_half};
 use std::f64::consts::PI;
 
 /// Bearings of both gears together, whose clearance differs from one end of the shafts to the other.
@@ -209,6 +211,34 @@ impl Axes {
         let [x, y] = pair.lean().map(|lean| lean * b);
         let distance = (pair.center_distance() + x).hypot(y) + self.reach(b);
         pair.section(b).at(distance)
+    }
+
+    /// Bound on the further lost motion of a section of `pair` by the heights of its contacts, mm along the base tangent.
+    pub fn by_heights(&self, pair: &GearPair) -> f64 {
+        let [x, y] = self.misalignment;
+        let tilt = self.bearings.map_or(0.0, |bearings| {
+            let [one, other] = bearings.at;
+            (bearings.clearance[0] + bearings.clearance[1]) / (other - one).abs()
+        });
+        let gears = Member::BOTH.map(|member| pair.gear(member));
+        let [wheel, pinion] = gears.map(|gear| gear.reach());
+        let [from, to] = pair.face();
+        let nearest =
+            pair.center_distance() - (self.reach(from).max(self.reach(to)) + pair.most_shift());
+        let half = lens_half(wheel, pinion, nearest).unwrap_or(0.0);
+        let across = 2.0 * wheel * half.min(0.5 * PI).sin();
+        let apart = across.hypot((wheel + pinion - nearest).max(0.0));
+        let wound = gears[0].gear().basic_data().base_helix_angle().tan();
+        // The pinion's shaft leans from the wheel's, and both toothings from their shafts.
+        let shaft = pair.lean()[0].hypot(pair.lean()[1]) + x.hypot(y) + tilt;
+        let leans = [gears[0].wobble(), gears[1].wobble() + shaft];
+        let by_gear = [0, 1].map(|k| {
+            let height = leans[k] * gears[k].reach();
+            let steepest = gears[k].steepest_lead([from - height, to + height]);
+            // Leads at other heights on both sides, and the stretch of a section, half of the lean's square on each.
+            height * (2.0 * steepest + leans[k])
+        });
+        wound * (leans[0] + leans[1]) * apart + by_gear[0] + by_gear[1]
     }
 
     /// Bound on the squares of both sides, mm along the base tangent.

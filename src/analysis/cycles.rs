@@ -92,21 +92,18 @@ impl Searched {
         })
     }
 
-    /// One end of the bearing clearance of `assembly`: the least, or the greatest.
-    fn end(self, assembly: AssembledPair, is_least: bool) -> SearchedEnd {
-        let found = self.found;
+    /// One end of the bearing clearance of `pair`: the least, or the greatest.
+    fn end(&self, pair: &GearPair, is_least: bool) -> SearchedEnd {
+        let found = &self.found;
         let (extreme, index) = if is_least {
             (found.least, 0)
         } else {
             (found.greatest, usize::from(found.least.is_some()))
         };
-        let pose = self
-            .poses
-            .into_iter()
-            .nth(index)
-            .filter(|_| extreme.is_some());
+        let pose = self.pose(index).filter(|_| extreme.is_some());
+        let assembly = pose.as_ref().map(|pose| pose.assembly.clone());
         SearchedEnd {
-            assembly: pose.as_ref().map_or(assembly, |pose| pose.assembly.clone()),
+            assembly: assembly.unwrap_or_else(|| pair.clone().into()),
             status: found.status,
             extreme,
             pose,
@@ -127,7 +124,13 @@ impl Planned {
             AssembledPair::Data(pair) if self.open_lean != [0.0; 2] => {
                 self.over_axes(&Axes::new(pair, self.open_lean, None), pair)
             }
-            _ => self.search_as_stated(),
+            assembly => {
+                let mut searched = self.search_as_stated()?;
+                if let AssembledPair::Data(pair) = assembly {
+                    searched.face_loss = self.face_loss(pair, &searched.found)?;
+                }
+                Ok(searched)
+            }
         }
     }
 
@@ -213,9 +216,17 @@ impl Planned {
         let value = |one: &Searched| one.found.least.map_or(f64::INFINITY, |least| least.found);
         let tightest = possible
             .iter()
-            .min_by(|one, other| value(one).total_cmp(&value(other)));
+            .zip(&axes.possible)
+            .min_by(|(one, _), (other, _)| value(one).total_cmp(&value(other)));
+        let face_loss = match tightest {
+            Some((one, axis)) => {
+                let pair = axis.of(pair)?;
+                self.stated(pair.clone()).face_loss(&pair, &one.found)?
+            }
+            None => None,
+        };
         Ok(Searched {
-            face_loss: tightest.and_then(|one| one.face_loss),
+            face_loss,
             found: Extremes {
                 matings: possible.first().map_or(0, |one| one.found.matings),
                 status,
@@ -234,12 +245,15 @@ impl Planned {
     fn section_bound(&self, axes: &Axes, pair: &GearPair) -> Result<f64, Error> {
         let section = axes.section(pair)?;
         let radii = [pair, &section].map(|pair| pair.operating_pitch_radius(pair.free()));
-        let found = self.stated(section).search_as_stated()?.found;
+        let effort = self.effort(&section);
+        let cycle = self.stated(section);
+        let found = cycle.end(&cycle.run.assembly, false, &effort)?;
         let high = found
             .greatest
             .map_or(f64::INFINITY, |greatest| greatest.high);
+        let more = axes.by_heights(pair) / pair.operating_pressure_angle().cos();
         // The lost motion of a section at a greater distance is that at a lesser radius.
-        Ok(high * (radii[0] / radii[1]).max(1.0))
+        Ok(high * (radii[0] / radii[1]).max(1.0) + more)
     }
 
     /// This cycle of another pair with the same teeth, whose axes are where it states them.
@@ -262,7 +276,7 @@ impl Planned {
         }
     }
 
-    /// The extremes with the axes where they are stated.
+    /// The extremes with the axes where they are stated, without the losses along the face.
     fn search_as_stated(&self) -> Result<Searched, Error> {
         let assembly = match &self.run.assembly {
             AssembledPair::Data(pair) => pair,
@@ -291,7 +305,7 @@ impl Planned {
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off, effort)?,
                 meshes_to: meshes_to(far, farthest, all.off, (&greatest, effort))?,
-                face_loss: self.face_loss(assembly, &all.found)?,
+                face_loss: None,
                 found: all.found,
                 poses: all.poses,
             });
@@ -302,7 +316,7 @@ impl Planned {
             poses: vec![self.poses_of(&found, assembles_from)],
             assembles_from,
             meshes_to: meshes_to(assembly, &found, 0.0, (&greatest, effort))?,
-            face_loss: self.face_loss(assembly, &found)?,
+            face_loss: None,
             found,
         })
     }
@@ -355,6 +369,13 @@ impl Planned {
     /// The least with the axes nearer by `clearance`, mm, and the greatest with them further apart by it. Backlash grows with the distance,
     /// so no pose in between has less or more.
     pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
+        if let AssembledPair::Data(pair) = &self.run.assembly
+            && self.bearing_ends.is_some()
+        {
+            let axes = Axes::new(pair, self.open_lean, self.bearing_ends);
+            let searched = self.over_axes(&axes, pair)?;
+            return Ok([true, false].map(|is_least| searched.end(pair, is_least)));
+        }
         Ok([
             self.at_end(-clearance, true)?,
             self.at_end(clearance, false)?,
@@ -364,14 +385,11 @@ impl Planned {
     fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
         let assembly = &self.run.assembly;
         if let AssembledPair::Data(pair) = assembly
-            && (self.bearing_ends.is_some() || self.open_lean != [0.0; 2])
+            && self.open_lean != [0.0; 2]
         {
-            let moved = match self.bearing_ends {
-                Some(_) => pair.clone(),
-                None => pair.at(pair.center_distance() + farther)?,
-            };
-            let axes = Axes::new(&moved, self.open_lean, self.bearing_ends);
-            return Ok(self.over_axes(&axes, &moved)?.end(moved.into(), is_least));
+            let moved = pair.at(pair.center_distance() + farther)?;
+            let axes = Axes::new(&moved, self.open_lean, None);
+            return Ok(self.over_axes(&axes, &moved)?.end(&moved, is_least));
         }
         let assembly = assembly.at(assembly.center_distance() + farther)?;
         let of = |found: &Extremes| match is_least {

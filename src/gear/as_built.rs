@@ -803,6 +803,16 @@ impl AsBuilt {
         }
     }
 
+    /// The section of this gear in its measuring plane.
+    #[must_use]
+    pub fn in_measuring_plane(&self) -> AsBuilt {
+        if self.height == 0.0 {
+            self.clone()
+        } else {
+            self.section_at(-self.inwards() * self.height)
+        }
+    }
+
     /// This section with its outline turned by `angle`, rad, counter-clockwise about the axis, all teeth alike.
     pub(crate) fn turned(self, angle: f64) -> AsBuilt {
         let basic_data = self.gear.basic_data();

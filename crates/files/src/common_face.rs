@@ -1,7 +1,10 @@
 //! The face that two gears have in common.
 
+use super::error::Problem;
 use super::gear::GearPart;
+use super::read::PairFile;
 use super::table::Table;
+use gearlash::gear::AsBuilt;
 
 /// The common face of both gears, mm from the wheel's measuring plane. Its length is 0 for spur gears that do not change along it. `offset` is the
 /// place of the pinion's measuring plane. `leans`: axes are not known to be parallel.
@@ -36,11 +39,7 @@ pub fn common_face(
         };
         for (name, helix) in [("wheel", one), ("pinion", other)] {
             if helix.face_mm.is_none() {
-                return file.refuse(
-                    &format!("{name}.face_width_mm"),
-                    format!("missing, expected the face width, or face_mm = [from, to] from the measuring plane: {why}"),
-                    "give the length of the teeth along the axis: results depend on where both gears have teeth",
-                );
+                return file.refuse(&format!("{name}.face_width_mm"), missing(why), LENGTH);
             }
         }
     } else if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
@@ -55,16 +54,60 @@ pub fn common_face(
     }
     let wheel = one.face_mm?.map(|end| end * factors[0]);
     let pinion = other.face_mm?.map(|end| end * factors[1] + offset);
+    let common =
+        common(wheel, pinion).map_err(|reason| file.problem("pinion.face_mm", reason, PLACE));
+    file.reading().keep(common)
+}
+
+const LENGTH: &str =
+    "give the length of the teeth along the axis: results depend on where both gears have teeth";
+const PLACE: &str = "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's";
+
+fn missing(why: &str) -> String {
+    format!(
+        "missing, expected the face width, or face_mm = [from, to] from the measuring plane: {why}"
+    )
+}
+
+/// The common face of teeth with these ends, mm from the wheel's measuring plane.
+///
+/// # Errors
+/// The reason why there is none.
+fn common(wheel: [f64; 2], pinion: [f64; 2]) -> Result<[f64; 2], String> {
     let common = [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])];
     if common[0] < common[1] {
-        return Some(common);
+        return Ok(common);
     }
-    file.refuse(
-        "pinion.face_mm",
-        format!(
-            "the gears do not face each other: the wheel's teeth run from {:?} to {:?} mm, the pinion's from {:?} to {:?} mm",
-            wheel[0], wheel[1], pinion[0], pinion[1]
-        ),
-        "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's",
-    )
+    Err(format!(
+        "the gears do not face each other: the wheel's teeth run from {:?} to {:?} mm, the pinion's from {:?} to {:?} mm",
+        wheel[0], wheel[1], pinion[0], pinion[1]
+    ))
+}
+
+/// The common face of `pair` at 20 °C where `gears` take the place of its own.
+///
+/// # Errors
+/// The face width that gears with leads or wobble need and the pair does not state.
+pub fn with_gears<'a>(
+    pair: &PairFile,
+    mut gears: impl Iterator<Item = &'a AsBuilt>,
+) -> Result<[f64; 2], Problem> {
+    let varies = |gear: &AsBuilt| gear.has_leads() || gear.wobble() > 0.0;
+    if pair.study.varies_along_face() || !gears.any(varies) {
+        return Ok(pair.study.face);
+    }
+    let spec = &pair.spec;
+    let face = |name: &str, face: Option<[f64; 2]>| {
+        face.ok_or_else(|| Problem {
+            key: format!("{name}.face_width_mm"),
+            ..Problem::of_file(missing("a measured gear has leads or wobble"), LENGTH)
+        })
+    };
+    let wheel = face("wheel", spec.wheel.face())?;
+    let offset = spec.assembly.face_offset_mm.unwrap_or(0.0);
+    let pinion = face("pinion", spec.pinion.face())?.map(|end| end + offset);
+    common(wheel, pinion).map_err(|reason| Problem {
+        key: "pinion.face_mm".to_owned(),
+        ..Problem::of_file(reason, PLACE)
+    })
 }

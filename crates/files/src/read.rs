@@ -130,10 +130,13 @@ impl<G> From<PairFile<G>> for GearsFile<G> {
     fn from(file: PairFile<G>) -> GearsFile<G> {
         let Study {
             title,
-            materials,
+            mut materials,
             drawn,
             ..
         } = file.study;
+        for (_, _, pinion) in &mut materials {
+            *pinion = pinion.in_measuring_plane();
+        }
         let (mut gears, specs) = (Vec::new(), [file.spec.wheel, file.spec.pinion]);
         for (k, spec) in specs.into_iter().enumerate() {
             let name = ["wheel", "pinion"][k];

@@ -6,7 +6,7 @@ use crate::numbers::shortest;
 use crate::read::PairFile;
 use crate::spec::GearSpec;
 use crate::temperature::REFERENCE_C;
-use crate::tolerance::{middle, placed, shape_difference};
+use crate::tolerance::{middle, placed};
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
 use std::ffi::OsStr;
@@ -27,6 +27,8 @@ pub struct NamedGear {
 pub struct ReadGear {
     /// The gear.
     pub gear: NamedGear,
+    /// Its table in the file.
+    pub table: &'static str,
     /// The files it was read from.
     pub sources: Sources,
     /// File and key of its thickness, where that is a band.
@@ -67,14 +69,7 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
         ),
         help: "match gears of one pair".to_owned(),
     });
-    let shape_difference = shape_difference(&entry.spec, pair, member).map(|reason| {
-        let help = "match gears whose teeth wind and end as those of the pair";
-        Problem {
-            key: entry.name.to_owned(),
-            ..Problem::of_file(reason, help)
-        }
-    });
-    let others: Vec<Problem> = others.chain(shape_difference).collect();
+    let others: Vec<Problem> = others.collect();
     if !others.is_empty() {
         return Err(InputError::of(path, others));
     }
@@ -89,6 +84,7 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
             gear: placed(gear.facing(face), pair, member),
             spec: entry.spec.clone(),
         },
+        table: entry.name,
         band: is_band.then(|| {
             format!(
                 "{}: {}",

@@ -2,10 +2,11 @@
 
 use super::folder::gear_files;
 use super::gear::{NamedGear, one, thickness_key, warm};
+use crate::common_face;
 use crate::error::{InputError, Problem};
 use crate::grouped_warnings::GroupedWarnings;
 use crate::read::PairFile;
-use crate::tolerance::{Tick, sha256};
+use crate::tolerance::{Tick, sha256, shape_difference};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
 use gearlash::matching::{Matrix, PairFit, Terms};
@@ -48,7 +49,7 @@ pub fn read_match(
     if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
         return Err(vec![InputError::of(path, vec![problem])]);
     }
-    let (mut errors, mut bands) = (Vec::new(), Vec::new());
+    let (mut errors, mut bands, mut tables) = (Vec::new(), Vec::new(), Vec::new());
     let (mut gear_warnings, mut gear_remarks) =
         (GroupedWarnings::default(), GroupedWarnings::default());
     let mut gears = |folder: &Path, member: Member| {
@@ -60,6 +61,7 @@ pub fn read_match(
                     gear_warnings.add(&file, &found.warnings);
                     gear_remarks.add(&file, &found.remarks);
                     pair.sources.extend(&found.sources);
+                    tables.push((file, found.table, member));
                     gears.push(found.gear);
                 }
                 Err(error) => errors.push(error),
@@ -68,6 +70,25 @@ pub fn read_match(
         gears
     };
     let (wheels, pinions) = (gears(wheels, Member::Wheel), gears(pinions, Member::Pinion));
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let gears = || wheels.iter().chain(&pinions);
+    pair.study.face = common_face::with_gears(&pair, gears().map(|one| &one.gear))
+        .map_err(|problem| vec![InputError::of(path, vec![problem])])?;
+    for (one, (file, table, member)) in gears().zip(&tables) {
+        errors.extend(shape_difference(&one.spec, &pair, *member).map(|reason| {
+            let help = "match gears whose teeth wind and end as those of the pair";
+            let key = (*table).to_owned();
+            InputError::of(
+                file,
+                vec![Problem {
+                    key,
+                    ..Problem::of_file(reason, help)
+                }],
+            )
+        }));
+    }
     if !errors.is_empty() {
         return Err(errors);
     }

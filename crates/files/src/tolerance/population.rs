@@ -7,7 +7,7 @@ use crate::error::InputError;
 use crate::read::PairFile;
 use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
 use crate::table::Table;
-use crate::{pair_by_data, with_tree};
+use crate::{common_face, pair_by_data, with_tree};
 use gearlash::analysis::phases::phase;
 use gearlash::gear::{AsBuilt, Face, GradedQuantity, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
@@ -41,7 +41,7 @@ pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
     with_tree(path, |tree| understood(pair_by_data(tree)?, &tree.table()))
 }
 
-fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
+fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let Some(tolerance) = pair.spec.tolerance.clone() else {
         return file.refuse(
             "tolerance",
@@ -49,7 +49,6 @@ fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             "add [tolerance], such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
         );
     };
-    let own = own_pair(&pair, file);
     let assembly = &pair.spec.assembly;
     let distance = assembly.center_distance_mm.nominal_mm();
     let distance = distance.map(|mm| assembly.in_measuring_plane(mm));
@@ -70,6 +69,18 @@ fn understood(pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let wheel = gear(&tolerance.wheel, Member::Wheel);
     let pinion = gear(&tolerance.pinion, Member::Pinion);
     let ((wheel, wheels), (pinion, pinions)) = (wheel?, pinion?);
+    let measured = [&wheels, &pinions].map(|gears| gears.iter().map(|one| &one.gear));
+    pair.study.face = common_face::with_gears(&pair, measured.into_iter().flatten())
+        .map_err(|problem| file.reading().add(problem))
+        .ok()?;
+    for (member, gears) in [(Member::Wheel, &wheels), (Member::Pinion, &pinions)] {
+        let mut gears = gears.iter();
+        if let Some(other) = gears.find_map(|one| shape_difference(&one.spec, &pair, member)) {
+            let help = "name gears whose teeth wind and end as those of the pair";
+            return file.refuse(&format!("tolerance.{}.gears", member.name()), other, help);
+        }
+    }
+    let own = own_pair(&pair, file);
     let scatters = Scatters {
         wheel,
         pinion,
@@ -187,11 +198,6 @@ fn gear(
             })
         }
     }?;
-    let mut others = measured.iter();
-    if let Some(other) = others.find_map(|one| shape_difference(&one.spec, pair, member)) {
-        let help = "name gears whose teeth wind and end as those of the pair";
-        return file.refuse(&key("gears"), other, help);
-    }
     let face = face(pair, member);
     let turned = |one: &MeasuredGear| placed(one.gear.facing(face), pair, member);
     let whole = (!measured.is_empty()).then(|| measured.iter().map(turned).collect());
@@ -207,16 +213,17 @@ fn gear(
     ))
 }
 
-/// The difference of the helix or face of `gear` from the pair's `member`; `None` where they agree.
+/// The difference of the helix or face of `gear` from the pair's `member`; `None` where they agree, or where nothing varies along the face.
 pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member) -> Option<String> {
     let (own, name) = match member {
         Member::Wheel => (&pair.spec.wheel, "wheel"),
         Member::Pinion => (&pair.spec.pinion, "pinion"),
     };
-    if !own.is_helical() && own.lead.is_none() && gear.lead.is_none() {
+    if pair.study.face == [0.0; 2] {
         return None;
     }
-    let other = match (gear.hand == own.hand, gear.face_mm == own.face_mm) {
+    let ends = |gear: &GearSpec| Some(gear.heights()?.map(|end| gear.scale() * end));
+    let other = match (gear.hand == own.hand, ends(gear) == ends(own)) {
         (false, _) => "hand",
         (_, false) => "face_mm",
         _ => return None,

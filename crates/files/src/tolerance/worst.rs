@@ -115,14 +115,8 @@ impl ToleranceFile {
         let is_own = bearings.sum_mm() == assembly.clearance();
         let mut spec = own.clone();
         spec.title = title;
-        spec.wheel = self.gear_spec(pair.gear(Member::Wheel), Member::Wheel);
-        // Its teeth are counted in the wheel's measuring plane.
-        let pinion = pair.gear(Member::Pinion);
-        let pinion = match own.assembly.face_offset_mm {
-            Some(offset) if pair.varies_along_face() => &pinion.section_at(offset),
-            _ => pinion,
-        };
-        spec.pinion = self.gear_spec(pinion, Member::Pinion);
+        spec.wheel = self.gear_spec(assembly, Member::Wheel);
+        spec.pinion = self.gear_spec(assembly, Member::Pinion);
         spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
         if !is_own {
             spec.assembly.bearing_clearance_mm =
@@ -137,23 +131,20 @@ impl ToleranceFile {
         spec
     }
 
-    /// `gear` as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
-    fn gear_spec(&self, gear: &AsBuilt, member: Member) -> GearSpec {
+    /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
+    fn gear_spec(&self, assembly: &Assembly, member: Member) -> GearSpec {
+        let gear = assembly.pair().gear(member);
         let (own, measured) = match member {
             Member::Wheel => (&self.pair.spec.wheel, &self.measured[0]),
             Member::Pinion => (&self.pair.spec.pinion, &self.measured[1]),
         };
-        // Finds the drawn whole gear by the properties that no draw changes.
-        let same = |one: &&super::gears::MeasuredGear| {
-            let one = one.gear.facing(gear.face());
-            one.gear() == gear.gear()
-                && Side::BOTH.iter().all(|&side| {
-                    (1..=gear.gear().basic_data().teeth()).all(|tooth| {
-                        one.flank_offset(side, tooth) == gear.flank_offset(side, tooth)
-                    })
-                })
-        };
-        let own = measured.iter().find(same).map_or(own, |one| &one.spec);
+        // Finds the drawn whole gear by all but its runout, whose direction can be drawn.
+        let centred = |gear: &AsBuilt| gear.with_runout(0.0, 1.0).ok();
+        let drawn = self.population.scatters().of(member).gears.iter();
+        let mut drawn = drawn.flat_map(|gears| gears.iter()).zip(measured);
+        let same = drawn.find(|(one, _)| centred(one) == centred(gear));
+        let own = same.map_or(own, |(_, one)| &one.spec);
+        let gear = gear.in_measuring_plane();
         // Lengths and deviations as stated; the file states the factor.
         let unscaled = own.scale.map(|scale| gear.expanded(1.0 / scale));
         let gear = &unscaled
@@ -189,6 +180,7 @@ impl ToleranceFile {
         let base = span_from_base(gear.gear().basic_data(), 1, gear.gear().base_thickness());
         GearSpec {
             reference_face: gear.face(),
+            face_mm: own.heights().map(|ends| gear.face().heights(ends)),
             thickness: ThicknessSpec {
                 statement: StatementSpec {
                     base_thickness_mm: Some(Either::One(base)),

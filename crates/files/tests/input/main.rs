@@ -3,6 +3,7 @@
 mod deviations;
 mod helical;
 mod leads;
+mod measured_gears;
 mod mutations;
 mod poses;
 mod published;

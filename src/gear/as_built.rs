@@ -131,12 +131,15 @@ impl AsBuilt {
             gear,
         };
         let as_built = as_built.with_leads_turned(|curve| curve.at(0.0));
-        if as_built.has_leads() {
-            for which in [0, 1] {
-                as_built.at_lead_bound(which, None).check_teeth()?;
-            }
-        }
+        as_built.check_leads()?;
         as_built.checked()
+    }
+
+    /// Checks the teeth where their leads are least and where they are greatest.
+    fn check_leads(&self) -> Result<(), GearError> {
+        let bounds = [0, 1].into_iter().filter(|_| self.has_leads());
+        let mut gears = bounds.map(|which| self.at_lead_bound(which, None));
+        gears.try_for_each(|gear| gear.check_teeth())
     }
 
     /// This gear, after checking runout and teeth.
@@ -189,6 +192,41 @@ impl AsBuilt {
             any_direction: true,
             ..self.with_runout(eccentricity, 1.0)?
         })
+    }
+
+    /// This gear with another wobble: the lean, mm per mm, and the tooth towards which the teeth lean away from the reference face. The
+    /// eccentricity in this section stays.
+    #[must_use]
+    pub fn with_wobble(&self, wobble: f64, wobble_tooth: f64) -> AsBuilt {
+        AsBuilt {
+            wobble,
+            wobble_tooth,
+            ..self.clone()
+        }
+    }
+
+    /// This gear with further lead deviations of its own right and left flanks, without traces of single teeth.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of lead deviations.
+    pub fn with_further_leads(&self, further: &[Lead; 2]) -> Result<AsBuilt, GearError> {
+        let Some(further) = Leads::new(further, self.gear.basic_data().teeth())? else {
+            return Ok(self.clone());
+        };
+        let sum = match self.leads.as_deref() {
+            Some(own) => own.clone().plus(&further),
+            None => further.clone(),
+        };
+        let turned = AsBuilt {
+            leads: Some(Arc::new(further)),
+            ..self.clone()
+        };
+        let sum = AsBuilt {
+            leads: Some(Arc::new(sum)),
+            ..turned.with_leads_turned(|curve| curve.at(self.height))
+        };
+        sum.check_leads()?;
+        sum.checked()
     }
 
     /// This gear with its deviations from the perfect nominal gear multiplied by `factor`, for a picture.
@@ -809,8 +847,13 @@ impl AsBuilt {
         if self.height == 0.0 {
             self.clone()
         } else {
-            self.section_at(-self.inwards() * self.height)
+            self.section_at(-self.place())
         }
+    }
+
+    /// Place of this section, mm from the measuring plane away from the viewer.
+    pub(crate) fn place(&self) -> f64 {
+        self.inwards() * self.height
     }
 
     /// This section with its outline turned by `angle`, rad, counter-clockwise about the axis, all teeth alike.

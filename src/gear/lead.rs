@@ -207,6 +207,19 @@ impl Leads {
         }))
     }
 
+    /// These leads and `further` ones, which all teeth of a flank share.
+    pub fn plus(mut self, further: &Leads) -> Leads {
+        for (own, further) in self.flanks.iter_mut().zip(&further.flanks) {
+            for curve in &mut own.curves {
+                *curve = Arc::new(DeviationCurve::sum(&[
+                    (1.0, &**curve),
+                    (1.0, &*further.curves[0]),
+                ]));
+            }
+        }
+        self
+    }
+
     /// Heights between which every trace has points, mm; `None` without traces.
     pub fn traced(&self) -> Option<[f64; 2]> {
         self.traced

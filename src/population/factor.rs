@@ -15,10 +15,16 @@ pub enum Factor {
     Pitch(Member),
     /// Thickness of each tooth of a gear.
     PerTooth(Member),
+    /// Lead of a gear: slope and crowning of right and of left flanks.
+    Lead(Member),
+    /// Wobble of a gear, with its direction.
+    Wobble(Member),
     /// Choice of a whole gear.
     Gear(Member),
     /// Centre distance.
     CenterDistance,
+    /// Deviations of the axes from parallel, in and out of their plane.
+    Misalignment,
     /// Play of the bearings.
     BearingPlay,
     /// Assembly phase.
@@ -27,19 +33,24 @@ pub enum Factor {
 
 impl Factor {
     /// All quantities.
-    pub const ALL: [Factor; 14] = [
+    pub const ALL: [Factor; 19] = [
         Factor::Thicknesses,
         Factor::Thickness(Member::Wheel),
         Factor::Runout(Member::Wheel),
         Factor::Pitch(Member::Wheel),
         Factor::PerTooth(Member::Wheel),
+        Factor::Lead(Member::Wheel),
+        Factor::Wobble(Member::Wheel),
         Factor::Gear(Member::Wheel),
         Factor::Thickness(Member::Pinion),
         Factor::Runout(Member::Pinion),
         Factor::Pitch(Member::Pinion),
         Factor::PerTooth(Member::Pinion),
+        Factor::Lead(Member::Pinion),
+        Factor::Wobble(Member::Pinion),
         Factor::Gear(Member::Pinion),
         Factor::CenterDistance,
+        Factor::Misalignment,
         Factor::BearingPlay,
         Factor::Phase,
     ];
@@ -53,10 +64,13 @@ impl Factor {
             Factor::Pitch(member) => of(2, member),
             Factor::PerTooth(member) => of(3, member),
             Factor::Gear(member) => of(4, member),
+            Factor::Lead(member) => of(5, member),
+            Factor::Wobble(member) => of(6, member),
             Factor::CenterDistance => 16,
             Factor::BearingPlay => 17,
             Factor::Phase => 18,
             Factor::Thicknesses => 19,
+            Factor::Misalignment => 20,
         }
     }
 
@@ -74,9 +88,12 @@ impl Factor {
                     "thickness of the pinion's single teeth",
                 ],
             ),
+            Factor::Lead(m) => of(m, ["lead of the wheel", "lead of the pinion"]),
+            Factor::Wobble(m) => of(m, ["wobble of the wheel", "wobble of the pinion"]),
             Factor::Gear(m) => of(m, ["which wheel", "which pinion"]),
             Factor::Thicknesses => "thickness of both gears",
             Factor::CenterDistance => "centre distance",
+            Factor::Misalignment => "misalignment of the axes",
             Factor::BearingPlay => "play of the bearings",
             Factor::Phase => "assembly phase",
         }

@@ -1,12 +1,12 @@
 //! Classic tolerance analysis: the worst case and the root sum of squares.
 
 use super::assembly::Assembly;
-use super::members::Population;
+use super::members::{Population, displaced};
 use super::scatter::Scatter;
-use super::scatters::{GearScatter, Scatters, phase_count};
+use super::scatters::{GearScatter, LeadScatter, Scatters, phase_count};
 use crate::analysis::extremes::phases_differ;
 use crate::error::{Error, GearError};
-use crate::gear::{AsBuilt, Deviations};
+use crate::gear::{AsBuilt, Deviations, Flank, Lead};
 use crate::pair::Member;
 use crate::parallel;
 
@@ -17,7 +17,7 @@ pub const PITCH_LIMIT_SIGMAS: f64 = 3.0;
 /// of mesh or impossible. If the assembly phase scatters, they are the least and the greatest of all phases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitCases {
-    /// Each scatter at its mean, a drawn runout or pitch at 0, and everything else as in the pair.
+    /// Each scatter at its mean, a drawn runout, wobble or pitch at 0, and everything else as in the pair.
     pub mean: [Option<f64>; 2],
     /// The least with all scatters at one limit, the greatest with all at the other.
     pub worst: [Option<f64>; 2],
@@ -35,9 +35,12 @@ enum SingleFactor {
     PerTooth(Member),
     Distance,
     Play,
+    Lead(Member),
+    Wobble(Member),
+    Lean,
 }
 
-const EACH: [SingleFactor; 10] = [
+const EACH: [SingleFactor; 15] = [
     SingleFactor::Thickness(Member::Wheel),
     SingleFactor::Thickness(Member::Pinion),
     SingleFactor::Runout(Member::Wheel),
@@ -48,6 +51,20 @@ const EACH: [SingleFactor; 10] = [
     SingleFactor::PerTooth(Member::Pinion),
     SingleFactor::Distance,
     SingleFactor::Play,
+    SingleFactor::Lead(Member::Wheel),
+    SingleFactor::Lead(Member::Pinion),
+    SingleFactor::Wobble(Member::Wheel),
+    SingleFactor::Wobble(Member::Pinion),
+    SingleFactor::Lean,
+];
+
+/// Ends of the face, +1 away from the viewer, where leads and axes at their limits tighten right and left flanks. 0: slopes and axes are at their means.
+const FACE_ENDS: [[f64; 2]; 5] = [
+    [0.0, 0.0],
+    [1.0, 1.0],
+    [-1.0, -1.0],
+    [1.0, -1.0],
+    [-1.0, 1.0],
 ];
 
 /// The direction of a limit: less or more backlash.
@@ -61,6 +78,9 @@ enum Towards {
 ///
 /// An assembly phase has no limits. If it scatters, each case covers all gcd(z_1, z_2) phases. Its least and its
 /// greatest can come from different phases.
+///
+/// Leads and axes take backlash in either sense. Their limits tighten either flank at either end of the face. The extremes are the least and the
+/// greatest of these cases, and of slopes and axes at their means. Teeth with wobble lean against each other where wheel tooth 1 meets its mate.
 ///
 /// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
 /// numbers that close on the circle. The flanks in contact are [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative deviation out, or
@@ -133,6 +153,9 @@ impl SingleFactor {
             SingleFactor::PerTooth(member) => scatters.of(member).per_tooth.is_some(),
             SingleFactor::Distance => scatters.center_distance.is_some(),
             SingleFactor::Play => scatters.bearing_play.is_some(),
+            SingleFactor::Lead(member) => scatters.of(member).lead.is_some(),
+            SingleFactor::Wobble(member) => scatters.of(member).wobble.is_some(),
+            SingleFactor::Lean => scatters.lean.iter().any(Option::is_some),
         }
     }
 }
@@ -143,18 +166,30 @@ fn case(
     at_limit: &dyn Fn(SingleFactor) -> bool,
     towards: Towards,
 ) -> Result<(Option<f64>, Option<f64>), Error> {
-    let assembly = match assembly(population, at_limit, towards) {
-        Ok(assembly) => assembly,
-        // An impossible gear: the case does not exist.
-        Err(_) => return Ok((None, None)),
-    };
-    let pair = assembly.pair();
-    let phases = if population.scatters().phase && phases_differ(pair) {
-        (1..=phase_count(pair)).collect()
+    let scatters = population.scatters();
+    let of_face = |one: &SingleFactor| matches!(one, SingleFactor::Lead(_) | SingleFactor::Lean);
+    let mut of_face = EACH.into_iter().filter(of_face);
+    let count = if of_face.any(|one| one.scatters(scatters) && at_limit(one)) {
+        FACE_ENDS.len()
     } else {
-        vec![assembly.phase()]
+        1
     };
-    let each = parallel::map(phases, |phase| assembly.in_phase(phase).outcome());
+    let made = FACE_ENDS.iter().take(count);
+    let made = made.map(|ends| assembly(population, at_limit, towards, *ends));
+    // An impossible gear: the case does not exist.
+    let Ok(assemblies) = made.collect::<Result<Vec<_>, _>>() else {
+        return Ok((None, None));
+    };
+    let in_phases = assemblies.iter().flat_map(|assembly| {
+        let pair = assembly.pair();
+        let phases = if scatters.phase && phases_differ(pair) {
+            1..=phase_count(pair)
+        } else {
+            assembly.phase()..=assembly.phase()
+        };
+        phases.map(|phase| assembly.in_phase(phase))
+    });
+    let each = parallel::map(in_phases, |assembly: Assembly| assembly.outcome());
     let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
     // A phase without a value leaves no value for all.
     let least = each.iter().map(|found| found.least);
@@ -168,6 +203,7 @@ fn assembly(
     population: &Population,
     at_limit: &dyn Fn(SingleFactor) -> bool,
     towards: Towards,
+    ends: [f64; 2],
 ) -> Result<Assembly, GearError> {
     let (pair, scatters) = (population.pair(), population.scatters());
     // More material means less backlash, more distance means more.
@@ -198,14 +234,23 @@ fn assembly(
             },
             ..Deviations::default()
         };
-        let gear = own.varied(thicker, &further)?;
-        match &scatter.runout {
+        let mut gear = own.varied(thicker, &further)?;
+        if let Some(lead) = &scatter.lead {
+            let limit = at_limit(SingleFactor::Lead(member)).then_some((towards, ends));
+            gear = gear.with_further_leads(&lead_limit(lead, &gear, limit))?;
+        }
+        let is_worst = towards == Towards::Less && at_limit(SingleFactor::Wobble(member));
+        let wobble = scatter.wobble.as_ref().map(|wobble| {
+            let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
+            [lean, leaning_tooth(population, member)]
+        });
+        displaced(&gear, wobble, |gear| match &scatter.runout {
             Some(runout) if at_limit(SingleFactor::Runout(member)) => {
                 gear.with_runout_of_any_direction(0.5 * runout.limits()[1])
             }
             Some(_) => gear.with_runout(0.0, 1.0),
             None => Ok(gear),
-        }
+        })
     };
     let farther = of(&scatters.center_distance, SingleFactor::Distance, more);
     let distance = pair.center_distance() + farther;
@@ -215,8 +260,73 @@ fn assembly(
         Some(play) => play.mean(),
         None => population.clearance(),
     };
-    let pair = pair.with_gears(wheel, pinion, distance)?;
+    // Axes that are nearer at the far end tighten it on both flanks, those with the pinion's far end at +y on right flanks.
+    let senses = [-ends[0], ends[0]];
+    let own = pair.lean();
+    let lean = [0, 1].map(|k| {
+        own[k]
+            + match &scatters.lean[k] {
+                Some(lean) if at_limit(SingleFactor::Lean) && ends[0] != 0.0 => {
+                    lean.limits()[usize::from(senses[k] > 0.0)]
+                }
+                Some(lean) => lean.mean(),
+                None => 0.0,
+            }
+    });
+    let pair = pair.with_gears(wheel, pinion, distance)?.with_lean(lean)?;
     Ok(Assembly::new(pair, play, population.phase()))
+}
+
+/// Leads of right and left flanks at their means, or at a limit with material at these ends of the face.
+fn lead_limit(lead: &LeadScatter, gear: &AsBuilt, limit: Option<(Towards, [f64; 2])>) -> [Lead; 2] {
+    let mean = |scatter: &Option<Scatter>| scatter.as_ref().map_or(0.0, Scatter::mean);
+    let at = |scatter: &Option<Scatter>, end: usize| {
+        scatter
+            .as_ref()
+            .map_or(0.0, |scatter| scatter.limits()[end])
+    };
+    // A crown costs what lies above the zero: both ends of a hollow flank, or the middle.
+    let Lead { face, zero, .. } = &lead.shape;
+    let from_middle = (2.0 * zero - face[0] - face[1]) / (face[1] - face[0]);
+    let costly = usize::from(from_middle * from_middle > 0.5);
+    Flank::BOTH.map(|flank| {
+        let Some((towards, ends)) = limit else {
+            return lead.with(mean(&lead.slope), mean(&lead.crowning));
+        };
+        let end = ends[gear.face().seen_from_front(flank).index()];
+        let slope = if end == 0.0 {
+            mean(&lead.slope)
+        } else {
+            // Heights rise away from the reference face.
+            at(
+                &lead.slope,
+                usize::from(-gear.face().ascending() * end > 0.0),
+            )
+        };
+        let crowning = if towards == Towards::Less {
+            costly
+        } else {
+            1 - costly
+        };
+        lead.with(slope, at(&lead.crowning, crowning))
+    })
+}
+
+/// The tooth of a gear towards which it leans, against its mate where wheel tooth 1 meets the pinion.
+fn leaning_tooth(population: &Population, member: Member) -> f64 {
+    if member == Member::Wheel {
+        return 1.0;
+    }
+    let pair = population.pair();
+    let [wheel, pinion] = Member::BOTH.map(|member| pair.gear(member));
+    let data = pinion.gear().basic_data();
+    let half = 0.5 * f64::from(data.teeth());
+    let facing = if wheel.face() == pinion.face() {
+        0.0
+    } else {
+        half
+    };
+    data.tooth_after(f64::from(population.phase() - 1) + facing)
 }
 
 /// Additional thickness of a tooth, mm, with both flanks at the limit of their cumulative pitch deviation.

@@ -3,10 +3,12 @@
 use super::assembly::Assembly;
 use super::factor::Factor;
 use super::scatter::{Scatter, normal_share, standard_normal};
-use super::scatters::{GearScatter, PopulationError, Scatters, not_negative, phase_count};
+use super::scatters::{
+    GearScatter, LeadScatter, PopulationError, Scatters, not_negative, phase_count,
+};
 use super::stream::{Draw, Stream};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Deviations, Pitch};
+use crate::gear::{AsBuilt, Deviations, Lead, Pitch};
 use crate::pair::{GearPair, Member};
 
 /// A pair and its scatters.
@@ -36,6 +38,10 @@ impl Population {
             None => Ok(()),
         };
         nonnegative("the play of the bearings", &scatters.bearing_play)?;
+        let [from, to] = pair.face();
+        if scatters.vary_along_face() && from == to {
+            return Err(PopulationError::NoFace);
+        }
         let correlation = scatters.thickness_correlation;
         if !(-1.0..=1.0).contains(&correlation) {
             return Err(PopulationError::Correlation(correlation));
@@ -125,8 +131,20 @@ impl Population {
         } else {
             self.phase
         };
-        let pair = self.pair.with_gears(wheel, pinion, distance)?;
+        let mut pair = self.pair.with_gears(wheel, pinion, distance)?;
+        if self.scatters.lean != [None, None] {
+            let mut axes = stream(Factor::Misalignment);
+            let drawn = each_at(self.scatters.lean.each_ref().map(Option::as_ref), &mut axes);
+            let own = pair.lean();
+            pair = pair.with_lean([own[0] + drawn[0], own[1] + drawn[1]])?;
+        }
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
+    }
+
+    /// Leads of right and left flanks on top of the pair's in the assembly of `draw`; `None` where none scatter.
+    pub fn leads(&self, draw: Draw, member: Member) -> Option<[Lead; 2]> {
+        let lead = self.scatters.of(member).lead.as_ref()?;
+        Some(lead.draw(draw.stream(Factor::Lead(member).quantity())))
     }
 
     /// Shares of the thicknesses of wheel and pinion in their distributions.
@@ -190,17 +208,63 @@ impl GearScatter {
                 },
             )?
         };
-        if self.runout.is_none() && !gear.any_direction() {
-            return Ok(gear);
-        }
-        let mut runout = stream(Factor::Runout(member));
-        let amount = runout.uniform();
-        let eccentricity = match &self.runout {
-            Some(scatter) => 0.5 * scatter.at(amount),
-            None => gear.eccentricity(),
+        let gear = match &self.lead {
+            Some(lead) => gear.with_further_leads(&lead.draw(stream(Factor::Lead(member))))?,
+            None => gear,
         };
-        gear.with_runout(eccentricity, 1.0 + f64::from(teeth) * runout.uniform())
+        let any_tooth = |share: f64| 1.0 + f64::from(teeth) * share;
+        let wobble = self.wobble.as_ref().map(|scatter| {
+            let mut wobble = stream(Factor::Wobble(member));
+            [scatter.at(wobble.uniform()), any_tooth(wobble.uniform())]
+        });
+        let runout = (self.runout.is_some() || gear.any_direction()).then(|| {
+            let mut runout = stream(Factor::Runout(member));
+            let amount = runout.uniform();
+            let eccentricity = match &self.runout {
+                Some(scatter) => 0.5 * scatter.at(amount),
+                None => gear.eccentricity(),
+            };
+            [eccentricity, any_tooth(runout.uniform())]
+        });
+        displaced(&gear, wobble, |gear| match runout {
+            Some([eccentricity, high_tooth]) => gear.with_runout(eccentricity, high_tooth),
+            None => Ok(gear),
+        })
     }
+}
+
+/// `gear` with another wobble, where one is given, and after `runout`. Where teeth lean, both are those of its measuring plane.
+pub(super) fn displaced(
+    gear: &AsBuilt,
+    wobble: Option<[f64; 2]>,
+    runout: impl Fn(AsBuilt) -> Result<AsBuilt, GearError>,
+) -> Result<AsBuilt, GearError> {
+    if wobble.is_none() && gear.wobble() == 0.0 {
+        return runout(gear.clone());
+    }
+    let own = runout(gear.in_measuring_plane())?;
+    let own = match wobble {
+        Some([lean, tooth]) => own.with_wobble(lean, tooth),
+        None => own,
+    };
+    Ok(own.section_at(gear.place()))
+}
+
+impl LeadScatter {
+    /// Leads of right and left flanks.
+    fn draw(&self, mut stream: Stream) -> [Lead; 2] {
+        let mut both = |scatter: &Option<Scatter>| each_at([scatter.as_ref(); 2], &mut stream);
+        let (slopes, crownings) = (both(&self.slope), both(&self.crowning));
+        [0, 1].map(|flank| self.with(slopes[flank], crownings[flank]))
+    }
+}
+
+/// One value of each scatter, 0 without one. An absent scatter takes its random number too, so that each keeps its own.
+fn each_at(scatters: [Option<&Scatter>; 2], stream: &mut Stream) -> [f64; 2] {
+    scatters.map(|scatter| {
+        let share = stream.uniform();
+        scatter.map_or(0.0, |scatter| scatter.at(share))
+    })
 }
 
 /// Pitch of both flanks: `f_i = g_i − mean(g)` with `g` normal, whose variance is `z/(z − 1)` that of `f`.

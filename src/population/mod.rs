@@ -59,7 +59,7 @@ pub use requirement::{Requirement, Standing};
 pub use row::Row;
 pub use sample::{CHUNK, Sample};
 pub use scatter::{LIMIT_SHARE, LIMIT_SIGMAS, Scatter, ScatterError};
-pub use scatters::{GearScatter, PopulationError, Scatters};
+pub use scatters::{GearScatter, LeadScatter, PopulationError, Scatters};
 pub use spread::{BIN_TENTHS_NM, Overflow, Spread, TENTHS_NM_PER_MM};
 pub use statistics::{CONFIDENCE, QUANTILES, Share, SpreadStatistics, Statistics};
 pub use stream::{Draw, Run};

@@ -2,7 +2,7 @@
 
 use super::factor::Factor;
 use super::scatter::Scatter;
-use crate::gear::AsBuilt;
+use crate::gear::{AsBuilt, Lead};
 use crate::pair::{GearPair, Member, SweepPlan};
 use std::sync::Arc;
 
@@ -18,8 +18,34 @@ pub struct GearScatter {
     pub pitch: Option<f64>,
     /// Additional thickness of each tooth, on top of the pair's.
     pub per_tooth: Option<Scatter>,
+    /// Lead deviations on top of the pair's.
+    pub lead: Option<LeadScatter>,
+    /// Wobble, mm per mm, in place of the pair's; its direction is uniform.
+    pub wobble: Option<Scatter>,
     /// Whole gears, one of which is drawn in place of the pair's; the others are then `None`.
     pub gears: Option<Arc<[AsBuilt]>>,
+}
+
+/// Lead deviations that all teeth share, drawn for right and for left flanks separately.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LeadScatter {
+    /// Face, evaluation range and zero of the leads.
+    pub shape: Lead,
+    /// Slope over the evaluation range.
+    pub slope: Option<Scatter>,
+    /// Crowning.
+    pub crowning: Option<Scatter>,
+}
+
+impl LeadScatter {
+    /// The lead of flanks with this slope and crowning, mm.
+    pub(super) fn with(&self, slope: f64, crowning: f64) -> Lead {
+        Lead {
+            slope,
+            crowning,
+            ..self.shape.clone()
+        }
+    }
 }
 
 /// Scatters of a pair; lengths in mm. `None`: as the pair has it.
@@ -31,6 +57,8 @@ pub struct Scatters {
     pub pinion: GearScatter,
     /// Addition to the centre distance.
     pub center_distance: Option<Scatter>,
+    /// Addition to the lean of the pinion's axis, mm per mm: in the plane of the axes, and out of it.
+    pub lean: [Option<Scatter>; 2],
     /// Radial clearance of both bearings together: the axes can move nearer or apart by this.
     pub bearing_play: Option<Scatter>,
     /// Whether the assembly phase is any of the gcd(z_1, z_2), or always one ([`with_phase`](crate::population::Population::with_phase)).
@@ -42,7 +70,7 @@ pub struct Scatters {
 /// Invalid scatters of a population.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PopulationError {
-    /// A negative runout or clearance.
+    /// A negative runout, wobble or clearance.
     #[error("{what} reaches {low} mm, it cannot be below 0")]
     Negative {
         /// Name of the quantity.
@@ -74,6 +102,9 @@ pub enum PopulationError {
         /// Value of the pair's gear.
         wanted: f64,
     },
+    /// Deviations along the face of a pair without one.
+    #[error("lead, wobble or axes scatter, and the gears have no common face")]
+    NoFace,
     /// Nothing scatters.
     #[error("nothing scatters")]
     Nothing,
@@ -86,6 +117,12 @@ impl Scatters {
             Member::Wheel => &self.wheel,
             Member::Pinion => &self.pinion,
         }
+    }
+
+    /// Whether anything along the face scatters.
+    pub fn vary_along_face(&self) -> bool {
+        let vary = |gear: &GearScatter| gear.lead.is_some() || gear.wobble.is_some();
+        vary(&self.wheel) || vary(&self.pinion) || self.lean.iter().any(Option::is_some)
     }
 
     pub(super) fn factors(&self, pair: &GearPair) -> Vec<Factor> {
@@ -114,6 +151,13 @@ impl Scatters {
                 (of.runout.is_some() || open, Factor::Runout(member)),
                 (of.pitch.is_some(), Factor::Pitch(member)),
                 (scatters(&of.per_tooth), Factor::PerTooth(member)),
+                (
+                    of.lead
+                        .as_ref()
+                        .is_some_and(|lead| scatters(&lead.slope) || scatters(&lead.crowning)),
+                    Factor::Lead(member),
+                ),
+                (of.wobble.is_some(), Factor::Wobble(member)),
                 (of.gears.is_some(), Factor::Gear(member)),
             ];
             factors.extend(
@@ -123,6 +167,7 @@ impl Scatters {
         }
         let rest = [
             (scatters(&self.center_distance), Factor::CenterDistance),
+            (self.lean.iter().any(scatters), Factor::Misalignment),
             (scatters(&self.bearing_play), Factor::BearingPlay),
             (self.phase && phase_count(pair) > 1, Factor::Phase),
         ];
@@ -138,6 +183,9 @@ impl GearScatter {
     pub(super) fn check(&self, own: &AsBuilt) -> Result<(), PopulationError> {
         if let Some(runout) = &self.runout {
             not_negative("the runout", runout)?;
+        }
+        if let Some(wobble) = &self.wobble {
+            not_negative("the wobble", wobble)?;
         }
         if let Some(sigma) = self.pitch
             && !(sigma > 0.0 && sigma.is_finite())

@@ -69,7 +69,7 @@ pub(super) fn everything() -> Population {
         runout: Some(Scatter::rayleigh(0.01).unwrap()),
         pitch: Some(0.003),
         per_tooth: Some(Scatter::uniform(-0.002, 0.002).unwrap()),
-        gears: None,
+        ..GearScatter::default()
     };
     let scatters = Scatters {
         wheel: of(0.01),
@@ -78,6 +78,7 @@ pub(super) fn everything() -> Population {
         bearing_play: Some(Scatter::uniform(0.0, 0.01).unwrap()),
         phase: true,
         thickness_correlation: 0.5,
+        ..Scatters::default()
     };
     let pair = GearPair::new(gear(30, Face::Front), gear(20, Face::Back), 75.2).unwrap();
     Population::new(pair, scatters).unwrap()

@@ -36,7 +36,7 @@ fn population() -> Population {
         center_distance: Some(Scatter::triangular(-0.02, 0.0, 0.02).unwrap()),
         bearing_play: Some(Scatter::uniform(0.002, 0.01).unwrap()),
         phase: true,
-        thickness_correlation: 0.0,
+        ..Scatters::default()
     };
     let pair = GearPair::new(gear(30, Face::Front), gear(20, Face::Back), 75.2).unwrap();
     Population::new(pair, scatters).unwrap()

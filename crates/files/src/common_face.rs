@@ -84,30 +84,39 @@ fn common(wheel: [f64; 2], pinion: [f64; 2]) -> Result<[f64; 2], String> {
     ))
 }
 
-/// The common face of `pair` at 20 °C where `gears` take the place of its own.
+/// The reason why a face is needed where one of `gears` takes the place of a pair's own.
+pub fn reason_of_gears<'a>(mut gears: impl Iterator<Item = &'a AsBuilt>) -> Option<&'static str> {
+    let varies = |gear: &AsBuilt| gear.has_leads() || gear.wobble() > 0.0;
+    gears
+        .any(varies)
+        .then_some("a measured gear has leads or wobble")
+}
+
+/// Gives the spur `pair` at 20 °C its common face where there is a reason `why` it needs one.
 ///
 /// # Errors
-/// The face width that gears with leads or wobble need and the pair does not state.
-pub fn with_gears<'a>(
-    pair: &PairFile,
-    mut gears: impl Iterator<Item = &'a AsBuilt>,
-) -> Result<[f64; 2], Problem> {
-    let varies = |gear: &AsBuilt| gear.has_leads() || gear.wobble() > 0.0;
-    if pair.study.varies_along_face() || !gears.any(varies) {
-        return Ok(pair.study.face);
-    }
+/// A face width that the pair does not state; gears that do not face each other.
+pub fn complete(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
+    let Some(why) = why.filter(|_| pair.study.face == [0.0; 2]) else {
+        return Ok(());
+    };
     let spec = &pair.spec;
     let face = |name: &str, face: Option<[f64; 2]>| {
         face.ok_or_else(|| Problem {
             key: format!("{name}.face_width_mm"),
-            ..Problem::of_file(missing("a measured gear has leads or wobble"), LENGTH)
+            ..Problem::of_file(missing(why), LENGTH)
         })
     };
     let wheel = face("wheel", spec.wheel.face())?;
     let offset = spec.assembly.face_offset_mm.unwrap_or(0.0);
     let pinion = face("pinion", spec.pinion.face())?.map(|end| end + offset);
-    common(wheel, pinion).map_err(|reason| Problem {
+    pair.study.face = common(wheel, pinion).map_err(|reason| Problem {
         key: "pinion.face_mm".to_owned(),
         ..Problem::of_file(reason, PLACE)
-    })
+    })?;
+    // Teeth are counted in the wheel's measuring plane.
+    for (_, _, pinion) in &mut pair.study.materials {
+        *pinion = pinion.section_at(-offset);
+    }
+    Ok(())
 }

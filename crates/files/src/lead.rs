@@ -8,8 +8,8 @@ use super::helix::Helix;
 use super::numbers::shortest;
 use super::sheet::Header;
 use super::spec::{
-    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, LeadAxis, LeadSpec, LeadTraceSpec, ReliefEnd,
-    ReliefShape, SlopeLength, SpurSlopeSpec, TeethEnd,
+    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadAxis, LeadSpec, LeadTraceSpec,
+    ReliefEnd, ReliefShape, SlopeLength, SpurSlopeSpec, TeethEnd,
 };
 use super::table::Table;
 use super::traces::{Along, Measured};
@@ -20,6 +20,64 @@ use gearlash::metrology::LeadKey;
 const NAME: &str = "lead";
 /// Share of the face width that the evaluation range leaves out at each end, unless one module is less; ISO 1328-1.
 const END_SHARE: f64 = 0.05;
+
+/// Face, evaluation range and zero of leads, and the share of a stated slope that the evaluation range has. Heights count from the reference
+/// face's end of the teeth.
+fn shape(
+    [near, far]: [f64; 2],
+    range_mm: [f64; 2],
+    zero_mm: f64,
+    over: SlopeLength,
+) -> (Lead, f64) {
+    let at = |height: f64| (near + height).clamp(near, far);
+    let range = range_mm.map(at);
+    let share = match over {
+        SlopeLength::Range => 1.0,
+        SlopeLength::Face => (range[1] - range[0]) / (far - near),
+    };
+    let lead = Lead {
+        face: [near, far],
+        range,
+        zero: at(zero_mm),
+        ..Lead::default()
+    };
+    (lead, share)
+}
+
+/// The evaluation range of a gear of this module that states none.
+fn default_range(width: f64, module_mm: f64) -> [f64; 2] {
+    let margin = (END_SHARE * width).min(module_mm);
+    [margin, width - margin]
+}
+
+/// The leads of a gear as understood, to which further ones are added, with their [`shape`]; `None` without a face.
+pub fn to_add_to(gear: &GearSpec) -> Option<(LeadSpec, Lead, f64)> {
+    let face = gear.heights()?;
+    let mut spec = gear.lead.clone().unwrap_or_default();
+    let range = default_range(face[1] - face[0], gear.module_mm);
+    let (range, zero) = (
+        spec.range_mm.unwrap_or(range),
+        spec.zero_mm.unwrap_or(-face[0]),
+    );
+    (spec.range_mm, spec.zero_mm) = (Some(range), Some(zero));
+    let scale = gear.scale();
+    let (face, heights) = (face.map(|end| scale * end), range.map(|end| scale * end));
+    let (shape, share) = shape(face, heights, scale * zero, spec.over);
+    Some((spec, shape, share))
+}
+
+/// The leads of `gear` with the slopes and crownings, mm, of `further` ones of right and left flanks, which have its [`shape`].
+pub fn with_further(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec> {
+    let (mut spec, _, share) = to_add_to(gear)?;
+    let mut flanks = spec.flanks.flanks().map(FlankLeadSpec::clone);
+    for (flank, further) in flanks.iter_mut().zip(further) {
+        let um = 1e3 / gear.scale();
+        *flank.slope_um.get_or_insert_default() += um * further.slope / share;
+        *flank.crowning_um.get_or_insert_default() += um * further.crowning;
+    }
+    spec.flanks = FlanksSpec::new(flanks);
+    Some(spec)
+}
 
 /// The leads of a gear, as in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
 #[derive(Debug, Clone)]
@@ -91,8 +149,8 @@ impl Leads {
                 "give the height at which pitch and thickness were measured, from the reference face's end of the teeth",
             );
         }
-        let margin = (END_SHARE * width).min(part.module_mm?);
-        let range_mm = spec.range_mm.unwrap_or([margin, width - margin]);
+        let range_mm = default_range(width, part.module_mm?);
+        let range_mm = spec.range_mm.unwrap_or(range_mm);
         if !(0.0 <= range_mm[0] && range_mm[0] < range_mm[1] && range_mm[1] <= width) {
             return table.refuse(
                 "range_mm",
@@ -145,11 +203,7 @@ impl Leads {
     pub fn measured(&self) -> [Lead; 2] {
         let [near, far] = self.face;
         let at = |height: f64| (near + height).clamp(near, far);
-        let range = self.range_mm.map(at);
-        let share = match self.over {
-            SlopeLength::Range => 1.0,
-            SlopeLength::Face => (range[1] - range[0]) / (far - near),
-        };
+        let (shape, share) = shape(self.face, self.range_mm, self.zero_mm, self.over);
         let lead = |(own, flank): (Flank, &FlankLeadSpec)| {
             let turn = helix_slope(flank).map_or(0.0, |(um, hand)| {
                 Lead::slope_of_helix(um, hand.unwrap_or(self.hand), own)
@@ -163,8 +217,6 @@ impl Leads {
                 points.map(point).collect()
             };
             Lead {
-                face: self.face,
-                range,
                 slope: share * (flank.slope_um.unwrap_or(0.0) + turn) / 1000.0,
                 crowning: flank.crowning_um.unwrap_or(0.0) / 1000.0,
                 end_reliefs: reliefs.flat_map(end_reliefs).collect(),
@@ -174,7 +226,7 @@ impl Leads {
                         points: heights(trace),
                     })
                     .collect(),
-                zero: at(self.zero_mm),
+                ..shape.clone()
             }
         };
         let [right, left] = &self.flanks;

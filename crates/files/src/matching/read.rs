@@ -74,7 +74,8 @@ pub fn read_match(
         return Err(errors);
     }
     let gears = || wheels.iter().chain(&pinions);
-    pair.study.face = common_face::with_gears(&pair, gears().map(|one| &one.gear))
+    let why = common_face::reason_of_gears(gears().map(|one| &one.gear));
+    common_face::complete(&mut pair, why)
         .map_err(|problem| vec![InputError::of(path, vec![problem])])?;
     for (one, (file, table, member)) in gears().zip(&tables) {
         errors.extend(shape_difference(&one.spec, &pair, *member).map(|reason| {

@@ -79,6 +79,15 @@ impl AssemblySpec {
         }
     }
 
+    /// These axes with the lean of the pinion's, mm per mm, over the length of their stated deviation.
+    pub fn with_lean(mut self, lean: [f64; 2]) -> AssemblySpec {
+        if let Some(stated) = &mut self.misalignment {
+            let um = |lean: f64| Either::One(1e3 * lean * stated.over_mm);
+            (stated.in_plane_um, stated.out_of_plane_um) = (um(lean[0]), um(lean[1]));
+        }
+        self
+    }
+
     /// Length along the axes over which their deviations are stated, mm.
     pub fn over_mm(&self) -> Option<f64> {
         match &self.center_distance_mm {

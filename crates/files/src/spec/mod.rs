@@ -48,7 +48,8 @@ pub use thickness::{
     ChordSpec, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
 pub use tolerance::{
-    GearToleranceSpec, PhaseName, PitchScatterSpec, ScatterName, ScatterSpec, ToleranceSpec,
+    AxesScatterSpec, GearToleranceSpec, LeadScatterSpec, PhaseName, PitchScatterSpec, ScatterName,
+    ScatterSpec, SpreadSpec, ToleranceSpec,
 };
 pub use uncertainty::UncertaintySpec;
 pub use value::{AllowanceBandSpec, BandSpec, Either, FlankSpec, FlanksSpec, TableFileSpec};

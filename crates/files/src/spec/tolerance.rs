@@ -29,6 +29,8 @@ pub struct ToleranceSpec {
     pub contribution_rows: u32,
     /// Amount beyond the stated centre distance.
     pub center_distance: Option<ScatterSpec>,
+    /// On top of the assembly's, over its over_mm.
+    pub misalignment: Option<AxesScatterSpec>,
     /// Radial play of both bearings together, in place of the assembly's.
     pub bearing_play: Option<ScatterSpec>,
     /// Assembly phase: "any", or "marked", that of the start of the sweep, or of tooth 1 with tooth 1.
@@ -51,6 +53,7 @@ impl Default for ToleranceSpec {
             max_impossible: 0.001,
             contribution_rows: 2048,
             center_distance: None,
+            misalignment: None,
             bearing_play: None,
             phase: PhaseName::Any,
             thickness_correlation: 0.0,
@@ -85,10 +88,49 @@ pub struct GearToleranceSpec {
     pub pitch: Option<PitchScatterSpec>,
     /// Amount by which each tooth is thicker, on top of the gear's.
     pub per_tooth: Option<ScatterSpec>,
+    /// On top of the gear's, right and left flanks separately.
+    pub lead: Option<LeadScatterSpec>,
+    /// Lean of the teeth's axis over the face, in place of the gear's.
+    pub wobble_um: Option<SpreadSpec>,
     /// Gear or pair files of measured gears, one of which is drawn; * stands for any letters.
     #[serde(default, deserialize_with = "names")]
     #[schemars(with = "Option<Either<String, Vec<String>>>", transform = list_length(1, None))]
     pub gears: Option<Vec<String>>,
+}
+
+/// How the leads of all teeth of a gear scatter.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct LeadScatterSpec {
+    /// Growth over the length of lead.over.
+    pub slope_um: Option<SpreadSpec>,
+    /// Lead crowning C_β.
+    pub crowning_um: Option<SpreadSpec>,
+}
+
+/// How the axes scatter.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct AxesScatterSpec {
+    /// f_Σδ, in the plane of the axes.
+    pub in_plane_um: Option<SpreadSpec>,
+    /// f_Σβ, out of it.
+    pub out_of_plane_um: Option<SpreadSpec>,
+}
+
+/// A normal distribution about 0; of a wobble that of either component.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline, transform = spread_keys)]
+pub struct SpreadSpec {
+    /// Standard deviation.
+    #[schemars(transform = above_zero(1e7))]
+    pub sigma: Option<f64>,
+    /// Amount that 99.73 % keep.
+    #[schemars(transform = above_zero(1e7))]
+    pub max: Option<f64>,
 }
 
 /// How a length scatters, µm.
@@ -169,8 +211,19 @@ fn gear_keys(schema: &mut Schema) {
     not_beside(
         schema,
         "gears",
-        &["thickness", "runout", "pitch", "per_tooth"],
+        &[
+            "thickness",
+            "runout",
+            "pitch",
+            "per_tooth",
+            "lead",
+            "wobble_um",
+        ],
     );
+}
+
+fn spread_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["sigma"], &["max"]]);
 }
 
 fn pitch_keys(schema: &mut Schema) {

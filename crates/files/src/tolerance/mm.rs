@@ -1,10 +1,26 @@
 //! Distributions of a pair file, converted for the library.
 
-use crate::spec::{ScatterName, ScatterSpec};
+use crate::spec::{ScatterName, ScatterSpec, SpreadSpec};
 use crate::table::Table;
-use gearlash::population::{Scatter, ScatterError};
+use gearlash::population::{LIMIT_SIGMAS, Scatter, ScatterError};
 
 const MM: f64 = 1e-3;
+
+/// The normal distribution about 0, or that of the amount of a vector, at `key` of the pair file, in units of `um` µm.
+pub fn spread(
+    spec: &SpreadSpec,
+    um: f64,
+    is_vector: bool,
+    (file, key): (&Table, &str),
+) -> Option<Scatter> {
+    let made = match (spec.sigma, spec.max.unwrap_or_default()) {
+        (Some(sigma), _) if is_vector => Scatter::rayleigh(sigma / um),
+        (None, max) if is_vector => Scatter::rayleigh_below(max / um),
+        (Some(sigma), _) => Scatter::normal(0.0, sigma / um),
+        (None, max) => Scatter::normal(0.0, max / LIMIT_SIGMAS / um),
+    };
+    file.keep(key, made, "correct the number")
+}
 
 /// The distribution at `key` of the pair file, mm. Absent limits are those of the `band`, mm, where there is one.
 pub fn scatter(

@@ -2,17 +2,19 @@
 
 use super::bands::{left_out, middle, thickness_band};
 use super::gears::{MeasuredGear, gears};
-use super::mm::scatter;
+use super::mm::{scatter, spread};
 use crate::error::InputError;
 use crate::read::PairFile;
-use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
+use crate::spec::{
+    GearSpec, GearToleranceSpec, LeadAxis, PhaseName, ScatterSpec, SpreadSpec, ToleranceSpec,
+};
 use crate::table::Table;
-use crate::{common_face, pair_by_data, with_tree};
+use crate::{common_face, lead, pair_by_data, with_tree};
 use gearlash::analysis::phases::phase;
-use gearlash::gear::{AsBuilt, Face, GradedQuantity, Side};
+use gearlash::gear::{AsBuilt, Face, GradedQuantity, Lead, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
-    GearScatter, Population, PopulationError, Requirement, Scatter, Scatters,
+    GearScatter, LeadScatter, Population, PopulationError, Requirement, Scatter, Scatters,
 };
 use std::path::Path;
 
@@ -68,11 +70,36 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings));
     let wheel = gear(&tolerance.wheel, Member::Wheel);
     let pinion = gear(&tolerance.pinion, Member::Pinion);
-    let ((wheel, wheels), (pinion, pinions)) = (wheel?, pinion?);
+    let lean = lean(&tolerance, &pair, file);
+    let read = (wheel, pinion, lean, center_distance, bearing_play);
+    let (
+        Some((wheel, wheels)),
+        Some((pinion, pinions)),
+        Some(lean),
+        Some(center_distance),
+        Some(bearing_play),
+    ) = read
+    else {
+        // Its problems are reported, too.
+        own_pair(&pair, file);
+        return None;
+    };
+    let scatters = Scatters {
+        wheel,
+        pinion,
+        center_distance,
+        lean,
+        bearing_play,
+        phase: tolerance.phase == PhaseName::Any,
+        thickness_correlation: tolerance.thickness_correlation,
+    };
     let measured = [&wheels, &pinions].map(|gears| gears.iter().map(|one| &one.gear));
-    pair.study.face = common_face::with_gears(&pair, measured.into_iter().flatten())
-        .map_err(|problem| file.reading().add(problem))
-        .ok()?;
+    let why = if scatters.vary_along_face() {
+        Some("lead, wobble or axes scatter")
+    } else {
+        common_face::reason_of_gears(measured.into_iter().flatten())
+    };
+    file.reading().keep(common_face::complete(&mut pair, why))?;
     for (member, gears) in [(Member::Wheel, &wheels), (Member::Pinion, &pinions)] {
         let mut gears = gears.iter();
         if let Some(other) = gears.find_map(|one| shape_difference(&one.spec, &pair, member)) {
@@ -80,16 +107,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             return file.refuse(&format!("tolerance.{}.gears", member.name()), other, help);
         }
     }
-    let own = own_pair(&pair, file);
-    let scatters = Scatters {
-        wheel,
-        pinion,
-        center_distance: center_distance?,
-        bearing_play: bearing_play?,
-        phase: tolerance.phase == PhaseName::Any,
-        thickness_correlation: tolerance.thickness_correlation,
-    };
-    let own = own?;
+    let own = own_pair(&pair, file)?;
     let first = marked_tooth(&pair, &own);
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = file.reading().keep(population)?;
@@ -148,6 +166,43 @@ fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
     file.keep("tolerance", made, "correct the gears, or their distance")
 }
 
+/// The scatter of the lean of the pinion's axis in and out of the plane of the axes, mm per mm.
+fn lean(tolerance: &ToleranceSpec, pair: &PairFile, file: &Table) -> Option<[Option<Scatter>; 2]> {
+    const KEY: &str = "tolerance.misalignment";
+    let Some(stated) = tolerance.misalignment else {
+        return Some([None, None]);
+    };
+    let assembly = &pair.spec.assembly;
+    let Some(over_mm) = assembly.over_mm() else {
+        return file.refuse(
+            KEY,
+            "given without assembly.misalignment, to whose length it refers",
+            "add misalignment = { over_mm = … } to [assembly], or remove it",
+        );
+    };
+    if stated.in_plane_um.is_some() && assembly.holds_at() != 0.0 {
+        return file.refuse(
+            &format!("{KEY}.in_plane_um"),
+            "given beside a centre distance that holds off the wheel's measuring plane",
+            "state the centre distance in that plane, at_mm = 0",
+        );
+    }
+    let one = |spec: Option<SpreadSpec>, name: &str| match spec {
+        Some(spec) => spread(
+            &spec,
+            1e3 * over_mm,
+            false,
+            (file, &format!("{KEY}.{name}")),
+        )
+        .map(Some),
+        None => Some(None),
+    };
+    Some([
+        one(stated.in_plane_um, "in_plane_um")?,
+        one(stated.out_of_plane_um, "out_of_plane_um")?,
+    ])
+}
+
 fn gear(
     spec: &Option<GearToleranceSpec>,
     member: Member,
@@ -185,6 +240,43 @@ fn gear(
             (None, None) => Some(None),
         },
     };
+    let own = match member {
+        Member::Wheel => &pair.spec.wheel,
+        Member::Pinion => &pair.spec.pinion,
+    };
+    let of_datum = own
+        .lead
+        .as_ref()
+        .is_some_and(|lead| lead.axis == LeadAxis::Datum);
+    if spec.runout.is_some() && of_datum && own.is_helical() {
+        return file.refuse(
+            &key("runout"),
+            "given beside helical leads about the datum axis, which contain the runout that was measured",
+            "state the leads about the axis of the teeth, axis = \"own\"",
+        );
+    }
+    // A pair without a face is refused below.
+    let none = Lead {
+        face: [0.0, 1.0],
+        ..Lead::default()
+    };
+    let shape = lead::to_add_to(own).map(|(_, shape, share)| (shape, share));
+    let (shape, share) = shape.unwrap_or((none, 1.0));
+    let width_mm = shape.face[1] - shape.face[0];
+    let one_spread = |spec: Option<SpreadSpec>, name: &str, um, is_vector| match spec {
+        Some(spec) => spread(&spec, um, is_vector, (file, &key(name))).map(Some),
+        None => Some(None),
+    };
+    let wobble = one_spread(spec.wobble_um, "wobble_um", 1e3 * width_mm, true);
+    let leads = spec.lead.unwrap_or_default();
+    let slope = one_spread(leads.slope_um, "lead.slope_um", 1e3 / share, false);
+    let crowning = one_spread(leads.crowning_um, "lead.crowning_um", 1e3, false);
+    let lead = LeadScatter {
+        shape,
+        slope: slope?,
+        crowning: crowning?,
+    };
+    let has_lead = lead.slope.is_some() || lead.crowning.is_some();
     let measured = match &spec.gears {
         None => Some(Vec::new()),
         Some(names) => {
@@ -207,6 +299,8 @@ fn gear(
             runout: runout?,
             pitch: pitch?,
             per_tooth: per_tooth?,
+            lead: has_lead.then_some(lead),
+            wobble: wobble?,
             gears: whole,
         },
         measured,
@@ -277,7 +371,9 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
             "tolerance",
             "give at least one distribution, such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
         ),
-        PopulationError::Pitch(_) | PopulationError::WholeGears => ("tolerance", "correct it"),
+        PopulationError::Pitch(_) | PopulationError::WholeGears | PopulationError::NoFace => {
+            ("tolerance", "correct it")
+        }
     };
     file.problem(key, error.to_string(), help)
 }

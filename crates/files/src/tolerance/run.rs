@@ -196,6 +196,7 @@ fn has_no_end(file: &ToleranceFile, factor: Factor) -> bool {
         Factor::Runout(member) => open(&scatters.of(member).runout),
         Factor::Pitch(_) => true,
         Factor::PerTooth(member) => open(&scatters.of(member).per_tooth),
+        Factor::Lead(_) | Factor::Wobble(_) | Factor::Misalignment => true,
         Factor::CenterDistance => open(&scatters.center_distance),
         Factor::BearingPlay => open(&scatters.bearing_play),
         Factor::Gear(_) | Factor::Phase => false,

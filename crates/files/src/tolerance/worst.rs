@@ -1,6 +1,7 @@
 //! One assembly of a population as a pair file.
 
 use super::population::ToleranceFile;
+use crate::lead::with_further;
 use crate::spec::{
     BearingClearanceSpec, Either, FaceRunoutSpec, GearSpec, PairSpec, PitchSpec, Revolutions,
     RunoutSpec, StatementSpec, SweepSpec, TeethEnd, ThicknessSpec,
@@ -10,7 +11,7 @@ use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash::metrology::Wobble;
 use gearlash::pair::Member;
-use gearlash::population::{Assembly, Sample};
+use gearlash::population::{Assembly, Draw, Sample};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -91,13 +92,14 @@ impl ToleranceFile {
     /// # Errors
     /// As [`Assembly::outcome`].
     pub(super) fn worst(&self, sample: &Sample<'_>, number: u64) -> Result<Worst, Error> {
-        let assembly = self.population.assembly(sample.draw(number))?;
+        let draw = sample.draw(number);
+        let assembly = self.population.assembly(draw)?;
         let found = assembly.outcome()?;
         let title = format!(
             "{}, assembly {number} of seed {}",
             self.pair.spec.title, sample.seed
         );
-        let spec = self.spec_of(&assembly, title);
+        let spec = self.spec_of(&assembly, draw, title);
         Ok(Worst {
             number,
             least_mm: found.least,
@@ -108,16 +110,19 @@ impl ToleranceFile {
     }
 
     /// `assembly` as a pair file without the population.
-    fn spec_of(&self, assembly: &Assembly, title: String) -> PairSpec {
+    fn spec_of(&self, assembly: &Assembly, draw: Draw, title: String) -> PairSpec {
         let own = &self.pair.spec;
         let pair = assembly.pair();
         let bearings = own.assembly.bearing_clearance_mm;
         let is_own = bearings.sum_mm() == assembly.clearance();
         let mut spec = own.clone();
         spec.title = title;
-        spec.wheel = self.gear_spec(assembly, Member::Wheel);
-        spec.pinion = self.gear_spec(assembly, Member::Pinion);
+        spec.wheel = self.gear_spec(assembly, draw, Member::Wheel);
+        spec.pinion = self.gear_spec(assembly, draw, Member::Pinion);
         spec.assembly = spec.assembly.at(vec![pair.center_distance()]);
+        if self.population.scatters().lean != [None, None] {
+            spec.assembly = spec.assembly.with_lean(pair.lean());
+        }
         if !is_own {
             spec.assembly.bearing_clearance_mm =
                 BearingClearanceSpec::of([assembly.clearance(), 0.0]);
@@ -132,7 +137,7 @@ impl ToleranceFile {
     }
 
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
-    fn gear_spec(&self, assembly: &Assembly, member: Member) -> GearSpec {
+    fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> GearSpec {
         let gear = assembly.pair().gear(member);
         let (own, measured) = match member {
             Member::Wheel => (&self.pair.spec.wheel, &self.measured[0]),
@@ -203,6 +208,10 @@ impl ToleranceFile {
                 left_um: Some(left),
                 ..PitchSpec::default()
             }),
+            lead: match self.population.leads(draw, member) {
+                Some(further) => with_further(own, &further),
+                None => own.lead.clone(),
+            },
             ..own.clone()
         }
     }

@@ -7,6 +7,7 @@ mod measured_gears;
 mod mutations;
 mod poses;
 mod published;
+mod scatter_along_face;
 mod shafts;
 mod stated;
 mod thickness;

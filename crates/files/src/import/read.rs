@@ -81,7 +81,7 @@ pub(super) fn tables(
     if tables.is_empty() && reading.is_good() && content.is_p40() {
         content.check_p40(&file)?;
         return file.refuse(
-            "has no pitch (linke, rechte Zahnflanke) and no profile trace (Profil:)",
+            "has no pitch (linke, rechte Zahnflanke), no profile trace (Profil:) and no lead trace (Flankenlinie:) with its face width (Zahnbreite)",
             "name a file that has one of them",
         );
     }

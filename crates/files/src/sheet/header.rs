@@ -88,11 +88,9 @@ impl Header {
                 .find(|(.., number)| *number == code && !code.is_empty());
             // A number behind the number makes it a row of another list.
             if let Some((usual, ..)) = usual.filter(|_| label.starts_with(char::is_alphabetic)) {
-                self.warnings.push(format!(
-                    "{}: {}: line {line} has the number of {}, but another label: it is not compared with the pair file",
-                    file.key(),
-                    file.name(),
-                    usual.replace('*', "ä")
+                let usual = usual.replace('*', "ä");
+                self.warn(file, &format!(
+                    "line {line} has the number of {usual}, but another label: it is not compared with the pair file"
                 ));
             }
             return;
@@ -150,6 +148,12 @@ impl Header {
         self.unused = Some((file.clone(), words.to_owned()));
     }
 
+    /// Adds a warning about `file`.
+    pub fn warn(&mut self, file: &DataFile, words: &str) {
+        let (key, name) = (file.key(), file.name());
+        self.warnings.push(format!("{key}: {name}: {words}"));
+    }
+
     /// A remark on the parts of the file that are not used.
     pub fn remark(&self) -> Option<String> {
         let (file, words) = self.unused.as_ref()?;
@@ -196,7 +200,7 @@ impl Header {
         Some(reference / cos * (normal.tan() / cos).atan().cos())
     }
 
-    /// Warnings of header lines that have a known number and an unknown label.
+    /// Warnings of header lines that have a known number and an unknown label, and of what a format leaves open.
     pub fn warnings(&self) -> &[String] {
         &self.warnings
     }

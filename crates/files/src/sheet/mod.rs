@@ -293,7 +293,11 @@ impl Content {
         match self {
             Content::Cells(grids) => request.is_there(grids),
             Content::P40(text) if request.wanted.is_points() => {
-                !request.wanted.columns.contains(&Column::Height) && p40::has_profiles(text)
+                if request.wanted.columns.contains(&Column::Height) {
+                    p40::has_leads(text)
+                } else {
+                    p40::has_profiles(text)
+                }
             }
             Content::Protocol(text) | Content::P40(text) => {
                 let mut columns = request.wanted.columns.iter();

@@ -118,3 +118,59 @@ fn gears_of_other_kinds() {
         "{message}"
     );
 }
+
+/// Lead traces: offered with the face width, read as the numbers of a list, with a warning of what the format leaves open. Values without a face width are
+/// counted alone, and a second trace of one flank is reported.
+#[test]
+fn lead_traces() {
+    let trace = "Zahn-Nr.: 3 rechts / 5  Werte  x= 8.742\n 0.0 1.0 -2147483.648 3.0 .5\n";
+    let text = Made::new(17).text().replace("\r\n", "\n");
+    let text = text.replace(
+        " 24 :Eingriffswinkel",
+        " 26 :Zahnbreite b.......[mm]..: 20.000\n 24 :Eingriffswinkel",
+    );
+    let text = text.replace("Verschränkung:\n", &format!("{trace}Verschränkung:\n"));
+    let found = import(&text, Some(Kind::Lead)).unwrap();
+    assert_eq!(found.toml, "[wheel.lead.trace]\nfile = \"gear.mka\"\n");
+    assert_eq!(found.tables[0].rows(), 20 + 4);
+    let words = found.tables[0].left_out.as_deref().unwrap();
+    assert!(words.contains("over the face width, 20 mm"), "{words}");
+    let point = |right: &str| {
+        let keys = format!(
+            "face_width_mm = 20\nlead = {{ axis = \"own\", zero_mm = 10, right = {{ {right} }} }}"
+        );
+        let pinion = "[pinion]\nface_width_mm = 20";
+        super::pair(17, &keys).replace("[pinion]", pinion)
+    };
+    let alone = text.replace(
+        "Zahn-Nr.: 2 links / 20  Werte  x= 8.742",
+        "Zahn-Nr.: 3b links / 20  Werte  x= 8.742",
+    );
+    let both = super::pair(17, "face_width_mm = 20\nlead = { axis = \"own\", zero_mm = 10, trace = { file = \"gear.mka\" } }")
+        .replace("[pinion]", "[pinion]\nface_width_mm = 20");
+    let read =
+        super::read_with(alone.as_bytes(), &both).unwrap_or_else(|error| panic!("{error:#?}"));
+    let list = point(
+        "trace = { tooth = 3, from_reference_face_mm = [0, 5, 15, 20], deviation_um = [0, 1, 3, 0.5] }",
+    );
+    let listed = super::read_with(b"", &list).unwrap();
+    assert_eq!(
+        read.spec.wheel.lead.unwrap().flanks,
+        listed.spec.wheel.lead.unwrap().flanks
+    );
+    let open = "which sign is more material; compare with the printed chart";
+    assert!(read.warnings.concat().contains(open), "{:?}", read.warnings);
+    assert!(!listed.warnings.concat().contains(open));
+    let without = text.replace("Zahnbreite", "Breite");
+    assert!(
+        import(&without, Some(Kind::Lead))
+            .unwrap_err()
+            .contains("no header line Zahnbreite")
+    );
+    let twice = text.replace(trace, &trace.repeat(2));
+    let message = import(&twice, None).unwrap_err();
+    assert!(
+        message.contains("the lead of tooth 3, right flank, stands in line"),
+        "{message}"
+    );
+}

@@ -2,7 +2,7 @@
 //!
 //! A head closes the part before it. Lines below a wrong head are skipped: one mistake is one problem.
 
-use super::{CORRECT, FlankTrace, P40, PROFILES};
+use super::{CORRECT, FlankTrace, LEADS, P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::sheet::number::{tooth as tooth_number, without_zero};
 use crate::sheet::protocol::{self, is_unmeasured};
@@ -239,21 +239,25 @@ fn take_values(
     }
 }
 
-/// Keeps a whole profile, or counts another trace.
+/// Keeps a whole profile or lead, or counts another trace.
 fn keep(p40: &mut P40, Trace { name, curve, .. }: Trace) -> Result<(), String> {
-    if name != PROFILES {
-        p40.count_unused(name, 1);
-        return Ok(());
-    }
+    let (kept, kind) = match name {
+        PROFILES => (&mut p40.profiles, "profile"),
+        LEADS => (&mut p40.leads, "lead"),
+        _ => {
+            p40.count_unused(name, 1);
+            return Ok(());
+        }
+    };
     let same = |other: &&FlankTrace| (other.tooth, other.flank) == (curve.tooth, curve.flank);
-    if let Some(first) = p40.profiles.iter().find(same) {
+    if let Some(first) = kept.iter().find(same) {
         let (tooth, flank) = (curve.tooth, curve.flank.name());
         return Err(format!(
-            "the profile of tooth {tooth}, {flank} flank, stands in line {} already",
+            "the {kind} of tooth {tooth}, {flank} flank, stands in line {} already",
             first.line
         ));
     }
-    p40.profiles.push(curve);
+    kept.push(curve);
     Ok(())
 }
 
@@ -293,7 +297,8 @@ fn head_of_trace(file: &DataFile, line: u64, text: &str, title: Title) -> Result
         return Err(wrong());
     };
     let name = match (title, tag) {
-        (Title::Lead, _) => "lead traces",
+        (Title::Lead, "") => LEADS,
+        (Title::Lead, _) => "lead traces beside the main ones",
         (Title::Twist, _) => "twist traces",
         (Title::Profile, "") => PROFILES,
         (Title::Profile, _) => "profile traces beside the main ones",

@@ -6,7 +6,7 @@
 //! must be understood; a remark lists the parts that are understood but not used.
 
 mod curves;
-mod profiles;
+mod traces;
 
 use super::column::Column;
 use super::header::Header;
@@ -24,6 +24,7 @@ const CORRECT: &str = "correct the line, or name a file as the machine wrote it"
 /// Names of parts of a file in [`P40::unused`].
 const PITCH: &str = "blocks of pitch";
 const PROFILES: &str = "profile traces";
+const LEADS: &str = "lead traces";
 /// Angles must be in degrees; `Grad` is the German word.
 const DEGREES: [&str; 5] = ["deg", "degree", "degrees", "grad", "°"];
 
@@ -58,6 +59,7 @@ pub struct P40<'a> {
     unmeasured: Option<f64>,
     blocks: Blocks<'a>,
     profiles: Vec<FlankTrace>,
+    leads: Vec<FlankTrace>,
     /// The number of each part that is never used.
     never_used: BTreeMap<&'static str, usize>,
     /// The numbers of header lines so far.
@@ -82,15 +84,12 @@ fn is_of_kind(text: &str, kind: &str) -> bool {
 /// The rows that are wanted, and the header lines.
 pub fn read(request: &Request, text: &str) -> Option<(Vec<Row>, Header)> {
     let (file, wanted) = (request.file, request.wanted);
-    if wanted.columns.contains(&Column::Height) {
-        return file.refuse(
-            "is a curve file, whose leads are not read yet",
-            "name a table with the columns from_reference_face_mm and deviation_um",
-        );
-    }
     let p40 = parse(file, text)?;
+    if wanted.columns.contains(&Column::Height) {
+        return traces::leads(file, &p40, wanted.teeth);
+    }
     if let Coverage::Points { base_radius } = wanted.coverage {
-        return profiles::read(file, &p40, (wanted.teeth, base_radius));
+        return traces::profiles(file, &p40, (wanted.teeth, base_radius));
     }
     if wanted.columns.contains(&Column::Thickness) {
         return file.refuse(
@@ -111,6 +110,13 @@ pub fn has_profiles(text: &str) -> bool {
     text.lines().any(|line| line.trim().starts_with("Profil:"))
 }
 
+/// Whether a curve file has lead traces, and the face width that they need.
+pub fn has_leads(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim);
+    lines.clone().any(|line| line.starts_with("Flankenlinie:"))
+        && lines.any(|line| line.to_lowercase().contains(traces::FACE_WIDTH))
+}
+
 /// Reads all lines of `text`; a line that is not understood is a problem.
 pub fn parse<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
     file.list(|| lines(file, text))
@@ -124,6 +130,7 @@ fn lines<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
         unmeasured: None,
         blocks: Blocks::default(),
         profiles: Vec::new(),
+        leads: Vec::new(),
         never_used: BTreeMap::new(),
         codes: HashSet::new(),
     };
@@ -166,6 +173,7 @@ impl<'a> P40<'a> {
     fn unused(&self, used: &str) -> String {
         let mut there = self.never_used.clone();
         there.insert(PROFILES, self.profiles.len());
+        there.insert(LEADS, self.leads.len());
         there.insert(PITCH, self.blocks.count());
         there.retain(|name, count| *name != used && *count > 0);
         let named = there.iter().map(|(name, count)| format!("{count} {name}"));

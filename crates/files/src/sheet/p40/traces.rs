@@ -1,6 +1,6 @@
-//! Places of the values of a profile trace on the flank.
+//! Places of the values of profile and lead traces on the flank.
 
-use super::{P40, PROFILES};
+use super::{FlankTrace, LEADS, P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::numbers::ascii;
 use crate::sheet::header::Header;
@@ -17,11 +17,14 @@ const ENDS: [&[&str]; 2] = [
     ],
 ];
 
+/// Label of the header line of the face width.
+pub const FACE_WIDTH: &str = "zahnbreite";
+
 /// The profiles of a curve file: roll lengths, mm, and deviations, µm; and its header. `teeth` and the radius of the `base` circle
 /// are those of the pair file.
 ///
 /// The values have equal steps of roll length, from the diameter at the start of the measurement to the one at its end.
-pub fn read(
+pub fn profiles(
     file: &DataFile,
     p40: &P40,
     (teeth, base): (Option<u32>, Option<f64>),
@@ -71,9 +74,59 @@ pub fn read(
         }
         *end = ((radius - base) * (radius + base)).sqrt();
     }
+    let rows = rows(file, p40, (&p40.profiles, ends), teeth)?;
+    let values = p40.profiles.iter().flat_map(|curve| &curve.values);
+    let holes = values.filter(|(_, value)| value.is_none()).count();
+    let words = format!(
+        "{}; of the profiles {holes} values were not measured; they are read at equal steps of roll length, {} to {} mm, which the file does not say",
+        p40.unused(PROFILES),
+        ascii(ends[0], 4),
+        ascii(ends[1], 4)
+    );
+    let mut header = p40.header.clone();
+    header.left_unused(file, &words);
+    Some((rows, header))
+}
+
+/// The leads of a curve file: heights, mm, and deviations, µm; and its header with a warning of what the format leaves open. `teeth` are those of
+/// the pair file.
+pub fn leads(file: &DataFile, p40: &P40, teeth: Option<u32>) -> Option<(Vec<Row>, Header)> {
+    let help = "give the traces in a table";
+    if p40.leads.is_empty() {
+        return file.refuse("has no lead trace (Flankenlinie:)", help);
+    }
+    let mut numbered = p40.numbered.iter();
+    let stated = numbered.find(|line| line.label.contains(FACE_WIDTH));
+    let width = stated.and_then(|line| line.numbers.first());
+    let Some(&width) = width.filter(|width| (0.0..1e6).contains(*width) && **width > 0.0) else {
+        let reason = "has lead traces, but no header line Zahnbreite with the face width in mm";
+        return file.refuse(reason, help);
+    };
+    let rows = rows(file, p40, (&p40.leads, [0.0, width]), teeth)?;
+    let mut header = p40.header.clone();
+    let words = format!(
+        "{}; the leads count from the reference face over the face width, {width} mm, plus as more material, which the file does not say",
+        p40.unused(LEADS)
+    );
+    header.left_unused(file, &words);
+    header.warn(
+        file,
+        "the format leaves open where lead traces begin and end and which sign is more material; compare with the printed chart, and give the traces in a table where they differ",
+    );
+    Some((rows, header))
+}
+
+/// The rows of `curves`, whose values have equal steps between these ends, mm.
+fn rows(
+    file: &DataFile,
+    p40: &P40,
+    (curves, ends): (&[FlankTrace], [f64; 2]),
+    teeth: Option<u32>,
+) -> Option<Vec<Row>> {
+    let wrong = |line, reason: String, help: &str| file.refuse_at(line, reason, help);
     let teeth = teeth.or(p40.header.teeth()).unwrap_or(u32::MAX);
     let mut rows = Vec::new();
-    for curve in &p40.profiles {
+    for curve in curves {
         if curve.tooth > teeth {
             let reason = file.found(format!("tooth {}, allowed is 1 … {teeth}", curve.tooth));
             return wrong(curve.line, reason, "correct its number or teeth");
@@ -93,15 +146,5 @@ pub fn read(
             return wrong(curve.line, reason, "remove the trace");
         }
     }
-    let values = p40.profiles.iter().flat_map(|curve| &curve.values);
-    let holes = values.filter(|(_, value)| value.is_none()).count();
-    let words = format!(
-        "{}; of the profiles {holes} values were not measured; they are read at equal steps of roll length, {} to {} mm, which the file does not say",
-        p40.unused(PROFILES),
-        ascii(ends[0], 4),
-        ascii(ends[1], 4)
-    );
-    let mut header = p40.header.clone();
-    header.left_unused(file, &words);
-    Some((rows, header))
+    Some(rows)
 }

@@ -51,6 +51,8 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             "add [tolerance], such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
         );
     };
+    // Its problems come first. What is drawn can give it a face.
+    let own = own_pair(&pair, file);
     let assembly = &pair.spec.assembly;
     let distance = assembly.center_distance_mm.nominal_mm();
     let distance = distance.map(|mm| assembly.in_measuring_plane(mm));
@@ -71,25 +73,13 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     let wheel = gear(&tolerance.wheel, Member::Wheel);
     let pinion = gear(&tolerance.pinion, Member::Pinion);
     let lean = lean(&tolerance, &pair, file);
-    let read = (wheel, pinion, lean, center_distance, bearing_play);
-    let (
-        Some((wheel, wheels)),
-        Some((pinion, pinions)),
-        Some(lean),
-        Some(center_distance),
-        Some(bearing_play),
-    ) = read
-    else {
-        // Its problems are reported, too.
-        own_pair(&pair, file);
-        return None;
-    };
+    let ((wheel, wheels), (pinion, pinions)) = (wheel?, pinion?);
     let scatters = Scatters {
         wheel,
         pinion,
-        center_distance,
-        lean,
-        bearing_play,
+        center_distance: center_distance?,
+        lean: lean?,
+        bearing_play: bearing_play?,
         phase: tolerance.phase == PhaseName::Any,
         thickness_correlation: tolerance.thickness_correlation,
     };
@@ -107,7 +97,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             return file.refuse(&format!("tolerance.{}.gears", member.name()), other, help);
         }
     }
-    let own = own_pair(&pair, file)?;
+    let own = own.and_then(|_| own_pair(&pair, file))?;
     let first = marked_tooth(&pair, &own);
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = file.reading().keep(population)?;

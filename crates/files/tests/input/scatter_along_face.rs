@@ -138,7 +138,11 @@ fn the_worst_assemblies_state_what_was_drawn() {
     let wheel = "lead = { crowning_um = 4, over = \"face\", zero_mm = 8, right = { slope_um = 5 } }\nrunout = { total_um = 0, face_runout = { um = 9, diameter_mm = 60, high_tooth = 4, face = \"far\" } }";
     let assembly = "face_offset_mm = 2\nmisalignment = { in_plane_um = 4, out_of_plane_um = -3, over_mm = 50 }";
     let stated = text(
-        [wheel, "runout = { total_um = 8, high_tooth = 3 }", assembly],
+        [
+            "",
+            "runout = { total_um = 8, high_tooth = 3 }",
+            "face_offset_mm = 2",
+        ],
         "assemblies = 2\n[tolerance.pinion]\nwobble_um = { max = 20 }\nrunout = { scatter = \"rayleigh\", scale_um = 5 }\n",
     );
     let scaled = text(

@@ -27,12 +27,16 @@
 //! Leads turn the flanks of the section at `b` by `δ(b)/r_b`: a pair is on the line over one stretch of the face, and `G` grows by the
 //! greatest `Σ δ(b)/r_b2` over it.
 //!
+//! Where axes lean, centres move along the face, and twist and lead are those at the height of the contact along each gear's own axis
+//! ([`Pose::section`]). On the line `G` is a parabola of `b` plus the leads, and rolls and heights are linear, to the second order of the lean:
+//! three sections give them. The model leaves out `½ g² ρ`, by which the contact moves along the flank ([`GearPair::left_out`]).
+//!
 //! `C_2` turns with the free gear, and so does `D` with its rotation `φ`: the last line is a fixed point `φ = G(φ)`. With
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2` and `|dD/dφ| = e_2`, `|G'| ≤ e_2/r_b2`.
 
 use crate::gear::{AsBuilt, DeviationCurve, Side};
 use crate::numeric::{bisect, wrap_angle};
-use crate::pair::{FacingTeeth, GearPair, Pose};
+use crate::pair::{FacingTeeth, GearPair, Member, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::ops::RangeInclusive;
 
@@ -82,8 +86,32 @@ pub(super) struct OneSide<'a> {
     between: Vector2<f64>,
     /// From there to the centre of the free outline, at the nominal rotation, mm.
     displacement: Vector2<f64>,
+    /// Lean of the locked and of the free shaft, and of the toothing of each on its shaft at the nominal rotation, mm per mm.
+    shafts: [Vector2<f64>; 2],
+    tilts: [Vector2<f64>; 2],
     /// Twist of the locked teeth from the measuring plane to both ends of the common face, the lesser first, rad; 0 for spur gears.
     face: [f64; 2],
+}
+
+/// Two teeth that face each other, locked and free.
+struct Facing<'a> {
+    teeth: FacingTeeth<'a>,
+    /// Their profile deviations.
+    flanks: [Option<&'a DeviationCurve>; 2],
+    /// Angle of the locked tooth, and of the free one at the nominal rotation, rad, with their deviations in the measuring plane.
+    angles: [f64; 2],
+}
+
+/// The contact of two teeth in one section, wherever their involutes end.
+struct Touch {
+    /// Rotation of the free gear from its nominal one, rad.
+    turn: f64,
+    rolls: [f64; 2],
+    /// Lengths of the tangents to both base circles, with the profile deviations, mm.
+    arms: [f64; 2],
+    /// Height of the contact along each gear's own axis, less the place of the section, mm.
+    heights: [f64; 2],
+    is_settled: bool,
 }
 
 /// The common base tangent at one rotation of the free gear.
@@ -105,6 +133,13 @@ impl<'a> OneSide<'a> {
         let twist = mirror * locked.gear().basic_data().twist();
         let mut face = assembly.face().map(|b| twist * b);
         face.sort_by(f64::total_cmp);
+        let [x, y] = assembly.lean();
+        let pinion = seen(Vector2::new(x, y));
+        // The picture is turned by half a turn where the pinion is locked.
+        let shafts = match assembly.locked() {
+            Member::Wheel => [Vector2::zeros(), pinion],
+            Member::Pinion => [-pinion, Vector2::zeros()],
+        };
         // The free gear's direction to its mate is −x.
         OneSide {
             assembly,
@@ -116,6 +151,11 @@ impl<'a> OneSide<'a> {
             between: Vector2::new(assembly.center_distance(), 0.0)
                 - seen(locked.displacement(pose.locked_rotation())),
             displacement: -seen(free.displacement(pose.free_rotation())),
+            shafts,
+            tilts: [
+                seen(locked.lean(pose.locked_rotation())),
+                -seen(free.lean(pose.free_rotation())),
+            ],
             face,
         }
     }
@@ -138,9 +178,11 @@ impl<'a> OneSide<'a> {
         (length.atan2(base), length)
     }
 
-    /// The base tangent with the free gear turned by `turn` from its nominal rotation.
-    fn line(&self, turn: f64) -> Line {
-        let d = self.between + UnitComplex::new(turn) * self.displacement;
+    /// The base tangent of the section at `b`, mm, with the free gear turned by `turn` from its nominal rotation.
+    fn line(&self, turn: f64, b: f64) -> Line {
+        let [locked, free] = self.shafts;
+        let between = self.between + b * (free - locked - self.tilts[0]);
+        let d = between + UnitComplex::new(turn) * (self.displacement + b * self.tilts[1]);
         let (angle, length) = self.tangent(d.norm());
         Line {
             direction: d.y.atan2(d.x) + angle,
@@ -161,7 +203,8 @@ impl<'a> OneSide<'a> {
     /// The range follows from `ξ_1 = arg E_1 + ψ_b1 − θ_1`.
     fn window(&self) -> RangeInclusive<f64> {
         let gear = self.locked.gear();
-        let (distance, e) = (self.between.norm(), self.free.eccentricity());
+        let distance = self.between.norm();
+        let e = self.free.eccentricity() + self.assembly.most_shift();
         let direction = self.between.y.atan2(self.between.x) + gear.half_base_angle();
         let swing = (e / distance).min(1.0).asin();
         let slack = if self.locked.is_modified() {
@@ -170,6 +213,7 @@ impl<'a> OneSide<'a> {
         } else {
             END * gear.tip_roll()
         };
+        let slack = slack + self.assembly.most_height() * gear.basic_data().twist().abs();
         let low = direction - swing + self.tangent(distance - e).0 - gear.tip_roll();
         let high = direction + swing + self.tangent(distance + e).0 - gear.form_roll();
         // θ_1 + s lies in the range, for s over the face.
@@ -191,27 +235,147 @@ impl<'a> OneSide<'a> {
         Some(ends)
     }
 
-    /// Where both leads add most over a stretch of the face, mm, and how much more than in the measuring plane, mm.
-    fn greatest_lead(teeth: &FacingTeeth, stretch: [f64; 2]) -> (f64, f64) {
-        let mut places = teeth.knots(stretch, |_, place| place);
+    /// Where both leads and `smooth`, mm in powers of the place, add most over a stretch of the face, mm.
+    fn tightest_place(teeth: &FacingTeeth, stretch: [f64; 2], smooth: [f64; 3]) -> f64 {
+        let [at_0, slope, bend] = smooth;
+        let value = |b: f64| teeth.lead(b) + (at_0 + b * (slope + b * bend));
+        let rate = |b: f64| teeth.rate(b) + (slope + 2.0 * b * bend);
+        let mut places = teeth.knots(stretch, |k, height| teeth.section_of(k, height));
         let tops = places.windows(2).filter_map(|ends| {
             let beside = 1e-9 * (ends[1] - ends[0]);
             let (low, high) = (ends[0] + beside, ends[1] - beside);
-            (teeth.rate(low) > 0.0 && teeth.rate(high) < 0.0)
-                .then(|| bisect(low, high, 0.0, |b| teeth.rate(b) > 0.0)[0])
+            (rate(low) > 0.0 && rate(high) < 0.0)
+                .then(|| bisect(low, high, 0.0, |b| rate(b) > 0.0)[0])
         });
         let tops: Vec<f64> = tops.collect();
         places.extend(tops);
         // The nearest to the measuring plane comes first.
         places.sort_by(|one, other| one.abs().total_cmp(&other.abs()));
-        let mut best = (places[0], teeth.lead(places[0]));
+        let mut best = (places[0], value(places[0]));
         for b in places {
-            let here = teeth.lead(b);
+            let here = value(b);
             if here > best.1 {
                 best = (b, here);
             }
         }
-        best
+        best.0
+    }
+
+    /// Heights of the point with these rolls on the line over the section at `b`, mm along each gear's own axis, and the turns of the flanks
+    /// by twist and stretch, rad ([`Pose::section`]).
+    fn leaning(&self, b: f64, turn: f64, direction: f64, rolls: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+        let e = Vector2::new(direction.cos(), direction.sin());
+        let (mut heights, mut turns) = ([0.0; 2], [0.0; 2]);
+        for (k, gear) in [self.locked, self.free].into_iter().enumerate() {
+            let (gear, twist) = (gear.gear(), gear.gear().basic_data().twist());
+            let (e, turned) = if k == 0 { (e, 0.0) } else { (-e, turn) };
+            let lean = self.shafts[k] + UnitComplex::new(turned) * self.tilts[k];
+            let normal = Vector2::new(e.y, -e.x);
+            let along = gear.base_radius() * lean.dot(&(e + rolls[k] * normal));
+            let square = lean.norm_squared();
+            let root = (1.0 + square).sqrt();
+            heights[k] = b * (root - 1.0) + along / root;
+            // (1 − 1/k)/α² without cancellation.
+            let stretch = along * normal.dot(&lean) / (root * (root + 1.0));
+            turns[k] = self.mirror * twist * (b + heights[k]) - stretch / gear.base_radius();
+        }
+        (heights, turns)
+    }
+
+    /// The contact of two teeth in the section at `b`, mm, with their leads, mm.
+    fn touch(&self, facing: &Facing, b: f64, leads: [f64; 2]) -> Touch {
+        let (locked, free) = (self.locked.gear(), self.free.gear());
+        let bases = [locked.base_radius(), free.base_radius()];
+        let leans = self.assembly.leans();
+        // The lead of the locked tooth moves the contact along the line, which changes its heights.
+        let (moved, leads) = if leans {
+            (leads[0] / bases[0], leads[1] / bases[1])
+        } else {
+            (0.0, (leads[0] + leads[1]) / bases[1])
+        };
+        let mut rate = self.free.eccentricity() / bases[1];
+        if leans {
+            let wound = self.assembly.most_height() * free.basic_data().twist().abs();
+            rate += wound + self.assembly.most_shift() / bases[1];
+        }
+        // φ = G(φ): the error after a step is at most its length times rate/(1 − rate). Stop when that is below 1e-16 rad or when
+        // steps no longer shrink. The rest is rounding, unless the base circles overlap on the way: G need not contract there, and a
+        // limit of 1e-9 rad detects it.
+        let (mut turn, mut last) = (0.0, f64::INFINITY);
+        let (mut heights, mut turns) = ([0.0; 2], [0.0; 2]);
+        loop {
+            let line = self.line(turn, b);
+            let locked_angle = facing.angles[0] + turns[0] - moved;
+            let locked_roll = line.direction + locked.half_base_angle() - locked_angle;
+            let locked_arm = bases[0] * locked_roll + deviation(facing.flanks[0], locked_roll);
+            let free_arm = line.length - locked_arm;
+            let mut free_roll = free_arm / bases[1];
+            if facing.flanks[1].is_some() {
+                // The iteration contracts: a deviation's slope is far less than the base radius.
+                for _ in 0..DEVIATION_STEPS {
+                    free_roll = (free_arm - deviation(facing.flanks[1], free_roll)) / bases[1];
+                }
+            }
+            let nominal = facing.angles[1] + turns[1];
+            let next =
+                wrap_angle(line.direction + free.half_base_angle() - free_roll - nominal + leads);
+            let step = (next - turn).abs();
+            turn = next;
+            let rolls = [locked_roll, free_roll];
+            if leans {
+                let is_first = last == f64::INFINITY;
+                (heights, turns) = self.leaning(b, turn, line.direction, rolls);
+                if is_first {
+                    last = f64::MAX;
+                    continue;
+                }
+            }
+            if step * rate > 1e-16 * (1.0 - rate) && step < last {
+                last = step;
+                continue;
+            }
+            return Touch {
+                turn,
+                rolls,
+                arms: [locked_arm, free_arm],
+                heights,
+                is_settled: step * rate < 1e-9 && line.length > 0.0,
+            };
+        }
+    }
+
+    /// The tightest place along the face, mm, of two teeth of leaning axes with `leads`, mm, and their leads there; `None` if they are nowhere
+    /// on the line.
+    fn tightest_leaning(&self, facing: &Facing, leads: [f64; 2]) -> Option<(f64, [f64; 2])> {
+        let face = self.assembly.face();
+        let middle = 0.5 * (face[0] + face[1]);
+        let width = face[1] - face[0];
+        let [near, half, far] = [face[0], middle, face[1]].map(|b| self.touch(facing, b, leads));
+        let per_mm = |change: f64| if width > 0.0 { change / width } else { 0.0 };
+        let mut stretch = face;
+        let mut heights = [[0.0, 1.0]; 2];
+        let members = [self.assembly.locked(), self.assembly.free()];
+        for (k, member) in members.into_iter().enumerate() {
+            let gear = self.assembly.gear(member).gear();
+            let slack = END * gear.tip_roll();
+            let rolls = [gear.form_roll() - slack, gear.tip_roll() + slack];
+            let rate = per_mm(far.arms[k] - near.arms[k]);
+            let arm = [half.arms[k] - rate * middle, rate];
+            stretch = within(stretch, arm, rolls.map(|roll| gear.base_radius() * roll));
+            let rate = 1.0 + per_mm(far.heights[k] - near.heights[k]);
+            heights[k] = [middle + half.heights[k] - rate * middle, rate];
+            stretch = within(stretch, heights[k], self.assembly.own_face(member));
+        }
+        let teeth = facing.teeth.with_heights(heights);
+        if stretch[0] > stretch[1] {
+            return None;
+        }
+        let base = self.free.gear().base_radius();
+        let slope = per_mm(far.turn - near.turn);
+        let bend = 2.0 * per_mm(per_mm(near.turn + far.turn - 2.0 * half.turn));
+        let smooth = [0.0, base * (slope - 2.0 * bend * middle), base * bend];
+        let b = OneSide::tightest_place(&teeth, stretch, smooth);
+        Some((b, teeth.leads(b)))
     }
 
     /// The twists `s` of the locked teeth, from and to, with a contact on both involutes; `None` without one on the common face.
@@ -229,6 +393,23 @@ impl<'a> OneSide<'a> {
         let high = (roll - locked.form_roll()).min((free.tip_roll() - free_roll) * per_free);
         let (from, to) = (low.max(self.face[0]), high.min(self.face[1]));
         (from <= to + slack).then(|| [from.min(to), to])
+    }
+
+    /// The section nearest to the measuring plane in which a pair with these arms there is on the line, mm, and the twist of its locked tooth.
+    fn nearest_section(&self, [locked_arm, free_arm]: [f64; 2]) -> Option<(f64, f64)> {
+        if self.face == [0.0; 2] {
+            let on = on_involute(self.locked, locked_arm / self.locked.gear().base_radius())
+                && on_involute(self.free, free_arm / self.free.gear().base_radius());
+            return on.then_some((0.0, 0.0));
+        }
+        let [from, to] = self.turns_on_involutes(locked_arm, free_arm)?;
+        let turned = 0f64.max(from).min(to);
+        let section = if turned == 0.0 {
+            0.0
+        } else {
+            turned / (self.mirror * self.locked.gear().basic_data().twist())
+        };
+        Some((section, turned))
     }
 
     /// The locked teeth to try, as steps counter-clockwise of the mating's tooth.
@@ -263,84 +444,49 @@ impl<'a> OneSide<'a> {
                     + self.free.tooth_angle(f64::from(free_tooth))
                     + self.free.flank_offset(self.side, free_tooth)),
         );
-        let (locked, free) = (self.locked.gear(), self.free.gear());
-        let (locked_base, free_base) = (locked.base_radius(), free.base_radius());
-        let locked_flank = self.locked.modification(self.side, locked_tooth);
-        let free_flank = self.free.modification(self.side, free_tooth);
-        let rate = self.free.eccentricity() / free_base;
-        if rate >= 1.0 {
+        let free_base = self.free.gear().base_radius();
+        if self.free.eccentricity() >= free_base {
             return None;
         }
-        // φ = G(φ): the error after a step is at most its length times rate/(1 − rate). Stop when that is below 1e-16 rad or when
-        // steps no longer shrink. The rest is rounding, unless the base circles overlap on the way: G need not contract there, and a
-        // limit of 1e-9 rad detects it.
-        let has_leads = self.assembly.has_leads();
         let teeth = [(self.locked, locked_tooth), (self.free, free_tooth)];
-        let teeth = FacingTeeth::new(self.side, teeth);
-        let (mut turn, mut last) = (0.0, f64::INFINITY);
+        let facing = Facing {
+            teeth: FacingTeeth::new(self.side, teeth),
+            flanks: teeth.map(|(gear, tooth)| gear.modification(self.side, tooth)),
+            angles: [theta, nominal],
+        };
         // The leads' part of G, and the rounds in which it settles: the stretch on the line moves with it.
-        let (mut leads, mut rounds) = (0.0, 0);
-        loop {
-            let line = self.line(turn);
-            let locked_roll = line.direction + locked.half_base_angle() - theta;
-            let locked_arm = locked_base * locked_roll + deviation(locked_flank, locked_roll);
-            let free_arm = line.length - locked_arm;
-            let mut free_roll = free_arm / free_base;
-            if free_flank.is_some() {
-                // The iteration contracts: a deviation's slope is far less than the base radius.
-                for _ in 0..DEVIATION_STEPS {
-                    free_roll = (free_arm - deviation(free_flank, free_roll)) / free_base;
-                }
+        let (mut leads, mut rounds) = ([0.0; 2], 0);
+        let (section, turned, touch) = loop {
+            if !self.assembly.deviates_along_face() {
+                let touch = self.touch(&facing, 0.0, [0.0; 2]);
+                let (section, turned) = self.nearest_section(touch.arms)?;
+                break (section, turned, touch);
             }
-            let next =
-                wrap_angle(line.direction + free.half_base_angle() - free_roll - nominal + leads);
-            let step = (next - turn).abs();
-            turn = next;
-            if step * rate > 1e-16 * (1.0 - rate) && step < last {
-                last = step;
-                continue;
-            }
-            if has_leads {
-                let stretch = self.stretch(locked_arm, free_arm)?;
-                let (section, lead) = OneSide::greatest_lead(&teeth, stretch);
-                let more = lead / free_base;
-                if (more - leads).abs() > LEADS_SETTLED && rounds < MOST_ROUNDS {
-                    (leads, last, rounds) = (more, f64::INFINITY, rounds + 1);
-                    continue;
-                }
-                return Some(SideContact {
-                    rotation: self.pose.free_rotation() + self.mirror * turn,
-                    locked_tooth,
-                    free_tooth,
-                    locked_roll,
-                    free_roll,
-                    section,
-                })
-                .filter(|_| step * rate < 1e-9 && line.length > 0.0);
-            }
-            let turned = if self.face == [0.0; 2] {
-                (on_involute(self.locked, locked_arm / locked_base)
-                    && on_involute(self.free, free_arm / free_base))
-                .then_some(0.0)
+            let (section, more, plane) = if self.assembly.leans() {
+                let (section, more) = self.tightest_leaning(&facing, leads)?;
+                (section, more, section)
             } else {
-                // The place nearest to the measuring plane.
-                let turns = self.turns_on_involutes(locked_arm, free_arm);
-                turns.map(|[from, to]| 0f64.max(from).min(to))
+                let touch = self.touch(&facing, 0.0, leads);
+                let stretch = self.stretch(touch.arms[0], touch.arms[1])?;
+                let section = OneSide::tightest_place(&facing.teeth, stretch, [0.0; 3]);
+                (section, facing.teeth.leads(section), 0.0)
             };
-            let turned = turned.filter(|_| step * rate < 1e-9 && line.length > 0.0)?;
-            return Some(SideContact {
-                rotation: self.pose.free_rotation() + self.mirror * turn,
-                locked_tooth,
-                free_tooth,
-                locked_roll: locked_roll - turned,
-                free_roll: free_roll + turned * locked_base / free_base,
-                section: if turned == 0.0 {
-                    0.0
-                } else {
-                    turned / (self.mirror * self.locked.gear().basic_data().twist())
-                },
-            });
-        }
+            let change = (more[0] + more[1]) - (leads[0] + leads[1]);
+            if change.abs() <= LEADS_SETTLED * free_base || rounds >= MOST_ROUNDS {
+                let twist = self.mirror * self.locked.gear().basic_data().twist();
+                let turned = twist * (section - plane);
+                break (section, turned, self.touch(&facing, plane, leads));
+            }
+            (leads, rounds) = (more, rounds + 1);
+        };
+        touch.is_settled.then(|| SideContact {
+            rotation: self.pose.free_rotation() + self.mirror * touch.turn,
+            locked_tooth,
+            free_tooth,
+            locked_roll: touch.rolls[0] - turned,
+            free_roll: touch.rolls[1] + turned * self.locked.gear().base_radius() / free_base,
+            section,
+        })
     }
 }
 
@@ -354,6 +500,15 @@ const DEVIATION_STEPS: u32 = 6;
 /// A flank's deviation at a roll, mm.
 fn deviation(flank: Option<&DeviationCurve>, roll: f64) -> f64 {
     flank.map_or(0.0, |flank| flank.at(roll))
+}
+
+/// The part of `stretch` over which a line, in powers of the place, is between `least` and `most`.
+fn within(stretch: [f64; 2], [at_0, rate]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
+    let [one, other] = [least, most].map(|end| (end - at_0) / rate);
+    [
+        stretch[0].max(one.min(other)),
+        stretch[1].min(one.max(other)),
+    ]
 }
 
 /// Whether the involute's point at `roll` lies between form and tip circle.
@@ -407,7 +562,7 @@ impl LineOfAction {
 mod tests {
     use super::*;
     use crate::gear::{BasicGearData, Deviations, Face, Gear, GearDesign, Hand};
-    use crate::pair::{Mating, Member};
+    use crate::pair::Mating;
 
     fn gear(teeth: u32, face: Face, helix: f64, hand: Hand, eccentricity: f64) -> AsBuilt {
         let data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();

@@ -26,8 +26,8 @@ use nalgebra::{Rotation2, Vector2};
 use std::f64::consts::PI;
 
 /// Distance beyond the end of its teeth at which a flank is still in a section, mm: above the effect of flank deviations on the place of the
-/// contact, and times any slope of a lead below 1e-6 µm.
-const AT_END: f64 = 1e-6;
+/// contact, and times any slope of a lead below 1e-5 µm.
+const AT_END: f64 = 1e-5;
 
 /// Turn back of a flank that is not in a section, as a part of a pitch.
 const TURNED_BACK: f64 = 0.05;

@@ -1,6 +1,8 @@
 //! The exact method against everything outside it: the reference poses, closed forms, a
 //! brute-force search, and the hard cases.
 
+#[path = "../common/along_face.rs"]
+mod along_face;
 mod both_methods;
 mod brackets;
 mod campaign;

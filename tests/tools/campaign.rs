@@ -1,13 +1,15 @@
 //! The campaign: exact against polygon method on seeded random poses, each exact result certified.
 //!
 //! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--helical] [--depth any|grazing|on-root]
-//! [--longest SECONDS] [--proofs] [--brute] [--print I]`.
+//! [--longest SECONDS] [--proofs] [--brute] [--along-face SECTIONS] [--print I]`.
 //! Whole gears are a further referee: just inside both contacts of a clear pose no metal may be in the other gear. It
 //! exits with 1 if the methods differ by more than the sum of both error bounds, disagree on a status, or the
 //! certificate refuses. It also does if a class of contact did not occur, or if the prover leaves an ordinary pose to the
 //! polygons. Abandoned poses are counted and named. The first such poses are printed as pair files. `--proofs` has only the
 //! certificate as referee: a million poses take minutes. `--brute` uses brute force instead of the polygon method.
 
+#[path = "../common/along_face.rs"]
+mod along_face;
 #[path = "../common/campaign/mod.rs"]
 mod campaign;
 #[path = "../common/clearance/mod.rs"]
@@ -49,6 +51,9 @@ struct Options {
     /// Ask brute force about the exact method, instead of the polygon method and the certificate: some 0.4 s a pose
     #[arg(long)]
     brute: bool,
+    /// Pairs that deviate along the face, one pose each, against this many sections with zoom at the tightest
+    #[arg(long, conflicts_with_all = ["helical", "brute", "proofs"])]
+    along_face: Option<u32>,
     /// Print this pose of the campaign as a pair file, and nothing else
     #[arg(long)]
     print: Option<u64>,
@@ -110,6 +115,9 @@ fn main() -> ExitCode {
         };
     }
     let indices = options.first..options.first + poses;
+    if let Some(sections) = options.along_face {
+        return against_sections(seed, indices, sections);
+    }
     let longest = Duration::from_secs(options.longest);
     let tally = run_of(kind, depth, seed, indices, longest, !options.proofs);
     println!("seed {seed}, {:.1?}", start.elapsed());
@@ -166,6 +174,50 @@ fn brute(depth: Option<Depth>, seed: u64, first: u64, poses: u64) -> Vec<(u64, S
         (!complaint.is_empty()).then_some((index, complaint))
     });
     complaints.collect()
+}
+
+/// Poses along the face against dense sections: faults, and how far sections without zoom are from the contacts.
+fn against_sections(seed: u64, indices: Range<u64>, sections: u32) -> ExitCode {
+    let start = Instant::now();
+    let witnessed: Vec<_> = indices
+        .into_par_iter()
+        .filter_map(|index| {
+            let (pair, pose) = along_face::drawn(seed, index);
+            Some((index, along_face::witness(&pair, &pose, sections)?))
+        })
+        .collect();
+    let took = start.elapsed().as_secs_f64();
+    let count = witnessed.len();
+    let mut between: Vec<f64> = witnessed.iter().map(|(_, found)| found.between).collect();
+    between.sort_by(f64::total_cmp);
+    let part = |share: f64| between[(share * (count as f64 - 1.0)) as usize];
+    println!(
+        "seed {seed}: {count} poses against {sections} sections, {:.2} poses/s",
+        count as f64 / took
+    );
+    println!(
+        "tighter than sections without zoom, µm: median {:.1e}, ninth decile {:.1e}, most {:.1e}",
+        part(0.5),
+        part(0.9),
+        part(1.0)
+    );
+    let off = |found: &along_face::Witnessed| found.looser.max(found.tighter);
+    let mut faults: Vec<_> = witnessed
+        .iter()
+        .filter(|(_, found)| off(found) > 0.0)
+        .collect();
+    faults.sort_by(|(_, one), (_, other)| off(other).total_cmp(&off(one)));
+    let reasons: Vec<(u64, String)> = faults
+        .iter()
+        .map(|(index, found)| (*index, format!("{found:?}")))
+        .collect();
+    name("fault", &reasons);
+    println!("{} faults", faults.len());
+    if faults.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
 }
 
 fn name(what: &str, poses: &[(u64, String)]) {

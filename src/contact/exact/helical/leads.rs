@@ -236,8 +236,8 @@ impl<'a> AlongFace<'a> {
         if is_bound && pair.most + (leads + more * leads.abs()) / base <= floor {
             return Vec::new();
         }
-        let face = self.own_face(pair.step);
-        let section = |k, place| self.section_of(pair.step, k, place);
+        let face = self.own_face(pair);
+        let section = |k, place| self.section_of(pair, k, place);
         let knots = pair.teeth.knots(face, section);
         let all = knots.windows(2).map(|ends| [ends[0], ends[1]]);
         let parts = all.flat_map(|ends| parts(&pair.teeth, ends));
@@ -253,37 +253,44 @@ impl<'a> AlongFace<'a> {
         let bases = [problem.locked.shape.base, problem.free.shape.base];
         let leads = pair.teeth.leads(b);
         let turns = [0, 1].map(|k| -leads[k] / bases[k]);
-        let found = self.separation(pair, b, turns, self.nominal)?;
+        let (found, heights) = self.separation(pair, b, turns, self.nominal)?;
+        // Leads are those at the heights of the touch. Their knots are there too, so that only what is smooth is taken from beside.
+        let teeth = pair.teeth.with_heights(heights.map(|height| [height, 1.0]));
+        let mut gap = found.gap;
         let smooth = if self.leaning.is_some() {
+            let there = teeth.leads(b);
+            for k in [0, 1] {
+                gap -= found.by_turn[k] * (there[k] - leads[k]) / bases[k];
+            }
             let beside = [NEIGHBOUR, -NEIGHBOUR].map(|beside| b + beside);
             let [after, before] = beside.map(|b| self.separation(pair, b, turns, found.gap));
-            (after?.gap - before?.gap) / (2.0 * NEIGHBOUR)
+            (after?.0.gap - before?.0.gap) / (2.0 * NEIGHBOUR)
         } else {
             found.by_turn[0] * self.twists[0] + found.by_turn[1] * self.twists[1]
         };
-        let rates = pair.teeth.rates(b);
+        let rates = teeth.rates(b);
         let rate = |k: usize| -found.by_turn[k] * rates[k] / bases[k];
         Some(Look {
             b,
-            gap: found.gap,
+            gap,
             rate: smooth + rate(0) + rate(1),
         })
     }
 
-    /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist, found from about the gap `near`; `None` where
-    /// they do not face each other.
+    /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist, found from about the gap `near`, and its heights
+    /// over the section, mm; `None` where they do not face each other.
     fn separation(
         &self,
         pair: &PairOfTeeth,
         b: f64,
         turns: [f64; 2],
         near: f64,
-    ) -> Option<Separation> {
+    ) -> Option<(Separation, [f64; 2])> {
         self.effort.spend(LOOK);
         let turned = [0, 1].map(|k| self.twists[k] * b + turns[k]);
         let Some(leaning) = &self.leaning else {
             let found = Separation::turned(self.posed, pair.step, near, turned);
-            return Some(found).filter(|found| found.touches);
+            return found.touches.then_some((found, [0.0; 2]));
         };
         let here = leaning.at(self.posed, b);
         let mut found = Separation::turned(&here, pair.step, near, turned);
@@ -291,18 +298,12 @@ impl<'a> AlongFace<'a> {
             return None;
         }
         let touch = leaning.touch(b, &here, &found);
-        let problem = self.posed.problem;
-        let bases = [problem.locked.shape.base, problem.free.shape.base];
-        let before = pair.teeth.leads(b);
-        for k in [0, 1] {
-            let lead = pair.teeth.leads(b + touch.heights[k])[k] - before[k];
-            found.gap += found.by_turn[k] * (touch.turns[k] - lead / bases[k]);
-        }
-        Some(found)
+        found.gap += found.by_turn[0] * touch.turns[0] + found.by_turn[1] * touch.turns[1];
+        Some((found, touch.heights))
     }
 
-    /// Both ends of the face of a step, mm, where the teeth of both gears are in the section where they touch.
-    fn own_face(&self, step: i64) -> [f64; 2] {
+    /// Both ends of the face of a pair, mm, where the teeth of both gears are in the section where they touch.
+    fn own_face(&self, pair: &PairOfTeeth) -> [f64; 2] {
         let face = self.assembly.face();
         if self.leaning.is_none() {
             return face;
@@ -311,7 +312,7 @@ impl<'a> AlongFace<'a> {
         [0, 1].map(|which| {
             let ends = [0, 1].map(|k| {
                 let own = self.assembly.own_face(members[k])[which];
-                self.section_of(step, k, own)
+                self.section_of(pair, k, own)
             });
             if which == 0 {
                 ends[0].max(ends[1])
@@ -321,18 +322,21 @@ impl<'a> AlongFace<'a> {
         })
     }
 
-    /// The section, mm, in which a step touches at the height `own`, mm, of the gear `k`.
-    fn section_of(&self, step: i64, k: usize, own: f64) -> f64 {
+    /// The section, mm, in which a pair touches at the height `own`, mm, of the gear `k`.
+    fn section_of(&self, pair: &PairOfTeeth, k: usize, own: f64) -> f64 {
         let Some(leaning) = &self.leaning else {
             return own;
         };
+        let problem = self.posed.problem;
+        let bases = [problem.locked.shape.base, problem.free.shape.base];
         let mut b = own;
         // Each round leaves the lean's part of the last error.
         for _ in 0..ROUNDS_OF_HEIGHTS {
             self.effort.spend(LOOK);
-            let turned = [0, 1].map(|k| self.twists[k] * b);
+            let leads = pair.teeth.leads(b);
+            let turned = [0, 1].map(|k| self.twists[k] * b - leads[k] / bases[k]);
             let here = leaning.at(self.posed, b);
-            let found = Separation::turned(&here, step, self.nominal, turned);
+            let found = Separation::turned(&here, pair.step, self.nominal, turned);
             if !found.touches {
                 return own;
             }

@@ -117,8 +117,8 @@ impl Face {
         }
     }
 
-    /// Both ends of teeth that run `from` … `to`, mm from the measuring plane away from the viewer, as heights over that plane away from this
-    /// reference face, that of the reference face first.
+    /// Heights of both ends of teeth, mm over the measuring plane away from this reference face; its own end is first. The teeth run
+    /// `from` … `to`, mm from that plane away from the viewer.
     pub fn heights(self, [from, to]: [f64; 2]) -> [f64; 2] {
         match self {
             Face::Front => [from, to],

@@ -182,8 +182,8 @@ impl ExactKernel {
         &self.section
     }
 
-    /// Calls `each` for every section that holds the tightest of all pairs of involutes, and for those at the `further` places, with the pose
-    /// that `pose` is there, and the place along the face, mm. A spur pair has one section.
+    /// Calls `each` for every section that holds the tightest of all pairs of involutes, and for those at the `further` places. It gets the
+    /// section, `pose` in it, and its place along the face, mm. A spur pair has one section.
     ///
     /// # Errors
     /// The first of `each`.

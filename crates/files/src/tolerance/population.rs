@@ -51,7 +51,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             "add [tolerance], such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
         );
     };
-    // Its problems come first. What is drawn can give it a face.
+    // Its problems come first. A drawn gear can give the pair a face.
     let own = own_pair(&pair, file);
     let assembly = &pair.spec.assembly;
     let distance = assembly.center_distance_mm.nominal_mm();

@@ -159,9 +159,9 @@ impl SideTable {
 
     /// Whether a pair on the line of action stops the free gear before the far flank of a locked tooth can ([`FarFlanks`]), at every pose.
     ///
-    /// The normal at a far contact passes the free axis on its far side. With the point's roll `ξ`, the angle `λ` of the locked tooth and the
-    /// distance `d` of the outlines' centres, `λ + ψ − ξ ≤ −acos(r_bL/d)`, where `ψ` is the half angle of the far flank at its base. At the
-    /// tip `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a −
+    /// The normal at a far contact passes the free axis on its far side. Let `ξ` be the roll of its point, `λ` the angle of
+    /// the locked tooth, `ψ` the half angle of its far flank at the base, and `d` the distance of the outlines' centres. Then `λ + ψ − ξ ≤
+    /// −acos(r_bL/d)`. At the tip `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a −
     /// acos(r_bL/d)`. The pair's own gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap
     /// is the angle of a point inside both tip circles and the tooth's half angle there. The point is at least `√(d² − r_bL²) − r_bL ξ_a`
     /// away from the free axis.

@@ -347,34 +347,51 @@ impl<'a> AlongFace<'a> {
 
     /// The greatest gap of a step over a stretch in which it is concave, found from the part of the stretch nearest to its window. `None`
     /// where the teeth do not face each other.
+    ///
+    /// Leaning axes bend it the other way where a contact leaves the line: its height begins to move at another rate. So both ends of the
+    /// window are followed, each up to the middle.
     fn greatest(&self, pair: &PairOfTeeth, [from, to]: [f64; 2]) -> Option<Look> {
         let beside = BESIDE * (to - from);
         let inside = |b: f64| b.clamp(from + beside, to - beside);
         let [start, end] = pair.window.map(inside);
         let low = self.look(pair, start)?;
         let high = self.look(pair, end)?;
-        if low.rate > 0.0 && high.rate < 0.0 {
-            return Some(self.between(pair, low, high));
-        }
-        let (mut last, border) = if high.rate >= 0.0 {
-            (high, to)
+        let middle = if self.leaning.is_some() && start < end {
+            self.look(pair, 0.5 * (start + end))?
+        } else if low.rate > 0.0 {
+            high
         } else {
-            (low, from)
+            low
         };
+        let left = if low.rate <= 0.0 {
+            Some(self.outwards(pair, low, from, beside))
+        } else {
+            (middle.rate < 0.0).then(|| self.between(pair, low, middle))
+        };
+        let right = if high.rate >= 0.0 {
+            Some(self.outwards(pair, high, to, beside))
+        } else {
+            (middle.rate >= 0.0).then(|| self.between(pair, middle, high))
+        };
+        let found = left.into_iter().chain(right);
+        found.reduce(|one, other| if other.gap > one.gap { other } else { one })
+    }
+
+    /// The greatest gap of a step outwards from `last`, from which it rises to a maximum or up to the `border`.
+    fn outwards(&self, pair: &PairOfTeeth, mut last: Look, border: f64, beside: f64) -> Look {
         let outwards = (border - last.b).signum();
         let mut way = FIRST_STEP * (border - last.b).abs();
-        // The gap rises outwards up to the border, or to a maximum before it.
         loop {
             let left = (border - last.b).abs();
             if left <= 2.0 * beside {
-                return self.look(pair, border);
+                return self.look(pair, border).unwrap_or(last);
             }
             let b = last.b + outwards * way.min(left - beside);
             let Some(next) = self.look(pair, b) else {
                 // Too far out.
                 way *= 0.5;
                 if way < beside {
-                    return Some(last);
+                    return last;
                 }
                 continue;
             };
@@ -384,7 +401,7 @@ impl<'a> AlongFace<'a> {
                 } else {
                     (next, last)
                 };
-                return Some(self.between(pair, low, high));
+                return self.between(pair, low, high);
             }
             last = next;
             way *= 2.0;

@@ -50,8 +50,7 @@ impl FarFlanks {
     pub fn of(assembly: &GearPair) -> FarFlanks {
         let [locked, free] =
             [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
-        let off = locked.eccentricity() + free.eccentricity() + assembly.most_shift();
-        let nearest = assembly.center_distance() - off;
+        let nearest = assembly.center_distance() - locked.eccentricity() - free.eccentricity();
         let [bases, tips] = [
             [locked, free].map(|gear| gear.gear().base_radius()),
             [locked, free].map(|gear| gear.gear().base_radius() * gear.gear().tip_roll()),

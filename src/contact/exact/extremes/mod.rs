@@ -30,7 +30,6 @@ mod side_table;
 mod table;
 
 use super::ExactKernel;
-use crate::contact::body::FarFlanks;
 use crate::contact::cycle_search::CycleSearch;
 use crate::contact::effort::Effort;
 use crate::error::Error;
@@ -130,10 +129,7 @@ impl ExactKernel {
         let first = Mating::FIRST;
         let effort = Effort::endless();
         let course = Course::new(self, assembly, (first, 1), &effort);
-        let table = Table::new(&course);
-        self.section.far_flanks == FarFlanks::Clear
-            && self.stays_on_involutes(&course, &table)
-            && !table.has_dips()
+        self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }
 
     /// The extremes `of` a cycle, with a part of `effort`.
@@ -201,7 +197,7 @@ impl ExactKernel {
             },
             until,
         };
-        let stays = self.stays_on_involutes(course, &table);
+        let stays = self.stays_on_involutes(course);
         let wanted = of.iter().copied();
         let wanted = wanted.filter(|which| stays || *which == End::Greatest);
         let searches: Vec<Search> = wanted.map(search).collect();
@@ -248,17 +244,14 @@ impl ExactKernel {
             && self.section.bodies.is_none()
             && self.section.solver.is_some()
             && helical.is_none_or(|helical| helical.has_line_contact())
-            && self.stays_on_involutes(course, &Table::new(course))
+            && self.stays_on_involutes(course)
     }
 
-    /// Whether only near involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
-    fn stays_on_involutes(&self, course: &Course, table: &Table) -> bool {
+    /// Whether only involutes, their ends and tip lands can touch, and corners on fillets, which [`dip`] bounds.
+    fn stays_on_involutes(&self, course: &Course) -> bool {
         let side = &course.sides[0];
         let problem = side.problem;
         let forms = problem.locked.shape.form_radius() + problem.free.shape.form_radius();
-        self.is_direct()
-            && forms + side.off[0] + side.off[1] < problem.distance
-            && (self.section.far_flanks == FarFlanks::Clear
-                || table.stops_before_far_flanks(course))
+        self.is_direct() && forms + side.off[0] + side.off[1] < problem.distance
     }
 }

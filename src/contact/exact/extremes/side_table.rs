@@ -5,7 +5,6 @@ use super::super::shape::C;
 use super::super::teeth::Teeth;
 use super::course::{PARTS, Posed, SideCourse};
 use super::rolls::{Part, Rolls};
-use crate::gear::involute;
 use std::ops::Range;
 
 /// One side's tables.
@@ -155,54 +154,6 @@ impl SideTable {
         let alike = |offsets: &[f64]| offsets.iter().all(|off| *off == offsets[0]);
         let dips = self.dipping.iter().any(|steps| !steps.is_empty());
         !dips && alike(&self.locked) && alike(&self.free)
-    }
-
-    /// Whether a pair on the line of action stops the free gear before the far flank of a locked tooth can ([`FarFlanks`]), at every pose.
-    ///
-    /// The normal at a far contact passes the free axis on its far side. Let `ξ` be the roll of its point, `λ` the angle of
-    /// the locked tooth, `ψ` the half angle of its far flank at the base, and `d` the distance of the outlines' centres. Then `λ + ψ − ξ ≤
-    /// −acos(r_bL/d)`. At the tip `ξ − ψ = atan ξ_a − ψ_a`, and the far corner is no nearer to the centre line than the near one: `λ ≤ atan ξ_a + ψ_a −
-    /// acos(r_bL/d)`. The pair's own gap on the line of action falls as `λ` grows, and as `d` does. At the far contact, the free tooth's gap
-    /// is the angle of a point inside both tip circles and the tooth's half angle there. The point is at least `√(d² − r_bL²) − r_bL ξ_a`
-    /// away from the free axis.
-    ///
-    /// An eccentric free outline moves by up to `e Δ` on the turn `Δ` between the two gaps. That turns the frame of its centres and the line
-    /// of action by less than `6 e Δ/r_bF`.
-    ///
-    /// [`FarFlanks`]: crate::contact::body::FarFlanks
-    pub fn stops_before_far_flanks(&self, side: &SideCourse) -> bool {
-        let problem = side.problem;
-        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
-        let off = side.off[0] + side.off[1];
-        let nearest = problem.distance - off;
-        let Some(line) = Line::new(C::from(problem.distance + off), problem.sum()) else {
-            return false;
-        };
-        if self.covering.iter().any(Vec::is_empty) {
-            return false;
-        }
-        let half_tip = locked.half_base - involute::inv_of_roll(locked.tip_roll);
-        let angle = locked.tip_roll.atan() + half_tip - (locked.base / nearest).acos();
-        let on_line =
-            (problem.sum() * line.angle - line.length - locked.base * (angle - locked.half_base))
-                * problem.per_free_base
-                + free.half_base;
-        let (own, mate) = (free.tip_radius, locked.tip_radius);
-        let point = if nearest * nearest <= own * own + mate * mate {
-            (mate / nearest).min(1.0).asin()
-        } else {
-            let cos = (nearest * nearest + own * own - mate * mate) / (2.0 * nearest * own);
-            cos.clamp(-1.0, 1.0).acos()
-        };
-        let from_axis =
-            (nearest * nearest - locked.base * locked.base).sqrt() - locked.base * locked.tip_roll;
-        let half = if from_axis >= free.form_radius() {
-            free.half_base - involute::inv_of_roll(involute::roll_at(from_axis.min(own), free.base))
-        } else {
-            problem.free.pitch
-        };
-        let later = on_line - point - half;
-        later * (1.0 - 6.0 * side.off[1] * problem.per_free_base) > self.spread
     }
 
     fn ends(&self) -> [f64; 2] {

@@ -204,12 +204,6 @@ impl Table {
         })
     }
 
-    /// Whether the far flank of a locked tooth never stops the free gear first.
-    pub fn stops_before_far_flanks(&self, course: &Course) -> bool {
-        let mut sides = self.sides.iter().zip(&course.sides);
-        sides.all(|(table, side)| table.stops_before_far_flanks(side))
-    }
-
     /// Whether a tip corner on a fillet can be the tightest somewhere.
     pub fn has_dips(&self) -> bool {
         self.sides.iter().any(|side| side.may_dip)

@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
+#[allow(clippy::duplicate_mod)] // the campaign of plane sections has it, too
 #[path = "campaign/random.rs"]
 mod random;
 

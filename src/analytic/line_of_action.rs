@@ -261,8 +261,8 @@ impl<'a> OneSide<'a> {
         best.0
     }
 
-    /// Heights of the point with these rolls on the line over the section at `b`, mm along each gear's own axis, and the turns of the flanks
-    /// by twist and stretch, rad ([`Pose::section`]).
+    /// Heights of a point on the line over the section at `b`, mm along each gear's own axis, and the turns of the flanks by twist and stretch,
+    /// rad ([`Pose::section`]). The point has these rolls.
     fn leaning(&self, b: f64, turn: f64, direction: f64, rolls: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let e = Vector2::new(direction.cos(), direction.sin());
         let (mut heights, mut turns) = ([0.0; 2], [0.0; 2]);

@@ -244,7 +244,7 @@ fn assembly(
             let lean = if is_worst { wobble.limits()[1] } else { 0.0 };
             [lean, leaning_tooth(population, member)]
         });
-        displaced(&gear, wobble, |gear| match &scatter.runout {
+        displaced(gear, wobble, |gear| match &scatter.runout {
             Some(runout) if at_limit(SingleFactor::Runout(member)) => {
                 gear.with_runout_of_any_direction(0.5 * runout.limits()[1])
             }

@@ -226,7 +226,7 @@ impl GearScatter {
             };
             [eccentricity, any_tooth(runout.uniform())]
         });
-        displaced(&gear, wobble, |gear| match runout {
+        displaced(gear, wobble, |gear| match runout {
             Some([eccentricity, high_tooth]) => gear.with_runout(eccentricity, high_tooth),
             None => Ok(gear),
         })
@@ -235,12 +235,12 @@ impl GearScatter {
 
 /// `gear` with another wobble, where one is given, and after `runout`. Where teeth lean, both are those of its measuring plane.
 pub(super) fn displaced(
-    gear: &AsBuilt,
+    gear: AsBuilt,
     wobble: Option<[f64; 2]>,
     runout: impl Fn(AsBuilt) -> Result<AsBuilt, GearError>,
 ) -> Result<AsBuilt, GearError> {
     if wobble.is_none() && gear.wobble() == 0.0 {
-        return runout(gear.clone());
+        return runout(gear);
     }
     let own = runout(gear.in_measuring_plane())?;
     let own = match wobble {

@@ -18,14 +18,14 @@ use std::f64::consts::TAU;
 /// Points of a measured lead.
 const TRACE_POINTS: u32 = 33;
 
-/// What the place of a contact leaves, µm: 1e-5 mm along a lead that rises by 2 µm per mm.
+/// Resolution of the place of a contact, µm: 1e-5 mm along a lead that rises by 2 µm per mm.
 const RESOLVED: f64 = 2e-5;
 
 /// Lengths of the highest places that are refined, as a part of the distance of dense sections.
 const REFINED: f64 = 1e-6;
 
-/// Pose `index` of `seed`, each of a pair of its own: helix angles of 0 to 35°, slopes, crownings, end reliefs, traces of one or of all teeth,
-/// eccentricity, wobble, pitch and leaning shafts, of up to some 30 µm over the face.
+/// Pose `index` of `seed`, each of a pair of its own, with a helix angle of 0 to 35°. Leads, pitch, eccentricity, wobble and leaning shafts are up
+/// to some 30 µm over the face.
 pub fn drawn(seed: u64, index: u64) -> (GearPair, Pose) {
     let mut random = Random::of(seed, index);
     loop {
@@ -91,7 +91,7 @@ fn one(random: &mut Random) -> Option<(GearPair, Pose)> {
     Some((pair, pose))
 }
 
-/// What deviates on both gears of a pair.
+/// Deviations of both gears of a pair.
 struct Kinds {
     /// 0: no traces, 1: one for all teeth, 2: one for each flank.
     traces: u32,

@@ -6,20 +6,23 @@ use gearlash::population::{LIMIT_SIGMAS, Scatter, ScatterError};
 
 const MM: f64 = 1e-3;
 
-/// The normal distribution about 0, or that of the amount of a vector, at `key` of the pair file, in units of `um` µm.
+/// The normal distribution about 0, or that of the amount of a vector, at `key` of the pair file, in units of `um` µm; one where it is stated.
 pub fn spread(
-    spec: &SpreadSpec,
+    spec: Option<SpreadSpec>,
     um: f64,
     is_vector: bool,
     (file, key): (&Table, &str),
-) -> Option<Scatter> {
+) -> Option<Option<Scatter>> {
+    let Some(spec) = spec else {
+        return Some(None);
+    };
     let made = match (spec.sigma, spec.max.unwrap_or_default()) {
         (Some(sigma), _) if is_vector => Scatter::rayleigh(sigma / um),
         (None, max) if is_vector => Scatter::rayleigh_below(max / um),
         (Some(sigma), _) => Scatter::normal(0.0, sigma / um),
         (None, max) => Scatter::normal(0.0, max / LIMIT_SIGMAS / um),
     };
-    file.keep(key, made, "correct the number")
+    file.keep(key, made, "correct the number").map(Some)
 }
 
 /// The distribution at `key` of the pair file, mm. Absent limits are those of the `band`, mm, where there is one.

@@ -177,15 +177,8 @@ fn lean(tolerance: &ToleranceSpec, pair: &PairFile, file: &Table) -> Option<[Opt
             "state the centre distance in that plane, at_mm = 0",
         );
     }
-    let one = |spec: Option<SpreadSpec>, name: &str| match spec {
-        Some(spec) => spread(
-            &spec,
-            1e3 * over_mm,
-            false,
-            (file, &format!("{KEY}.{name}")),
-        )
-        .map(Some),
-        None => Some(None),
+    let one = |spec: Option<SpreadSpec>, name: &str| {
+        spread(spec, 1e3 * over_mm, false, (file, &format!("{KEY}.{name}")))
     };
     Some([
         one(stated.in_plane_um, "in_plane_um")?,
@@ -253,9 +246,8 @@ fn gear(
     let shape = lead::to_add_to(own).map(|(_, shape, share)| (shape, share));
     let (shape, share) = shape.unwrap_or((none, 1.0));
     let width_mm = shape.face[1] - shape.face[0];
-    let one_spread = |spec: Option<SpreadSpec>, name: &str, um, is_vector| match spec {
-        Some(spec) => spread(&spec, um, is_vector, (file, &key(name))).map(Some),
-        None => Some(None),
+    let one_spread = |spec: Option<SpreadSpec>, name: &str, um, is_vector| {
+        spread(spec, um, is_vector, (file, &key(name)))
     };
     let wobble = one_spread(spec.wobble_um, "wobble_um", 1e3 * width_mm, true);
     let leads = spec.lead.unwrap_or_default();

@@ -147,7 +147,8 @@ impl ToleranceFile {
         let centred = |gear: &AsBuilt| gear.with_runout(0.0, 1.0).ok();
         let drawn = self.population.scatters().of(member).gears.iter();
         let mut drawn = drawn.flat_map(|gears| gears.iter()).zip(measured);
-        let same = drawn.find(|(one, _)| centred(one) == centred(gear));
+        let own_centred = centred(gear);
+        let same = drawn.find(|(one, _)| centred(one) == own_centred);
         let own = same.map_or(own, |(_, one)| &one.spec);
         let gear = gear.in_measuring_plane();
         // Lengths and deviations as stated; the file states the factor.

@@ -277,8 +277,8 @@ impl<'a> AlongFace<'a> {
         })
     }
 
-    /// The touch of a step at `b`, mm, with its teeth turned by `turns`, rad, beside the twist, found from about the gap `near`, and its heights
-    /// over the section, mm; `None` where they do not face each other.
+    /// The touch of a pair in the section at `b`, mm, and its heights over that section, mm; `None` where the teeth do not face each other. They
+    /// are turned by `turns`, rad, beside the twist. The touch is searched from the gap `near`.
     fn separation(
         &self,
         pair: &PairOfTeeth,

@@ -102,18 +102,13 @@ pub fn complete(pair: &mut PairFile, why: Option<&str>) -> Result<(), Problem> {
     };
     let spec = &pair.spec;
     let face = |name: &str, face: Option<[f64; 2]>| {
-        face.ok_or_else(|| Problem {
-            key: format!("{name}.face_width_mm"),
-            ..Problem::of_file(missing(why), LENGTH)
-        })
+        face.ok_or_else(|| Problem::at(format!("{name}.face_width_mm"), missing(why), LENGTH))
     };
     let wheel = face("wheel", spec.wheel.face())?;
     let offset = spec.assembly.face_offset_mm.unwrap_or(0.0);
     let pinion = face("pinion", spec.pinion.face())?.map(|end| end + offset);
-    pair.study.face = common(wheel, pinion).map_err(|reason| Problem {
-        key: "pinion.face_mm".to_owned(),
-        ..Problem::of_file(reason, PLACE)
-    })?;
+    pair.study.face =
+        common(wheel, pinion).map_err(|reason| Problem::at("pinion.face_mm", reason, PLACE))?;
     // Teeth are counted in the wheel's measuring plane.
     for (_, _, pinion) in &mut pair.study.materials {
         *pinion = pinion.section_at(-offset);

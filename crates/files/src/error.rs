@@ -21,8 +21,17 @@ pub struct Problem {
 impl Problem {
     /// A fault of a whole file.
     pub(crate) fn of_file(reason: impl fmt::Display, help: impl fmt::Display) -> Problem {
+        Problem::at("", reason, help)
+    }
+
+    /// A fault at a key, without its value.
+    pub(crate) fn at(
+        key: impl Into<String>,
+        reason: impl fmt::Display,
+        help: impl fmt::Display,
+    ) -> Problem {
         Problem {
-            key: String::new(),
+            key: key.into(),
             value: None,
             reason: reason.to_string(),
             help: help.to_string(),

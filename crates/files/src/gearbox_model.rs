@@ -18,15 +18,13 @@ pub fn no_model(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
     let is_xml = text.trim_ascii_start().starts_with(b"<");
     let is_model = is_xml && text.windows(6).any(|six| six == b"<model");
     if is_rexs(path) || is_model {
-        Err(Problem {
-            key: String::new(),
-            value: None,
-            reason: "is a gearbox model".to_owned(),
-            help: format!(
+        Err(Problem::of_file(
+            "is a gearbox model",
+            format!(
                 "gearlash import {} --stage ID -o pair.toml writes the pair file of a stage",
                 path.display()
             ),
-        })
+        ))
     } else {
         Ok(bytes)
     }

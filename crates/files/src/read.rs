@@ -7,6 +7,7 @@ use gearlash::analysis::study::{Material, Study};
 use gearlash::error::{Error, GearError};
 use gearlash::gear::AsBuilt;
 use gearlash::outline::OutlineGear;
+use gearlash::pair::Member;
 
 /// A pair file, understood.
 ///
@@ -123,6 +124,14 @@ impl From<GearsFile> for AnyGears {
             remarks: file.remarks,
             sources: file.sources,
         }
+    }
+}
+
+impl GearsFile {
+    /// The gear of a gear file, or the `member` of a pair file.
+    pub(crate) fn of(&self, member: Member) -> Option<&GearEntry> {
+        let is_own = |gear: &&GearEntry| gear.name == "gear" || gear.name == member.name();
+        self.gears.iter().find(is_own)
     }
 }
 

@@ -167,12 +167,9 @@ impl Reading {
         let mut problems = self.problems.borrow_mut();
         problems.listed.extend(list.listed);
         if list.more > 0 {
-            problems.listed.push(Problem {
-                key: key.to_owned(),
-                value: None,
-                reason: format!("{} more problems like the last one", list.more),
-                help: "fix those first".to_owned(),
-            });
+            let reason = format!("{} more problems like the last one", list.more);
+            let more = Problem::at(key, reason, "fix those first");
+            problems.listed.push(more);
         }
     }
 

@@ -43,25 +43,30 @@ pub struct ReadGear {
 pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, InputError> {
     let file = crate::read_gears(path)?;
     let wrong = |problem| InputError::of(path, vec![problem]);
-    let named = |name: &str| name == "gear" || name == member.name();
-    let entry = file.gears.iter().find(|gear| named(gear.name));
-    let Some(entry) = entry else {
-        return Err(wrong(Problem::of_file(
-            "has no such gear",
-            "name a gear file",
-        )));
+    let Some(entry) = file.of(member) else {
+        let problem = Problem::of_file("has no such gear", "name a gear file");
+        return Err(wrong(problem));
     };
     if let Some(problem) = warm(file.temperature_c) {
         return Err(wrong(problem));
     }
-    let (own, face) = match (member, pair.study.materials.first()) {
-        (Member::Wheel, Some((_, wheel, _))) => (&pair.spec.wheel, wheel.face()),
-        (Member::Pinion, Some((_, _, pinion))) => (&pair.spec.pinion, pinion.face()),
-        (_, None) => return Err(wrong(Problem::of_file("has no mate", "name a pair file"))),
+    let Some((_, wheel, pinion)) = pair.study.materials.first() else {
+        return Err(wrong(Problem::of_file("has no mate", "name a pair file")));
     };
-    let others = differences(&entry.spec, own).map(|(key, found, wanted)| Problem {
+    let face = [wheel, pinion][member as usize].face();
+    let stated = [&entry.spec, pair.spec.gear(member)].map(|gear| {
+        [
+            ("teeth", f64::from(gear.teeth)),
+            ("module_mm", gear.module_mm * gear.scale()),
+            ("pressure_angle_deg", gear.pressure_angle_deg),
+            ("helix_angle_deg", gear.helix_angle_deg.unwrap_or(0.0)),
+        ]
+    });
+    let others = stated[0].iter().zip(stated[1]);
+    let others = others.filter(|((_, found), (_, wanted))| found != wanted);
+    let others = others.map(|((key, found), (_, wanted))| Problem {
         key: format!("{}.{key}", entry.name),
-        value: Some(shortest(found)),
+        value: Some(shortest(*found)),
         reason: format!(
             "{}.{key} of the pair file is {}",
             member.name(),
@@ -74,8 +79,7 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
         return Err(InputError::of(path, others));
     }
     let gear = middle(entry.materials.iter().map(|(_, gear)| gear));
-    let gear =
-        gear.map_err(|reason| wrong(Problem::of_file(reason.to_string(), "correct the file")))?;
+    let gear = gear.map_err(|reason| wrong(Problem::of_file(reason, "correct the file")))?;
     let is_band = entry.materials.len() > 1;
     let name = path.file_stem().map(in_utf8);
     Ok(ReadGear {
@@ -86,11 +90,8 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<ReadGear, Inp
         },
         table: entry.name,
         band: is_band.then(|| {
-            format!(
-                "{}: {}",
-                path.display(),
-                thickness_key(entry.name, &entry.spec)
-            )
+            let key = thickness_key(entry.name, &entry.spec);
+            format!("{}: {key}", path.display())
         }),
         sources: file.sources,
         warnings: file.warnings,
@@ -103,23 +104,6 @@ fn in_utf8(name: &OsStr) -> String {
     let chunks = name.as_encoded_bytes().utf8_chunks();
     let text = chunks.map(|chunk| format!("{}{}", chunk.valid(), chunk.invalid().escape_ascii()));
     text.collect()
-}
-
-/// The values in which a gear differs from the one it replaces: key, value of `gear`, value of `own`.
-fn differences<'a>(
-    gear: &'a GearSpec,
-    own: &'a GearSpec,
-) -> impl Iterator<Item = (&'static str, f64, f64)> {
-    let each = |gear: &GearSpec| {
-        [
-            ("teeth", f64::from(gear.teeth)),
-            ("module_mm", gear.module_mm * gear.scale()),
-            ("pressure_angle_deg", gear.pressure_angle_deg),
-            ("helix_angle_deg", gear.helix_angle_deg.unwrap_or(0.0)),
-        ]
-    };
-    let both = each(gear).into_iter().zip(each(own));
-    both.filter_map(|((key, found), (_, wanted))| (found != wanted).then_some((key, found, wanted)))
 }
 
 /// The problem of a pair at another temperature than the reference.

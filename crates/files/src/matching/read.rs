@@ -80,25 +80,19 @@ pub fn read_match(
     for (one, (file, table, member)) in gears().zip(&tables) {
         errors.extend(shape_difference(&one.spec, &pair, *member).map(|reason| {
             let help = "match gears whose teeth wind and end as those of the pair";
-            let key = (*table).to_owned();
-            InputError::of(
-                file,
-                vec![Problem {
-                    key,
-                    ..Problem::of_file(reason, help)
-                }],
-            )
+            InputError::of(file, vec![Problem::at(*table, reason, help)])
         }));
     }
     if !errors.is_empty() {
         return Err(errors);
     }
+    let wrong = |key: &str, reason: String, help: &str| {
+        vec![InputError::of(path, vec![Problem::at(key, reason, help)])]
+    };
     if pair.study.open_lean != [0.0; 2] || pair.study.bearing_ends.is_some() {
-        let problem = Problem::of_file(
-            "axes of unknown lean are not matched",
-            "state signed deviations in assembly.misalignment, and one bearing clearance for each gear",
-        );
-        return Err(vec![InputError::of(path, vec![problem])]);
+        let help = "state signed deviations in assembly.misalignment, and one bearing clearance for each gear";
+        let reason = "axes of unknown lean are not matched".to_owned();
+        return Err(wrong("", reason, help));
     }
     let distances = &pair.study.center_distances;
     let ends = |fold: fn(f64, f64) -> f64| distances.iter().copied().reduce(fold);
@@ -107,8 +101,7 @@ pub fn read_match(
         .band
         .or(ends(f64::min).zip(ends(f64::max)).map(<[f64; 2]>::from));
     let Some(center_distances) = ends else {
-        let problem = Problem::of_file("no centre distance", "give one");
-        return Err(vec![InputError::of(path, vec![problem])]);
+        return Err(wrong("", "no centre distance".to_owned(), "give one"));
     };
     let requirement = Requirement::of(&pair.study.requirements);
     let mut warnings: Vec<String> = unused(&pair).into_iter().collect();
@@ -124,27 +117,21 @@ pub fn read_match(
     };
     if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
         let ends = extreme_pairs(&terms, wheel, pinion).map_err(|reason| {
-            let problem = Problem {
-                key: "assembly.center_distance_mm".to_owned(),
-                ..Problem::of_file(
-                    reason.to_string(),
-                    "correct the distance, or the bearings' clearance",
-                )
-            };
-            vec![InputError::of(path, vec![problem])]
+            let key = "assembly.center_distance_mm";
+            let help = "correct the distance, or the bearings' clearance";
+            wrong(key, reason.to_string(), help)
         })?;
         let limits = requirement.as_operating_backlash(&ends);
-        terms.target = target.or_else(|| {
-            let limits = Requirement::new(limits.min, limits.max);
-            requirement.others().next()?;
-            Some(
+        if target.is_none() && requirement.others().next().is_some() {
+            let requirement = Requirement::new(limits.min, limits.max);
+            terms.target = Some(
                 Terms {
-                    requirement: limits,
+                    requirement,
                     ..terms
                 }
                 .wanted(),
-            )
-        });
+            );
+        }
     }
     Ok(MatchFile {
         pair,

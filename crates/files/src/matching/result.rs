@@ -70,18 +70,8 @@ impl MatchResult {
             })
         });
         let pairs = pairs.collect();
-        let taken = [
-            assignment
-                .pairs
-                .iter()
-                .map(|pair| pair.0)
-                .collect::<Vec<_>>(),
-            assignment
-                .pairs
-                .iter()
-                .map(|pair| pair.1)
-                .collect::<Vec<_>>(),
-        ];
+        let (wheels, pinions): (Vec<usize>, Vec<usize>) = assignment.pairs.iter().copied().unzip();
+        let taken = [wheels, pinions];
         let left_over = [0, 1].map(|kind| {
             let each = names[kind].iter().enumerate();
             let left = each.filter(|(place, _)| !taken[kind].contains(place));

@@ -96,6 +96,12 @@ impl AssemblySpec {
         }
     }
 
+    /// The one stated centre distance, mm in the wheel's measuring plane.
+    pub fn own_distance(&self) -> Option<f64> {
+        let nominal = self.center_distance_mm.nominal_mm()?;
+        Some(self.in_measuring_plane(nominal))
+    }
+
     /// The centre distance in the wheel's measuring plane where a stated one is `mm`.
     pub fn in_measuring_plane(&self, mm: f64) -> f64 {
         let ([in_plane, out_of_plane], at) = (self.lean(), self.holds_at());

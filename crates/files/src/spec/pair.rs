@@ -6,6 +6,7 @@ use super::{
     RunoutSpec, SweepSpec, ToleranceSpec, UncertaintySpec,
 };
 use gearlash::gear::Face;
+use gearlash::pair::Member;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_with::skip_serializing_none;
@@ -106,6 +107,13 @@ impl EitherGearSpec {
             EitherGearSpec::Data(spec) => spec.reference_face,
             EitherGearSpec::Outline(spec) => spec.reference_face,
         }
+    }
+}
+
+impl<G> PairSpec<G> {
+    /// Wheel or pinion.
+    pub fn gear(&self, member: Member) -> &G {
+        [&self.wheel, &self.pinion][member as usize]
     }
 }
 

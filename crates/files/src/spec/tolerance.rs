@@ -3,6 +3,7 @@
 use super::rules::{above_zero, deviation, exactly_one, list_length, not_beside, whole, within};
 use super::value::{Either, one_or_list};
 use gearlash::gear::GRADES;
+use gearlash::pair::Member;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_with::skip_serializing_none;
@@ -60,6 +61,13 @@ impl Default for ToleranceSpec {
             wheel: None,
             pinion: None,
         }
+    }
+}
+
+impl ToleranceSpec {
+    /// How a gear scatters.
+    pub fn gear(&self, member: Member) -> Option<&GearToleranceSpec> {
+        [&self.wheel, &self.pinion][member as usize].as_ref()
     }
 }
 

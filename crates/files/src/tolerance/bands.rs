@@ -1,7 +1,8 @@
 //! Bands stated by a file: their middle, their limits, and bands that `[tolerance]` does not draw from.
 
 use crate::read::PairFile;
-use crate::spec::ToleranceSpec;
+use crate::spec::{GearToleranceSpec, ToleranceSpec};
+use gearlash::analysis::study::Material;
 use gearlash::error::GearError;
 use gearlash::gear::thickness::per_normal_thickness;
 use gearlash::gear::{AsBuilt, Deviations};
@@ -10,14 +11,9 @@ use gearlash::pair::Member;
 /// A warning for each band of `pair` that `tolerance` does not draw from, with the key to write.
 pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
     let mut warnings = Vec::new();
-    for (member, spec) in [
-        (Member::Wheel, &tolerance.wheel),
-        (Member::Pinion, &tolerance.pinion),
-    ] {
-        let is_drawn = spec
-            .as_ref()
-            .is_some_and(|spec| spec.thickness.is_some() || spec.gears.is_some());
-        if !is_drawn && thickness_band(pair, member).is_some() {
+    for member in Member::BOTH {
+        let is_drawn = |spec: &GearToleranceSpec| spec.thickness.is_some() || spec.gears.is_some();
+        if !tolerance.gear(member).is_some_and(is_drawn) && thickness_band(pair, member).is_some() {
             let name = member.name();
             warnings.push(format!(
                 "{name}.thickness: states a band from which nothing is drawn, every {name} has its middle; to draw it, write thickness = {{ scatter = \"normal\" }} in [tolerance.{name}]"
@@ -48,13 +44,15 @@ pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, G
 
 /// The band of a gear's thickness about its middle, mm at the reference circle (in the normal section).
 pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
-    let base = |(_, wheel, pinion): &(_, AsBuilt, AsBuilt)| match member {
-        Member::Wheel => wheel.gear().base_thickness(),
-        Member::Pinion => pinion.gear().base_thickness(),
+    let gear = |(_, wheel, pinion): &'_ (Material, AsBuilt, AsBuilt)| {
+        let gear = [wheel, pinion][member as usize].gear();
+        (
+            gear.base_thickness(),
+            per_normal_thickness(gear.basic_data()),
+        )
     };
     let materials = &pair.study.materials;
-    let (_, gear, _) = materials.first()?;
-    let per = per_normal_thickness(gear.gear().basic_data());
-    let half = 0.5 * (base(materials.first()?) - base(materials.last()?)) / per;
+    let ((most, per), (least, _)) = (gear(materials.first()?), gear(materials.last()?));
+    let half = 0.5 * (most - least) / per;
     (half > 0.0).then_some([-half, half])
 }

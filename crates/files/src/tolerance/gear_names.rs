@@ -32,14 +32,11 @@ pub fn named(folder: &Path, name: &str) -> Named {
         }
         return named;
     }
-    let walk = match PathPattern::new(folder, name) {
-        Ok(walk) => walk,
-        Err(error) => {
-            named.faults.push(format!("{name:?}: {error}"));
-            return named;
-        }
-    };
-    for (path, is_as_written) in walk.found(&mut named.faults) {
+    let found = found(folder, name, &mut named.faults).unwrap_or_else(|error| {
+        named.faults.push(format!("{name:?}: {error}"));
+        Vec::new()
+    });
+    for (path, is_as_written) in found {
         if is_as_written {
             named.add(path, true)
         } else {
@@ -52,79 +49,50 @@ pub fn named(folder: &Path, name: &str) -> Named {
     named
 }
 
-/// A pattern, component by component. File names need not be UTF-8: an invalid byte counts as one letter.
-struct PathPattern {
-    start: PathBuf,
-    parts: Vec<Part>,
-}
-
-enum Part {
-    /// An entry with this name.
-    Named(PathBuf),
-    /// An entry that matches this pattern.
-    Like(Pattern),
-}
-
-impl PathPattern {
-    fn new(folder: &Path, name: &str) -> Result<PathPattern, String> {
-        let (mut start, mut parts) = (folder.to_path_buf(), Vec::new());
-        for part in Path::new(name).components() {
-            let text = part.as_os_str().to_string_lossy();
-            parts.push(match part {
-                Component::Prefix(_) | Component::RootDir => {
-                    start.push(part);
-                    continue;
-                }
-                Component::CurDir => continue,
-                _ if text.contains("**") => {
-                    return Err("`**` is not allowed, name each folder".to_owned());
-                }
-                _ if text.contains(['*', '?', '[']) => {
-                    Part::Like(Pattern::new(&text).map_err(|error| error.msg.to_owned())?)
-                }
-                _ => Part::Named(PathBuf::from(part.as_os_str())),
-            });
-        }
-        Ok(PathPattern { start, parts })
+/// Every path that matches the pattern `name`, in the order of the names, and whether case matched. Read errors are added to `faults`.
+///
+/// File names need not be UTF-8: an invalid byte counts as one letter.
+fn found(
+    folder: &Path,
+    name: &str,
+    faults: &mut Vec<String>,
+) -> Result<Vec<(PathBuf, bool)>, String> {
+    if name.contains("**") {
+        return Err("`**` is not allowed, name each folder".to_owned());
     }
-
-    /// Every matching path in the order of the names, and whether case matched. Read errors are added to `faults`.
-    fn found(&self, faults: &mut Vec<String>) -> Vec<(PathBuf, bool)> {
-        let mut found = vec![(self.start.clone(), true)];
-        let mut visited = 0;
-        for part in &self.parts {
-            let mut next = Vec::new();
-            for (path, is_as_written) in found {
-                match part {
-                    Part::Named(name) => {
-                        let path = path.join(name);
-                        let is_there = path.symlink_metadata().is_ok();
-                        next.extend(is_there.then_some((path, is_as_written)));
-                    }
-                    Part::Like(pattern) => {
-                        let inner = entries(&path, faults);
-                        visited += inner.len();
-                        if visited > MOST_VISITED {
-                            faults.push(format!(
-                                "a pattern meets more than {MOST_VISITED} files and folders"
-                            ));
-                            return Vec::new();
-                        }
-                        let each = inner.into_iter().filter_map(|path| {
-                            let name = path.file_name()?.to_string_lossy();
-                            let is_like = pattern.matches_with(&name, IGNORE_CASE);
-                            let is_same = is_as_written && pattern.matches(&name);
-                            is_like.then_some((path, is_same))
-                        });
-                        // Collected, because each file name borrows from its path.
-                        next.extend(each.collect::<Vec<_>>());
-                    }
+    let mut found = vec![(folder.to_path_buf(), true)];
+    let mut visited = 0;
+    for part in Path::new(name).components() {
+        let text = part.as_os_str().to_string_lossy();
+        if part == Component::CurDir {
+            continue;
+        }
+        if !text.contains(['*', '?', '[']) {
+            found.iter_mut().for_each(|(path, _)| path.push(part));
+            found.retain(|(path, _)| path.symlink_metadata().is_ok());
+            continue;
+        }
+        let pattern = Pattern::new(&text).map_err(|error| error.msg.to_owned())?;
+        let mut next = Vec::new();
+        for (path, is_as_written) in found {
+            let inner = entries(&path, faults);
+            visited += inner.len();
+            if visited > MOST_VISITED {
+                let reason = format!("a pattern meets more than {MOST_VISITED} files and folders");
+                faults.push(reason);
+                return Ok(Vec::new());
+            }
+            for path in inner {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let is_same = is_as_written && pattern.matches(&name);
+                if pattern.matches_with(&name, IGNORE_CASE) {
+                    next.push((path, is_same));
                 }
             }
-            found = next;
         }
-        found
+        found = next;
     }
+    Ok(found)
 }
 
 /// Matches names without regard to case.

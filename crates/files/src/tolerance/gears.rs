@@ -89,17 +89,12 @@ pub fn gears(
     }
     let grouped = grouped.lines().into_iter();
     warnings.extend(grouped.map(|line| format!("{key}: {line}")));
-    Some((gears, shortened(warnings, key)))
-}
-
-/// The first dozen of `warnings`, and the number of others.
-fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
     let more = warnings.len().saturating_sub(MOST_WARNINGS);
     warnings.truncate(MOST_WARNINGS);
     if more > 0 {
         warnings.push(format!("{key}: {more} more warnings like these"));
     }
-    warnings
+    Some((gears, warnings))
 }
 
 /// The gear of a gear file, or the `member` of a pair file: the middle of a thickness band, whether there is a band, and the
@@ -121,13 +116,11 @@ fn read_one(
         ));
     }
     reading.read_too(&file.sources);
-    let own = |name: &str| name == "gear" || name == member.name();
-    let gear = file.gears.into_iter().find(|gear| own(gear.name));
-    let gear = gear.ok_or("has no such gear")?;
+    let gear = file.of(member).ok_or("has no such gear")?;
     let middle = middle(gear.materials.iter().map(|(_, gear)| gear));
     let measured = MeasuredGear {
         gear: middle.map_err(|error| error.to_string())?,
-        spec: gear.spec,
+        spec: gear.spec.clone(),
     };
     Ok((measured, gear.materials.len() > 1, file.warnings))
 }

@@ -6,7 +6,8 @@ use gearlash::population::{LIMIT_SIGMAS, Scatter, ScatterError};
 
 const MM: f64 = 1e-3;
 
-/// The normal distribution about 0, or that of the amount of a vector, at `key` of the pair file, in units of `um` µm; one where it is stated.
+/// The normal distribution about 0, or that of the amount of a vector, at `key` of the pair file, in units of `um` µm; `Some(None)` where
+/// none is stated.
 pub fn spread(
     spec: Option<SpreadSpec>,
     um: f64,
@@ -25,12 +26,15 @@ pub fn spread(
     file.keep(key, made, "correct the number").map(Some)
 }
 
-/// The distribution at `key` of the pair file, mm. Absent limits are those of the `band`, mm, where there is one.
+/// The distribution at `key` of the pair file, mm; `Some(None)` where none is stated. Absent limits are those of the `band`, mm.
 pub fn scatter(
-    spec: &ScatterSpec,
+    spec: &Option<ScatterSpec>,
     band: Option<[f64; 2]>,
     (file, key): (&Table, &str),
-) -> Option<Scatter> {
+) -> Option<Option<Scatter>> {
+    let Some(spec) = spec else {
+        return Some(None);
+    };
     let limits = match (spec.lower_um, spec.upper_um) {
         (Some(low), Some(high)) => Some([low * MM, high * MM]),
         _ => band,
@@ -73,5 +77,6 @@ pub fn scatter(
         ScatterError::NotPositive { what, .. } => format!("{what} is not above 0"),
         other => other.to_string(),
     });
-    file.keep(key, made, "correct the numbers of this distribution")
+    let help = "correct the numbers of this distribution";
+    file.keep(key, made, help).map(Some)
 }

@@ -3,7 +3,6 @@
 mod bands;
 mod gear_names;
 mod gears;
-mod impossible;
 mod limit;
 mod mm;
 mod population;
@@ -19,12 +18,11 @@ pub(crate) use population::{placed, shape_difference};
 pub(crate) use worst::sha256;
 
 pub use gear_names::named;
-pub use impossible::TooManyImpossible;
 pub use limit::{Limit, in_words};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{About, Convergence, ToleranceResult};
 pub use rows::{RowsHead, RowsReader, RowsTally, row_line, tenths_to_um};
-pub use run::{BLOCK, Tick, ToleranceRun, shell_word};
+pub use run::{BLOCK, Tick, ToleranceRun, TooManyImpossible, shell_word};
 pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};
 pub use worst::{Worst, is_worst_file, worst_file, worst_name};
 

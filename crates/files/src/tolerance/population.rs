@@ -11,7 +11,7 @@ use crate::spec::{
 use crate::table::Table;
 use crate::{common_face, lead, pair_by_data, with_tree};
 use gearlash::analysis::phases::phase;
-use gearlash::gear::{AsBuilt, Face, GradedQuantity, Lead, Side};
+use gearlash::gear::{AsBuilt, GradedQuantity, Lead, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, LeadScatter, Population, PopulationError, Requirement, Scatter, Scatters,
@@ -52,22 +52,13 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
         );
     };
     // Its problems come first. A drawn gear can give the pair a face.
-    let own = own_pair(&pair, file);
-    let assembly = &pair.spec.assembly;
-    let distance = assembly.center_distance_mm.nominal_mm();
-    let distance = distance.map(|mm| assembly.in_measuring_plane(mm));
-    let distance_band = pair.study.band.zip(distance);
-    let distance_band = distance_band.map(|(band, nominal)| band.map(|mm| mm - nominal));
-    let one = |spec: &Option<ScatterSpec>, key: &str, band| match spec {
-        Some(spec) => scatter(spec, band, (file, key)).map(Some),
-        None => Some(None),
-    };
-    let center_distance = one(
-        &tolerance.center_distance,
-        "tolerance.center_distance",
-        distance_band,
-    );
-    let bearing_play = one(&tolerance.bearing_play, "tolerance.bearing_play", None);
+    let own = own_distance(&pair, file);
+    let band = pair.study.band.zip(pair.spec.assembly.own_distance());
+    let band = band.map(|(band, nominal)| band.map(|mm| mm - nominal));
+    let place = (file, "tolerance.center_distance");
+    let center_distance = scatter(&tolerance.center_distance, band, place);
+    let place = (file, "tolerance.bearing_play");
+    let bearing_play = scatter(&tolerance.bearing_play, None, place);
     let mut warnings = left_out(&pair, &tolerance);
     let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings));
     let wheel = gear(&tolerance.wheel, Member::Wheel);
@@ -97,7 +88,7 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
             return file.refuse(&format!("tolerance.{}.gears", member.name()), other, help);
         }
     }
-    let own = own.and_then(|_| own_pair(&pair, file))?;
+    let own = own_pair(&pair, own?, file)?;
     let first = marked_tooth(&pair, &own);
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = file.reading().keep(population)?;
@@ -118,8 +109,8 @@ fn understood(mut pair: PairFile, file: &Table) -> Option<ToleranceFile> {
     })
 }
 
-/// The mean pair of the population: the middle of thickness bands, the nominal centre distance.
-fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
+/// The nominal centre distance of a pair that can scatter, mm.
+fn own_distance(pair: &PairFile, file: &Table) -> Option<f64> {
     let spec = &pair.spec.assembly;
     if spec.temperature_c.is_some_and(|celsius| celsius != 20.0) {
         return file.refuse(
@@ -128,9 +119,10 @@ fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
             "remove the temperature",
         );
     }
-    if pair.study.open_lean != [0.0; 2] || pair.study.bearing_ends.is_some() {
+    let tilts = pair.study.bearing_ends.is_some();
+    if pair.study.open_lean != [0.0; 2] || tilts {
         return file.refuse(
-            if pair.study.bearing_ends.is_some() {
+            if tilts {
                 "assembly.bearing_clearance_mm.at_mm"
             } else {
                 "assembly.misalignment"
@@ -139,20 +131,21 @@ fn own_pair(pair: &PairFile, file: &Table) -> Option<GearPair> {
             "state signed deviations and one clearance for each gear",
         );
     }
-    let Some(distance) = spec.center_distance_mm.nominal_mm() else {
-        return file.refuse(
+    spec.own_distance().or_else(|| {
+        file.refuse(
             "assembly.center_distance_mm",
             "several distances, tolerance needs the one about which it scatters",
             "give one, or { nominal_mm = …, tolerance_um = … }",
-        );
-    };
+        )
+    })
+}
+
+/// The mean pair of the population at a centre distance, mm: the middle of thickness bands.
+fn own_pair(pair: &PairFile, distance: f64, file: &Table) -> Option<GearPair> {
     let materials = &pair.study.materials;
     let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
     let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
-    let made = wheel.and_then(|wheel| {
-        pair.study
-            .pair(&wheel, &pinion?, spec.in_measuring_plane(distance))
-    });
+    let made = wheel.and_then(|wheel| pair.study.pair(&wheel, &pinion?, distance));
     file.keep("tolerance", made, "correct the gears, or their distance")
 }
 
@@ -196,37 +189,23 @@ fn gear(
         return Some((GearScatter::default(), Vec::new()));
     };
     let key = |name: &str| format!("tolerance.{}.{name}", member.name());
-    let one = |spec: &Option<ScatterSpec>, name: &str, band| -> Option<Option<Scatter>> {
-        match spec {
-            Some(spec) => scatter(spec, band, (file, &key(name))).map(Some),
-            None => Some(None),
-        }
-    };
+    let one =
+        |spec: &Option<ScatterSpec>, name: &str, band| scatter(spec, band, (file, &key(name)));
     let thickness = one(&spec.thickness, "thickness", thickness_band(pair, member));
     let runout = one(&spec.runout, "runout", None);
     let per_tooth = one(&spec.per_tooth, "per_tooth", None);
     let (_, wheel, pinion) = pair.study.materials.first()?;
-    let basic_data = match member {
-        Member::Wheel => wheel.gear().basic_data(),
-        Member::Pinion => pinion.gear().basic_data(),
+    let gear = [wheel, pinion][member as usize];
+    let pitch = match spec.pitch.map(|pitch| (pitch.sigma_um, pitch.grade)) {
+        Some((Some(sigma), _)) => Some(Some(1e-3 * sigma)),
+        Some((None, Some(grade))) => {
+            let found = GradedQuantity::SinglePitch.tolerance(gear.gear().basic_data(), grade);
+            let found = file.keep(&key("pitch"), found, "give sigma_um in place of the grade");
+            found.map(|tolerance| Some(tolerance / 3.0))
+        }
+        _ => Some(None),
     };
-    let pitch = match spec.pitch {
-        None => Some(None),
-        Some(pitch) => match (pitch.sigma_um, pitch.grade) {
-            (Some(sigma), _) => Some(Some(1e-3 * sigma)),
-            (None, Some(grade)) => {
-                let found = GradedQuantity::SinglePitch.tolerance(basic_data, grade);
-                let help = "give sigma_um in place of the grade";
-                let found = file.keep(&key("pitch"), found, help);
-                found.map(|tolerance| Some(tolerance / 3.0))
-            }
-            (None, None) => Some(None),
-        },
-    };
-    let own = match member {
-        Member::Wheel => &pair.spec.wheel,
-        Member::Pinion => &pair.spec.pinion,
-    };
+    let own = pair.spec.gear(member);
     let of_datum = own
         .lead
         .as_ref()
@@ -272,8 +251,7 @@ fn gear(
             })
         }
     }?;
-    let face = face(pair, member);
-    let turned = |one: &MeasuredGear| placed(one.gear.facing(face), pair, member);
+    let turned = |one: &MeasuredGear| placed(one.gear.facing(gear.face()), pair, member);
     let whole = (!measured.is_empty()).then(|| measured.iter().map(turned).collect());
     Some((
         GearScatter {
@@ -291,10 +269,7 @@ fn gear(
 
 /// The difference of the helix or face of `gear` from the pair's `member`; `None` where they agree, or where nothing varies along the face.
 pub(crate) fn shape_difference(gear: &GearSpec, pair: &PairFile, member: Member) -> Option<String> {
-    let (own, name) = match member {
-        Member::Wheel => (&pair.spec.wheel, "wheel"),
-        Member::Pinion => (&pair.spec.pinion, "pinion"),
-    };
+    let (own, name) = (pair.spec.gear(member), member.name());
     if pair.study.face == [0.0; 2] {
         return None;
     }
@@ -319,14 +294,6 @@ pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt 
             gear.section_at(-offset)
         }
         _ => gear,
-    }
-}
-
-fn face(pair: &PairFile, member: Member) -> Face {
-    match (pair.study.materials.first(), member) {
-        (Some((_, wheel, _)), Member::Wheel) => wheel.face(),
-        (Some((_, _, pinion)), Member::Pinion) => pinion.face(),
-        (None, _) => Face::Front,
     }
 }
 
@@ -362,19 +329,14 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
 
 /// The pinion tooth that meets wheel tooth 1, for gears that are always assembled as at the start of the sweep.
 fn marked_tooth(pair: &PairFile, own: &GearPair) -> u32 {
-    match pair.study.sweep {
-        Some(SweepPlan::Revolution {
-            start: (wheel_tooth, pinion_tooth),
-            ..
-        }) => phase(
-            own,
-            &Mating {
-                wheel_tooth,
-                pinion_tooth,
-                flank: Side::Right,
-                fraction: 0.0,
-            },
-        ),
-        _ => 1,
-    }
+    let Some(SweepPlan::Revolution { start, .. }) = pair.study.sweep else {
+        return 1;
+    };
+    let mating = Mating {
+        wheel_tooth: start.0,
+        pinion_tooth: start.1,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+    phase(own, &mating)
 }

@@ -79,31 +79,11 @@ impl RowsHead {
             count: value("count")?.parse().ok()?,
         })
     }
-
-    /// The first difference from the run `wanted`: name, own value, wanted value.
-    fn difference<'a>(&'a self, wanted: &'a RowsHead) -> Option<(&'static str, String, String)> {
-        let values = |head: &RowsHead| {
-            [
-                ("version of gearlash", head.version.clone()),
-                ("input_sha256", head.input_sha256.clone()),
-                ("seed", head.seed.to_string()),
-            ]
-        };
-        let mut both = values(self).into_iter().zip(values(wanted));
-        let differs = both.find(|(own, wanted)| own != wanted);
-        differs.map(|((name, own), (_, wanted))| (name, own, wanted))
-    }
 }
 
 /// `tenths` of a nanometre in micrometres.
 pub fn tenths_to_um(tenths: i64) -> f64 {
     tenths as f64 / TENTHS_PER_UM
-}
-
-/// `um` in whole tenths of a nanometre; `None` for values outside the range.
-fn um_to_tenths(um: f64) -> Option<i64> {
-    let tenths = (um * TENTHS_PER_UM).round();
-    (tenths.abs() <= MOST_TENTHS).then_some(tenths as i64)
 }
 
 /// The line of `row` in a file.
@@ -131,11 +111,17 @@ fn parse_row(line: &str) -> Option<Row> {
         if text.is_empty() {
             return Some(None);
         }
-        um_to_tenths(text.parse().ok()?).map(Some)
+        let tenths = (text.parse::<f64>().ok()? * TENTHS_PER_UM).round();
+        (tenths.abs() <= MOST_TENTHS).then_some(Some(tenths as i64))
+    };
+    let kind = |name: &str| {
+        OutcomeKind::ALL
+            .into_iter()
+            .find(|kind| kind.name() == name)
     };
     let row = Row {
         number: field()?.parse().ok().filter(|number| *number > 0)?,
-        kind: outcome_kind(field()?)?,
+        kind: kind(field()?)?,
         least: um(field()?)?,
         greatest: um(field()?)?,
         is_proven: field()?.parse().ok()?,
@@ -144,11 +130,6 @@ fn parse_row(line: &str) -> Option<Row> {
         margin: um(field()?)?,
     };
     field().is_none().then_some(row)
-}
-
-fn outcome_kind(name: &str) -> Option<OutcomeKind> {
-    let mut all = OutcomeKind::ALL.into_iter();
-    all.find(|kind| kind.name() == name)
 }
 
 /// The rows of a file, line by line. A last line that is cut off, as after a kill, is ignored.
@@ -249,20 +230,6 @@ impl<'a> RowsTally<'a> {
         &self.tally
     }
 
-    /// Begins the rows of `source`, its name in messages.
-    fn begin(&mut self, source: &str, head: &RowsHead) -> Result<(), InputError> {
-        let wanted = RowsHead::of(self.run, head.first, head.count);
-        if let Some((name, own, wanted)) = head.difference(&wanted) {
-            return Err(wrong(
-                source,
-                format!("rows of another run: {name} {own}, not {wanted}"),
-                "name rows of this pair file, seed and version",
-            ));
-        }
-        self.sources.push(source.to_owned());
-        Ok(())
-    }
-
     /// Adds `row` of the current source.
     ///
     /// # Errors
@@ -293,7 +260,21 @@ impl<'a> RowsTally<'a> {
     /// [`InputError`]: rows of another run, or an invalid line.
     pub fn add_text(&mut self, name: &str, text: impl BufRead) -> Result<(), InputError> {
         let (head, rows) = RowsReader::begin(name, text)?;
-        self.begin(name, &head)?;
+        let wanted = RowsHead::of(self.run, head.first, head.count);
+        let both = [&head, &wanted].map(|head| {
+            let seed = head.seed.to_string();
+            [head.version.clone(), head.input_sha256.clone(), seed]
+        });
+        let [own, wanted] = both;
+        let names = ["version of gearlash", "input_sha256", "seed"];
+        for (what, (own, wanted)) in names.into_iter().zip(own.into_iter().zip(wanted)) {
+            if own != wanted {
+                let reason = format!("rows of another run: {what} {own}, not {wanted}");
+                let help = "name rows of this pair file, seed and version";
+                return Err(wrong(name, reason, help));
+            }
+        }
+        self.sources.push(name.to_owned());
         for row in rows {
             let added = self.add(&row?);
             added.map_err(|error| wrong(name, error.to_string(), HELP))?;
@@ -332,34 +313,32 @@ impl<'a> RowsTally<'a> {
             missing.push(next..total + 1);
         }
         missing.retain(|range| !range.is_empty());
-        let mut problems = Vec::new();
-        if let Some(first) = missing.first() {
+        let command = missing.first().map_or(String::new(), |first| {
             let file = format!("rows_{}.csv", first.start);
-            let command = self.run.rows_command(first.clone(), Path::new(&file));
-            let list = first_listed(missing.iter().map(range_words));
-            problems.push(Problem::of_file(
-                format!("rows are missing, of {total} assemblies: {list}"),
+            self.run.rows_command(first.clone(), Path::new(&file))
+        });
+        let found = [
+            (
+                missing.iter().map(range_words).collect(),
+                format!("rows are missing, of {total} assemblies"),
                 format!("compute them, the first by {command}"),
-            ));
-        }
-        if !duplicate.is_empty() {
-            problems.push(Problem::of_file(
-                format!(
-                    "rows are there twice: {}",
-                    first_listed(duplicate.into_iter())
-                ),
-                "name rows of each assembly once",
-            ));
-        }
-        if !beyond.is_empty() {
-            problems.push(Problem::of_file(
-                format!(
-                    "rows lie beyond the {total} assemblies of the run: {}",
-                    first_listed(beyond.into_iter())
-                ),
-                "state more with --assemblies, or leave them out",
-            ));
-        }
+            ),
+            (
+                duplicate,
+                "rows are there twice".to_owned(),
+                "name rows of each assembly once".to_owned(),
+            ),
+            (
+                beyond,
+                format!("rows lie beyond the {total} assemblies of the run"),
+                "state more with --assemblies, or leave them out".to_owned(),
+            ),
+        ];
+        let found = found.into_iter().filter(|(list, ..)| !list.is_empty());
+        let problems = found.map(|(list, what, help)| {
+            Problem::of_file(format!("{what}: {}", first_listed(list)), help)
+        });
+        let problems: Vec<Problem> = problems.collect();
         if problems.is_empty() {
             Ok(self.tally)
         } else {
@@ -394,12 +373,11 @@ fn range_words(range: &Range<u64>) -> String {
 }
 
 /// The first of `each`, and the number of others.
-fn first_listed(each: impl ExactSizeIterator<Item = String>) -> String {
-    let more = each.len().saturating_sub(MOST_LISTED);
-    let first: Vec<String> = each.take(MOST_LISTED).collect();
-    let mut text = first.join(", ");
-    if more > 0 {
-        text += &format!(" and {more} more");
-    }
-    text
+fn first_listed(each: Vec<String>) -> String {
+    let more = match each.len().saturating_sub(MOST_LISTED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let first: Vec<String> = each.into_iter().take(MOST_LISTED).collect();
+    first.join(", ") + &more
 }

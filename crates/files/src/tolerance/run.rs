@@ -1,6 +1,5 @@
 //! A run: a population, a seed and a number of assemblies.
 
-use super::impossible::TooManyImpossible;
 use super::limit::limits;
 use super::population::ToleranceFile;
 use super::result::{About, ToleranceResult};
@@ -18,6 +17,20 @@ pub const BLOCK: u64 = 2048;
 
 /// Called when a step of the work begins; a break ends the work.
 pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
+
+/// More draws than allowed give no gear or no pair.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "tolerance: {count} of the first {done} draws are of no gear, more than the share of {share} of all {total} that tolerance.max_impossible allows; assembly {first}: {why}; narrow what scatters"
+)]
+pub struct TooManyImpossible {
+    count: u64,
+    done: u64,
+    total: u64,
+    share: f64,
+    first: u64,
+    why: String,
+}
 
 /// A population of a pair file with the seed and the number of assemblies of a run.
 #[derive(Debug)]
@@ -124,16 +137,18 @@ impl<'a> ToleranceRun<'a> {
 
     /// The error where more assemblies than allowed give no gear, in the rows summed in `tally`.
     pub fn too_many_impossible(&self, tally: &Tally) -> Option<TooManyImpossible> {
-        let why = |number| {
-            let drawn = self.file.population.assembly(self.sample().draw(number));
-            drawn.err().map(|error| error.to_string())
-        };
-        TooManyImpossible::find(
-            tally,
-            self.assemblies,
-            self.file.tolerance.max_impossible,
-            why,
-        )
+        let (count, share) = (tally.counts.impossible, self.file.tolerance.max_impossible);
+        let is_allowed = count as f64 <= share * self.assemblies as f64;
+        let first = tally.first_impossible.filter(|_| !is_allowed)?;
+        let drawn = self.file.population.assembly(self.sample().draw(first));
+        Some(TooManyImpossible {
+            count,
+            done: tally.counts.total(),
+            total: self.assemblies,
+            share,
+            first,
+            why: drawn.err().map_or(String::new(), |error| error.to_string()),
+        })
     }
 
     /// The result of the run with the rows summed in `tally`. The contributions come from samples of their own. `tick` is called

@@ -139,10 +139,8 @@ impl ToleranceFile {
     /// A gear as it is: the mean thickness that the tool cut, the deviations of each flank, its runout.
     fn gear_spec(&self, assembly: &Assembly, draw: Draw, member: Member) -> GearSpec {
         let gear = assembly.pair().gear(member);
-        let (own, measured) = match member {
-            Member::Wheel => (&self.pair.spec.wheel, &self.measured[0]),
-            Member::Pinion => (&self.pair.spec.pinion, &self.measured[1]),
-        };
+        let own = self.pair.spec.gear(member);
+        let measured = &self.measured[member as usize];
         // Finds the drawn whole gear by all but its runout, whose direction can be drawn.
         let centred = |gear: &AsBuilt| gear.with_runout(0.0, 1.0).ok();
         let drawn = self.population.scatters().of(member).gears.iter();

@@ -1,34 +1,45 @@
 //! Findings about the measurements of a gear, in words.
 
-mod eccentricity;
 mod outlier;
 mod runout;
 mod thickness;
 
+use super::lead;
 use super::numbers::{ascii, rounded, shortest};
+use super::profile;
 use super::statements::Statements;
 use super::thickness::CROSS_CHECK;
-use super::{lead, profile};
-use gearlash::gear::DIN_3967_SOURCE;
-use gearlash::metrology::{Finding, LeadKey, ProfileKey, Quantity, SameKind};
+use gearlash::gear::{DIN_3967_SOURCE, Flank, Probe};
+use gearlash::metrology::{
+    Eccentricity, EccentricityNote, Finding, LeadKey, ProfileKey, Quantity, RunoutSource, SameKind,
+};
 
 pub use outlier::suspected;
 
 /// The line that the user reads, with the key it is about.
 pub fn describe(of: &Statements, finding: &Finding) -> String {
-    let key = |name: &str| of.table.path_of(name);
-    match finding {
+    const PER_TOOTH: &str = "thickness.per_tooth_um";
+    let some_teeth = |flank: Flank, measured: u32, teeth: u32| {
+        format!(
+            "traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
+            flank.name()
+        )
+    };
+    let traced: String;
+    let (key, words) = match finding {
         Finding::PitchDoesNotClose {
             flank,
             sum_um,
             rounding_um,
-        } => format!(
-            "{}: the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
-             the rest is distributed evenly over the teeth",
-            key(of.pitch_key(*flank)),
-            flank.name(),
-            ascii(*sum_um, 2),
-            ascii(*rounding_um, 2),
+        } => (
+            of.pitch_key(*flank),
+            format!(
+                "the single pitch deviations of the {} flanks sum to {} µm instead of 0 (rounding leaves up to {} µm); \
+                 the rest is distributed evenly over the teeth",
+                flank.name(),
+                ascii(*sum_um, 2),
+                ascii(*rounding_um, 2),
+            ),
         ),
         Finding::WobbleInLeads {
             um,
@@ -39,63 +50,86 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
                 None => "the gear wobbles so".to_owned(),
                 Some(apart) => format!("the stated wobble counts, {} µm off it", ascii(*apart, 2)),
             };
-            format!(
-                "{}: the leads about the bore contain a wobble of {} µm over the teeth, towards tooth {}; it is taken out of them, and {counts}",
-                key("lead.axis"),
+            let words = format!(
+                "the leads about the bore contain a wobble of {} µm over the teeth, towards tooth {}; it is taken out of them, and {counts}",
                 ascii(*um, 2),
                 ascii(*tooth, 2)
-            )
+            );
+            ("lead.axis", words)
         }
-        Finding::RunoutReadings(readings) => {
-            let key = key("runout.file");
-            format!("{key}: {}", runout::readings(readings))
-        }
-        Finding::RunoutContradictsFlanks(contradiction) => {
-            let key = key("runout.file");
-            format!("{key}: {}", runout::contradiction(contradiction))
-        }
-        Finding::RunoutWithoutDirection { total_um } => format!(
-            "{}: {total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high",
-            key("runout")
+        Finding::RunoutReadings(readings) => ("runout.file", runout::readings(readings)),
+        Finding::RunoutContradictsFlanks(found) => (
+            "runout.file",
+            format!(
+                "the readings contradict the flanks, whose data take precedence. Beyond the first harmonic the readings vary by up to {} µm, the stated flanks by \
+                 {} µm; {} {} they differ by {} µm. F_r of the readings is {} µm, of the gear as stated {} µm. Check gear, tooth numbers, sense and at",
+                ascii(found.read_um, 3),
+                ascii(found.said_um, 3),
+                match found.probe {
+                    Probe::Ball(_) => "after tooth",
+                    Probe::Fork => "at tooth",
+                },
+                found.tooth,
+                ascii(found.apart_um, 3),
+                ascii(found.range_um, 3),
+                ascii(found.known_range_um, 3),
+            ),
         ),
-        Finding::EccentricityInPitch(note) => {
-            format!("{}: {}", key("pitch"), eccentricity::in_pitch(note))
-        }
+        Finding::RunoutWithoutDirection { total_um } => (
+            "runout",
+            format!(
+                "{total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high"
+            ),
+        ),
+        Finding::EccentricityInPitch(note) => ("pitch", in_pitch(note)),
         Finding::ProfileOfSomeTeeth {
             flank,
             measured,
             teeth,
-        } => format!(
-            "{}: traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
-            key(&profile::key_of(of.table, *flank, ProfileKey::Trace)),
-            flank.name()
-        ),
+        } => {
+            traced = profile::key_of(of.table, *flank, ProfileKey::Trace);
+            (&*traced, some_teeth(*flank, *measured, *teeth))
+        }
         Finding::LeadOfSomeTeeth {
             flank,
             measured,
             teeth,
-        } => format!(
-            "{}: traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
-            key(&lead::key_of(of.table, *flank, LeadKey::Trace)),
-            flank.name()
-        ),
+        } => {
+            traced = lead::key_of(of.table, *flank, LeadKey::Trace);
+            (&*traced, some_teeth(*flank, *measured, *teeth))
+        }
         Finding::PinsGiveMeanOnly {
             readings,
             with_pitch,
-        } => {
-            let words = thickness::mean_by_pins(*readings, *with_pitch);
-            format!("{}: {words}", key("thickness.over_pins"))
-        }
+        } => (
+            "thickness.over_pins",
+            format!(
+                "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{}",
+                if *with_pitch {
+                    ""
+                } else {
+                    "; without [pitch] the pitch is assumed even"
+                }
+            ),
+        ),
         Finding::SpansGiveEachTooth {
             spanned,
             teeth,
             amplification,
             with_pitch,
-        } => {
-            let words =
-                thickness::each_tooth_by_spans(*spanned, *teeth, *amplification, *with_pitch);
-            format!("{}: {words}", key("thickness.span"))
-        }
+        } => (
+            "thickness.span",
+            format!(
+                "{teeth} spans over {spanned} teeth give each tooth's thickness; an error of the readings is amplified up to {amplification}-fold, \
+                 {}-fold when random (per_tooth = false uses the mean only){}",
+                ascii(f64::from(*amplification).sqrt(), 1),
+                if *with_pitch {
+                    ""
+                } else {
+                    "; without [pitch] all variation of the spans counts as thickness"
+                }
+            ),
+        ),
         Finding::SpansGiveMeanOnly {
             spanned,
             teeth,
@@ -104,129 +138,195 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             pitch_in_mean,
         } => {
             let words = thickness::mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean);
-            format!("{}: {words}", key("thickness.span"))
+            ("thickness.span", words)
         }
-        Finding::LeftFlankReversed { eccentricity_um } => {
-            eccentricity::left_reversed(of, *eccentricity_um)
-        }
-        Finding::ThicknessBesidePitch(beside) => {
-            let key = key("thickness.per_tooth_um");
-            let words = thickness::beside_pitch(beside, of.other_sense());
-            format!("{key}: {words}")
-        }
-        Finding::SpansRefuseThickness { shown, spans_count } => format!(
-            "{}: the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
-            key("thickness.per_tooth_um"),
-            ascii(100.0 * shown, 0),
-            if *spans_count {
-                "the spans take precedence"
-            } else {
-                "it is used as given"
-            }
+        Finding::LeftFlankReversed { eccentricity_um } => (
+            of.pitch_key(Flank::Left),
+            format!(
+                "the left flanks vary opposite to the right ones, as if their sign were reversed{}: if + means plus material on both flanks \
+                 (or the gear was seen from the other face), write sense = {:?}",
+                eccentricity_um.map_or(String::new(), |um| {
+                    let [reversed, stated] = um.map(|um| ascii(um, 3));
+                    format!(
+                        " (reversed they contain an eccentricity of {reversed} µm, as stated one of {stated} µm)"
+                    )
+                }),
+                of.other_sense()
+            ),
         ),
-        Finding::PerToothMeanTooLarge { mean_um } => format!(
-            "{}: its mean is {} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
-             thicknesses, subtract their mean; if they are in another unit, convert them",
-            key("thickness.per_tooth_um"),
-            ascii(*mean_um, 1)
+        Finding::ThicknessBesidePitch(beside) => {
+            (PER_TOOTH, thickness::beside_pitch(beside, of.other_sense()))
+        }
+        Finding::SpansRefuseThickness { shown, spans_count } => (
+            PER_TOOTH,
+            format!(
+                "the spans contradict it (they show {} % of it): check its sign and tooth numbers, or leave it out; {}",
+                ascii(100.0 * shown, 0),
+                if *spans_count {
+                    "the spans take precedence"
+                } else {
+                    "it is used as given"
+                }
+            ),
+        ),
+        Finding::PerToothMeanTooLarge { mean_um } => (
+            PER_TOOTH,
+            format!(
+                "its mean is {} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
+                 thicknesses, subtract their mean; if they are in another unit, convert them",
+                ascii(*mean_um, 1)
+            ),
         ),
         Finding::PerToothOffMean {
             mean_um,
             scatter_um,
         } => {
             let stated = of.thickness.statement.key().unwrap_or_default();
-            format!(
-                "{}: its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
+            let words = format!(
+                "its mean, {} µm, adds to the stated {stated} (its values scatter about it by {} µm r.m.s.): if they were measured \
                  from the nominal thickness, and {stated} states the same, subtract their mean from the list",
-                key("thickness.per_tooth_um"),
                 ascii(*mean_um, 1),
                 ascii(*scatter_um, 1)
-            )
+            );
+            (PER_TOOTH, words)
         }
-        Finding::LooksLikeWhole { quantity, mean_um } => looks_like_whole(of, *quantity, *mean_um),
+        Finding::LooksLikeWhole { quantity, mean_um } => {
+            let (key, what) = match quantity {
+                Quantity::Pitch => ("pitch", "the pitch itself"),
+                Quantity::PerTooth => (PER_TOOTH, "the thickness itself"),
+            };
+            let mean = ascii(*mean_um, 3);
+            let words = format!(
+                "the values are about {mean}, as {what} in mm; needed is the deviation of each tooth, in µm"
+            );
+            (key, words)
+        }
         Finding::ThicknessField {
             diameter_mm,
             upper_um,
             lower_um,
-        } => format!(
-            "{}: at reference diameter {} mm the allowances are {} and {} µm, {DIN_3967_SOURCE}",
-            key("thickness.designation"),
-            shortest(rounded(*diameter_mm, 4)),
-            ascii(*upper_um, 0),
-            ascii(*lower_um, 0)
+        } => (
+            "thickness.designation",
+            format!(
+                "at reference diameter {} mm the allowances are {} and {} µm, {DIN_3967_SOURCE}",
+                shortest(rounded(*diameter_mm, 4)),
+                ascii(*upper_um, 0),
+                ascii(*lower_um, 0)
+            ),
         ),
-        Finding::AllowanceThickens { um } => format!(
-            "{}: {um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
-             meant, write that",
-            key("thickness.allowance_um"),
-            -um
+        Finding::AllowanceThickens { um } => (
+            "thickness.allowance_um",
+            format!(
+                "{um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
+                 meant, write that",
+                -um
+            ),
         ),
-        Finding::AllowanceTooLarge { um } => format!(
-            "{}: {um} µm takes more than a quarter of the module off the teeth: if nm were meant, write {}",
-            key("thickness.allowance_um"),
-            shortest(um / 1000.0)
+        Finding::AllowanceTooLarge { um } => (
+            "thickness.allowance_um",
+            format!(
+                "{um} µm takes more than a quarter of the module off the teeth: if nm were meant, write {}",
+                shortest(um / 1000.0)
+            ),
         ),
-        Finding::CrossCheckOfSameKind(kind) => same_kind(of, *kind),
+        Finding::CrossCheckOfSameKind(kind) => {
+            let kind = match kind {
+                SameKind::Span => "a span over as many teeth",
+                SameKind::OverPins => "a dimension over the same pins",
+                SameKind::Chord => "a chord at the same height",
+                SameKind::Allowance => "an allowance",
+            };
+            let words = format!(
+                "is {kind}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
+                 another number of teeth or pin)"
+            );
+            (CROSS_CHECK, words)
+        }
         Finding::FirstHarmonicNotEccentricity {
             left_um,
             left_percent,
             alike,
             eccentricity_um,
-        } => format!(
-            "{}: the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. {} µm of it remain \
-             on a flank, {} % of its energy, and are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
-             and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
-            key("pitch"),
-            ascii(*left_um, 3),
-            ascii(*left_percent, 0),
-            if *alike {
-                " (both flanks vary equally, as from an index error of the machine)"
-            } else {
-                ""
-            },
-            ascii(*eccentricity_um, 3),
+        } => (
+            "pitch",
+            format!(
+                "the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. {} µm of it remain \
+                 on a flank, {} % of its energy, and are used as the gear's own pitch{}. The eccentricity of {} µm is therefore uncertain: measure the runout, \
+                 and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
+                ascii(*left_um, 3),
+                ascii(*left_percent, 0),
+                if *alike {
+                    " (both flanks vary equally, as from an index error of the machine)"
+                } else {
+                    ""
+                },
+                ascii(*eccentricity_um, 3),
+            ),
         ),
         Finding::OwnPitchHoldsEccentricity {
             in_pitch,
             in_runout,
             runout,
-        } => {
-            let key = key("pitch.axis");
-            let words = eccentricity::in_own_pitch(*in_pitch, *in_runout, *runout);
-            format!("{key}: {words}")
-        }
-        Finding::StatedEccentricityElsewhere { in_pitch, stated } => {
-            let key = key("runout.high_tooth");
-            let words = eccentricity::stated_elsewhere(*in_pitch, *stated);
-            format!("{key}: {words}")
-        }
+        } => (
+            "pitch.axis",
+            format!(
+                "the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {}, and {}: \
+                 if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
+                shown(*in_pitch),
+                match runout {
+                    RunoutSource::Total => format!(
+                        "[runout] says {}, which would count twice",
+                        shown(*in_runout)
+                    ),
+                    RunoutSource::Readings { left } => format!(
+                        "the readings of [runout] contain one of {}; used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
+                        shown(*in_runout),
+                        left.map_or("nothing".to_owned(), shown),
+                    ),
+                },
+            ),
+        ),
+        Finding::StatedEccentricityElsewhere { in_pitch, stated } => (
+            "runout.high_tooth",
+            format!(
+                "the pitch of both flanks contains the first harmonic of an eccentricity of {}, as large as the one stated here, {}, and both are \
+                 used: check the tooth, and whether the pitch was measured about the datum axis",
+                shown(*in_pitch),
+                shown(*stated),
+            ),
+        ),
         Finding::Outlier(outlier) => outlier::describe(of, outlier),
-        Finding::ThicknessStatedTwice(compared) => thickness::stated_twice(of, compared),
+        Finding::ThicknessStatedTwice(compared) => {
+            (CROSS_CHECK, thickness::stated_twice(of, compared))
+        }
+    };
+    format!("{}: {words}", of.table.path_of(key))
+}
+
+/// An eccentricity in words.
+fn shown(e: Eccentricity) -> String {
+    let [um, tooth] = [ascii(e.um, 3), ascii(e.high_tooth, 2)];
+    format!("{um} µm towards tooth {tooth}")
+}
+
+/// The eccentricity contained in datum-axis pitch.
+fn in_pitch(note: &EccentricityNote) -> String {
+    let found = format!(
+        "the datum-axis values contain an eccentricity of {}",
+        shown(note.in_pitch)
+    );
+    let stated = note.stated.zip(note.difference_um);
+    let stated =
+        stated.map(|(stated, um)| format!("{}, {} µm from it", shown(stated), ascii(um, 3)));
+    match stated {
+        Some(stated) if note.stated_counts => format!(
+            "{found}. That of [runout], {stated}, is used and removed from them; the first harmonic that remains is used as the gear's own pitch"
+        ),
+        stated => format!(
+            "{found}, which is used as the gear's (a first harmonic of its own pitch cannot be distinguished from it){}",
+            stated.map_or(String::new(), |stated| format!(
+                "; that of [runout], {stated}, is not used"
+            ))
+        ),
     }
-}
-
-fn looks_like_whole(of: &Statements, quantity: Quantity, mean: f64) -> String {
-    let (key, what) = match quantity {
-        Quantity::Pitch => ("pitch", "the pitch itself"),
-        Quantity::PerTooth => ("thickness.per_tooth_um", "the thickness itself"),
-    };
-    format!(
-        "{}: the values are about {}, as {what} in mm; needed is the deviation of each tooth, in µm",
-        of.table.path_of(key),
-        ascii(mean, 3)
-    )
-}
-
-fn same_kind(of: &Statements, kind: SameKind) -> String {
-    let words = match kind {
-        SameKind::Span => "a span over as many teeth",
-        SameKind::OverPins => "a dimension over the same pins",
-        SameKind::Chord => "a chord at the same height",
-        SameKind::Allowance => "an allowance",
-    };
-    format!(
-        "{}: is {words}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
-         another number of teeth or pin)",
-        of.table.path_of(CROSS_CHECK)
-    )
 }

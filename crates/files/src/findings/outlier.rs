@@ -4,8 +4,8 @@ use crate::numbers::ascii;
 use crate::statements::Statements;
 use gearlash::metrology::{Outlier, TooFar};
 
-/// As a warning.
-pub fn describe(of: &Statements, outlier: &Outlier) -> String {
+/// The key of an outlier and a warning.
+pub fn describe(of: &Statements, outlier: &Outlier) -> (&'static str, String) {
     let (key, why) = match outlier {
         Outlier::Reading(reading) => (
             if reading.over_pins {
@@ -14,12 +14,10 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
                 "thickness.span"
             },
             match reading.why {
-                TooFar::CoarseGear(um) => {
-                    format!(
-                        "more than the {} µm by which even a coarse gear varies",
-                        ascii(um, 0)
-                    )
-                }
+                TooFar::CoarseGear(um) => format!(
+                    "more than the {} µm by which even a coarse gear varies",
+                    ascii(um, 0)
+                ),
                 TooFar::HalfWithin(um) => format!("half of them within {} µm", ascii(um, 1)),
             },
         ),
@@ -32,12 +30,9 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
             ),
         ),
     };
-    format!(
-        "{}: {} is {}, {why}: check it; it is used as given",
-        of.table.path_of(key),
-        outlier_name(outlier),
-        deviation(outlier)
-    )
+    let (name, deviation) = (outlier_name(outlier), deviation(outlier));
+    let words = format!("{name} is {deviation}, {why}: check it; it is used as given");
+    (key, words)
 }
 
 /// The outlier as the end of a help text for impossible measurements.

@@ -1,9 +1,9 @@
 //! Findings about runout readings, in words.
 
-use super::eccentricity::shown;
+use super::shown;
 use crate::numbers::ascii;
 use gearlash::gear::Probe;
-use gearlash::metrology::{FittedReadings, FlankKnowledge, RunoutContradiction};
+use gearlash::metrology::{FittedReadings, FlankKnowledge};
 
 /// The result of the fit.
 pub fn readings(readings: &FittedReadings) -> String {
@@ -42,22 +42,4 @@ fn probe(readings: &FittedReadings) -> String {
             ascii(um, 3)
         ),
     }
-}
-
-/// Readings that contradict the flanks.
-pub fn contradiction(found: &RunoutContradiction) -> String {
-    let place = match found.probe {
-        Probe::Ball(_) => "after tooth",
-        Probe::Fork => "at tooth",
-    };
-    format!(
-        "the readings contradict the flanks, whose data take precedence. Beyond the first harmonic the readings vary by up to {} µm, the stated flanks by \
-         {} µm; {place} {} they differ by {} µm. F_r of the readings is {} µm, of the gear as stated {} µm. Check gear, tooth numbers, sense and at",
-        ascii(found.read_um, 3),
-        ascii(found.said_um, 3),
-        found.tooth,
-        ascii(found.apart_um, 3),
-        ascii(found.range_um, 3),
-        ascii(found.known_range_um, 3),
-    )
 }

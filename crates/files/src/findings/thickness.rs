@@ -2,34 +2,7 @@
 
 use crate::numbers::ascii;
 use crate::statements::Statements;
-use crate::thickness::CROSS_CHECK;
 use gearlash::metrology::{MeanOnly, StatementRole, ThicknessBesidePitch, ThicknessStatements};
-
-/// Dimensions over pins all round.
-pub fn mean_by_pins(readings: usize, with_pitch: bool) -> String {
-    let pitch = if with_pitch {
-        ""
-    } else {
-        "; without [pitch] the pitch is assumed even"
-    };
-    format!(
-        "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{pitch}"
-    )
-}
-
-/// Spans over `k` teeth at all `z`, which determine each tooth.
-pub fn each_tooth_by_spans(k: u32, z: u32, growth: u32, with_pitch: bool) -> String {
-    let pitch = if with_pitch {
-        ""
-    } else {
-        "; without [pitch] all variation of the spans counts as thickness"
-    };
-    format!(
-        "{z} spans over {k} teeth give each tooth's thickness; an error of the readings is amplified up to {growth}-fold, \
-         {}-fold when random (per_tooth = false uses the mean only){pitch}",
-        ascii(f64::from(growth).sqrt(), 1)
-    )
-}
 
 /// `readings` spans over `k` of `z` teeth, which give only the mean.
 pub fn mean_by_spans(
@@ -95,7 +68,7 @@ pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String 
     }
 }
 
-/// The cross-check compared with the statement that counts.
+/// The cross-check compared with the statement that counts, in words.
 pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
     let range = |[least, most]: [f64; 2]| {
         if least == most {
@@ -122,8 +95,7 @@ pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
     };
     let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
     format!(
-        "{}: base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
-        of.table.path_of(CROSS_CHECK),
+        "base thickness {} by {}, {} by {}, difference{} {} µm: {verdict}",
         range(compared.counts),
         key(StatementRole::Counts),
         range(compared.cross),

@@ -4,14 +4,12 @@
 //! spec. Values of two tables and the geometry are checked where they are used.
 
 use crate::error::Problem;
-use crate::nearest::{is_slip, nearest};
 use crate::node::Node;
 use crate::numbers::shortest;
 use crate::reading::Reading;
 use crate::spec;
-use crate::synonyms::synonym;
 use crate::table::Table;
-use crate::unmodelled;
+use crate::unknown_key::{is_slip, key_reason, nearest, synonym, teeth_reason};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -226,7 +224,7 @@ impl SchemaCheck<'_> {
 
     fn number(&mut self, at: ValuePlace, node: &Node, number: f64, schema: &Value) {
         let bound = |name: &str| schema[name].as_f64();
-        if let Some(reason) = unmodelled::teeth_reason(at.key, node) {
+        if let Some(reason) = teeth_reason(at.key, node) {
             return self.wrong(at, node, reason.to_owned(), "give an external pair");
         }
         let wrong = if !number.is_finite() {
@@ -387,7 +385,7 @@ impl SchemaCheck<'_> {
                         format!("given together with {beside}, which stands in its place"),
                         "remove one or the other".to_owned(),
                     )
-                } else if let Some((reason, help)) = unmodelled::key_reason(&key, name, node) {
+                } else if let Some((reason, help)) = key_reason(&key, name, node) {
                     (reason.to_owned(), help.to_owned())
                 } else {
                     let near =

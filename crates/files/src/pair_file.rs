@@ -4,7 +4,6 @@ use super::assembly;
 use super::check::Checked;
 use super::common_face;
 use super::gear::GearPart;
-use super::limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use super::measured::Measured;
 use super::numbers;
 use super::read::PairFile;
@@ -21,6 +20,15 @@ use crate::Tree;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
+
+/// Poses of a study, over all centre distances and materials: their result fills 27 GB.
+pub const MOST_POSES: u64 = 10_000_000;
+
+/// Bytes that a pose takes in a result as JSON, about: 900 where a pair is jammed to 2250 with tip corners.
+pub const POSE_BYTES_JSON: u64 = 2250;
+
+/// Bytes that a pose takes in a result as CSV, about.
+pub const POSE_BYTES_CSV: u64 = 450;
 
 /// The tables of a pair file: `None` for a table with a problem, `Some(None)` for an absent one.
 pub struct PairTables<'a> {

@@ -13,24 +13,20 @@ mod dxf;
 mod error;
 mod limits;
 mod options;
-mod piece;
 mod pieces;
 mod repeat;
-mod smooth;
 mod svg;
 mod text;
-mod unit;
 
 pub use chain::Loop;
 pub use error::DrawingError;
 pub use limits::JOIN_MM;
 use limits::MOST_BYTES;
-pub use options::Options;
+pub use options::{Options, Unit};
 pub use pieces::Drawing;
 use pieces::Pieces;
 pub use repeat::Repeat;
 use std::path::Path;
-pub use unit::Unit;
 
 /// A kind of drawing, by the ending of its name.
 #[derive(Debug, Clone, Copy, PartialEq)]

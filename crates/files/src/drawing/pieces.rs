@@ -1,9 +1,9 @@
 //! All pieces of a file, and the loops that they form.
 
+use super::chain::Piece;
 use super::chain::{Chains, Loop, Open, chain};
 use super::error::{LONGEST_NAME, at};
 use super::limits::{FARTHEST_MM, MOST_NAMED, MOST_SEGMENTS};
-use super::piece::Piece;
 use super::{DrawingError, Options};
 use crate::characters::cut;
 use gearlash::outline::PathSegment;

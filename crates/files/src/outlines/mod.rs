@@ -3,16 +3,12 @@
 
 mod compared;
 mod gear;
-mod gears;
 mod listed;
 mod pair;
 mod paths;
-mod refused;
 
 pub use compared::{ComparedOutlines, TwoDrawings};
 pub use gear::DrawingRead;
-pub(crate) use gears::{of_drawing, read as read_gear};
 pub use listed::{ListedOutline, ListedOutlines, listed_outlines, lists_outlines};
-pub(crate) use pair::read;
 pub use pair::{Drawings, OutlineOptions};
-pub(crate) use refused::{has_outline, refuse};
+pub(crate) use pair::{has_outline, of_drawing, read, read_gear, refuse};

@@ -4,11 +4,12 @@ use super::gear::{self, DrawingRead, OutlinePart};
 use crate::Tree;
 use crate::assembly;
 use crate::check::Checked;
-use crate::gear::GearPart;
+use crate::gear::{GearPart, materials as of_materials};
+use crate::gear_file;
 use crate::pair_file::names;
-use crate::read::{AnyPair, PairFile};
+use crate::read::{AnyGears, AnyPair, GearEntry, PairFile};
 use crate::spec::{
-    AssemblySpec, CenterDistanceSpec, EitherGearSpec, PAIR, PairSpec, RequireSpec, SweepSpec,
+    AssemblySpec, CenterDistanceSpec, EitherGearSpec, GEAR, PAIR, PairSpec, RequireSpec, SweepSpec,
 };
 use crate::sweep::Sweep;
 use gearlash::analysis::study::{Material, Study};
@@ -192,7 +193,7 @@ fn part(file: &Checked, name: &str) -> Option<Part> {
             remarks,
         } = gear::read(file, name)?;
         return Some(Part {
-            gears: crate::gear::materials(&gears, OutlineGear::clone),
+            gears: of_materials(&gears, OutlineGear::clone),
             read: Some(read),
             spec: EitherGearSpec::Outline(Box::new(spec)),
             warnings: Vec::new(),
@@ -202,7 +203,7 @@ fn part(file: &Checked, name: &str) -> Option<Part> {
     let data = GearPart::read(file, name);
     let built = data.as_built?;
     Some(Part {
-        gears: crate::gear::materials(&built, |gear| gear.into()),
+        gears: of_materials(&built, |gear| gear.into()),
         read: None,
         spec: EitherGearSpec::Data(Box::new(data.spec?)),
         warnings: data.warnings,
@@ -303,4 +304,68 @@ pub(super) fn outline_table(name: &str, path: &Path, options: &OutlineOptions) -
         table += &format!("at_mm = {point:?}\n");
     }
     table + "\n"
+}
+
+/// Reads a gear file with an outline.
+pub(crate) fn read_gear(tree: &Tree) -> Option<AnyGears> {
+    let file = Checked::new(&GEAR, tree.table());
+    let (stem, title) = names(&file, tree.path);
+    let OutlinePart {
+        gears,
+        spec,
+        remarks,
+        ..
+    } = gear::read(&file, "gear")?;
+    Some(AnyGears {
+        title: title?,
+        stem,
+        gears: vec![GearEntry {
+            name: "gear",
+            materials: Vec::new(),
+            drawn: of_materials(&gears, OutlineGear::clone),
+            spec: EitherGearSpec::Outline(Box::new(spec)),
+        }],
+        temperature_c: None,
+        warnings: Vec::new(),
+        remarks,
+        sources: tree.reading.sources(),
+    })
+}
+
+/// The text of the gear file for a drawing alone.
+pub(crate) fn of_drawing(path: &Path, options: &OutlineOptions) -> String {
+    outline_table("gear", path, options)
+}
+
+/// The keys of gears given by an outline.
+fn outlines(file: &Tree) -> impl Iterator<Item = String> {
+    let keys = ["wheel", "pinion", "gear"].map(|name| format!("{name}.outline"));
+    let table = file.table();
+    keys.into_iter().filter(move |key| table.has(key))
+}
+
+/// Whether a gear of a pair or gear file is given by an outline.
+pub(crate) fn has_outline(file: &Tree) -> bool {
+    outlines(file).next().is_some()
+}
+
+/// Rejects a pair or gear file with an outline where gears given by data are needed.
+pub(crate) fn refuse(file: &Tree) -> Option<()> {
+    if !has_outline(file) {
+        return Some(());
+    }
+    let is_gear = gear_file::is_one(file);
+    let schema = if is_gear { &GEAR } else { &PAIR };
+    let checked = Checked::new(schema, file.table());
+    for key in outlines(file) {
+        checked.table().add(
+            &key,
+            "an outline has no module, no base circle and no line of action, which this command needs",
+            format!(
+                "use `gearlash check`, `simulate`, `snapshot`, `chart`, `report` or `gauge` with {}, or give the gear by its data",
+                file.path.display()
+            ),
+        );
+    }
+    None
 }

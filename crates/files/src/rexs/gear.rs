@@ -2,8 +2,7 @@
 
 use super::document::{Document, Relation};
 use super::fault::{Attributes, DEGREE, Fault, MILLIMETRE, NUMBER, Unit};
-use super::generated::Generated;
-use super::thickness::{self, Thickness};
+use super::thickness::{self, Generated, Thickness};
 use crate::error::Problem;
 use crate::spec::RackSpec;
 use gearlash::gear::{BasicGearData, Hand};

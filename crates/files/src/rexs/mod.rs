@@ -8,7 +8,6 @@ mod archive;
 mod document;
 mod fault;
 mod gear;
-mod generated;
 mod json;
 mod stage;
 mod thickness;

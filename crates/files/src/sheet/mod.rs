@@ -5,7 +5,6 @@
 //! teeth ([`rows`], [`number`]). A [`protocol`] has rows of its own. Parts of the file that are not part of the table are
 //! reported. No number is padded, replaced or guessed: an unknown line is a problem with its line number.
 
-mod choice;
 mod column;
 mod delimited;
 mod grid;
@@ -23,11 +22,11 @@ mod xlsx;
 
 use super::data_file::DataFile;
 use super::table::Table;
-pub use choice::Choice;
 pub use column::Column;
 use gearlash::metrology::PitchKind;
 pub use grid::MOST_CELLS;
 use grid::{Cell, Grid, Line, letter};
+pub use head::Choice;
 pub use header::{Header, StatedGear};
 use heading::Quantity;
 use number::Decimal;

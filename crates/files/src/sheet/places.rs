@@ -1,9 +1,8 @@
 //! Places of the columns in a header: one each, or an error that lists the candidates.
 
-use super::choice::TOOTH;
 use super::column::Column;
 use super::grid::{Line, MOST_ROWS, letter};
-use super::head::{Head, Heading};
+use super::head::{Head, Heading, TOOTH};
 use super::heading::Quantity;
 use super::request::Request;
 use crate::error::Problem;

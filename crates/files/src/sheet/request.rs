@@ -1,9 +1,8 @@
 //! A request for a table: its file and columns; and the header that it finds in one of the file's grids.
 
-use super::choice::Choice;
 use super::column::{self, Column};
 use super::grid::{Grid, MOST_NAMED};
-use super::head::Head;
+use super::head::{Choice, Head};
 use crate::data_file::DataFile;
 use crate::error::Problem;
 

@@ -8,9 +8,8 @@ use super::number::{self, Decimal, Placed, check_decimal_sign};
 use super::places::Places;
 use super::request::{Coverage, Request, Wanted};
 use crate::data_file::DataFile;
-use crate::limits::whole_in;
 use gearlash::gear::{Flank, Side};
-use std::ops::RangeBounds;
+use std::ops::{RangeBounds, RangeInclusive};
 
 /// Most lines, columns or teeth that a message lists. Tuned: a message of a few lines.
 const MOST_LISTED: usize = 8;
@@ -438,5 +437,15 @@ fn first_words(words: impl Iterator<Item = String>) -> String {
     match words.len().saturating_sub(MOST_LISTED) {
         0 => named,
         more => format!("{named} and {more} more"),
+    }
+}
+
+/// "a whole number, 3 … 10 000".
+fn whole_in(range: &RangeInclusive<u32>) -> String {
+    let (low, high) = (range.start(), range.end());
+    if *high < 10_000 {
+        format!("a whole number, {low} … {high}")
+    } else {
+        format!("a whole number, {low} … {} {:03}", high / 1000, high % 1000)
     }
 }

@@ -3,7 +3,6 @@
 mod bands;
 mod gear_names;
 mod gears;
-mod limit;
 mod mm;
 mod population;
 mod result;
@@ -13,14 +12,13 @@ mod sentence;
 mod worst;
 
 pub(crate) use bands::middle;
-pub(crate) use limit::limits;
 pub(crate) use population::{placed, shape_difference};
+pub(crate) use result::limits;
 pub(crate) use worst::sha256;
 
 pub use gear_names::named;
-pub use limit::{Limit, in_words};
 pub use population::{ToleranceFile, read_tolerance};
-pub use result::{About, Convergence, ToleranceResult};
+pub use result::{About, Convergence, Limit, ToleranceResult, in_words};
 pub use rows::{RowsHead, RowsReader, RowsTally, row_line, tenths_to_um};
 pub use run::{BLOCK, Tick, ToleranceRun, TooManyImpossible, shell_word};
 pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};

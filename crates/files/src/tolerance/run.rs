@@ -1,8 +1,7 @@
 //! A run: a population, a seed and a number of assemblies.
 
-use super::limit::limits;
 use super::population::ToleranceFile;
-use super::result::{About, ToleranceResult};
+use super::result::{About, ToleranceResult, limits};
 use super::worst::sha256;
 use gearlash::error::Error;
 use gearlash::population::{

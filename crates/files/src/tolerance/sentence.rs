@@ -1,7 +1,6 @@
 //! The result of a run in one sentence, for production managers and designers.
 
-use super::limit::in_words;
-use super::result::{About, ToleranceResult};
+use super::result::{About, ToleranceResult, in_words};
 use crate::numbers::{rounded, shortest};
 use gearlash::population::{Contributions, Factor, Share};
 

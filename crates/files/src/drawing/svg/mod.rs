@@ -8,9 +8,9 @@ mod shape;
 mod view;
 
 use super::affine::Affine;
+use super::chain::Piece;
 use super::error::LONGEST_NAME;
 use super::limits::MOST_SEGMENTS;
-use super::piece::Piece;
 use super::pieces::Pieces;
 use super::text::{Lines, decode};
 use super::{DrawingError, Options};

@@ -1,4 +1,5 @@
-//! Keys and values that a pair file cannot have, with the reason; and removed keys with their successors.
+//! Unknown keys: those that are not supported, with the reason; removed ones, with their successors; and the known key or word that a
+//! misspelt one means.
 
 use crate::node::Node;
 
@@ -75,4 +76,62 @@ pub fn key_reason(path: &str, name: &str, node: &Node) -> Option<(&'static str, 
     let mut taken = UNSUPPORTED.iter();
     let (_, reason, help) = taken.find(|(parts, ..)| is_one_of(parts))?;
     Some((reason, help))
+}
+
+/// The word of `known` with the least edit distance from `word`, and that distance.
+///
+/// The first wins a tie. A word over 64 characters has none: no known word is half as long.
+pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<(&'k str, usize)> {
+    const LONGEST: usize = 64;
+    if word.chars().nth(LONGEST).is_some() {
+        return None;
+    }
+    known
+        .iter()
+        .map(|&candidate| (candidate, strsim::osa_distance(word, candidate)))
+        .min_by_key(|&(_, distance)| distance)
+}
+
+/// Whether `distance` is so small that `word` must be a typing error: at most two in five of its letters.
+///
+/// Tuned: `theet` is `teeth`, `phases` is not `start`.
+pub fn is_slip(word: &str, distance: usize) -> bool {
+    5 * distance <= 2 * word.chars().count()
+}
+
+/// A key and its other names, in small letters and without underscores.
+const SYNONYMS: [(&str, &str); 15] = [
+    ("teeth", "z z1 z2 n numberofteeth numteeth zaehnezahl"),
+    ("module_mm", "m mn module modul normalmodule"),
+    (
+        "pressure_angle_deg",
+        "alpha alphan alphadeg pressureangle angle",
+    ),
+    (
+        "profile_shift",
+        "x x1 x2 shift addendummodification profileshiftcoefficient",
+    ),
+    ("helix_angle_deg", "beta betadeg helixangle helix"),
+    ("face_width_mm", "b width widthmm facewidth"),
+    ("tip_diameter_mm", "da tipdiameter outsidediameter"),
+    (
+        "center_distance_mm",
+        "a centerdistance centredistance axisdistance",
+    ),
+    ("addendum", "ha hap"),
+    ("dedendum", "hf hfp"),
+    ("root_radius", "rho rhof rhofp fillet filletradius"),
+    ("total_um", "fr um"),
+    ("over_pins", "overballs mdk mdr pins"),
+    ("mm", "w wk"),
+    ("helix_slope_um", "fhbeta fhb fhbetaum fhbum helixslope"),
+];
+
+/// The key of `known` that is also called `name`.
+pub fn synonym<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
+    const LONGEST: usize = 64;
+    let name = (name.len() <= LONGEST).then(|| name.to_lowercase().replace(['_', '-', '*'], ""))?;
+    let called = |names: &str| names.split(' ').any(|other| other == name);
+    let mut all = SYNONYMS.iter().filter(|(_, names)| called(names));
+    all.find_map(|(key, _)| known.iter().copied().find(|known| known == key))
 }

@@ -175,34 +175,25 @@ impl Fault<'_> {
         self.suspects.iter().map(suspected).collect()
     }
 
-    /// A problem of the whole tooth. It blames the thickness where a nominal tooth would work; else `otherwise`, with its help.
-    fn shape(&self, reason: String, otherwise: &'static str, help: String) -> Problem {
-        let (statement, under) = self.of.of_thickness(self.role);
-        match statement.key() {
-            Some(key) if Gear::nominal(self.of.design).is_ok() => {
-                let nominal = nominal(statement, &self.of.design);
-                let suspected = self.suspected();
-                let help = format!("check the measurement: {nominal}{suspected}");
-                self.of
-                    .table
-                    .problem(&format!("{under}.{key}"), reason, help)
-            }
-            _ => self.of.table.problem(otherwise, reason, help),
-        }
+    /// A problem of a key below the statement's table.
+    fn at(&self, key: &str, reason: String, help: String) -> Problem {
+        let (_, under) = self.of.of_thickness(self.role);
+        let key = format!("{under}.{key}");
+        self.of.table.problem(&key, reason, help)
     }
 
+    /// A problem of the whole tooth. It blames the thickness where a nominal tooth would work.
     fn of_gear(&self, error: GearError) -> Problem {
         let (table, design) = (self.of.table, &self.of.design);
         let reason = error.to_string();
         // The first of these keys that is given moves the tip.
-        let tip_key = ["tip_diameter_mm", "profile_shift", "rack.addendum"]
-            .into_iter()
-            .find(|key| table.has(key))
-            .unwrap_or("profile_shift");
+        let mut tip_keys = ["tip_diameter_mm", "profile_shift", "rack.addendum"].into_iter();
+        let tip_key = tip_keys.find(|key| table.has(key));
+        let tip_key = tip_key.unwrap_or("profile_shift");
         let tip_given = tip_key == "tip_diameter_mm";
-        match error {
+        let (reason, key, help) = match error {
             // Rounded down, so that the printed value fits.
-            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => table.problem(
+            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => return table.problem(
                 "rack.root_radius",
                 format!("too large for the tool's tip, allowed is up to {} modules with this dedendum and pressure angle", ascii(most, 6)),
                 format!(
@@ -210,7 +201,7 @@ impl Fault<'_> {
                     ascii((1e4 * most).floor() / 1e4, 4)
                 ),
             ),
-            GearError::TipRoundTooLarge { .. } => table.problem(
+            GearError::TipRoundTooLarge { .. } => return table.problem(
                 "rack.root_radius",
                 "no round is small enough: with this dedendum and pressure angle the tool's tip is pointed",
                 "reduce rack.dedendum",
@@ -225,7 +216,7 @@ impl Fault<'_> {
                 } else {
                     format!("reduce it, or give a tip_diameter_mm {below}")
                 };
-                self.shape(reason, tip_key, help)
+                (reason, tip_key, help)
             }
             GearError::NoInvolute {
                 form_diameter_mm, ..
@@ -235,74 +226,72 @@ impl Fault<'_> {
                 } else {
                     "give a greater profile shift, addendum or number of teeth".to_owned()
                 };
-                self.shape(reason, tip_key, help)
+                (reason, tip_key, help)
             }
             GearError::NoSpace { .. } => {
                 let depth =
                     design.basic_data.module() * (design.rack.dedendum() - design.profile_shift);
                 let root = design.basic_data.reference_radius() - depth;
                 if root > 0.0 {
-                    let help = "reduce the profile shift".to_owned();
-                    self.shape(reason, "profile_shift", help)
+                    (reason, "profile_shift", "reduce the profile shift".to_owned())
                 } else {
-                    self.shape(
-                        format!("the root radius would be {} mm, allowed is above 0", ascii(root, 4)),
-                        "rack.dedendum",
-                        "reduce the dedendum, or give a greater profile shift".to_owned(),
-                    )
+                    let root = ascii(root, 4);
+                    let reason = format!("the root radius would be {root} mm, allowed is above 0");
+                    let help = "reduce the dedendum, or give a greater profile shift".to_owned();
+                    (reason, "rack.dedendum", help)
                 }
             }
-            GearError::NoNeck { .. } => self.shape(
-                reason,
-                "profile_shift",
-                "give a greater profile shift, more teeth or a rack with less dedendum".to_owned(),
-            ),
-            GearError::OutOfRange { value, .. } => self.shape(
-                format!("makes the base tooth thickness {} mm, allowed is above 0", ascii(value, 4)),
-                "profile_shift",
-                "give a greater profile shift".to_owned(),
-            ),
-            _ => self.shape(
-                reason,
-                "profile_shift",
-                "reduce the profile shift, or give the rack more dedendum".to_owned(),
-            ),
+            GearError::NoNeck { .. } => {
+                let help = "give a greater profile shift, more teeth or a rack with less dedendum";
+                (reason, "profile_shift", help.to_owned())
+            }
+            GearError::OutOfRange { value, .. } => {
+                let value = ascii(value, 4);
+                let reason =
+                    format!("makes the base tooth thickness {value} mm, allowed is above 0");
+                (reason, "profile_shift", "give a greater profile shift".to_owned())
+            }
+            _ => {
+                let help = "reduce the profile shift, or give the rack more dedendum";
+                (reason, "profile_shift", help.to_owned())
+            }
+        };
+        let (statement, _) = self.of.of_thickness(self.role);
+        match statement.key() {
+            Some(key) if Gear::nominal(*design).is_ok() => {
+                let (nominal, suspected) = (nominal(statement, design), self.suspected());
+                let help = format!("check the measurement: {nominal}{suspected}");
+                self.at(key, reason, help)
+            }
+            _ => table.problem(key, reason, help),
         }
     }
 
     fn pins_inside_base(&self, reason: String) -> Problem {
         let (statement, under) = self.of.of_thickness(self.role);
+        let help = format!(
+            "check the measurement: {}",
+            nominal(statement, &self.of.design)
+        );
         if statement.chordal_thickness.is_some() {
-            return self.of.table.problem(
-                &format!("{under}.chordal_thickness"),
-                reason,
-                format!(
-                    "check the measurement: {}",
-                    nominal(statement, &self.of.design)
-                ),
-            );
+            return self.at("chordal_thickness", reason, help);
         }
         if statement.designation.is_some() {
-            return self.of.table.problem(
-                &format!("{under}.designation"),
-                reason,
-                "give allowance_um = { upper = …, lower = … }",
-            );
+            let help = "give allowance_um = { upper = …, lower = … }".to_owned();
+            return self.at("designation", reason, help);
         }
-        let keys = ["min_mm", "file"].into_iter();
-        let mut given = keys.filter(|key| self.of.table.has(&format!("{under}.over_pins.{key}")));
-        let key = format!("over_pins.{}", given.next().unwrap_or("mm"));
-        let base = 2.0 * self.of.design.basic_data.base_radius();
-        let nominal = nominal(statement, &self.of.design);
-        self.of.table.problem(
-            &format!("{under}.{key}"),
-            format!("{reason} (the base diameter is {} mm)", ascii(base, 4)),
-            format!("check the measurement: {nominal}"),
+        let mut keys = ["min_mm", "file"].into_iter();
+        let given = keys.find(|key| self.of.table.has(&format!("{under}.over_pins.{key}")));
+        let base = ascii(2.0 * self.of.design.basic_data.base_radius(), 4);
+        let reason = format!("{reason} (the base diameter is {base} mm)");
+        self.at(
+            &format!("over_pins.{}", given.unwrap_or("mm")),
+            reason,
+            help,
         )
     }
 
     fn off_involute(&self, reason: String, fits: Fits) -> Problem {
-        let (_, under) = self.of.of_thickness(self.role);
         let suspected = self.suspected();
         let (key, help) = match fits {
             Fits::Spans(_) if !suspected.is_empty() => {
@@ -336,9 +325,7 @@ impl Fault<'_> {
                 "measure over other pins, or give the span".to_owned(),
             ),
         };
-        self.of
-            .table
-            .problem(&format!("{under}.{key}"), reason, help)
+        self.at(key, reason, help)
     }
 }
 

@@ -160,8 +160,8 @@ impl GearPart {
             .filter_map(|sheet| sheet.header.as_ref());
         let mut header_warnings = Vec::new();
         let runout_header = runout.iter().filter_map(|runout| runout.header.as_ref());
-        let trace_headers = profiles.iter().flat_map(Profiles::headers);
-        let lead_headers = leads.iter().flatten().flat_map(Leads::headers);
+        let trace_headers = profiles.iter().flat_map(|profiles| &profiles.headers);
+        let lead_headers = leads.iter().flatten().flat_map(|leads| &leads.headers);
         let trace_headers = trace_headers.chain(lead_headers);
         for header in pitch_header.chain(runout_header).chain(trace_headers) {
             header.check(&drawn);
@@ -191,7 +191,7 @@ impl GearPart {
         self.warnings.extend_from_slice(&statements.runout.warnings);
         let leads = statements.leads.as_ref();
         self.warnings
-            .extend(leads.into_iter().flat_map(Leads::warnings).cloned());
+            .extend(leads.into_iter().flat_map(|leads| leads.warnings.clone()));
         self.notes = gear.notes;
         self.beside_helix(&statements, gear.as_built.most())?;
         let scale = self.scale;
@@ -215,7 +215,7 @@ impl GearPart {
         spec.tip_diameter_mm = statements.design.tip_diameter?;
         spec.runout = statements.runout.settled(gear.runout);
         spec.profile = statements.profiles.spec();
-        spec.lead = statements.leads.as_ref().map(Leads::spec);
+        spec.lead = statements.leads.map(|leads| leads.spec);
         spec.pitch = statements.pitch.map(|sheet| sheet.spec);
         spec.thickness = statements.thickness;
         if spec.thickness.statement.key().is_none() {

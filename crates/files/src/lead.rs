@@ -8,8 +8,8 @@ use super::helix::Helix;
 use super::numbers::shortest;
 use super::sheet::Header;
 use super::spec::{
-    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadAxis, LeadSpec, LeadTraceSpec,
-    ReliefEnd, ReliefShape, SlopeLength, SpurSlopeSpec, TeethEnd,
+    Either, EndReliefSpec, FlankLeadSpec, FlanksSpec, GearSpec, LeadSpec, LeadTraceSpec, ReliefEnd,
+    ReliefShape, SlopeLength, SpurSlopeSpec, TeethEnd,
 };
 use super::table::Table;
 use super::traces::{Along, Measured};
@@ -79,20 +79,18 @@ pub fn with_further(gear: &GearSpec, further: &[Lead; 2]) -> Option<LeadSpec> {
     Some(spec)
 }
 
-/// The leads of a gear, as in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
+/// The leads of a gear.
 #[derive(Debug, Clone)]
 pub struct Leads {
-    flanks: [FlankLeadSpec; 2],
-    zero_mm: f64,
-    range_mm: [f64; 2],
-    over: SlopeLength,
-    pub axis: LeadAxis,
-    /// Both ends of the teeth, mm from the measuring plane away from the reference face.
-    face: [f64; 2],
+    /// As in the pair file: defaults filled in, traces as lists from the reference face in the transverse section.
+    pub spec: LeadSpec,
+    /// Their [`shape`].
+    shape: (Lead, f64),
     hand: Hand,
-    headers: Vec<Header>,
+    /// Statements about the gear in the files of traces.
+    pub headers: Vec<Header>,
     /// Conventions that the file leaves open.
-    warnings: Vec<String>,
+    pub warnings: Vec<String>,
 }
 
 /// The data of a gear that its leads need, as far as they are known.
@@ -177,72 +175,49 @@ impl Leads {
             }
         }
         Some(Some(Leads {
-            flanks,
-            zero_mm,
-            range_mm,
-            over: spec.over,
-            axis: spec.axis,
-            face,
+            shape: shape(face, range_mm, zero_mm, spec.over),
+            spec: LeadSpec {
+                flanks: FlanksSpec::new(flanks),
+                zero_mm: Some(zero_mm),
+                range_mm: Some(range_mm),
+                from: TeethEnd::Reference,
+                ..spec
+            },
             hand,
             headers: measured.into_headers(),
             warnings,
         }))
     }
 
-    /// Statements about the gear in the files of traces.
-    pub fn headers(&self) -> &[Header] {
-        &self.headers
-    }
-
-    /// Warnings of conventions that the file leaves open.
-    pub fn warnings(&self) -> &[String] {
-        &self.warnings
-    }
-
     /// The leads of right flanks and of left ones.
     pub fn measured(&self) -> [Lead; 2] {
-        let [near, far] = self.face;
-        let at = |height: f64| (near + height).clamp(near, far);
-        let (shape, share) = shape(self.face, self.range_mm, self.zero_mm, self.over);
+        let (shape, share) = &self.shape;
+        let [near, far] = shape.face;
+        let point = |(height, um): (&f64, &f64)| ((near + height).clamp(near, far), um / 1000.0);
         let lead = |(own, flank): (Flank, &FlankLeadSpec)| {
             let turn = helix_slope(flank).map_or(0.0, |(um, hand)| {
                 Lead::slope_of_helix(um, hand.unwrap_or(self.hand), own)
             });
             let reliefs = flank.end_relief.iter().flat_map(Either::as_list);
             let traces = flank.trace.iter().flat_map(Either::as_list);
-            let point = |(height, um): (&f64, &f64)| (at(*height), um / 1000.0);
-            let heights = |trace: &LeadTraceSpec| -> Vec<(f64, f64)> {
+            let trace = |trace: &LeadTraceSpec| {
                 let heights = trace.from_reference_face_mm.iter().flatten();
                 let points = heights.zip(trace.deviation_um.iter().flatten());
-                points.map(point).collect()
+                Trace {
+                    tooth: trace.tooth,
+                    points: points.map(point).collect(),
+                }
             };
             Lead {
                 slope: share * (flank.slope_um.unwrap_or(0.0) + turn) / 1000.0,
                 crowning: flank.crowning_um.unwrap_or(0.0) / 1000.0,
                 end_reliefs: reliefs.flat_map(end_reliefs).collect(),
-                traces: traces
-                    .map(|trace| Trace {
-                        tooth: trace.tooth,
-                        points: heights(trace),
-                    })
-                    .collect(),
+                traces: traces.map(trace).collect(),
                 ..shape.clone()
             }
         };
-        let [right, left] = &self.flanks;
+        let [right, left] = self.spec.flanks.flanks();
         [(Flank::Right, right), (Flank::Left, left)].map(lead)
-    }
-
-    /// As in the pair file.
-    pub fn spec(&self) -> LeadSpec {
-        LeadSpec {
-            flanks: FlanksSpec::new(self.flanks.clone()),
-            zero_mm: Some(self.zero_mm),
-            range_mm: Some(self.range_mm),
-            over: self.over,
-            from: TeethEnd::Reference,
-            axis: self.axis,
-        }
     }
 }
 

@@ -282,7 +282,7 @@ fn of_text<T>(
     text: &str,
     understand: impl FnOnce(&Tree) -> Option<T>,
 ) -> Result<T, InputError> {
-    let reading = Reading::of_working_folder();
+    let reading = Reading::default();
     with_text(name, reading, Ok(text.to_owned()), understand)
 }
 

@@ -16,7 +16,8 @@ const NAME: &str = "profile";
 #[derive(Debug, Clone, Default)]
 pub struct Profiles {
     flanks: [FlankProfileSpec; 2],
-    headers: Vec<Header>,
+    /// Statements about the gear in the files of traces.
+    pub headers: Vec<Header>,
 }
 
 impl Profiles {
@@ -33,11 +34,6 @@ impl Profiles {
             flanks,
             headers: measured.into_headers(),
         })
-    }
-
-    /// Statements about the gear in the files of traces.
-    pub fn headers(&self) -> &[Header] {
-        &self.headers
     }
 
     /// The modifications on a gear of `basic_data`.

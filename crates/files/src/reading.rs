@@ -13,8 +13,9 @@ use std::rc::Rc;
 const MOST_OF_A_LIST: usize = 12;
 
 /// The reading of a file and of the files that it names.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Reading {
+    /// Empty: the working folder.
     folder: PathBuf,
     /// The files that it names, where they are given by name and bytes.
     files: Option<Rc<Files>>,
@@ -28,7 +29,7 @@ pub struct Reading {
 impl Reading {
     /// The reading of the file at `path`, which is itself the first source. Standard input has the working folder.
     pub fn of(path: &Path) -> Reading {
-        let reading = Reading::of_working_folder();
+        let reading = Reading::default();
         let standard_input = path == Path::new(crate::STANDARD_INPUT);
         // A link to the file behind standard input, on Unix.
         let source = if standard_input {
@@ -43,23 +44,11 @@ impl Reading {
         }
     }
 
-    /// The reading of a text whose files are looked for in the working folder.
-    pub fn of_working_folder() -> Reading {
-        Reading {
-            folder: PathBuf::new(),
-            files: None,
-            sources: RefCell::default(),
-            remarks: RefCell::default(),
-            inches: RefCell::default(),
-            problems: RefCell::default(),
-        }
-    }
-
     /// The reading of a text whose files are among `files`.
     pub fn of_files(files: Rc<Files>) -> Reading {
         Reading {
             files: Some(files),
-            ..Reading::of_working_folder()
+            ..Reading::default()
         }
     }
 

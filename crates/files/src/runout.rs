@@ -41,21 +41,14 @@ impl Runout {
         let table = gear.below("runout");
         let beyond = |tooth: f64| teeth.filter(|teeth| tooth >= f64::from(*teeth) + 1.0);
         let planes = spec.planes.iter().flatten();
-        let high_teeth = [
+        let planes = planes.map(|plane| ("planes", Some(plane.high_tooth)));
+        let shoulder = spec.face_runout.map(|face| face.high_tooth);
+        let others = [
             ("high_tooth", spec.high_tooth),
-            (
-                "face_runout.high_tooth",
-                spec.face_runout.map(|face| face.high_tooth),
-            ),
+            ("face_runout.high_tooth", shoulder),
         ];
-        let high_teeth = high_teeth
-            .into_iter()
-            .filter_map(|(key, tooth)| Some((key, tooth?)));
-        for (key, tooth) in planes
-            .map(|plane| ("planes", plane.high_tooth))
-            .chain(high_teeth)
-        {
-            if let Some(teeth) = beyond(tooth) {
+        for (key, tooth) in planes.chain(others) {
+            if let Some(teeth) = tooth.and_then(beyond) {
                 return table.refuse(
                     key,
                     format!(

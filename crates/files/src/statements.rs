@@ -43,7 +43,7 @@ impl Statements<'_> {
             leads_about_datum: self
                 .leads
                 .as_ref()
-                .is_some_and(|leads| leads.axis == LeadAxis::Datum),
+                .is_some_and(|leads| leads.spec.axis == LeadAxis::Datum),
             leads: self.leads.as_ref().map(Leads::measured).unwrap_or_default(),
         }
     }

@@ -1,9 +1,8 @@
 //! Warnings about numbers that look like another unit, by one rule per unit. Nothing is changed.
 
 use super::numbers::ascii;
-use super::spec::SpurSlopeSpec;
+use super::spec::{SpurSlopeSpec, each_value};
 use serde::Serialize;
-use serde_json::Value;
 
 /// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a
 /// gear that is worth measuring.
@@ -19,57 +18,25 @@ const LEAST_MM: [(&str, f64); 2] = [("face_mm", 0.1), ("flank_offset_mm", 0.001)
 
 /// Warnings of numbers in the table at `path` that look like another unit.
 pub fn warnings(path: &str, table: &impl Serialize) -> Vec<String> {
-    let table = serde_json::to_value(table).unwrap_or_default();
-    let mut greatest = Vec::new();
-    greatest_numbers(path, "", &table, &mut greatest);
-    let slips = greatest.iter();
-    slips
-        .filter_map(|(path, unit, value)| in_unit(path, unit, *value))
-        .collect()
-}
-
-/// The number of greatest size of each key, with its unit. Both flanks of a pitch, both ends of a range and all numbers of a
-/// distribution count as one.
-fn greatest_numbers(path: &str, unit: &str, value: &Value, found: &mut Vec<(String, String, f64)>) {
-    match value {
-        Value::Object(table) => {
-            for (name, value) in table {
-                let is_one = table.contains_key("scatter")
-                    || ["right_um", "left_um", "min", "max"].contains(&name.as_str());
-                let path = if is_one {
-                    path.to_owned()
-                } else {
-                    format!("{path}.{name}")
-                };
-                let own = name
-                    .rsplit('_')
-                    .next()
-                    .filter(|own| ["um", "mm", "deg", "c"].contains(own));
-                greatest_numbers(&path, own.unwrap_or(unit), value, found);
-            }
+    let mut table = serde_json::to_value(table).unwrap_or_default();
+    // The number of greatest size of each key.
+    let mut found: Vec<(String, String, f64)> = Vec::new();
+    each_value(&mut table, (path, ""), &mut |path, unit, value| {
+        let slope = value.as_str().map(SpurSlopeSpec::of_text);
+        let slope = slope.and_then(|slope| slope.parsed());
+        let Some(number) = value.as_f64().or(slope.map(|(um, _)| um)) else {
+            return;
+        };
+        let mut known = found.iter_mut();
+        match known.find(|(known, of, _)| known == path && of == unit) {
+            Some((.., greatest)) if greatest.abs() >= number.abs() => {}
+            Some((.., greatest)) => *greatest = number,
+            None => found.push((path.to_owned(), unit.to_owned(), number)),
         }
-        Value::Array(list) => {
-            for value in list {
-                greatest_numbers(path, unit, value, found);
-            }
-        }
-        Value::Number(_) | Value::String(_) => {
-            let slope = value.as_str().map(SpurSlopeSpec::of_text);
-            let slope = slope.and_then(|slope| slope.parsed());
-            let Some(number) = value.as_f64().or(slope.map(|(um, _)| um)) else {
-                return;
-            };
-            match found
-                .iter_mut()
-                .find(|(known, of, _)| known == path && of == unit)
-            {
-                Some((.., greatest)) if greatest.abs() >= number.abs() => {}
-                Some((.., greatest)) => *greatest = number,
-                None => found.push((path.to_owned(), unit.to_owned(), number)),
-            }
-        }
-        _ => {}
-    }
+    });
+    let slips = found.iter();
+    let slips = slips.filter_map(|(path, unit, value)| in_unit(path, unit, *value));
+    slips.collect()
 }
 
 /// The warning of a key whose greatest number is `value`.

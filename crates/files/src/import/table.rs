@@ -105,20 +105,16 @@ impl ImportedTable {
     ) -> ImportedTable {
         let heading = |place: usize| Some(sheet.origin.as_ref()?.columns.get(place)?.clone());
         let tooth = sheet.teeth().into_iter().map(Value::Whole).collect();
-        let mut columns = vec![ImportedColumn {
-            name: "tooth",
-            heading: heading(0),
-            values: tooth,
-        }];
-        for (place, name) in names.iter().enumerate() {
-            let values = sheet.values(place).into_iter().map(Value::Number).collect();
-            columns.push(ImportedColumn {
-                name,
-                heading: heading(place + 1),
-                values,
-            });
-        }
-        ImportedTable::with_columns(kind, title, columns, sheet)
+        let numbers = |place| sheet.values(place).into_iter().map(Value::Number).collect();
+        let values = names.iter().enumerate();
+        let values = values.map(|(place, name)| (*name, numbers(place)));
+        let columns = [("tooth", tooth)].into_iter().chain(values).enumerate();
+        let columns = columns.map(|(place, (name, values))| ImportedColumn {
+            name,
+            heading: heading(place),
+            values,
+        });
+        ImportedTable::with_columns(kind, title, columns.collect(), sheet)
     }
 
     /// The traces of `sheet`.

@@ -7,10 +7,10 @@ use super::rules::{
     above_zero, at_least, at_most_one, exactly_one, length, no_default, whole, within,
 };
 use super::thickness::ThicknessSpec;
+use super::value::each_value;
 use gearlash::gear::{BasicRack, Face, GRADES, Hand};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use serde_with::skip_serializing_none;
 
 /// A gear: its drawing, and what was measured on it.
@@ -114,7 +114,17 @@ impl GearSpec {
     /// The gear with every length and deviation multiplied by its factor.
     pub(crate) fn scaled(&self) -> Result<GearSpec, serde_json::Error> {
         let mut gear = serde_json::to_value(self)?;
-        multiply(&mut gear, self.scale(), false);
+        each_value(&mut gear, ("", ""), &mut |_, unit, value| {
+            if !["mm", "um"].contains(&unit) {
+                return;
+            }
+            let slope = value.as_str().map(SpurSlopeSpec::of_text);
+            if let Some(number) = value.as_f64() {
+                *value = (self.scale() * number).into();
+            } else if let Some((um, hand)) = slope.and_then(|slope| slope.parsed()) {
+                *value = serde_json::json!(SpurSlopeSpec::new(self.scale() * um, hand));
+            }
+        });
         gear["scale"].take();
         serde_json::from_value(gear)
     }
@@ -173,35 +183,5 @@ impl From<&BasicRack> for RackSpec {
             dedendum: rack.dedendum(),
             root_radius: rack.root_radius(),
         }
-    }
-}
-
-/// Multiplies the numbers of all keys in mm and µm.
-fn multiply(value: &mut Value, factor: f64, is_length: bool) {
-    match value {
-        Value::Object(table) => {
-            for (key, value) in table {
-                let unit = key.rsplit('_').next();
-                let is_own = |units: &[&str]| unit.is_some_and(|unit| units.contains(&unit));
-                let is_length = is_own(&["mm", "um"]) || is_length && is_own(&["min", "max"]);
-                multiply(value, factor, is_length);
-            }
-        }
-        Value::Array(list) => {
-            for value in list {
-                multiply(value, factor, is_length);
-            }
-        }
-        Value::Number(number) if is_length => {
-            *value = number
-                .as_f64()
-                .map_or(Value::Null, |number| (factor * number).into());
-        }
-        Value::String(text) if is_length => {
-            if let Some((um, hand)) = SpurSlopeSpec::of_text(text).parsed() {
-                *value = serde_json::json!(SpurSlopeSpec::new(factor * um, hand));
-            }
-        }
-        _ => {}
     }
 }

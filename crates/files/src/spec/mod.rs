@@ -52,6 +52,7 @@ pub use tolerance::{
     ScatterSpec, SpreadSpec, ToleranceSpec,
 };
 pub use uncertainty::UncertaintySpec;
+pub(crate) use value::each_value;
 pub use value::{AllowanceBandSpec, BandSpec, Either, FlankSpec, FlanksSpec, TableFileSpec};
 
 use gearlash::error::GearError;

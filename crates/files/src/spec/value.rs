@@ -4,6 +4,7 @@ use super::rules::{beside, exactly_one};
 use crate::sheet::number::Decimal;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::Value;
 use serde_with::skip_serializing_none;
 
 /// A value with two ways to write it.
@@ -143,20 +144,6 @@ pub struct TableFileSpec {
     pub decimal: Option<Decimal>,
 }
 
-impl TableFileSpec {
-    /// The table in `file`; sheet and decimal sign are not stated.
-    pub fn new(file: String) -> TableFileSpec {
-        TableFileSpec {
-            file,
-            sheet: None,
-            header_row: None,
-            tooth_column: None,
-            column: None,
-            decimal: None,
-        }
-    }
-}
-
 /// A table of any kind, by itself.
 #[skip_serializing_none]
 #[derive(Serialize, JsonSchema)]
@@ -173,5 +160,38 @@ pub(super) struct AnyTableSpec {
 fn table_file_keys(schema: &mut Schema) {
     for key in ["sheet", "header_row", "tooth_column", "column", "decimal"] {
         beside(schema, key, &[&["file"]]);
+    }
+}
+
+/// Hands each number and text in `value` to `take`, with its dotted path and the unit of its key or of one above.
+///
+/// Both flanks of a pitch, both ends of a range and all numbers of a distribution have one path.
+pub(crate) fn each_value(
+    value: &mut Value,
+    (path, unit): (&str, &str),
+    take: &mut dyn FnMut(&str, &str, &mut Value),
+) {
+    match value {
+        Value::Object(table) => {
+            let is_scatter = table.contains_key("scatter");
+            for (name, value) in table {
+                let parts = ["right_um", "left_um", "min", "max"];
+                let path = if is_scatter || parts.contains(&name.as_str()) {
+                    path.to_owned()
+                } else {
+                    format!("{path}.{name}")
+                };
+                let own = name.rsplit('_').next();
+                let own = own.filter(|own| ["um", "mm", "deg", "c"].contains(own));
+                each_value(value, (&path, own.unwrap_or(unit)), take);
+            }
+        }
+        Value::Array(list) => {
+            for value in list {
+                each_value(value, (path, unit), take);
+            }
+        }
+        Value::Number(_) | Value::String(_) => take(path, unit, value),
+        Value::Null | Value::Bool(_) => {}
     }
 }

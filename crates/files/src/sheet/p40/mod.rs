@@ -49,7 +49,7 @@ struct Numbered {
 }
 
 /// A file as read.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct P40<'a> {
     header: Header,
     numbered: Vec<Numbered>,
@@ -123,17 +123,7 @@ pub fn parse<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
 }
 
 fn lines<'a>(file: &DataFile, text: &'a str) -> Option<P40<'a>> {
-    let mut p40 = P40 {
-        header: Header::default(),
-        numbered: Vec::new(),
-        profile_by: None,
-        unmeasured: None,
-        blocks: Blocks::default(),
-        profiles: Vec::new(),
-        leads: Vec::new(),
-        never_used: BTreeMap::new(),
-        codes: HashSet::new(),
-    };
+    let mut p40 = P40::default();
     let mut data = Data::new(file);
     let (mut in_body, mut last, mut rows) = (false, 1, 0);
     for (line, text) in (1..).zip(text.lines()).skip(1) {
